@@ -1,0 +1,22 @@
+# Every library that is not ours, found once.
+find_package(Threads REQUIRED)
+find_package(LibXml2 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(MPI REQUIRED COMPONENTS C)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(ZLIB REQUIRED)
+
+add_library(sluice_hdf5 INTERFACE)
+target_include_directories(sluice_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
+target_link_libraries(sluice_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+
+add_library(sluice_mpi INTERFACE)
+target_compile_definitions(sluice_mpi INTERFACE OMPI_SKIP_MPICXX)
+target_link_libraries(sluice_mpi INTERFACE MPI::MPI_C)
+
+if(SLUICE_TESTS)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,32 @@
+# Language level, warnings and the floating-point rules that make results independent of loops.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+set(SLUICE_ARCH "native" CACHE STRING "Value of -march (native, x86-64-v3, ...)")
+option(SLUICE_TESTS "Build the tests" ON)
+option(SLUICE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(SLUICE_FUZZ "Build the libFuzzer targets (clang)" OFF)
+option(SLUICE_VECTOR_REPORT "Write the compiler's vectorisation report" OFF)
+
+add_library(sluice_options INTERFACE)
+target_compile_options(sluice_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+  -Woverloaded-virtual -Werror
+  # No result may depend on whether a cell falls into the vector body or the remainder.
+  -ffp-contract=off -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${SLUICE_ARCH}>:-march=${SLUICE_ARCH}>
+  $<$<BOOL:${SLUICE_VECTOR_REPORT}>:-fopt-info-vec-missed=vector.report>)
+target_include_directories(sluice_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+if(SLUICE_SANITIZE)
+  target_compile_options(sluice_options INTERFACE -fsanitize=address,undefined
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(sluice_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

@@ -1,0 +1,31 @@
+# sluice_room(NAME [USES rooms...] [LIBRARIES libs...])
+#   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
+#   The tests of a room are one executable NAME_test, its cases registered with ctest one by one.
+function(sluice_room name)
+  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  set(tests ${sources})
+  list(FILTER sources EXCLUDE REGEX "_(test|fuzz)\\.cpp$")
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC sluice_options ${ROOM_USES} ${ROOM_LIBRARIES})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  if(SLUICE_TESTS AND tests)
+    sluice_test(${name}_test SOURCES ${tests} USES ${name})
+  endif()
+endfunction()
+
+# sluice_test(NAME SOURCES files... USES rooms... [LABELS l...] [TIMEOUT s])
+function(sluice_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES;LABELS" ${ARGN})
+  include(GoogleTest)
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 600)
+  endif()
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_USES} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    SLUICE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SLUICE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  gtest_discover_tests(${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+endfunction()

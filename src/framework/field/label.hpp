@@ -1,0 +1,55 @@
+// Labels: typed handles of variables, compared by a small integer.
+//
+// A label is declared once at start-up with everything users see of it: name as in a deck's <save>,
+// value type, centring, unit and definition. The table of labels in docs/ is generated from here.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sluice {
+
+enum class Centring { cell, node, x_face, y_face, z_face, particle, reduction };
+enum class ValueType { real, vector, integer };  // vector: three reals, stored as three arrays
+
+std::string_view name_of(Centring);
+std::string_view name_of(ValueType);
+constexpr int component_count(ValueType t) { return t == ValueType::vector ? 3 : 1; }
+// The direction normal to a face-centred label, or -1.
+constexpr int face_direction(Centring c) {
+  return c == Centring::x_face ? 0 : c == Centring::y_face ? 1 : c == Centring::z_face ? 2 : -1;
+}
+
+struct LabelInfo {
+  std::string name;
+  ValueType type = ValueType::real;
+  Centring centring = Centring::cell;
+  std::string unit;        // SI, e.g. "kg/m^3"
+  std::string definition;  // one sentence
+};
+
+class Label {
+ public:
+  constexpr Label() = default;
+  constexpr explicit Label(int id) : id_(id) {}
+  constexpr int id() const { return id_; }
+  constexpr bool valid() const { return id_ >= 0; }
+  const LabelInfo& info() const;
+  const std::string& name() const { return info().name; }
+  constexpr friend bool operator==(Label, Label) = default;
+  constexpr friend auto operator<=>(Label, Label) = default;
+
+ private:
+  int id_ = -1;
+};
+
+// Declares a label, or returns the one already declared under this name with the same type and
+// centring. Throws std::logic_error on a contradiction.
+Label declare_label(LabelInfo info);
+std::optional<Label> find_label(std::string_view name);
+int label_count();
+std::vector<Label> all_labels();  // sorted by name
+
+}  // namespace sluice

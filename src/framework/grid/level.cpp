@@ -1,0 +1,59 @@
+// Splitting a level into boxes and dealing them out to ranks.
+#include "framework/grid/level.hpp"
+
+#include <numeric>
+
+namespace sluice {
+
+std::vector<IndexBox> split(const IndexBox& domain, IntVec3 pieces) {
+  const IntVec3 n = domain.size();
+  auto cut = [&](int d, int part) {
+    return domain.lower[d] +
+           static_cast<int>(static_cast<std::int64_t>(n[d]) * part / pieces[d]);
+  };
+  std::vector<IndexBox> boxes;
+  for (int i = 0; i < pieces.x; ++i)
+    for (int j = 0; j < pieces.y; ++j)
+      for (int k = 0; k < pieces.z; ++k) {
+        const IndexBox b{{cut(0, i), cut(1, j), cut(2, k)},
+                         {cut(0, i + 1), cut(1, j + 1), cut(2, k + 1)}};
+        if (!b.empty()) boxes.push_back(b);
+      }
+  return boxes;
+}
+
+namespace {
+
+// Interleaves the lowest 21 bits of three coordinates: the Morton key of a box corner.
+std::uint64_t morton_key(IntVec3 c) {
+  std::uint64_t key = 0;
+  for (int bit = 0; bit < 21; ++bit)
+    for (int d = 0; d < 3; ++d)
+      key |= ((static_cast<std::uint64_t>(c[d]) >> bit) & 1u) << (3 * bit + d);
+  return key;
+}
+
+}  // namespace
+
+void assign_owners(std::vector<GridBox>& boxes, int ranks) {
+  if (boxes.empty()) return;
+  IntVec3 low = boxes.front().cells.lower;
+  std::int64_t total = 0;
+  for (const GridBox& b : boxes) {
+    low = min(low, b.cells.lower);
+    total += b.cells.volume();
+  }
+  std::vector<std::size_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return morton_key(boxes[a].cells.lower - low) < morton_key(boxes[b].cells.lower - low);
+  });
+  std::int64_t before = 0;
+  for (std::size_t i : order) {
+    const std::int64_t middle = before + boxes[i].cells.volume() / 2;
+    boxes[i].owner = static_cast<int>(std::min<std::int64_t>(ranks - 1, middle * ranks / total));
+    before += boxes[i].cells.volume();
+  }
+}
+
+}  // namespace sluice
