@@ -1,0 +1,35 @@
+// Formulas of x, y, z (and named constants) that decks use for initial states.
+//
+// Operators + - * / ^, comparisons, && ||, ?:, functions sin cos tan asin acos atan atan2 sinh cosh
+// tanh exp log log10 sqrt abs min max sign floor ceil; constants pi and e; angles in radians.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+
+namespace sluice {
+
+class Formula {
+ public:
+  // InputError with the text and a mark under the place of the fault.
+  explicit Formula(const std::string& text, const std::map<std::string, double>& constants = {});
+  ~Formula();
+  Formula(Formula&&) noexcept;
+  Formula& operator=(Formula&&) noexcept;
+
+  double operator()(Vec3 p) const;  // not for two threads at once
+  const std::string& text() const { return text_; }
+
+ private:
+  struct Engine;
+  std::string text_;
+  std::unique_ptr<Engine> engine_;
+};
+
+// "[f, g, h]" split into its three texts, at commas that stand in no inner parentheses.
+std::vector<std::string> split_formulas(const std::string& text);
+
+}  // namespace sluice
