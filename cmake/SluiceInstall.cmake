@@ -1,0 +1,12 @@
+# cmake --install: the command, the Python tools, our decks and studies, the documentation.
+install(TARGETS sluice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/tools/sluice_tools
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/tools
+  PATTERN "__pycache__" EXCLUDE PATTERN "test_*" EXCLUDE)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice
+  FILES_MATCHING PATTERN "*.ups" PATTERN "*.xml")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/accuracy
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression FILES_MATCHING PATTERN "*.study")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE
+  ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

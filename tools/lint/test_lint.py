@@ -1,0 +1,84 @@
+"""Tests of the source checks: small trees with one known fault each."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import check_layers  # noqa: E402
+import check_lines  # noqa: E402
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = pathlib.Path(self.folder.name)
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+
+class Layers(Tree):
+    def test_downward_is_allowed(self):
+        self.write("framework/base/a.hpp", "// a\n")
+        self.write("ice/b.cpp", '// b\n#include "framework/base/a.hpp"\n#include <vector>\n')
+        self.assertEqual(check_layers.check(self.root), [])
+
+    def test_upward_is_named_with_its_line(self):
+        self.write("ice/b.hpp", "// b\n")
+        self.write("framework/base/a.cpp", '// a\n#include "ice/b.hpp"\n')
+        faults = check_layers.check(self.root)
+        self.assertEqual(len(faults), 1)
+        self.assertIn("framework/base/a.cpp:2: framework/base may not include ice", faults[0])
+
+    def test_ice_and_mpm_do_not_know_each_other(self):
+        self.write("mpm/m.hpp", "// m\n")
+        self.write("ice/b.cpp", '// b\n#include "mpm/m.hpp"\n')
+        self.assertEqual(len(check_layers.check(self.root)), 1)
+
+    def test_circle_of_headers(self):
+        self.write("ice/a.hpp", '// a\n#include "ice/b.hpp"\n')
+        self.write("ice/b.hpp", '// b\n#include "ice/a.hpp"\n')
+        faults = check_layers.check(self.root)
+        self.assertEqual(faults, ["circle: ice/a.hpp -> ice/b.hpp -> ice/a.hpp"])
+
+    def test_include_must_be_given_from_src(self):
+        self.write("ice/b.hpp", "// b\n")
+        self.write("ice/a.cpp", '// a\n#include "b.hpp"\n')
+        self.assertIn('write "ice/b.hpp"', check_layers.check(self.root)[0])
+
+    def test_unknown_room(self):
+        self.write("misc/a.cpp", "// a\n")
+        self.assertIn("no room of the design", check_layers.check(self.root)[0])
+
+
+class Lines(Tree):
+    def faults(self, text, name="src/a.cpp"):
+        return list(check_lines.faults_of(pathlib.Path(name), text))
+
+    def test_good_file(self):
+        self.assertEqual(self.faults("// Purpose.\nint a;\n"), [])
+
+    def test_each_fault(self):
+        for text, expected in [
+                ("// a\n" + "x" * 101 + "\n", "101 characters"),
+                ("// a\n" + "x\n" * 800, "801 lines"),
+                ("// a\n\tx\n", "a tab"),
+                ("// a\nx \n", "blanks at the end"),
+                ("// a\n// TO" + "DO later\n", "unfinished marker"),
+                ("int a;\n", "one sentence")]:
+            faults = self.faults(text)
+            self.assertEqual(len(faults), 1, faults)
+            self.assertIn(expected, faults[0])
+
+    def test_walks_a_tree_without_git(self):
+        self.write("src/a.cpp", "int a;\n")
+        self.write("src/picture.png", "int a;\n")
+        self.assertEqual(len(check_lines.check(self.root)), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
