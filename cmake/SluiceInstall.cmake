@@ -1,5 +1,7 @@
 # cmake --install: the command, the Python tools, our decks and studies, the documentation.
-install(TARGETS sluice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET sluice)  # a build of single rooms has no command to install
+  install(TARGETS sluice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/tools/sluice_tools
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/tools
   PATTERN "__pycache__" EXCLUDE PATTERN "test_*" EXCLUDE)
