@@ -128,19 +128,18 @@ constexpr std::size_t block_size = 1024;
 constexpr int headroom = 11;
 constexpr int bits_per_level = 53 - headroom;
 
-double largest_magnitude(const double* values, std::size_t count) {
-  Lanes largest = {};
+// Bits of the largest magnitude; infinities and NaN compare above all numbers.
+std::uint64_t largest_magnitude(const double* values, std::size_t count) {
+  LaneBits largest = {};
   for (std::size_t i = 0; i < count; i += lane_count) {
     LaneBits bits;
     std::memcpy(&bits, values + i, sizeof bits);
     bits &= 0x7fffffffffffffff;
-    Lanes magnitude;
-    std::memcpy(&magnitude, &bits, sizeof magnitude);
-    largest = magnitude > largest ? magnitude : largest;
+    largest = bits > largest ? bits : largest;
   }
-  double result = 0.0;
+  std::int64_t result = 0;
   for (std::size_t lane = 0; lane < lane_count; ++lane) result = std::max(result, largest[lane]);
-  return result;
+  return static_cast<std::uint64_t>(result);
 }
 
 // Cuts every value into multiples of unit[l] = 2^(-53) sigma[l] and sums each kind exactly.
@@ -173,16 +172,16 @@ bool extract(const double* values, std::size_t count, const double* sigma, doubl
 // Adds a whole number of lanes, at most block_size values, or says that it cannot: values that
 // are not finite, or that spread over more binary digits than so many levels hold.
 bool ExactSum::add_block(const double* values, std::size_t count, int levels) {
-  const double largest = largest_magnitude(values, count);
-  const int exponent =
-      static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52) - 1022;  // largest < 2^exponent
+  const std::uint64_t largest = largest_magnitude(values, count);
+  if (largest == 0) return true;
+  const int exponent = static_cast<int>(largest >> 52) - 1022;  // all magnitudes < 2^exponent
   if (exponent + headroom > 1022 || exponent < -700) return false;
   double sigma[4];
   double sums[4];
   for (int l = 0; l < 4; ++l) sigma[l] = power_of_two(exponent + headroom - l * bits_per_level);
   const bool left_over =
       levels == 2 ? extract<2>(values, count, sigma, sums) : extract<4>(values, count, sigma, sums);
-  if (left_over || !std::isfinite(sums[0])) return false;
+  if (left_over) return false;
   for (int l = 0; l < levels; ++l) add(sums[l]);
   return true;
 }

@@ -59,6 +59,8 @@ class Reduction {
   // False when the records do not hold the same slots.
   std::vector<std::int64_t>& words() { return words_; }
   static bool combine(const std::int64_t* from, std::int64_t* into, std::size_t count);
+  // False after a combination of records that did not hold the same slots.
+  bool is_consistent() const;
 
  private:
   std::vector<std::int64_t> words_;

@@ -15,9 +15,15 @@ struct Triple {
   constexpr const T& operator[](int d) const { return d == 0 ? x : d == 1 ? y : z; }
 
   constexpr friend bool operator==(const Triple&, const Triple&) = default;
-  constexpr friend Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  constexpr friend Triple operator-(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  constexpr friend Triple operator*(Triple a, Triple b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  constexpr friend Triple operator+(Triple a, Triple b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  constexpr friend Triple operator-(Triple a, Triple b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  constexpr friend Triple operator*(Triple a, Triple b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+  }
   constexpr friend Triple operator*(Triple a, T s) { return {a.x * s, a.y * s, a.z * s}; }
   constexpr friend Triple operator*(T s, Triple a) { return a * s; }
   constexpr Triple& operator+=(Triple b) { return *this = *this + b; }
@@ -29,7 +35,9 @@ struct Triple {
 using Vec3 = Triple<double>;
 using IntVec3 = Triple<int>;
 
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
