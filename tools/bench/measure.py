@@ -1,0 +1,135 @@
+"""Running the cases: pinned, repeated, several builds in turn; instruction counts by valgrind."""
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+
+TWO_CORES = "0,1"
+ONE_CORE = "0"
+
+
+@dataclasses.dataclass(frozen=True)
+class Build:
+    root: pathlib.Path
+    preset: str
+
+    @property
+    def bin(self):
+        return self.root / "build" / self.preset / "bin"
+
+
+def spread(values):
+    return (max(values) - min(values)) / statistics.median(values) if values else 0.0
+
+
+def run_command(build, case, report, steps, prefix=()):
+    command = ["taskset", "-c", ONE_CORE if case.ranks * case.threads == 1 else TWO_CORES]
+    if case.ranks > 1:
+        command += ["mpirun", "-np", str(case.ranks)]
+    command += [*prefix, str(build.bin / "sluice"), "run", str(build.root / case.deck),
+                "--threads", str(case.threads), "--max-steps", str(steps), "--no-output",
+                "--progress", "none", "--json", str(report)]
+    if case.resolution:
+        command += ["--set", "Grid/Level/Box/resolution=" + case.resolution]
+    for setting in case.settings:
+        command += ["--set", setting]
+    if not case.savings:
+        command.append("--force-all")
+    return command
+
+
+def run_once(build, case):
+    """Nanoseconds per cell and step of one run."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        done = subprocess.run(run_command(build, case, report, case.steps), capture_output=True,
+                              text=True, cwd=folder)
+        if done.returncode != 0:
+            sys.exit(f"bench: '{case.name}' failed ({done.returncode}):\n{done.stderr[-2000:]}")
+        told = json.loads(report.read_text())
+        if told["steps"] < case.steps:
+            print(f"note: '{case.name}' ended after {told['steps']} of {case.steps} steps")
+        return told["ns_per_cell_step"]
+
+
+def calibrate(build):
+    done = subprocess.run(["taskset", "-c", ONE_CORE, str(build.bin / "sluice_calibration")],
+                          capture_output=True, text=True, check=True)
+    return float(done.stdout)
+
+
+def median_runs(builds, cases, repeat):
+    """Per build: medians by case name; and all calibration times. Builds take turns."""
+    times = [{case.name: [] for case in cases} for _ in builds]
+    calibrations = []
+    for case in cases:
+        for _ in range(repeat):
+            calibrations.append(calibrate(builds[0]))
+            for slot, build in zip(times, builds):
+                slot[case.name].append(run_once(build, case))
+        told = [f"{statistics.median(slot[case.name]):.2f} "
+                f"(spread {100 * spread(slot[case.name]):.0f} %)" for slot in times]
+        print(f"   {case.name}: " + "  ".join(told), flush=True)
+    medians = [{name: statistics.median(values) for name, values in slot.items()}
+               for slot in times]
+    return medians, calibrations
+
+
+def kernel_figures(build, patterns):
+    """Medians (ns) of the google-benchmark programs *_bench of a build, by their names."""
+    figures = {}
+    for program in sorted(build.bin.glob("*_bench")):
+        done = subprocess.run(
+            ["taskset", "-c", ONE_CORE, str(program), "--benchmark_format=json",
+             "--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],
+            capture_output=True, text=True, check=True)
+        for row in json.loads(done.stdout)["benchmarks"]:
+            name = row.get("run_name", row["name"])
+            if row.get("aggregate_name") != "median":
+                continue
+            if patterns and not any(p in name for p in patterns):
+                continue
+            per_item = row.get("items_per_second")
+            figures[name] = 1e9 / per_item if per_item else row["real_time"]
+    return figures
+
+
+def count_instructions(root, cases):
+    """Instructions per cell and step from two runs of different length; any AVX2 machine."""
+    build = Build(root, "portable")
+    for command in (["cmake", "--preset", "portable"],
+                    ["cmake", "--build", "--preset", "portable", "--target", "sluice"]):
+        done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"bench: {' '.join(command)} failed:\n{done.stdout[-3000:]}")
+    print(f"{'case':34} {'instructions/cell/step':>24}")
+    for case in cases:
+        if case.ranks * case.threads > 1:
+            continue
+        few, many = 4, 8
+        counts, cells = [], 0
+        for steps in (few, many):
+            refs, cells = instruction_total(build, case, steps)
+            counts.append(refs)
+        per_cell_step = (counts[1] - counts[0]) / (cells * (many - few))
+        print(f"{case.name:34} {per_cell_step:24.1f}", flush=True)
+    return 0
+
+
+def instruction_total(build, case, steps):
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        valgrind = ("valgrind", "--tool=cachegrind", "--cache-sim=no",
+                    f"--cachegrind-out-file={folder}/counts")
+        done = subprocess.run(run_command(build, case, report, steps, valgrind),
+                              capture_output=True, text=True, cwd=folder,
+                              env=dict(os.environ, TBB_NUM_THREADS="1"))
+        found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
+        if done.returncode != 0 or not found:
+            sys.exit(f"bench: valgrind failed on '{case.name}':\n{done.stderr[-2000:]}")
+        return int(found.group(1).replace(",", "")), json.loads(report.read_text())["cells"]

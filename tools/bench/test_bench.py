@@ -1,0 +1,66 @@
+"""Tests of the bench frame with a stand-in for the sluice command."""
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import bench  # noqa: E402
+import measure  # noqa: E402
+import table  # noqa: E402
+from cases import CASES, Ratio, Run  # noqa: E402
+
+STAND_IN = """#!/bin/sh
+while [ "$1" != --json ]; do shift; done
+echo '{"steps": 10, "cells": 100, "ns_per_cell_step": 42.0}' > "$2"
+"""
+
+
+class Frame(unittest.TestCase):
+    def test_ratio_case_brings_its_runs(self):
+        names = [case.name for case in bench.wanted(CASES, ["speed-up of 2 threads"])]
+        self.assertEqual(names, ["3-D, 96^3", "3-D, 96^3, 2 threads", "speed-up of 2 threads"])
+
+    def test_figures_of_ratios(self):
+        cases = [Run("a", "d", 1), Run("b", "d", 1), Ratio("a/b", "a", "b")]
+        self.assertEqual(bench.figures_of(cases, {"a": 6.0, "b": 2.0})["a/b"], 3.0)
+
+    def test_limits_upper_and_lower(self):
+        run, ratio = Run("a", "d", 1, limit=30), Ratio("r", "a", "b", 1.85, at_least=True)
+        self.assertEqual([table.verdict(run, 30.0), table.verdict(run, 30.1)], ["ok", "OVER"])
+        self.assertEqual([table.verdict(ratio, 1.85), table.verdict(ratio, 1.8)], ["ok", "UNDER"])
+
+    def test_rows_name_the_change(self):
+        rows = list(table.rows([Run("a", "d", 1, limit=30)], {"a": 22.0},
+                               {"figures": {"a": 20.0}}, 0.11))
+        self.assertEqual(rows, [["a", "22.00", "200", "20.00", "+10.0 %", "*", "30", "ok"]])
+
+    def test_run_reads_the_report(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            program = root / "build/release/bin/sluice"
+            program.parent.mkdir(parents=True)
+            program.write_text(STAND_IN)
+            program.chmod(0o755)
+            build = measure.Build(root, "release")
+            self.assertEqual(measure.run_once(build, Run("a", "deck.ups", 10)), 42.0)
+
+    def test_savings_are_off_unless_asked_for(self):
+        build = measure.Build(pathlib.Path("/r"), "release")
+        off = measure.run_command(build, Run("a", "d", 5), "r.json", 5)
+        self.assertIn("--force-all", off)
+        self.assertEqual(off[off.index("--max-steps") + 1], "5")
+        self.assertNotIn("--force-all",
+                         measure.run_command(build, Run("a", "d", 5, savings=True), "r.json", 5))
+
+    def test_recorded_figures_belong_to_cases(self):
+        file = pathlib.Path(bench.RECORDED)
+        if not file.exists():
+            self.skipTest("nothing recorded yet")
+        recorded = json.loads(file.read_text())
+        self.assertLessEqual({"figures", "commit", "date", "machine"}, set(recorded))
+
+
+if __name__ == "__main__":
+    unittest.main()
