@@ -119,10 +119,17 @@ double ExactSum::value() const {
 
 namespace {
 
-// Eight doubles side by side; the compiler maps them to the registers that the machine has.
-using Lanes = double __attribute__((vector_size(64)));
-using LaneBits = std::int64_t __attribute__((vector_size(64)));
-constexpr std::size_t lane_count = 8;
+// As many doubles side by side as a register of the machine holds.
+#if defined(__AVX512F__)
+constexpr std::size_t lane_bytes = 64;
+#elif defined(__AVX2__)
+constexpr std::size_t lane_bytes = 32;
+#else
+constexpr std::size_t lane_bytes = 16;
+#endif
+using Lanes = double __attribute__((vector_size(lane_bytes)));
+using LaneBits = std::int64_t __attribute__((vector_size(lane_bytes)));
+constexpr std::size_t lane_count = lane_bytes / sizeof(double);
 constexpr std::size_t block_size = 1024;
 // 2^headroom >= block_size + 2: the sum of block_size extracted parts stays exact.
 constexpr int headroom = 11;
@@ -189,7 +196,7 @@ bool ExactSum::add_block(const double* values, std::size_t count, int levels) {
 void ExactSum::add(const double* values, std::size_t count) {
   while (count >= lane_count) {
     const std::size_t n = std::min(count, block_size) / lane_count * lane_count;
-    if (n < 2 * lane_count || !(add_block(values, n, 2) || add_block(values, n, 4))) {
+    if (n < 16 || !(add_block(values, n, 2) || add_block(values, n, 4))) {
       for (std::size_t i = 0; i < n; ++i) add(values[i]);
     }
     values += n;
