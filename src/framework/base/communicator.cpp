@@ -1,6 +1,7 @@
 // Ranks over MPI; without a launcher every call is answered here and MPI is never started.
 #include "framework/base/communicator.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -82,6 +83,20 @@ RecordTypes& record_types() {
   return types;
 }
 
+// Ends all ranks with the status. MPI_Abort prints a banner of eight lines over the message that
+// matters; the runtime below Open MPI does the same without, where it is loaded.
+[[noreturn]] void end_all_ranks(ExitStatus status) {
+  using AbortFunction = int (*)(int, const char*, void*, std::size_t);
+  if (void* library = dlopen("libpmix.so.2", RTLD_LAZY | RTLD_NOLOAD); library != nullptr) {
+    const auto abort_all = reinterpret_cast<AbortFunction>(dlsym(library, "PMIx_Abort"));
+    if (abort_all != nullptr && abort_all(static_cast<int>(status), nullptr, nullptr, 0) == 0) {
+      std::_Exit(static_cast<int>(status));
+    }
+  }
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(status));
+  std::_Exit(static_cast<int>(status));
+}
+
 int environment_number(const char* name) {
   const char* text = std::getenv(name);
   return text != nullptr ? std::atoi(text) : 0;
@@ -151,8 +166,19 @@ void Communicator::abort(ExitStatus status, const std::string& message) {
     std::fputs((origin + message + "\n").c_str(), stderr);
   }
   std::fflush(stderr);
-  if (uses_mpi_) MPI_Abort(MPI_COMM_WORLD, static_cast<int>(status));
+  if (size_ > 1) end_all_ranks(status);
   std::_Exit(static_cast<int>(status));
+}
+
+void Communicator::exit_together(ExitStatus status) {
+  std::fflush(stdout);
+  std::fflush(stderr);
+  if (size_ > 1 && status != ExitStatus::good) {
+    barrier();  // nobody is cut off in the middle of a file or a line
+    end_all_ranks(status);
+  }
+  finalize();
+  std::exit(static_cast<int>(status));
 }
 
 void Communicator::barrier() {

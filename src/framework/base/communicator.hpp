@@ -32,6 +32,8 @@ class Communicator {
   void finalize();
   // One rank failed: prints the message once and ends all ranks with the status, now.
   [[noreturn]] void abort(ExitStatus status, const std::string& message);
+  // Collective: all ranks know the status. Ends without the launcher's banners, whatever it is.
+  [[noreturn]] void exit_together(ExitStatus status);
 
   void barrier();
   // Replaces every slot by its value over all ranks: one MPI call. All ranks hold equal slots.

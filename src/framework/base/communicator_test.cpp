@@ -155,5 +155,10 @@ TEST(Communicator, DISABLED_one_rank_aborts) {
   FAIL() << "the barrier was passed although rank 1 never came";
 }
 
+// Run by name under the launcher: all agree that the physics failed.
+TEST(Communicator, DISABLED_all_ranks_exit_together) {
+  world().exit_together(ExitStatus::failed);
+}
+
 }  // namespace
 }  // namespace sluice
