@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "framework/base/vec3.hpp"
@@ -80,6 +81,11 @@ struct Deck {
 
   bool good() const;  // no error among the faults
 };
+
+// A deck as written, includes resolved, nothing checked and no default filled in. Faults of the
+// XML itself and of includes are in `faults`; the root is nullptr when nothing could be read.
+Deck read_deck(const std::string& file);
+Deck read_deck_text(std::string_view xml, const std::string& shown_name);
 
 // Writes the resolved deck as XML (what an archive keeps as input.xml).
 std::string to_xml(const DeckNode& root);

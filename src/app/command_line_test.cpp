@@ -1,0 +1,72 @@
+// The command line as a user meets it: the executable itself is run, its status and text checked.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace sluice {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int status = -1;
+  std::string text;  // standard output and error together
+};
+
+Outcome run(const std::string& arguments) {
+  const std::string command = std::string(SLUICE_COMMAND) + " " + arguments + " 2>&1";
+  Outcome outcome;
+  FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    outcome.text.append(buffer.data(), n);
+  }
+  const int status = pclose(pipe);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return outcome;
+}
+
+TEST(CommandLine, WithoutArgumentsIsBadInput) {
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("subcommand is required"));
+}
+
+TEST(CommandLine, HelpAndVersionAreGood) {
+  EXPECT_EQ(run("--help").status, 0);
+  EXPECT_EQ(run("check --help").status, 0);
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.text, HasSubstr("sluice 0."));
+}
+
+TEST(CommandLine, UnknownOptionIsBadInputAndNamed) {
+  const Outcome outcome = run("check --frobnicate deck.ups");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("--frobnicate"));
+}
+
+TEST(CommandLine, UnknownSubcommandIsBadInputAndNamed) {
+  const Outcome outcome = run("chek deck.ups");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("did you mean 'check'?"));
+}
+
+TEST(CommandLine, MissingDeckIsBadInputAndNamed) {
+  const Outcome outcome = run("check nosuch.ups");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("nosuch.ups: error: no such file"));
+}
+
+TEST(CommandLine, FolderInPlaceOfADeckIsBadInput) {
+  const Outcome outcome = run("check /usr");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("not a regular file"));
+}
+
+}  // namespace
+}  // namespace sluice

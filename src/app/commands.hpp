@@ -1,0 +1,16 @@
+// The subcommands of `sluice`: each adds itself to the parser and, when it is the one called,
+// runs in its callback and sets the exit status (0 good, 1 failed, 2 bad input, 3 system).
+//
+// A callback may throw InputError, PhysicsError or SystemError; main prints the message and exits
+// with the error's own status.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sluice {
+
+void add_check_command(CLI::App& app, int& exit_status);
+
+}  // namespace sluice
