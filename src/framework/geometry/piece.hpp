@@ -33,6 +33,8 @@ struct Bounds {
 };
 Bounds intersection(const Bounds&, const Bounds&);
 Bounds bounding(const Bounds&, const Bounds&);
+// The box with a margin for the round-off of inside tests: 1e-12 of its coordinates and size.
+Bounds with_margin(const Bounds&);
 
 // How a box of space lies to a piece. `all` and `none` are promises; `some` may also mean unknown.
 enum class Cover { none, some, all };
@@ -51,9 +53,9 @@ class GeometryPiece {
 
 using PiecePtr = std::shared_ptr<const GeometryPiece>;
 
-// Cover of a convex piece: a box is inside when its eight corners are.
-// `slack` widens the box by that much relative round-off, for inside tests that are not monotone.
-Cover convex_cover(const GeometryPiece& piece, const Bounds& box, double slack);
+// Cover of a convex piece: a box is inside when its eight corners are. `exact` says that the inside
+// test rounds monotonically in each coordinate; otherwise the box is widened by the round-off.
+Cover convex_cover(const GeometryPiece& piece, const Bounds& box, bool exact);
 
 // All of space (<null>).
 class EverywherePiece final : public GeometryPiece {

@@ -21,6 +21,7 @@ struct CellLattice {
   double sub_point(int direction, int i, int s, int res) const {
     return centre(direction, i) + ((2 * s + 1 - res) * spacing[direction]) / (2 * res);
   }
+  IntVec3 cell_of(Vec3 p) const;  // floor((p - anchor) / spacing)
 };
 
 // Number of sub-points of one cell that lie inside; at most res.x res.y res.z. Of a piece that is a

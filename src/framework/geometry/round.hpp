@@ -1,0 +1,77 @@
+// Pieces with curved faces: sphere, ellipsoid, cylinder, cone, torus.
+//
+// Cylinders and cones are measured from the middle of their axis, so that the piece with bottom and
+// top exchanged, and its mirror image, give the same answer to the bit.
+#pragma once
+#include <array>
+
+#include "framework/geometry/piece.hpp"
+
+namespace sluice {
+
+class SpherePiece final : public GeometryPiece {
+ public:
+  SpherePiece(Vec3 origin, double radius);
+  bool inside(Vec3 p) const override {
+    const Vec3 d = p - origin_;
+    return dot(d, d) <= radius_ * radius_;
+  }
+  Bounds bounds() const override {
+    return with_margin({origin_ - Vec3::all(radius_), origin_ + Vec3::all(radius_)});
+  }
+  Cover cover(const Bounds& box) const override { return convex_cover(*this, box, true); }
+
+ private:
+  Vec3 origin_;
+  double radius_;
+};
+
+// sum of (d . v_i / |v_i|^2)^2 <= 1 + 1e-12 for three orthogonal half axes v_i.
+class EllipsoidPiece final : public GeometryPiece {
+ public:
+  EllipsoidPiece(Vec3 origin, Vec3 v1, Vec3 v2, Vec3 v3);
+  bool inside(Vec3 p) const override;
+  Bounds bounds() const override { return bounds_; }
+  Cover cover(const Bounds& box) const override { return convex_cover(*this, box, false); }
+
+ private:
+  Vec3 origin_;
+  std::array<Vec3, 3> axes_;  // v_i / |v_i|^2
+  Bounds bounds_;
+};
+
+// Frustum between two discs; a cylinder is one with equal radii.
+class ConePiece final : public GeometryPiece {
+ public:
+  ConePiece(Vec3 bottom, Vec3 top, double bottom_radius, double top_radius);
+  bool inside(Vec3 p) const override;
+  Bounds bounds() const override { return bounds_; }
+  Cover cover(const Bounds& box) const override { return convex_cover(*this, box, false); }
+
+ private:
+  Vec3 middle_, half_;  // centre of the axis, vector from there to the top
+  double half_squared_;
+  double radius_, growth_;  // at the middle; from there to the top
+  int aligned_;             // direction of the axis, or -1
+  Bounds bounds_;
+};
+
+PiecePtr make_cylinder(Vec3 bottom, Vec3 top, double radius);
+
+// (major - sqrt(a^2 + b^2))^2 + c^2 < minor^2, c along the axis. The axis is turned by theta
+// (radians): z in the z-x plane, y in the z-y plane, x in the y-x plane.
+class TorusPiece final : public GeometryPiece {
+ public:
+  TorusPiece(Vec3 center, double major_radius, double minor_radius, int axis, double theta);
+  bool inside(Vec3 p) const override;
+  Bounds bounds() const override { return bounds_; }
+
+ private:
+  Vec3 center_;
+  double major_, minor_;
+  int axis_, second_;  // the axis turns towards `second_`
+  double cosine_, sine_;
+  Bounds bounds_;
+};
+
+}  // namespace sluice

@@ -1,0 +1,125 @@
+// How much of a cell a piece fills, by counting sub-points.
+#include "framework/geometry/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sluice {
+
+namespace {
+
+std::int32_t points_in_cell(const std::vector<Vec3>& points, const CellLattice& lattice,
+                            IntVec3 cell) {
+  std::int32_t n = 0;
+  for (Vec3 p : points) n += lattice.cell_of(p) == cell;
+  return n;
+}
+
+// Counts over a range of cells by halving blocks until a block is settled or is one cell.
+class Counter {
+ public:
+  Counter(const GeometryPiece& piece, const CellLattice& lattice, IntVec3 lower, IntVec3 upper,
+          IntVec3 res)
+      : piece_(piece), lattice_(lattice), lower_(lower), size_(upper - lower), res_(res) {
+    counts_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                       static_cast<std::size_t>(size_.z),
+                   0);
+  }
+
+  void visit(IntVec3 lower, IntVec3 upper) {
+    const Cover c = piece_.cover(sub_points(lower, upper));
+    if (c == Cover::none) return;
+    if (c == Cover::all) return fill(lower, upper);
+    const IntVec3 n = upper - lower;
+    const int d = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
+    if (n[d] == 1) {
+      at(lower) = count_inside(piece_, lattice_, lower, res_);
+      return;
+    }
+    IntVec3 middle_up = upper, middle_down = lower;
+    middle_up[d] = middle_down[d] = lower[d] + n[d] / 2;
+    visit(lower, middle_up);
+    visit(middle_down, upper);
+  }
+
+  std::vector<std::int32_t> take() { return std::move(counts_); }
+
+ private:
+  // The box of all sub-points of the cells: its ends are sub-points themselves.
+  Bounds sub_points(IntVec3 lower, IntVec3 upper) const {
+    Bounds b;
+    for (int d = 0; d < 3; ++d) {
+      b.lower[d] = lattice_.sub_point(d, lower[d], 0, res_[d]);
+      b.upper[d] = lattice_.sub_point(d, upper[d] - 1, res_[d] - 1, res_[d]);
+    }
+    return b;
+  }
+  std::int32_t& at(IntVec3 c) {
+    const IntVec3 o = c - lower_;
+    return counts_[static_cast<std::size_t>(o.x) +
+                   static_cast<std::size_t>(size_.x) *
+                       (static_cast<std::size_t>(o.y) +
+                        static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(o.z))];
+  }
+  void fill(IntVec3 lower, IntVec3 upper) {
+    const std::int32_t full = res_.x * res_.y * res_.z;
+    for (int k = lower.z; k < upper.z; ++k)
+      for (int j = lower.y; j < upper.y; ++j) {
+        std::int32_t* row = &at({lower.x, j, k});
+        for (int i = 0; i < upper.x - lower.x; ++i) row[i] = full;
+      }
+  }
+
+  const GeometryPiece& piece_;
+  const CellLattice& lattice_;
+  IntVec3 lower_, size_, res_;
+  std::vector<std::int32_t> counts_;
+};
+
+}  // namespace
+
+IntVec3 CellLattice::cell_of(Vec3 p) const {
+  IntVec3 c;
+  for (int d = 0; d < 3; ++d) c[d] = static_cast<int>(std::floor((p[d] - anchor[d]) / spacing[d]));
+  return c;
+}
+
+std::int32_t count_inside(const GeometryPiece& piece, const CellLattice& lattice, IntVec3 cell,
+                          IntVec3 res) {
+  if (const std::vector<Vec3>* points = piece.points())
+    return points_in_cell(*points, lattice, cell);
+  std::int32_t n = 0;
+  for (int c = 0; c < res.z; ++c)
+    for (int b = 0; b < res.y; ++b)
+      for (int a = 0; a < res.x; ++a)
+        n += piece.inside({lattice.sub_point(0, cell.x, a, res.x),
+                           lattice.sub_point(1, cell.y, b, res.y),
+                           lattice.sub_point(2, cell.z, c, res.z)});
+  return n;
+}
+
+std::vector<std::int32_t> count_inside(const GeometryPiece& piece, const CellLattice& lattice,
+                                       IntVec3 lower, IntVec3 upper, IntVec3 res) {
+  const IntVec3 n = upper - lower;
+  if (n.x <= 0 || n.y <= 0 || n.z <= 0) return {};
+  if (const std::vector<Vec3>* points = piece.points()) {
+    std::vector<std::int32_t> counts(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) *
+                                         static_cast<std::size_t>(n.z),
+                                     0);
+    for (Vec3 p : *points) {
+      const IntVec3 c = lattice.cell_of(p) - lower;
+      if (c.x < 0 || c.y < 0 || c.z < 0 || c.x >= n.x || c.y >= n.y || c.z >= n.z) continue;
+      ++counts[static_cast<std::size_t>(c.x) +
+               static_cast<std::size_t>(n.x) *
+                   (static_cast<std::size_t>(c.y) +
+                    static_cast<std::size_t>(n.y) * static_cast<std::size_t>(c.z))];
+    }
+    return counts;
+  }
+  Counter counter(piece, lattice, lower, upper, res);
+  counter.visit(lower, upper);
+  return counter.take();
+}
+
+}  // namespace sluice
