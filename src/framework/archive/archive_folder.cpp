@@ -1,0 +1,201 @@
+// The folders of an archive: a new number for a new run, continuing an old one, links.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <ctime>
+
+#include "framework/archive/archive_writer.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace fs = std::filesystem;
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+bool is_partial(const fs::path& path) {
+  return path.extension() == ".partial";
+}
+
+// What a killed run left behind.
+void remove_partials(const fs::path& folder) {
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_partial(entry.path())) left.push_back(entry.path());
+  for (const fs::path& p : left) remove_tree(p);
+}
+
+void copy_file_durably(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (error) fail_system("copy " + from.string() + " to", to, error.value());
+  PosixFile file = PosixFile::open_existing(to);
+  file.sync();
+  file.close();
+}
+
+// A step's folder, whole: copied beside its name and renamed.
+void copy_step(const fs::path& from, const fs::path& to) {
+  const fs::path partial = to.string() + ".partial";
+  remove_tree(partial);
+  make_folder(partial);
+  for (const auto& entry : fs::directory_iterator(from))
+    copy_file_durably(entry.path(), partial / entry.path().filename());
+  rename_path(partial, to);
+}
+
+const StepEntry& find_step(const ArchiveIndex& index, int step, const fs::path& folder) {
+  for (const StepEntry& s : index.steps)
+    if (s.step == step) return s;
+  std::string have;
+  for (const StepEntry& s : index.steps) have += fmt::format(" {}", s.step);
+  throw InputError(fmt::format("{} has no checkpoint of step {}; it has{}", folder.string(), step,
+                               have.empty() ? " none" : have));
+}
+
+ArchiveIndex read_index(const fs::path& folder) {
+  const fs::path path = folder / "index.xml";
+  if (!fs::exists(path))
+    throw InputError(fmt::format("{} does not exist: {}", path.string(),
+                                 folder.filename() == "checkpoints"
+                                     ? "the archive has no checkpoint to restart from"
+                                     : "this is no archive"));
+  return parse_index(read_sealed(path), path.string());
+}
+
+}  // namespace
+
+ArchiveWriter ArchiveWriter::create(const ArchiveSetup& setup, WriterRanks ranks) {
+  ArchiveWriter writer(setup, std::move(ranks));
+  writer.on_root([&] { writer.make_archive_folder(); });
+  writer.folder_ = writer.ranks_.gather_to_all(writer.folder_.string()).front();
+  writer.outputs_.folder = writer.folder_;
+  writer.checkpoints_.folder = writer.folder_ / "checkpoints";
+  for (Store* store : {&writer.outputs_, &writer.checkpoints_}) {
+    store->index.ranks = writer.ranks_.size;
+    store->index.program = setup.program;
+    store->index.created = utc_now();
+  }
+  writer.on_root([&] {
+    write_text_atomically(writer.folder_ / "input.xml", setup.deck_xml);
+    writer.write_index(writer.outputs_);
+    writer.link_newest(setup.parent / setup.filebase);
+  });
+  return writer;
+}
+
+void ArchiveWriter::make_archive_folder() {
+  const fs::path base = setup_.parent / setup_.filebase;
+  std::error_code error;
+  if (base.has_parent_path()) fs::create_directories(base.parent_path(), error);
+  if (error) fail_system("create folder", base.parent_path(), error.value());
+  // mkdir either makes the folder or says that it is there: the number is ours alone.
+  for (int number = 0; number < 100000; ++number) {
+    const fs::path folder = base.string() + fmt::format(".{:03}", number);
+    if (!make_folder(folder)) continue;
+    folder_ = folder;
+    lock_ = FolderLock(folder);
+    return;
+  }
+  throw SystemError(
+      fmt::format("{}.NNN: all numbers up to 99999 are taken; remove old archives or "
+                  "choose another folder with -o DIR",
+                  base.string()));
+}
+
+void ArchiveWriter::link_newest(const fs::path& base) {
+  const fs::path beside = base.string() + fmt::format(".{}.link", ::getpid());
+  ::unlink(beside.c_str());
+  const bool linked = ::symlink(folder_.filename().c_str(), beside.c_str()) == 0 &&
+                      std::rename(beside.c_str(), base.c_str()) == 0;
+  if (linked) return;
+  const int error_number = errno;
+  ::unlink(beside.c_str());
+  warnings_.push_back(fmt::format("{} could not be made a link to {}: {}", base.string(),
+                                  folder_.filename().string(),
+                                  std::generic_category().message(error_number)));
+}
+
+ArchiveWriter ArchiveWriter::resume(const fs::path& folder, const ArchiveSetup& setup,
+                                    int restart_step, WriterRanks ranks) {
+  ArchiveWriter writer(setup, std::move(ranks));
+  writer.on_root([&] {
+    std::error_code error;
+    writer.folder_ = fs::canonical(folder, error);  // a link names the archive as well
+    if (error) fail_system("open archive", folder, error.value());
+  });
+  writer.folder_ = writer.ranks_.gather_to_all(writer.folder_.string()).front();
+  writer.outputs_.folder = writer.folder_;
+  writer.checkpoints_.folder = writer.folder_ / "checkpoints";
+  writer.on_root([&] {
+    writer.lock_ = FolderLock(writer.folder_);
+    writer.outputs_.index = read_index(writer.outputs_.folder);
+    writer.checkpoints_.index = read_index(writer.checkpoints_.folder);
+    writer.drop_later_steps(restart_step);
+  });
+  return writer;
+}
+
+void ArchiveWriter::drop_later_steps(int restart_step) {
+  const StepEntry start = find_step(checkpoints_.index, restart_step, folder_);
+  std::vector<fs::path> later;
+  for (Store* store : {&outputs_, &checkpoints_}) {
+    remove_partials(store->folder);
+    auto& steps = store->index.steps;
+    for (const StepEntry& s : steps)
+      if (s.step > restart_step && s.href.is_relative())
+        later.push_back((store->folder / s.href).parent_path());
+    std::erase_if(steps, [&](const StepEntry& s) { return s.step > restart_step; });
+    store->index.restarts.push_back({folder_.filename().string(), restart_step});
+    store->index.ranks = ranks_.size;
+    write_index(*store);
+  }
+  for (const fs::path& p : later) remove_tree(p);
+  for (const HistoryEntry& h : outputs_.index.histories)
+    if (fs::exists(folder_ / h.file))
+      cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);
+}
+
+void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Earlier mode) {
+  on_root([&] {
+    const fs::path earlier = fs::canonical(earlier_archive);
+    const ArchiveIndex old = read_index(earlier);
+    const StepEntry start = find_step(read_index(earlier / "checkpoints"), restart_step, earlier);
+    outputs_.index.restarts = old.restarts;
+    outputs_.index.restarts.push_back({earlier.filename().string(), restart_step});
+    checkpoints_.index.restarts = outputs_.index.restarts;
+    if (mode != Earlier::stamp_only) {
+      outputs_.index.variables = old.variables;
+      outputs_.index.histories = old.histories;
+      for (StepEntry s : old.steps) {
+        if (s.step > restart_step) continue;
+        const fs::path source = earlier / s.href;
+        if (mode == Earlier::copy) {
+          s.href = fs::path(step_folder_name(s.step)) / "timestep.xml";
+          copy_step(source.parent_path(), (folder_ / s.href).parent_path());
+        } else {
+          s.href = source.lexically_relative(fs::canonical(folder_));
+        }
+        outputs_.index.steps.push_back(std::move(s));
+      }
+      for (const HistoryEntry& h : old.histories) {
+        if (!fs::exists(earlier / h.file)) continue;
+        copy_file_durably(earlier / h.file, folder_ / h.file);
+        cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);
+      }
+    }
+    write_index(outputs_);
+  });
+}
+
+}  // namespace sluice

@@ -1,0 +1,196 @@
+// Making archive folders and writing steps into them, so that a kill at any moment harms nothing.
+#include "framework/archive/archive_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/base/communicator.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace fs = std::filesystem;
+namespace {
+
+// Merges the variables of a step into the list of the archive.
+void merge_variables(std::vector<VariableEntry>& known, const std::vector<StoredVariable>& stored) {
+  std::map<std::string, std::set<int>> materials;
+  for (const StoredVariable& v : stored) materials[v.name].insert(v.material);
+  for (const StoredVariable& v : stored) {
+    auto it = std::lower_bound(known.begin(), known.end(), v.name,
+                               [](const VariableEntry& e, const auto& n) { return e.name < n; });
+    if (it == known.end() || it->name != v.name)
+      it = known.insert(it, {v.name, v.type, v.centring, v.unit, 0});
+    it->materials = std::max(it->materials, static_cast<int>(materials[v.name].size()));
+  }
+}
+
+void raise(char status, const std::string& message) {
+  if (status == '1') throw PhysicsError(message);
+  if (status == '2') throw InputError(message);
+  throw SystemError(message);
+}
+
+}  // namespace
+
+WriterRanks writer_ranks(Communicator& communicator) {
+  return {communicator.rank(), communicator.size(),
+          [&](const std::string& text) { return communicator.gather_to_all(text); }};
+}
+
+void ArchiveWriter::together(const std::function<void()>& work) {
+  std::string failure;  // exit status and message; empty when all is well
+  try {
+    work();
+  } catch (const Error& e) {
+    failure = fmt::format("{}{}", static_cast<int>(e.status()), e.what());
+  } catch (const std::exception& e) {
+    failure = fmt::format("3{}", e.what());
+  }
+  for (const std::string& f : ranks_.gather_to_all(failure))
+    if (!f.empty()) raise(f[0], f.substr(1));
+}
+
+void ArchiveWriter::on_root(const std::function<void()>& work) {
+  together([&] {
+    if (ranks_.rank == 0) work();
+  });
+}
+
+ArchiveWriter::~ArchiveWriter() {
+  try {
+    flush_histories();
+  } catch (const Error&) {
+    // finish() is where a failure is reported; a destructor only tries.
+  }
+}
+
+WriteReport ArchiveWriter::write_output(const StepInfo& info, const Grid& grid,
+                                        std::span<const FieldPiece> pieces) {
+  return write_step(outputs_, info, grid, pieces, setup_.outputs);
+}
+
+WriteReport ArchiveWriter::write_checkpoint(const StepInfo& info, const Grid& grid,
+                                            std::span<const FieldPiece> pieces) {
+  on_root([&] {
+    if (make_folder(checkpoints_.folder)) sync_folder(folder_);
+  });
+  const WriteReport report = write_step(checkpoints_, info, grid, pieces, StorageOptions{});
+  on_root([&] { drop_old_checkpoints(); });
+  return report;
+}
+
+WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const Grid& grid,
+                                      std::span<const FieldPiece> pieces,
+                                      const StorageOptions& options) {
+  const fs::path partial = store.folder / (step_folder_name(info.step) + ".partial");
+  WriteReport report;
+  try {
+    // 1. A fresh folder that no index names.
+    on_root([&] {
+      remove_tree(partial);
+      make_folder(partial);
+    });
+    // 2. Every rank its own file, flushed.
+    together([&] {
+      const FieldFileResult r = write_field_file(partial, ranks_.rank, pieces, options);
+      report = {r.record.bytes, r.float_overflows};
+    });
+    // 3. The step gets its name, then its line in the index.
+    on_root([&] { publish(store, info, grid); });
+  } catch (const Error& e) {
+    std::error_code ignored;
+    if (ranks_.rank == 0) fs::remove_all(partial, ignored);
+    raise(static_cast<char>('0' + static_cast<int>(e.status())),
+          fmt::format("{}\n  while writing step {} ({} on this rank); the incomplete step was "
+                      "removed, the archive {} stays good up to the step before it",
+                      e.what(), info.step, human_bytes(stored_bytes(pieces, options)),
+                      folder_.string()));
+  }
+  return report;
+}
+
+void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid) {
+  const std::string name = step_folder_name(info.step);
+  const fs::path partial = store.folder / (name + ".partial"), complete = store.folder / name;
+  StepRecord record{info, grid, ranks_.size, {}};
+  std::vector<StoredVariable> stored;
+  for (int rank = 0; rank < ranks_.size; ++rank) {
+    record.data_files.push_back(fmt::format("p{:05}.xml", rank));
+    const fs::path path = partial / record.data_files.back();
+    const DataFileRecord file = parse_data_file(read_sealed(path), path.string());
+    stored.insert(stored.end(), file.variables.begin(), file.variables.end());
+  }
+  write_sealed(partial / "timestep.xml", to_xml(record));
+  ArchiveIndex before = store.index;
+  std::erase_if(store.index.steps, [&](const StepEntry& s) { return s.step == info.step; });
+  if (store.index.steps.size() != before.steps.size()) write_index(store);
+  remove_tree(complete);  // of an earlier, unindexed or replaced, writing of this step
+  rename_path(partial, complete);
+  sync_folder(store.folder);
+  try {
+    flush_histories();
+    merge_variables(store.index.variables, stored);
+    store.index.steps.push_back(
+        {info.step, info.time, info.old_delt, fs::path(name) / "timestep.xml"});
+    write_index(store);
+  } catch (...) {
+    store.index = std::move(before);
+    std::error_code ignored;
+    fs::remove_all(complete, ignored);
+    throw;
+  }
+}
+
+void ArchiveWriter::drop_old_checkpoints() {
+  auto& steps = checkpoints_.index.steps;
+  const auto keep = static_cast<std::size_t>(setup_.checkpoint_cycle);
+  if (setup_.checkpoint_cycle <= 0 || steps.size() <= keep) return;
+  const auto last = steps.end() - static_cast<std::ptrdiff_t>(keep);
+  const std::vector<StepEntry> old(steps.begin(), last);
+  steps.erase(steps.begin(), last);
+  write_index(checkpoints_);
+  for (const StepEntry& s : old) remove_tree((checkpoints_.folder / s.href).parent_path());
+}
+
+void ArchiveWriter::write_index(const Store& store) {
+  write_sealed(store.folder / "index.xml", to_xml(store.index));
+}
+
+HistoryFile& ArchiveWriter::history_file(const std::string& label, int material, const char* type) {
+  const std::string name = history_file_name(label, material);
+  auto it = histories_.find(name);
+  if (it != histories_.end()) return it->second;
+  auto& known = outputs_.index.histories;
+  if (std::none_of(known.begin(), known.end(), [&](const auto& h) { return h.file == name; }))
+    known.push_back({label, name, fmt::format("ReductionVariable<{}>", type)});
+  checkpoints_.index.histories = known;
+  return histories_.emplace(name, HistoryFile(folder_ / name, setup_.histories)).first->second;
+}
+
+void ArchiveWriter::history(const std::string& label, int material, int step, double time,
+                            double value) {
+  if (ranks_.rank == 0) history_file(label, material, "double").append(step, time, value);
+}
+void ArchiveWriter::history(const std::string& label, int material, int step, double time,
+                            Vec3 value) {
+  if (ranks_.rank == 0) history_file(label, material, "Vector").append(step, time, value);
+}
+
+void ArchiveWriter::flush_histories() {
+  for (auto& [name, file] : histories_) file.flush();
+}
+
+void ArchiveWriter::write_text(const std::string& name, const std::string& text) {
+  if (ranks_.rank == 0) write_text_atomically(folder_ / name, text);
+}
+
+void ArchiveWriter::finish() {
+  on_root([&] {
+    flush_histories();
+    if (!histories_.empty()) write_index(outputs_);
+  });
+}
+
+}  // namespace sluice

@@ -1,0 +1,122 @@
+// Writing an archive: NAME.uda.NNN with index, steps, checkpoints and histories.
+//
+//   NAME.uda -> NAME.uda.000         link to the newest
+//   NAME.uda.000/
+//     index.xml  input.xml  run.json  *.dat
+//     t00010/          timestep.xml  p00000.h5  p00000.xml ...   (one pair a rank)
+//     checkpoints/     index.xml  t00040/ ...
+//
+// A step is written into tNNNNN.partial, flushed, renamed, and only then named in index.xml, which
+// is itself replaced as a whole: what the index names is complete on disk, whatever kills the run.
+// All calls are collective over the ranks; a failure on one rank is thrown on all.
+#pragma once
+#include <functional>
+#include <map>
+#include <span>
+
+#include "framework/archive/archive_record.hpp"
+#include "framework/archive/field_file.hpp"
+#include "framework/archive/field_piece.hpp"
+#include "framework/archive/history_file.hpp"
+#include "framework/archive/posix_file.hpp"
+
+namespace sluice {
+
+class Communicator;
+
+// The ranks that write one archive together. The default is a serial run.
+struct WriterRanks {
+  int rank = 0;
+  int size = 1;
+  // One text a rank, in rank order, on every rank.
+  std::function<std::vector<std::string>(const std::string&)> gather_to_all =
+      [](const std::string& text) { return std::vector<std::string>{text}; };
+};
+WriterRanks writer_ranks(Communicator& communicator);
+
+struct ArchiveSetup {
+  std::filesystem::path parent = ".";  // -o DIR
+  std::string filebase;                // the deck's <filebase>, e.g. "shockTube.uda"
+  std::string deck_xml;                // the deck as run, includes resolved
+  std::string program;                 // "sluice 0.1.0"
+  StorageOptions outputs;              // never applied to checkpoints
+  int checkpoint_cycle = 2;            // checkpoints kept; 0: all
+  HistoryControl histories;
+};
+
+struct WriteReport {
+  std::int64_t bytes = 0;            // this rank's file
+  std::int64_t float_overflows = 0;  // finite doubles that became infinite floats on this rank
+};
+
+// What becomes of the earlier outputs when a run is continued in a new archive.
+enum class Earlier { stamp_only, refer, copy };
+
+class ArchiveWriter {
+ public:
+  // A new archive under the smallest free number. Two runs started at once get two folders.
+  static ArchiveWriter create(const ArchiveSetup& setup, WriterRanks ranks = {});
+  // Continues an existing archive from one of its checkpoints: later outputs, checkpoints and
+  // history lines are dropped, as is what a killed run left behind.
+  static ArchiveWriter resume(const std::filesystem::path& folder, const ArchiveSetup& setup,
+                              int restart_step, WriterRanks ranks = {});
+  // For a new archive of a restarted run, before its first step: says where it comes from, and
+  // brings in outputs (by reference or copy) and history lines up to the restart.
+  void adopt(const std::filesystem::path& earlier_archive, int restart_step, Earlier mode);
+
+  ArchiveWriter(ArchiveWriter&&) = default;
+  ArchiveWriter& operator=(ArchiveWriter&&) = default;
+  ~ArchiveWriter();  // flushes histories as well as it can; finish() says when it cannot
+
+  WriteReport write_output(const StepInfo& info, const Grid& grid,
+                           std::span<const FieldPiece> pieces);
+  WriteReport write_checkpoint(const StepInfo& info, const Grid& grid,
+                               std::span<const FieldPiece> pieces);
+
+  // Histories are written by rank 0; calls on other ranks do nothing.
+  void history(const std::string& label, int material, int step, double time, double value);
+  void history(const std::string& label, int material, int step, double time, Vec3 value);
+
+  // A text file of the archive (run.json), replaced as a whole; rank 0 writes.
+  void write_text(const std::string& name, const std::string& text);
+  // Histories to disk. Collective.
+  void finish();
+
+  const std::filesystem::path& folder() const { return folder_; }
+  // What a user should know although the run goes on (rank 0).
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  // Outputs or checkpoints: a folder of steps with an index.
+  struct Store {
+    std::filesystem::path folder;
+    ArchiveIndex index;
+  };
+
+  ArchiveWriter(ArchiveSetup setup, WriterRanks ranks)
+      : setup_(std::move(setup)), ranks_(std::move(ranks)) {}
+
+  // Runs `work` on every rank; when it fails on one, every rank throws that failure.
+  void together(const std::function<void()>& work);
+  void on_root(const std::function<void()>& work);
+  void make_archive_folder();
+  void link_newest(const std::filesystem::path& base);
+  void drop_later_steps(int restart_step);
+  WriteReport write_step(Store& store, const StepInfo& info, const Grid& grid,
+                         std::span<const FieldPiece> pieces, const StorageOptions& options);
+  void publish(Store& store, const StepInfo& info, const Grid& grid);
+  void drop_old_checkpoints();
+  void write_index(const Store& store);
+  void flush_histories();
+  HistoryFile& history_file(const std::string& label, int material, const char* type);
+
+  ArchiveSetup setup_;
+  WriterRanks ranks_;
+  std::filesystem::path folder_;
+  FolderLock lock_;
+  Store outputs_, checkpoints_;
+  std::map<std::string, HistoryFile> histories_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace sluice
