@@ -120,7 +120,7 @@ def main():
     calibration = sorted(calibrations)[len(calibrations) // 2]
     faults = print_table(cases, mine, other, calibration)
     noise = spread(calibrations)
-    print(f"calibration {calibration:.4f} ns per element, spread {100 * noise:.0f} % over the bench")
+    print(f"calibration {calibration:.4f} ns per element, spread {100 * noise:.0f} %")
     if given.json:
         given.json.write_text(json.dumps({"figures": mine, "against": other,
                                           "calibration_ns": calibrations}, indent=1) + "\n")

@@ -1,0 +1,1 @@
+"""Reading .uda archives into NumPy and drawing them."""

@@ -1,0 +1,220 @@
+"""Read an archive: steps, levels and fields as NumPy arrays.
+
+    archive = Archive("shock_tube.uda")
+    step = archive.step("last")
+    density = step.field("rho_CC")           # Field of level 0, material 0
+    density.values                           # array [i, j, k], vectors [component, i, j, k]
+    density.coordinates(0)                   # positions along x
+
+The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
+--check` does that.
+"""
+import dataclasses
+import pathlib
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+
+CENTRINGS = {"CCVariable": "cell", "NCVariable": "node", "SFCXVariable": "x face",
+             "SFCYVariable": "y face", "SFCZVariable": "z face",
+             "ParticleVariable": "particle", "ReductionVariable": "reduction"}
+
+
+class ArchiveError(Exception):
+    """What is asked for is not there, or not readable; the message says what to try."""
+
+
+def _triple(text, kind=float):
+    return tuple(kind(part) for part in text.strip().strip("[]").split(","))
+
+
+def _parse(path):
+    try:
+        return ElementTree.parse(path).getroot()
+    except OSError as error:
+        raise ArchiveError(f"{path}: {error.strerror}: is this an archive?") from error
+    except ElementTree.ParseError as error:
+        raise ArchiveError(f"{path}: not readable as XML ({error})") from error
+
+
+@dataclasses.dataclass(frozen=True)
+class Variable:
+    name: str
+    centring: str
+    components: int
+    unit: str
+    materials: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Level:
+    index: int
+    anchor: tuple
+    spacing: tuple
+    lower: tuple  # of the domain, in cells
+    upper: tuple
+    active: tuple
+    boxes: tuple  # ((lower), (upper)) a box
+
+    def active_directions(self):
+        found = [d for d in range(3) if self.active[d] and self.upper[d] - self.lower[d] > 1]
+        return found or [max(range(3), key=lambda d: self.upper[d] - self.lower[d])]
+
+    def edges(self, box):
+        """Physical low and high corner of a box of cells."""
+        low, high = box
+        return ([self.anchor[d] + low[d] * self.spacing[d] for d in range(3)],
+                [self.anchor[d] + high[d] * self.spacing[d] for d in range(3)])
+
+
+@dataclasses.dataclass
+class Field:
+    variable: Variable
+    material: int
+    level: Level
+    lower: tuple
+    values: np.ndarray  # [i, j, k] or [component, i, j, k]; NaN where no box lies
+
+    def coordinates(self, direction):
+        count = self.values.shape[direction - 3]
+        faces = self.variable.centring == "node" or self.variable.centring[0] == "xyz"[direction]
+        shift = 0.0 if faces and self.variable.centring != "cell" else 0.5
+        index = self.lower[direction] + np.arange(count) + shift
+        return self.level.anchor[direction] + index * self.level.spacing[direction]
+
+
+class Archive:
+    def __init__(self, path):
+        self.path = pathlib.Path(path).resolve()
+        root = _parse(self.path / "index.xml")
+        stored = root.findtext("outputFormat", default="").strip()
+        if stored != "HDF5":
+            raise ArchiveError(f"{path}: the archive's format is '{stored or 'raw UDA'}'; "
+                               "only Sluice's HDF5 archives can be drawn")
+        self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
+                      for e in root.iterfind("timesteps/timestep")]
+        self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
+        self.histories = {e.get("name"): self.path / e.get("href")
+                          for e in root.iterfind("globals/variable")}
+
+    def step(self, which="last"):
+        """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
+        if not self.steps:
+            raise ArchiveError(f"{self.path}: the archive holds no output yet")
+        return Step(self, *self.steps[self._position(str(which))])
+
+    def _position(self, which):
+        if which in ("last", "first"):
+            return -1 if which == "last" else 0
+        try:
+            if which.startswith("#"):
+                number = int(which[1:])
+                if not 0 <= number < len(self.steps):
+                    raise ArchiveError(f"there is no output {which}: #0 to #{len(self.steps) - 1}")
+                return number
+            return self._nearest(float(which))
+        except ValueError as error:
+            raise ArchiveError(f"'{which}' is no time: give last, first, #N or a number") from error
+
+    def _nearest(self, wanted):
+        times = [time for _, time, _ in self.steps]
+        best = min(range(len(times)), key=lambda n: abs(times[n] - wanted))
+        gaps = [b - a for a, b in zip(times, times[1:])]
+        near = gaps[max(0, best - 1):best + 1] or [abs(times[0])]
+        if abs(times[best] - wanted) > 0.5 * max(near) * (1 + 1e-9):
+            raise ArchiveError(f"no output near time {wanted:g}: they go from {times[0]:g} to "
+                               f"{times[-1]:g}")
+        return best
+
+    def history(self, name):
+        """Columns of a .dat file: array [line, column]; the last columns are the values."""
+        if name not in self.histories:
+            raise ArchiveError(f"no history '{name}'; there are: {_names(self.histories)}")
+        return np.loadtxt(self.histories[name], ndmin=2)
+
+
+def _variable(element):
+    kind, value = element.get("type").rstrip(">").split("<")
+    return Variable(element.get("name"), CENTRINGS[kind], 3 if value == "Vector" else 1,
+                    element.get("unit") or "", int(element.get("numMaterials", "1")))
+
+
+def _names(known):
+    return ", ".join(sorted(known)) or "none"
+
+
+class Step:
+    def __init__(self, archive, number, time, path):
+        self.archive, self.number, self.time, self.path = archive, number, time, path
+        root = _parse(path)
+        self.levels = [_level(e) for e in root.iterfind("Grid/Level")]
+        records = [path.parent / e.get("href") for e in root.iterfind("Data/Datafile")]
+        self._stored = {}
+        for record in records:
+            self._collect(record)
+
+    def _collect(self, record):
+        root = _parse(record)
+        data = record.parent / root.find("Datafile").get("href")
+        for e in root.iterfind("Variable"):
+            key = (e.get("name"), int(e.get("material")), int(e.get("level")))
+            self._stored.setdefault(key, []).append((data, e.get("group")))
+
+    def has(self, name):
+        return any(key[0] == name for key in self._stored)
+
+    def names(self):
+        return sorted({key[0] for key in self._stored})
+
+    def materials(self, name):
+        return sorted({key[1] for key in self._stored if key[0] == name})
+
+    def field(self, name, material=None, level=0):
+        if not self.has(name):
+            raise ArchiveError(f"no variable '{name}' at step {self.number}; there are: "
+                               f"{_names(self.names())}")
+        if material is None:
+            material = self.materials(name)[0]
+        pieces = self._stored.get((name, material, level))
+        if pieces is None:
+            raise ArchiveError(f"'{name}' is not stored for material {material} on level {level}; "
+                               f"materials: {self.materials(name)}")
+        variable = self.archive.variables.get(name)
+        parts = [part for data, group in pieces for part in _read_group(data, group)]
+        lower = tuple(min(p[0][d] for p in parts) for d in range(3))
+        upper = tuple(max(p[1][d] for p in parts) for d in range(3))
+        shape = tuple(upper[d] - lower[d] for d in range(3))
+        values = np.full(((3,) if variable.components == 3 else ()) + shape, np.nan)
+        for low, high, block in parts:
+            window = tuple(slice(low[d] - lower[d], high[d] - lower[d]) for d in range(3))
+            values[(..., *window)] = block if variable.components == 3 else block[0]
+        return Field(variable, material, self.levels[level], lower, values)
+
+
+def _read_group(data, group):
+    """The boxes of one group of a data file: (lower, upper, [component, i, j, k])."""
+    import h5py  # here, so that listing an archive needs no HDF5
+    try:
+        with h5py.File(data, "r") as file:
+            boxes = file[group]["boxes"][()]
+            values = file[group]["values"][()]
+            components = file[group]["crc32c"].shape[1]
+    except (OSError, KeyError) as error:
+        raise ArchiveError(f"{data}: {group} cannot be read ({error})") from error
+    at = 0
+    for box in boxes:
+        low, high = tuple(int(n) for n in box[:3]), tuple(int(n) for n in box[3:])
+        shape = tuple(high[d] - low[d] for d in range(3))
+        size = components * shape[0] * shape[1] * shape[2]
+        # Stored x fastest, component after component.
+        block = values[at:at + size].reshape((components, shape[2], shape[1], shape[0]))
+        yield low, high, block.transpose(0, 3, 2, 1)
+        at += size
+
+
+def _level(e):
+    boxes = tuple((_triple(p.findtext("lowIndex"), int), _triple(p.findtext("highIndex"), int))
+                  for p in e.iterfind("Patch"))
+    return Level(int(e.findtext("id")), _triple(e.findtext("anchor")),
+                 _triple(e.findtext("cellspacing")), _triple(e.findtext("domainLow"), int),
+                 _triple(e.findtext("domainHigh"), int), _triple(e.findtext("active"), int), boxes)

@@ -1,0 +1,221 @@
+"""Draw an archive: profiles in 1-D, coloured slices in 2-D and 3-D, histories of .dat files.
+
+    python3 -m sluice_tools.plot ARCHIVE [options]       `sluice plot` calls this
+"""
+import argparse
+import csv
+import pathlib
+import sys
+
+import numpy as np
+
+from . import style, views
+from .archive import Archive, ArchiveError
+
+USUAL = ["rho_CC", "press_CC", "vel_CC", "temp_CC"]
+SIGNED = 0.02  # a slice is drawn around zero when its smaller side is at least this share
+
+
+def usual_variables(step):
+    found = [name for name in USUAL if step.has(name)]
+    if found:
+        return found
+    cells = [name for name in step.names()
+             if step.archive.variables[name].centring == "cell"]
+    if not cells:
+        raise ArchiveError("the archive holds no cell variable to draw")
+    return cells[:4]
+
+
+def read_exact(path):
+    """Columns of a CSV file by name: x first, then one a variable; lines with # are comments."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            rows = list(csv.reader(line for line in file if not line.startswith("#")))
+        columns = np.array([[float(cell) for cell in row] for row in rows[1:]]).T
+        return dict(zip(rows[0], columns))
+    except (OSError, ValueError, IndexError) as error:
+        raise ArchiveError(f"{path}: no exact solution can be read here ({error}); expected a "
+                           "CSV file with the header x,NAME,... and numbers") from error
+
+
+def panel_grid(count):
+    columns = 1 if count == 1 else 2 if count <= 4 else 3
+    return -(-count // columns), columns
+
+
+def unit_of(archive, name):
+    return archive.variables[views.split_name(name)[0]].unit
+
+
+def draw_line(ax, step, name, material, exact):
+    x, values, levels = views.line(step, name, material)
+    if exact is not None and name in exact:
+        ax.plot(exact["x"], exact[name], color="black", linewidth=0.9, label="exact", zorder=3)
+    many = len(x) > 450
+    for level in sorted(set(levels)):
+        mine = levels == level
+        text = f"{len(x)} cells" if len(set(levels)) == 1 else f"level {level}"
+        colour = style.COLOURS[int(level) % len(style.COLOURS)]
+        if many:
+            ax.plot(x, np.where(mine, values, np.nan), color=colour, linewidth=1.1, label=text)
+        else:
+            ax.plot(x[mine], values[mine], linestyle="none", label=text, color=colour,
+                    marker=style.MARKERS[int(level) % len(style.MARKERS)], markersize=2.6,
+                    markerfacecolor="none", markeredgewidth=0.6)
+    direction = step.levels[0].active_directions()[0]
+    ax.set_xlabel("xyz"[direction])
+    ax.margins(x=0.01)
+    headroom(ax, values)
+
+
+def headroom(ax, values):
+    """A field that is constant to round-off is drawn as a constant, not as its noise."""
+    low, high = float(np.min(values)), float(np.max(values))
+    size = max(abs(low), abs(high))
+    if high - low <= 1e-9 * size or size == 0:
+        pad = 0.1 * size or 1.0
+        ax.set_ylim(low - pad, high + pad)
+    ax.ticklabel_format(axis="y", useOffset=False, style="sci", scilimits=(-3, 5))
+
+
+def colour_range(sheets):
+    """(low, high, map): around zero with a two-sided map when values take both signs."""
+    low = min(np.nanmin(sheet) for *_, sheet in sheets)
+    high = max(np.nanmax(sheet) for *_, sheet in sheets)
+    if low < 0 < high and min(-low, high) > SIGNED * max(-low, high):
+        size = max(-low, high)
+        return -size, size, "PuOr"
+    if high - low <= 1e-9 * max(abs(low), abs(high)):
+        pad = 0.1 * max(abs(low), abs(high)) or 1.0
+        return low - pad, high + pad, "cividis"
+    return low, high, "cividis"
+
+
+def draw_plane(fig, ax, step, name, given):
+    sheets = views.plane(step, name, given.material, given.normal, given.position)
+    low, high, colours = colour_range(sheets)
+    for xs, ys, sheet in sheets:
+        image = ax.pcolormesh(xs, ys, np.ma.masked_invalid(sheet), vmin=low, vmax=high,
+                              cmap=colours, rasterized=True)
+    for x, y, width, height in views.outlines(step, given.normal, given.position):
+        ax.add_patch(ax_rectangle(x, y, width, height))
+    first, second, _ = views.plane_axes(step, given.normal)
+    ax.set_xlabel("xyz"[first])
+    ax.set_ylabel("xyz"[second])
+    ax.set_aspect("equal")
+    ax.grid(False)
+    bar = fig.colorbar(image, ax=ax, shrink=0.9, pad=0.02)
+    bar.outline.set_linewidth(0.4)
+    bar.formatter.set_powerlimits((-3, 5))
+
+
+def ax_rectangle(x, y, width, height):
+    from matplotlib.patches import Rectangle
+    return Rectangle((x, y), width, height, fill=False, edgecolor="black", linewidth=0.5)
+
+
+def head_text(archive, step, given):
+    text = given.title or archive.path.name.split(".uda")[0].replace("_", " ")
+    if given.position is not None and given.normal is not None:
+        text += f",  {'xyz'[given.normal]} = {given.position:g}"
+    return f"{text}   t = {step.time:.6g}   step {step.number}"
+
+
+def draw_fields(archive, given, plt):
+    step = archive.step(given.time)
+    names = given.var or usual_variables(step)
+    for name in names:
+        step.field(views.split_name(name)[0], given.material)  # a wrong name is told first
+    one = len(step.levels[0].active_directions()) == 1
+    exact = read_exact(given.exact) if given.exact else None
+    rows, columns = panel_grid(len(names))
+    height = 2.5 if one else 3.2
+    fig, axes = plt.subplots(rows, columns, squeeze=False,
+                             figsize=(min(4.0 * columns, 11.0), height * rows + 0.3))
+    for ax, name in zip(axes.flat, names):
+        if one:
+            draw_line(ax, step, name, given.material, exact)
+        else:
+            draw_plane(fig, ax, step, name, given)
+        caption = style.caption(name, unit_of(archive, name))
+        if not one and "." not in name and archive.variables[name].components == 3:
+            caption = "size of " + caption
+        ax.set_title(caption, loc="left")
+    for ax in axes.flat[len(names):]:
+        ax.set_visible(False)
+    if one:
+        axes.flat[0].legend(loc="best")
+    fig.suptitle(head_text(archive, step, given), x=0.01, ha="left", fontsize=11)
+    return fig
+
+
+def draw_histories(archive, given, plt):
+    rows, columns = panel_grid(len(given.history))
+    fig, axes = plt.subplots(rows, columns, squeeze=False,
+                             figsize=(4.0 * columns, 2.5 * rows + 0.3))
+    for ax, name in zip(axes.flat, given.history):
+        lines = archive.history(name)
+        width = 3 if lines.shape[1] >= 4 else 1
+        times = lines[:, -width - 1]
+        for c in range(width):
+            ax.plot(times, lines[:, c - width], color=style.COLOURS[c], linestyle=style.LINES[c],
+                    label="xyz"[c])
+        if width > 1:
+            ax.legend()
+        ax.set_title(name, loc="left")
+        ax.set_xlabel("time")
+        headroom(ax, lines[:, -width:])
+    for ax in axes.flat[len(given.history):]:
+        ax.set_visible(False)
+    fig.suptitle(archive.path.name, x=0.01, ha="left", fontsize=11)
+    return fig
+
+
+def parse_slice(text):
+    axis, equals, position = text.partition("=")
+    try:
+        if axis not in ("x", "y", "z") or not equals:
+            raise ValueError
+        return "xyz".index(axis), float(position)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}': write x=0.5, y=... or z=...") from None
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(prog="sluice plot", description="Draw an archive")
+    parser.add_argument("archive")
+    parser.add_argument("--var", action="append", help="label, or a component: vel_CC.x")
+    parser.add_argument("--material", type=int)
+    parser.add_argument("--time", default="last", help="last, first, #N or a time")
+    parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
+    parser.add_argument("--history", action="append", help="a .dat file by its label")
+    parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
+    parser.add_argument("--title")
+    parser.add_argument("-o", "--output", default="picture.png", help=".png, .svg or .pdf")
+    given = parser.parse_args(arguments)
+    given.normal, given.position = given.slice or (None, None)
+    if pathlib.Path(given.output).suffix not in (".png", ".svg", ".pdf"):
+        parser.error(f"'{given.output}': the name of a picture ends in .png, .svg or .pdf")
+    return given
+
+
+def main(arguments=None):
+    given = parse(arguments)
+    try:
+        archive = Archive(given.archive)
+        with style.pyplot() as plt:
+            draw = draw_histories if given.history else draw_fields
+            draw(archive, given, plt).savefig(given.output)
+    except ArchiveError as error:
+        print(f"sluice plot: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"sluice plot: {error}", file=sys.stderr)
+        return 3
+    print(f"picture: {given.output}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+"""How our pictures look: colours that colour-blind readers tell apart and that print in grey."""
+import contextlib
+
+# Okabe and Ito's palette, darkest and most distinct first.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+LINES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2))]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
+
+SETTINGS = {
+    "figure.dpi": 150, "savefig.dpi": 150, "figure.constrained_layout.use": True,
+    "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 9, "legend.fontsize": 8,
+    "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.5, "axes.axisbelow": True,
+    "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.2,
+    "legend.frameon": False, "svg.fonttype": "none", "image.cmap": "cividis",
+}
+
+# What a reader calls the common labels.
+WORDS = {
+    "rho_CC": "density", "press_CC": "pressure", "press_equil_CC": "equilibration pressure",
+    "vel_CC": "velocity", "temp_CC": "temperature", "sp_vol_CC": "specific volume",
+    "vol_frac_CC": "volume fraction", "speedSound_CC": "sound speed",
+    "mag_grad_rho_CC": "density gradient", "vorticity": "vorticity",
+}
+
+
+def caption(name, unit):
+    word, _, component = name.partition(".")
+    text = WORDS.get(word, word)
+    if component:
+        text += " " + component
+    return f"{text}  ({unit_text(unit)})" if unit and unit != "1" else text
+
+
+def unit_text(unit):
+    for plain, raised in (("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("*", " ")):
+        unit = unit.replace(plain, raised)
+    return unit
+
+
+@contextlib.contextmanager
+def pyplot():
+    """matplotlib.pyplot with our settings and without a screen."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    with plt.rc_context(SETTINGS):
+        yield plt
+        plt.close("all")

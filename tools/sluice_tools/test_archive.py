@@ -1,0 +1,202 @@
+"""Tests of the archive reader and the pictures, on archives written here by the format's rules."""
+import os
+import pathlib
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+from sluice_tools import plot, views
+from sluice_tools.archive import Archive, ArchiveError
+
+SPACING = (0.25, 0.5, 1.0)
+
+
+def level_xml(index, spacing, low, high, boxes, active=(1, 1, 0)):
+    patches = "".join(f"<Patch><id>{n}</id><proc>0</proc><lowIndex>{list(a)}</lowIndex>"
+                      f"<highIndex>{list(b)}</highIndex></Patch>" for n, (a, b) in enumerate(boxes))
+    return (f"<Level><id>{index}</id><anchor>[1, 2, 0]</anchor>"
+            f"<cellspacing>{list(spacing)}</cellspacing><active>{list(active)}</active>"
+            f"<domainLow>{list(low)}</domainLow><domainHigh>{list(high)}</domainHigh>"
+            f"{patches}</Level>")
+
+
+class Writer:
+    """A small archive of one step; fields are functions of position, one component a function."""
+
+    def __init__(self, root, levels):
+        self.root, self.levels = pathlib.Path(root), levels
+        self.records, self.variables = [], []
+        (self.root / "t00007").mkdir(parents=True)
+        self.file = h5py.File(self.root / "t00007/p00000.h5", "w")
+
+    def add(self, name, kind, functions):
+        shift = {"CC": (.5, .5, .5), "SFCX": (0, .5, .5)}[kind]
+        self.variables.append((name, kind, len(functions)))
+        for level, (spacing, *_, boxes) in enumerate(self.levels):
+            values, stored_boxes = [], []
+            for low, high in boxes:
+                high = (high[0] + (kind == "SFCX"), *high[1:])
+                stored_boxes.append([*low, *high])
+                index = np.meshgrid(*(np.arange(low[d], high[d]) for d in range(3)), indexing="ij")
+                x = [(1, 2, 0)[d] + (index[d] + shift[d]) * spacing[d] for d in range(3)]
+                values += [(f(*x) + 0 * x[0]).flatten(order="F") for f in functions]
+            group = self.file.create_group(f"/l{level}/{name}/m0")
+            group["boxes"] = np.array(stored_boxes, dtype="i4")
+            group["values"] = np.concatenate(values)
+            group["crc32c"] = np.zeros((len(boxes), len(functions)), dtype="u4")
+            value = "Vector" if len(functions) == 3 else "double"
+            self.records.append(f'<Variable type="{kind}Variable&lt;{value}&gt;" name="{name}" '
+                                f'level="{level}" material="0" group="/l{level}/{name}/m0"/>')
+
+    def close(self):
+        self.file.close()
+        folder = self.root / "t00007"
+        (folder / "p00000.xml").write_text("<Uintah_Output><Datafile href='p00000.h5'/>" +
+                                           "".join(self.records) + "</Uintah_Output>")
+        grid = "".join(level_xml(n, *level) for n, level in enumerate(self.levels))
+        (folder / "timestep.xml").write_text(
+            f"<Uintah_timestep><Grid>{grid}</Grid><Data><Datafile href='p00000.xml'/></Data>"
+            "</Uintah_timestep>")
+        variables = "".join(
+            f'<variable type="{kind}Variable&lt;{"Vector" if n == 3 else "double"}&gt;" '
+            f'name="{name}" unit="m/s" numMaterials="1"/>' for name, kind, n in self.variables)
+        (self.root / "TotalMass.dat").write_text("1\t0.1\t2.5\n2\t0.2\t2.5\n")
+        (self.root / "index.xml").write_text(
+            "<Uintah_DataArchive><outputFormat>HDF5</outputFormat><globals><variable "
+            'href="TotalMass.dat" name="TotalMass" type="double"/></globals>'
+            f"<variables>{variables}</variables><timesteps>"
+            '<timestep href="t00007/timestep.xml" time="0.5" oldDelt="0.1">7</timestep>'
+            "</timesteps></Uintah_DataArchive>")
+
+
+class OnDisk(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name) / "case.uda.000"
+
+    def two_dimensional(self):
+        """Two levels: 8 by 4 cells in two boxes, the fine one over coarse cells 2..4 by 1..3."""
+        writer = Writer(self.root, [
+            (SPACING, (0, 0, 0), (8, 4, 1), [((0, 0, 0), (3, 4, 1)), ((3, 0, 0), (8, 4, 1))]),
+            ((0.125, 0.25, 1.0), (0, 0, 0), (16, 8, 1), [((4, 2, 0), (8, 6, 1))])])
+        writer.add("press_CC", "CC", [lambda x, y, z: x + 10 * y])
+        writer.add("vel_CC", "CC", [lambda x, y, z: x, lambda x, y, z: y, lambda x, y, z: 0 * z])
+        writer.add("uvel_FC", "SFCX", [lambda x, y, z: x])
+        writer.close()
+        return Archive(self.root)
+
+    def tube(self):
+        tube = (0.1, 1.0, 1.0), (0, 0, 0), (10, 1, 1), [((0, 0, 0), (10, 1, 1))], (1, 0, 0)
+        levels = [(tube[0], tube[1], tube[2], tube[3])]
+        writer = Writer(self.root, levels)
+        writer.add("rho_CC", "CC", [lambda x, y, z: x ** 2])
+        writer.add("vel_CC", "CC", [lambda x, y, z: -x, lambda x, y, z: 0 * y,
+                                    lambda x, y, z: 0 * z])
+        writer.close()
+        return Archive(self.root)
+
+
+class Reading(OnDisk):
+    def test_values_lie_where_their_coordinates_say(self):
+        step = self.two_dimensional().step()
+        for level in (0, 1):
+            field = step.field("press_CC", level=level)
+            x, y = field.coordinates(0), field.coordinates(1)
+            np.testing.assert_allclose(field.values[:, :, 0], x[:, None] + 10 * y[None, :])
+            faces = step.field("uvel_FC", level=level)
+            np.testing.assert_allclose(faces.values[:, 0, 0], faces.coordinates(0))
+
+    def test_vector_components(self):
+        field = self.two_dimensional().step().field("vel_CC")
+        np.testing.assert_allclose(field.values[0, :, 0, 0], field.coordinates(0))
+        np.testing.assert_allclose(field.values[1, 0, :, 0], field.coordinates(1))
+
+    def test_times(self):
+        archive = self.two_dimensional()
+        for good in ("last", "first", "#0", "0.5", "0.6"):
+            self.assertEqual(archive.step(good).number, 7)
+        for bad in ("#1", "9", "soon"):
+            with self.assertRaises(ArchiveError):
+                archive.step(bad)
+
+    def test_unknown_name_tells_the_known_ones(self):
+        with self.assertRaisesRegex(ArchiveError, "press_CC, uvel_FC, vel_CC"):
+            self.two_dimensional().step().field("prss_CC")
+
+    def test_raw_layout_is_refused_by_name(self):
+        self.root.mkdir()
+        (self.root / "index.xml").write_text("<Uintah_DataArchive><outputFormat>UDA</outputFormat>"
+                                             "</Uintah_DataArchive>")
+        with self.assertRaisesRegex(ArchiveError, "'UDA'"):
+            Archive(self.root)
+
+    def test_history(self):
+        lines = self.two_dimensional().history("TotalMass")
+        np.testing.assert_array_equal(lines, [[1, 0.1, 2.5], [2, 0.2, 2.5]])
+
+
+class Views(OnDisk):
+    def test_line_is_sorted_and_along_the_tube(self):
+        x, values, levels = views.line(self.tube().step(), "vel_CC")
+        np.testing.assert_allclose(x, 1.05 + 0.1 * np.arange(10))
+        np.testing.assert_allclose(values, -x)
+        self.assertEqual(set(levels), {0})
+
+    def test_covered_cells_are_those_under_the_fine_level(self):
+        step = self.two_dimensional().step()
+        mask = views.covered(step, 0, (8, 4, 1), (0, 0, 0))
+        self.assertEqual(mask.sum(), 4)
+        self.assertTrue(mask[2:4, 1:3, 0].all())
+
+    def test_plane_edges_and_values(self):
+        (xs, ys, sheet), fine = views.plane(self.two_dimensional().step(), "press_CC")
+        np.testing.assert_allclose(xs, 1 + 0.25 * np.arange(9))
+        np.testing.assert_allclose(ys, 2 + 0.5 * np.arange(5))
+        self.assertEqual(sheet.shape, (4, 8))
+        self.assertAlmostEqual(sheet[1, 0], 1.125 + 10 * 2.75)
+        self.assertEqual(fine[2].shape, (4, 4))
+
+    def test_outline_of_the_fine_level(self):
+        self.assertEqual(list(views.outlines(self.two_dimensional().step())),
+                         [(1.5, 2.5, 0.5, 1.0)])
+
+
+class Pictures(OnDisk):
+    def draw(self, *options, suffix=".png"):
+        target = self.root.parent / ("picture" + suffix)
+        status = plot.main([str(self.root), "-o", str(target), *options])
+        return status, target
+
+    def test_tube_with_exact_solution(self):
+        self.tube()
+        exact = self.root.parent / "exact.csv"
+        exact.write_text("# t = 0.5\nx,rho_CC,vel_CC\n1,1,-1\n2,4,-2\n")
+        status, target = self.draw("--exact", str(exact), suffix=".svg")
+        self.assertEqual(status, 0)
+        text = target.read_text()
+        for expected in ("density", "velocity", "exact", "10 cells"):
+            self.assertIn(expected, text)
+
+    def test_plane_with_outlines_and_history(self):
+        self.two_dimensional()
+        self.assertEqual(self.draw("--var", "vel_CC.x", "--var", "press_CC")[0], 0)
+        status, target = self.draw("--history", "TotalMass")
+        self.assertEqual(status, 0)
+        self.assertGreater(os.path.getsize(target), 5000)
+
+    def test_faults_are_bad_input(self):
+        self.tube()
+        self.assertEqual(self.draw("--var", "nosuch")[0], 2)
+        self.assertEqual(self.draw("--exact", "nosuch.csv")[0], 2)
+        self.assertEqual(plot.main([str(self.root.parent / "nosuch.uda")]), 2)
+        for option in (["--slice", "q=1"], ["-o", "picture.doc"]):
+            with self.assertRaises(SystemExit) as ended:
+                plot.main([str(self.root), *option])
+            self.assertEqual(ended.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
