@@ -1,0 +1,80 @@
+// Sizes, times and tables as a person reads them; colour only where asked for.
+#include "framework/base/console.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+#include "framework/base/memory.hpp"
+
+namespace sluice {
+namespace {
+
+TEST(Console, bytes) {
+  EXPECT_EQ(human_bytes(0), "0 B");
+  EXPECT_EQ(human_bytes(1023), "1023 B");
+  EXPECT_EQ(human_bytes(1536), "1.5 KiB");
+  EXPECT_EQ(human_bytes(1024.0 * 1024.0 - 1), "1.0 MiB");
+  EXPECT_EQ(human_bytes(2.3 * 1024 * 1024 * 1024), "2.3 GiB");
+}
+
+TEST(Console, durations) {
+  EXPECT_EQ(human_duration(0), "0 s");
+  EXPECT_EQ(human_duration(3.5e-4), "350 us");
+  EXPECT_EQ(human_duration(0.0121), "12.1 ms");
+  EXPECT_EQ(human_duration(12.34), "12.3 s");
+  EXPECT_EQ(human_duration(59.97), "1 min 00 s");
+  EXPECT_EQ(human_duration(245.0), "4 min 05 s");
+  EXPECT_EQ(human_duration(3 * 3600 + 12 * 60 + 31), "3 h 12 min");
+  EXPECT_EQ(human_duration(2 * 86400 + 3 * 3600), "2 d 03 h");
+  EXPECT_EQ(human_duration(std::numeric_limits<double>::infinity()), "unknown");
+  EXPECT_EQ(human_duration(-1.5), "-1.5 s");
+}
+
+TEST(Console, counts) {
+  EXPECT_EQ(human_count(0), "0");
+  EXPECT_EQ(human_count(999), "999");
+  EXPECT_EQ(human_count(1000), "1,000");
+  EXPECT_EQ(human_count(-1234567), "-1,234,567");
+}
+
+TEST(Console, colour_only_when_wanted) {
+  EXPECT_EQ(styled("bad", Style::red, false), "bad");
+  EXPECT_EQ(styled("bad", Style::red, true), "\033[31mbad\033[0m");
+  EXPECT_EQ(styled("as is", Style::plain, true), "as is");
+  std::FILE* file = std::tmpfile();
+  ASSERT_NE(file, nullptr);
+  EXPECT_FALSE(is_terminal(file));
+  EXPECT_FALSE(wants_colour(file));
+  EXPECT_EQ(terminal_width(file), 80);
+  std::fclose(file);
+}
+
+TEST(Console, table_aligns_columns) {
+  TextTable table({{"event"}, {"count", TextTable::Align::right}, {"where"}});
+  EXPECT_TRUE(table.empty());
+  table.row({"retry", "12", ""});
+  table.row({"\xce\xb8 < 0", "3", "cell [1, 2, 3]"});  // one Greek letter, two bytes
+  EXPECT_EQ(table.text("  "),
+            "  event  count  where\n"
+            "  retry     12\n"
+            "  \xce\xb8 < 0      3  cell [1, 2, 3]\n");
+  EXPECT_THROW(table.row({"too few"}), std::logic_error);
+}
+
+TEST(Memory, peak_follows_what_is_touched) {
+  const std::uint64_t before = peak_resident_bytes();
+  constexpr std::size_t size = std::size_t{96} << 20;
+  char* block = static_cast<char*>(std::malloc(size));
+  ASSERT_NE(block, nullptr);
+  for (std::size_t i = 0; i < size; i += 4096) const_cast<volatile char*>(block)[i] = 1;
+  EXPECT_GE(resident_bytes(), size);
+  std::free(block);
+  EXPECT_GE(peak_resident_bytes(), size);
+  EXPECT_GE(peak_resident_bytes(), before);
+}
+
+}  // namespace
+}  // namespace sluice

@@ -1,0 +1,37 @@
+// Read from /proc/self/status: getrusage would report the peak of the parent that started us.
+#include "framework/base/memory.hpp"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+namespace sluice {
+namespace {
+
+// The value of a line such as "VmHWM:   5120 kB", in bytes; 0 when there is none.
+std::uint64_t status_entry(const char* name) {
+  std::ifstream status("/proc/self/status");
+  std::string line;
+  while (std::getline(status, line)) {
+    if (line.rfind(name, 0) == 0) return 1024 * std::stoull(line.substr(std::strlen(name)));
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::uint64_t peak_resident_bytes() {
+  if (const std::uint64_t peak = status_entry("VmHWM:"); peak > 0) return peak;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
+}
+
+std::uint64_t resident_bytes() {
+  return status_entry("VmRSS:");
+}
+
+}  // namespace sluice
