@@ -1,4 +1,4 @@
-// Text of numbers reads back to the same bits; nearly right names are found.
+// Text of numbers reads back to the same bits, whatever they are.
 #include "framework/base/text.hpp"
 
 #include <gtest/gtest.h>
@@ -32,26 +32,6 @@ TEST(Text, numbers_read_back_to_the_same_bits) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(shortest_text(x).c_str(), nullptr)), bits);
     EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(exact_text(x).c_str(), nullptr)), bits);
   }
-}
-
-TEST(Text, edit_distance_counts_single_mistakes) {
-  EXPECT_EQ(edit_distance("", ""), 0);
-  EXPECT_EQ(edit_distance("", "abc"), 3);
-  EXPECT_EQ(edit_distance("cfl", "clf"), 1);
-  EXPECT_EQ(edit_distance("gamma", "gama"), 1);
-  EXPECT_EQ(edit_distance("Velocty", "Velocity"), 1);
-  EXPECT_EQ(edit_distance("MaxTime", "maxTime"), 0);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-}
-
-TEST(Text, nearest_name_is_near) {
-  const std::vector<std::string> names = {"cfl", "gamma", "maxTime", "delt_max", "delt_min"};
-  EXPECT_EQ(nearest_name("clf", names), "cfl");
-  EXPECT_EQ(nearest_name("maxtime", names), "maxTime");
-  EXPECT_EQ(nearest_name("delt_mix", names), "delt_max");
-  EXPECT_EQ(nearest_name("specific_heat", names), "");
-  EXPECT_EQ(nearest_name("x", {"y"}), "") << "one letter wrong out of one is not near";
-  EXPECT_EQ(nearest_name("cfl", {}), "");
 }
 
 TEST(Text, join_puts_separators_between) {
