@@ -1,0 +1,134 @@
+// Fields of one archived step, put together from the boxes of all ranks' files.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/archive/archive.hpp"
+#include "framework/archive/field_file_reader.hpp"
+
+namespace sluice {
+namespace fs = std::filesystem;
+
+ArchiveStep::ArchiveStep(const fs::path& timestep_xml) : folder_(timestep_xml.parent_path()) {
+  record_ = parse_step(read_sealed(timestep_xml), timestep_xml.string());
+  for (const std::string& href : record_.data_files) {
+    try {
+      files_.push_back(std::make_unique<FieldFileReader>(folder_ / fs::path(href).filename()));
+    } catch (const Error& e) {
+      damage_.push_back(e.what());
+    }
+  }
+  gather_fields();
+}
+
+ArchiveStep::ArchiveStep(ArchiveStep&&) noexcept = default;
+ArchiveStep& ArchiveStep::operator=(ArchiveStep&&) noexcept = default;
+ArchiveStep::~ArchiveStep() = default;
+
+void ArchiveStep::gather_fields() {
+  auto key = [](const FieldInfo& f) { return std::tie(f.name, f.material, f.level); };
+  for (const auto& file : files_)
+    for (const StoredVariable& v : file->variables())
+      fields_.push_back({v.name, v.type, v.centring, v.unit, v.level, v.material, v.stored});
+  std::stable_sort(fields_.begin(), fields_.end(),
+                   [&](const FieldInfo& a, const FieldInfo& b) { return key(a) < key(b); });
+  fields_.erase(
+      std::unique(fields_.begin(), fields_.end(),
+                  [&](const FieldInfo& a, const FieldInfo& b) { return key(a) == key(b); }),
+      fields_.end());
+}
+
+const FieldInfo* ArchiveStep::find(std::string_view name, int material, int level) const {
+  for (const FieldInfo& f : fields_)
+    if (f.name == name && f.material == material && f.level == level) return &f;
+  return nullptr;
+}
+
+IndexBox ArchiveStep::range(const FieldInfo& field) const {
+  IndexBox all;
+  for (const auto& file : files_)
+    if (const StoredVariable* v = file->find(field.name, field.level, field.material))
+      for (const IndexBox& b : file->boxes(*v)) all = all.empty() ? b : bounding(all, b);
+  return all;
+}
+
+// Calls f(box, values of all components) for every stored box that meets `cells`.
+template <class F>
+void ArchiveStep::visit_boxes(const FieldInfo& field, const IndexBox& cells, F&& f) const {
+  for (const auto& file : files_) {
+    const StoredVariable* v = file->find(field.name, field.level, field.material);
+    if (!v) continue;
+    const std::vector<IndexBox>& boxes = file->boxes(*v);
+    for (std::size_t b = 0; b < boxes.size(); ++b)
+      if (!intersection(boxes[b], cells).empty()) f(boxes[b], file->read_box(*v, b));
+  }
+}
+
+DenseField ArchiveStep::read(const FieldInfo& field, const IndexBox& cells) const {
+  DenseField dense;
+  dense.cells = cells;
+  const auto count = static_cast<std::size_t>(cells.volume());
+  const auto n = static_cast<std::size_t>(field.components());
+  dense.components.assign(n, std::vector<double>(count));
+  dense.present.assign(count, 0);
+  visit_boxes(field, cells, [&](const IndexBox& box, const std::vector<double>& values) {
+    const IndexBox part = intersection(box, cells);
+    const auto volume = static_cast<std::size_t>(box.volume());
+    DenseField source;
+    source.cells = box;
+    for_each_cell(part, [&](IntVec3 c) {
+      const std::size_t to = dense.offset(c), from = source.offset(c);
+      for (std::size_t m = 0; m < n; ++m) dense.components[m][to] = values[m * volume + from];
+      dense.present[to] = 1;
+    });
+  });
+  if (!damage_.empty())  // some boxes may be in the files that cannot be read
+    for (const GridBox& b : grid().levels.at(static_cast<std::size_t>(field.level)).boxes)
+      for_each_cell(intersection(b.cells, cells), [&](IntVec3 c) {
+        if (!dense.has(c)) throw DamageError(damage_.front());
+      });
+  return dense;
+}
+
+void ArchiveStep::read_into(const FieldInfo& field, int component, const IndexBox& cells,
+                            const RealView& target) const {
+  std::int64_t filled = 0;
+  visit_boxes(field, cells, [&](const IndexBox& box, const std::vector<double>& values) {
+    const IndexBox part = intersection(box, cells);
+    DenseField source;
+    source.cells = box;
+    const auto start = static_cast<std::size_t>(component) * static_cast<std::size_t>(box.volume());
+    for_each_cell(part, [&](IntVec3 c) { target(c) = values[start + source.offset(c)]; });
+    filled += part.volume();
+  });
+  if (filled == cells.volume()) return;
+  if (!damage_.empty()) throw DamageError(damage_.front());
+  throw InputError(
+      fmt::format("{}: {} of material {} on level {} holds {} of the {} values from {} to {}",
+                  folder_.string(), field.name, field.material, field.level, filled, cells.volume(),
+                  triple_text(cells.lower), triple_text(cells.upper)));
+}
+
+std::vector<std::string> ArchiveStep::verify(std::int64_t& good_values) const {
+  std::vector<std::string> found = damage_;
+  for (const auto& file : files_) {
+    for (const StoredVariable& v : file->variables()) {
+      try {
+        const std::size_t boxes = file->boxes(v).size();
+        for (std::size_t b = 0; b < boxes; ++b) {
+          try {
+            good_values += static_cast<std::int64_t>(file->read_box(v, b).size());
+          } catch (const Error& e) {
+            found.push_back(e.what());
+          }
+        }
+      } catch (const Error& e) {  // the structure: the same for all variables of the file
+        found.push_back(e.what());
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace sluice

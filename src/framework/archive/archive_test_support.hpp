@@ -1,0 +1,124 @@
+// Fields and folders for the tests of this room.
+#pragma once
+#include <unistd.h>
+
+#include <cmath>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "framework/archive/archive.hpp"
+#include "framework/archive/archive_writer.hpp"
+
+namespace sluice::archive_test {
+
+namespace fs = std::filesystem;
+
+// A folder that goes away with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "sluice_archive_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+inline Grid make_grid(IntVec3 cells, IntVec3 pieces) {
+  Level level;
+  level.anchor = {-1.0, 0.25, 3.0};
+  level.spacing = {0.1, 0.25, 0.5};
+  level.domain = {{0, 0, 0}, cells};
+  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  int id = 0;
+  for (const IndexBox& b : split(level.domain, pieces)) level.boxes.push_back({b, 0, id++});
+  return {{level}};
+}
+
+// Memory for pieces, with two ghost layers that hold NaN.
+class Fields {
+ public:
+  using Function = std::function<double(IntVec3, int)>;
+
+  void add(const Level& level, Label label, int material, const Function& f) {
+    const int face = face_direction(label.info().centring);
+    for (const GridBox& b : level.boxes) {
+      IndexBox cells = b.cells;
+      if (face >= 0 && cells.upper[face] == level.domain.upper[face]) ++cells.upper[face];
+      if (label.info().centring == Centring::node)
+        for (int d = 0; d < 3; ++d) cells.upper[d] += cells.upper[d] == level.domain.upper[d];
+      for (int c = 0; c < component_count(label.info().type); ++c)
+        pieces_.push_back(piece(cells, label, material, level.index, b.id, c, f));
+    }
+  }
+  std::vector<FieldPiece>& pieces() { return pieces_; }
+
+ private:
+  FieldPiece piece(const IndexBox& cells, Label label, int material, int level, int box, int c,
+                   const Function& f) {
+    const IndexBox with_ghosts = cells.grown({2, 2, 2});
+    const IntVec3 n = with_ghosts.size();
+    auto& memory =
+        memory_.emplace_back(static_cast<std::size_t>(with_ghosts.volume()), std::nan(""));
+    RealView view;
+    view.data = memory.data();
+    view.box = with_ghosts;
+    view.stride[1] = n.x;
+    view.stride[2] = static_cast<std::ptrdiff_t>(n.x) * n.y;
+    for_each_cell(cells, [&](IntVec3 i) { view(i) = f(i, c); });
+    FieldPiece p;
+    p.label = label;
+    p.material = material;
+    p.level = level;
+    p.box_id = box;
+    p.component = c;
+    p.cells = cells;
+    p.view = view;
+    return p;
+  }
+
+  std::deque<std::vector<double>> memory_;
+  std::vector<FieldPiece> pieces_;
+};
+
+inline double wavy(IntVec3 c, int component) {
+  return std::sin(1.0 + c.x + 10.0 * c.y + 100.0 * c.z + 1000.0 * component) / 3;
+}
+
+inline ArchiveSetup setup_in(const fs::path& folder) {
+  ArchiveSetup setup;
+  setup.parent = folder;
+  setup.filebase = "box.uda";
+  setup.deck_xml = "<Uintah_specification/>\n";
+  setup.program = "sluice test";
+  return setup;
+}
+
+inline Label real_label(const std::string& name, Centring centring = Centring::cell) {
+  return declare_label({name, ValueType::real, centring, "Pa", "a test"});
+}
+inline Label vector_label(const std::string& name) {
+  return declare_label({name, ValueType::vector, Centring::cell, "m/s", "a test"});
+}
+
+// Turns one bit of a file over.
+inline void flip_bit(const fs::path& path, std::int64_t byte, int bit = 3) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekg(byte);
+  const char c = static_cast<char>(file.get() ^ (1 << bit));
+  file.seekp(byte);
+  file.put(c);
+}
+
+}  // namespace sluice::archive_test
