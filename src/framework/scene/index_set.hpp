@@ -1,28 +1,28 @@
 // Index sets of decks: "0, 2-4, -1"; empty means everything.
 #pragma once
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
+#include "framework/deck/value_text.hpp"
 
 namespace sluice {
 
 class IndexSet {
  public:
   IndexSet() = default;  // everything
-  explicit IndexSet(std::vector<int> members) : all_(false), members_(std::move(members)) {}
+  explicit IndexSet(std::vector<IndexInterval> intervals) : intervals_(std::move(intervals)) {}
 
-  bool all() const { return all_; }
+  bool all() const { return intervals_.empty(); }
   // Negative members count from the end: -1 is the last of `count`.
   bool contains(int index, int count) const;
-  const std::vector<int>& members() const { return members_; }
 
  private:
-  bool all_ = true;
-  std::vector<int> members_;
+  std::vector<IndexInterval> intervals_;
 };
 
-// InputError that shows the text and the place of the fault.
-IndexSet parse_index_set(std::string_view text);
+// InputError that shows the text and what is wrong with it.
+IndexSet read_index_set(std::string_view text);
 
 }  // namespace sluice

@@ -1,0 +1,119 @@
+// Cutting the levels of a scene into boxes and dealing them out to ranks.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/base/error.hpp"
+#include "framework/scene/grid_settings.hpp"
+
+namespace sluice {
+
+namespace {
+
+std::vector<int> prime_factors(int n) {  // largest first
+  std::vector<int> factors;
+  for (int p = 2; p * p <= n; ++p)
+    for (; n % p == 0; n /= p) factors.push_back(p);
+  if (n > 1) factors.push_back(n);
+  std::reverse(factors.begin(), factors.end());
+  return factors;
+}
+
+// `count` pieces of a block, as cubic as its factors allow; zero when they do not fit.
+IntVec3 factorise(IntVec3 size, int count, const std::array<bool, 3>& flatten) {
+  IntVec3 pieces{1, 1, 1};
+  for (int f : prime_factors(count)) {
+    int best = -1;
+    for (int d = 0; d < 3; ++d) {
+      if (flatten[static_cast<std::size_t>(d)] || size[d] / pieces[d] < f) continue;
+      if (best < 0 || size[d] / pieces[d] > size[best] / pieces[best]) best = d;
+    }
+    if (best < 0) return {0, 0, 0};
+    pieces[best] *= f;
+  }
+  return pieces;
+}
+
+// At least `count` pieces where the block has that many cells.
+IntVec3 pieces_for(IntVec3 size, int count, const std::array<bool, 3>& flatten) {
+  for (int n = count; n <= 2 * count + 1; ++n) {
+    const IntVec3 pieces = factorise(size, n, flatten);
+    if (pieces.x > 0) return pieces;
+  }
+  IntVec3 all{1, 1, 1};
+  for (int d = 0; d < 3; ++d)
+    if (!flatten[static_cast<std::size_t>(d)]) all[d] = std::min(size[d], count);
+  return all;
+}
+
+void append(std::vector<IndexBox>& boxes, const IndexBox& block, IntVec3 pieces) {
+  const std::vector<IndexBox> parts = split(block, pieces);
+  boxes.insert(boxes.end(), parts.begin(), parts.end());
+}
+
+std::vector<IndexBox> forced(const LevelSettings& settings, IntVec3 pieces) {
+  std::vector<IndexBox> boxes;
+  for (const BoxSettings& b : settings.boxes) {
+    const IntVec3 n = b.cells.size();
+    for (int d = 0; d < 3; ++d)
+      if (pieces[d] < 1 || pieces[d] > n[d])
+        throw InputError(fmt::format(
+            "a split into {},{},{} boxes was asked for, but the level has {} x {} x {} cells; each "
+            "number must be between 1 and the cells of its direction",
+            pieces.x, pieces.y, pieces.z, n.x, n.y, n.z));
+    append(boxes, b.cells, pieces);
+  }
+  return boxes;
+}
+
+std::vector<IndexBox> boxes_of(const LevelSettings& settings, const GridOptions& options) {
+  if (options.boxes != IntVec3{}) return forced(settings, options.boxes);
+  std::vector<IndexBox> boxes;
+  for (const BoxSettings& b : settings.boxes)
+    append(boxes, b.cells,
+           b.auto_patch > 0 ? pieces_for(b.cells.size(), b.auto_patch * options.ranks, b.flatten)
+                            : b.patches);
+  if (static_cast<int>(boxes.size()) >= options.ranks) return boxes;
+  // Fewer deck patches than ranks: cut each of them further.
+  const int count = static_cast<int>(boxes.size());
+  const int each = (options.ranks + count - 1) / count;
+  std::vector<IndexBox> more;
+  for (const IndexBox& b : boxes) append(more, b, pieces_for(b.size(), each, {}));
+  return more;
+}
+
+IndexBox refined(const IndexBox& coarse, IntVec3 ratio) {
+  return {coarse.lower * ratio, coarse.upper * ratio};
+}
+
+}  // namespace
+
+Grid build_grid(const GridSettings& settings, const GridOptions& options) {
+  Grid grid;
+  for (const LevelSettings& s : settings.levels) {
+    Level level;
+    level.index = static_cast<int>(grid.levels.size());
+    level.anchor = settings.anchor;
+    level.spacing = s.spacing;
+    level.periodic = s.periodic;
+    level.active = options.active;
+    level.ratio = s.ratio;
+    if (grid.levels.empty()) {
+      level.domain = s.boxes.front().cells;
+      for (const BoxSettings& b : s.boxes) level.domain = bounding(level.domain, b.cells);
+    } else {
+      level.domain = refined(grid.levels.back().domain, s.ratio);
+    }
+    for (const IndexBox& b : boxes_of(s, options))
+      level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
+    if (grid.levels.empty() && static_cast<int>(level.boxes.size()) < options.ranks)
+      throw InputError(fmt::format(
+          "{} ranks, but the grid can be cut into {} boxes only; use at most that many ranks",
+          options.ranks, level.boxes.size()));
+    assign_owners(level.boxes, options.ranks);
+    grid.levels.push_back(std::move(level));
+  }
+  return grid;
+}
+
+}  // namespace sluice
