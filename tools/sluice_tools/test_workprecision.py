@@ -1,0 +1,64 @@
+"""Tests of the work-precision picture."""
+import json
+import pathlib
+import tempfile
+import unittest
+
+from sluice_tools import workprecision
+
+CSV = """# study: sod
+setting,cells,seconds,error,status,default
+order 1,100,0.01,2e-2,done,0
+order 1,200,0.04,1.2e-2,done,0
+order 1,400,0.16,7e-3,done,0
+order 2,100,0.02,8e-3,done,1
+order 2,200,0.08,3e-3,done,1
+order 2,400,0.3,1.5e-3,done,1
+"order 2, CFL 0.9",100,0.01,7e-3,done,0
+"order 2, CFL 0.9",200,0.03,,failed,0
+"""
+
+
+class WorkPrecision(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.csv = self.root / "sod.csv"
+        self.csv.write_text(CSV)
+
+    def test_front_is_beaten_by_nobody(self):
+        rows = workprecision.read_rows(self.csv)
+        front = workprecision.pareto_front(rows)
+        for mine in front:
+            for other in rows:
+                if other["done"] and other is not mine:
+                    self.assertFalse(other["seconds"] <= mine["seconds"] and
+                                     other["error"] <= mine["error"])
+        self.assertEqual([r["error"] for r in front], [7e-3, 3e-3, 1.5e-3])
+
+    def test_csv_and_json_say_the_same(self):
+        rows = workprecision.read_rows(self.csv)
+        file = self.root / "sod.json"
+        file.write_text(json.dumps({"rows": [dict(r, status="done" if r["done"] else "failed",
+                                                  error=r["error"] if r["done"] else None)
+                                             for r in rows]}))
+        again = workprecision.read_rows(file)
+        self.assertEqual([r["seconds"] for r in again], [r["seconds"] for r in rows])
+        self.assertEqual([r["done"] for r in again], [r["done"] for r in rows])
+
+    def test_picture_names_settings_default_and_failure(self):
+        target = self.root / "picture.svg"
+        self.assertEqual(workprecision.main([str(self.csv), "-o", str(target)]), 0)
+        text = target.read_text()
+        for expected in ("order 1", "order 2 (default)", "failed", "best for its time", ">400<"):
+            self.assertIn(expected, text)
+
+    def test_missing_column_is_bad_input(self):
+        self.csv.write_text("setting,seconds\na,1\n")
+        self.assertEqual(workprecision.main([str(self.csv)]), 2)
+        self.assertEqual(workprecision.main([str(self.root / "nosuch.csv")]), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

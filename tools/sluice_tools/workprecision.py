@@ -1,0 +1,172 @@
+"""Draw what accuracy costs: error against wall time, one line a setting.
+
+    python3 -m sluice_tools workprecision RESULTS -o PICTURE [--title TEXT]
+
+RESULTS is the CSV (or JSON: a list of such rows, or an object with "rows") of `sluice accuracy`:
+
+    setting    what all runs of a line share ("order 2, CFL 0.4")
+    cells      resolution of the run, written beside its point
+    seconds    wall time of the run
+    error      error in the study's norm; empty or not a number when the run failed
+    status     "done", else the run failed
+    default    1 (or true) for the setting that a deck gets when it says nothing
+
+Drawn so that a black and white print can be read: each line has its own dashes and marker.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import sys
+
+from . import style
+
+FAILED_AT = 0.985  # height of the marks of failed runs, as a share of the frame
+
+
+class StudyError(Exception):
+    """The results cannot be drawn; the message says what was expected."""
+
+
+def _row(raw, path):
+    try:
+        error = float(raw.get("error") or "nan")
+        done = str(raw.get("status", "done")) == "done" and math.isfinite(error)
+        return {"setting": str(raw["setting"]), "cells": str(raw["cells"]),
+                "seconds": float(raw.get("seconds") or "nan"), "error": error, "done": done,
+                "default": str(raw.get("default", "")).lower() in ("1", "true", "yes")}
+    except (KeyError, TypeError, ValueError) as problem:
+        raise StudyError(f"{path}: a row lacks {problem}; needed are setting, cells, seconds, "
+                         "error") from problem
+
+
+def read_rows(path):
+    path = pathlib.Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+        if path.suffix == ".json":
+            told = json.loads(text)
+            raw = told["rows"] if isinstance(told, dict) else told
+        else:
+            raw = list(csv.DictReader(line for line in text.splitlines()
+                                      if not line.startswith("#")))
+    except (OSError, ValueError, KeyError) as problem:
+        raise StudyError(f"{path}: cannot be read as the results of a study ({problem})") from None
+    rows = [_row(r, path) for r in raw]
+    if not rows:
+        raise StudyError(f"{path}: the study holds no run")
+    return rows
+
+
+def pareto_front(rows):
+    """The runs that no other run beats in both time and error, fastest first."""
+    front = []
+    for row in sorted((r for r in rows if r["done"]), key=lambda r: (r["seconds"], r["error"])):
+        if not front or row["error"] < front[-1]["error"]:
+            front.append(row)
+    return front
+
+
+def by_setting(rows):
+    lines = {}
+    for row in rows:
+        lines.setdefault(row["setting"], []).append(row)
+    return lines
+
+
+def draw(rows, plt, title="", error_label="error"):
+    fig, ax = plt.subplots(figsize=(6.4, 4.6))
+    lines = by_setting(rows)
+    front = pareto_front(rows)
+    if len(front) > 1:
+        ax.plot([r["seconds"] for r in front], [r["error"] for r in front], color="#c8c8c8",
+                linewidth=7, solid_capstyle="round", zorder=1, label="best for its time")
+    for number, (setting, runs) in enumerate(lines.items()):
+        draw_setting(ax, number, setting, runs)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    widen(ax, rows)
+    mark_failures(ax, lines)
+    ax.set_xlabel("wall time  (s)")
+    ax.set_ylabel(error_label)
+    ax.set_title(title, loc="left")
+    handles, texts = ax.get_legend_handles_labels()
+    ax.legend(handles, texts, loc="upper center", bbox_to_anchor=(0.45, -0.13),
+              ncols=min(3, len(texts)))
+    return fig
+
+
+def look(number):
+    return {"color": style.COLOURS[number % len(style.COLOURS)],
+            "linestyle": style.LINES[number % len(style.LINES)],
+            "marker": style.MARKERS[number % len(style.MARKERS)]}
+
+
+def draw_setting(ax, number, setting, runs):
+    done = sorted((r for r in runs if r["done"]), key=lambda r: -r["error"])
+    default = any(r["default"] for r in runs)
+    look_of_line = look(number)
+    size = 4.5
+    if default:
+        look_of_line["marker"], size = "*", 11
+    text = setting + (" (default)" if default else "")
+    ax.plot([r["seconds"] for r in done], [r["error"] for r in done], label=text, zorder=3,
+            markersize=size, markeredgecolor="black", markeredgewidth=0.5, linewidth=1.1,
+            **look_of_line)
+    for r in done:
+        ax.annotate(r["cells"], (r["seconds"], r["error"]), textcoords="offset points",
+                    xytext=(5, 3), fontsize=6.5, color="#333333")
+
+
+def widen(ax, rows):
+    """Room for the annotations on the right and for the marks of failed runs above."""
+    seconds = [r["seconds"] for r in rows if r["seconds"] > 0]
+    errors = [r["error"] for r in rows if r["done"] and r["error"] > 0]
+    if seconds:
+        ax.set_xlim(min(seconds) / 1.5, max(seconds) * 1.9)
+    if errors:
+        ax.set_ylim(min(errors) / 1.6, max(errors) * 2.2)
+
+
+def mark_failures(ax, lines):
+    """A failed run stands as a cross on the upper frame, at the time it took to fail."""
+    left, right = ax.get_xlim()
+    first = True
+    for number, runs in enumerate(lines.values()):
+        for r in runs:
+            if r["done"]:
+                continue
+            seconds = r["seconds"] if r["seconds"] > 0 else left * 1.05
+            ax.plot([min(max(seconds, left), right)], [FAILED_AT], marker="x", markersize=7,
+                    markeredgewidth=1.8, color=style.COLOURS[number % len(style.COLOURS)],
+                    transform=ax.get_xaxis_transform(), clip_on=False, linestyle="none", zorder=5,
+                    label="failed" if first else None)
+            ax.annotate(r["cells"], (seconds, FAILED_AT), xycoords=ax.get_xaxis_transform(),
+                        textcoords="offset points", xytext=(6, -8), fontsize=6.5)
+            first = False
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="workprecision", description="Draw error against time")
+    parser.add_argument("results")
+    parser.add_argument("-o", "--output", default="workprecision.png")
+    parser.add_argument("--title", default="")
+    parser.add_argument("--error-label", default="error")
+    given = parser.parse_args(arguments)
+    try:
+        rows = read_rows(given.results)
+        with style.pyplot() as plt:
+            draw(rows, plt, given.title, given.error_label).savefig(given.output)
+    except StudyError as error:
+        print(f"workprecision: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"workprecision: {error}", file=sys.stderr)
+        return 3
+    print(f"picture: {given.output}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
