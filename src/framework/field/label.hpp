@@ -16,7 +16,9 @@ enum class ValueType { real, vector, integer };  // vector: three reals, stored 
 
 std::string_view name_of(Centring);
 std::string_view name_of(ValueType);
-constexpr int component_count(ValueType t) { return t == ValueType::vector ? 3 : 1; }
+constexpr int component_count(ValueType t) {
+  return t == ValueType::vector ? 3 : 1;
+}
 // The direction normal to a face-centred label, or -1.
 constexpr int face_direction(Centring c) {
   return c == Centring::x_face ? 0 : c == Centring::y_face ? 1 : c == Centring::z_face ? 2 : -1;

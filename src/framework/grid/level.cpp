@@ -8,8 +8,7 @@ namespace sluice {
 std::vector<IndexBox> split(const IndexBox& domain, IntVec3 pieces) {
   const IntVec3 n = domain.size();
   auto cut = [&](int d, int part) {
-    return domain.lower[d] +
-           static_cast<int>(static_cast<std::int64_t>(n[d]) * part / pieces[d]);
+    return domain.lower[d] + static_cast<int>(static_cast<std::int64_t>(n[d]) * part / pieces[d]);
   };
   std::vector<IndexBox> boxes;
   for (int i = 0; i < pieces.x; ++i)

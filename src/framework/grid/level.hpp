@@ -20,12 +20,12 @@ struct GridBox {
 
 struct Level {
   int index = 0;
-  Vec3 anchor{};                                       // length
-  Vec3 spacing{1, 1, 1};                               // length
-  IndexBox domain;                                     // all cells of the physical domain
-  std::array<bool, 3> periodic{};                      // per direction
-  std::array<bool, 3> active{true, true, true};        // false: not a dimension of this run
-  IntVec3 ratio{1, 1, 1};                              // refinement against the coarser level
+  Vec3 anchor{};                                 // length
+  Vec3 spacing{1, 1, 1};                         // length
+  IndexBox domain;                               // all cells of the physical domain
+  std::array<bool, 3> periodic{};                // per direction
+  std::array<bool, 3> active{true, true, true};  // false: not a dimension of this run
+  IntVec3 ratio{1, 1, 1};                        // refinement against the coarser level
   std::vector<GridBox> boxes;
 
   Vec3 centre(IntVec3 c) const {
@@ -55,8 +55,8 @@ struct Grid {
   }
 };
 
-// Cuts `domain` into pieces[d] boxes a direction, cell ranges [N i / P, N (i+1) / P) with z fastest,
-// as the peer numbers its patches.
+// Cuts `domain` into pieces[d] boxes a direction, cell ranges [N i / P, N (i+1) / P) with z
+// fastest, as the peer numbers its patches.
 std::vector<IndexBox> split(const IndexBox& domain, IntVec3 pieces);
 
 // Deals boxes out to ranks along a Morton curve so that every rank gets a like number of cells.

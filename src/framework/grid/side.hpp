@@ -10,8 +10,12 @@ enum class Side { x_minus, x_plus, y_minus, y_plus, z_minus, z_plus };
 inline constexpr std::array<Side, 6> all_sides = {Side::x_minus, Side::x_plus,  Side::y_minus,
                                                   Side::y_plus,  Side::z_minus, Side::z_plus};
 
-constexpr int direction_of(Side s) { return static_cast<int>(s) / 2; }
-constexpr bool is_plus(Side s) { return static_cast<int>(s) % 2 == 1; }
+constexpr int direction_of(Side s) {
+  return static_cast<int>(s) / 2;
+}
+constexpr bool is_plus(Side s) {
+  return static_cast<int>(s) % 2 == 1;
+}
 constexpr Side side_of(int direction, bool plus) {
   return static_cast<Side>(2 * direction + (plus ? 1 : 0));
 }

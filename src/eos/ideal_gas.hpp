@@ -1,0 +1,31 @@
+// Ideal gas with constant specific heats.
+//
+//   p = (gamma - 1) rho e,   e = cv T,   c^2 = gamma p / rho.
+// Admissible: rho > 0, e > 0. Shock speed against particle speed: slope (gamma + 1)/2 (exact for
+// strong shocks; Dukowicz, J. Comput. Phys. 61 (1985) 119).
+#pragma once
+#include <cmath>
+
+namespace sluice::eos {
+
+struct IdealGas {
+  double gamma = 1.4;          // ratio of specific heats
+  double specific_heat = 1.0;  // cv, J/(kg K)
+
+  // From density (kg/m^3) and internal energy per volume (J/m^3).
+  double pressure(double /*rho*/, double rho_e) const { return (gamma - 1.0) * rho_e; }
+  double sound_speed(double rho, double p) const { return std::sqrt(gamma * p / rho); }
+  double temperature(double rho, double rho_e) const { return rho_e / (rho * specific_heat); }
+
+  // Internal energy per volume, J/m^3.
+  double energy_from_pressure(double /*rho*/, double p) const { return p / (gamma - 1.0); }
+  double energy_from_temperature(double rho, double T) const { return rho * specific_heat * T; }
+  // Density at pressure (Pa) and temperature (K).
+  double density(double p, double T) const { return p / ((gamma - 1.0) * specific_heat * T); }
+
+  double shock_slope() const { return 0.5 * (gamma + 1.0); }
+  double lowest_pressure() const { return 0.0; }
+  bool admissible(double rho, double rho_e) const { return rho > 0.0 && rho_e > 0.0; }
+};
+
+}  // namespace sluice::eos

@@ -1,0 +1,85 @@
+// Allocation and layout of fields.
+#include "framework/field/warehouse.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace sluice {
+namespace {
+constexpr std::size_t alignment = 64;
+}
+
+AlignedArray::AlignedArray(std::size_t count) : count_(count) {
+  const std::size_t bytes = (count * sizeof(double) + alignment - 1) / alignment * alignment;
+  void* p = std::aligned_alloc(alignment, std::max(bytes, alignment));
+  if (p == nullptr) throw std::bad_alloc();
+  std::memset(p, 0, bytes);
+  data_.reset(static_cast<double*>(p));
+}
+
+void AlignedArray::Free::operator()(double* p) const {
+  std::free(p);
+}
+
+RealView lay_out(double* data, const IndexBox& box, const Level& level) {
+  RealView v;
+  v.data = data;
+  v.box = box;
+  std::ptrdiff_t stride = 1;
+  for (int d = 0; d < 3; ++d) {
+    v.stride[d] = level.active[static_cast<std::size_t>(d)] ? stride : 0;
+    if (level.active[static_cast<std::size_t>(d)]) stride *= box.size()[d];
+  }
+  return v;
+}
+
+Warehouse::Warehouse(const Level& level, int rank) : level_(&level) {
+  for (const GridBox& b : level.boxes)
+    if (b.owner == rank) local_.push_back(b);
+}
+
+int Warehouse::find(Label label, int material) const {
+  for (std::size_t s = 0; s < slots_.size(); ++s)
+    if (slots_[s].info.label == label && slots_[s].info.material == material)
+      return static_cast<int>(s);
+  return -1;
+}
+
+int Warehouse::add(const SlotInfo& info) {
+  if (const int old = find(info.label, info.material); old >= 0) {
+    const SlotInfo& have = slots_[static_cast<std::size_t>(old)].info;
+    if (have.ghosts < info.ghosts || have.components != info.components)
+      throw std::logic_error("slot " + info.label.name() + " exists with another shape");
+    return old;
+  }
+  Slot slot;
+  slot.info = info;
+  for (const GridBox& b : local_) {
+    const IndexBox box = b.cells.grown(level_->ghosts(info.ghosts));
+    for (int c = 0; c < info.components; ++c) {
+      slot.arrays.emplace_back(static_cast<std::size_t>(box.volume()));
+      slot.views.push_back(lay_out(slot.arrays.back().data(), box, *level_));
+    }
+  }
+  slots_.push_back(std::move(slot));
+  return static_cast<int>(slots_.size()) - 1;
+}
+
+std::size_t Warehouse::bytes() const {
+  std::size_t n = 0;
+  for (const Slot& s : slots_)
+    for (const AlignedArray& a : s.arrays) n += a.size() * sizeof(double);
+  return n;
+}
+
+void Warehouse::swap(Warehouse& other) noexcept {
+  std::swap(level_, other.level_);
+  std::swap(local_, other.local_);
+  std::swap(slots_, other.slots_);
+}
+
+}  // namespace sluice

@@ -1,0 +1,76 @@
+// Storage of all fields of one time level, for the boxes of one level that this rank owns.
+//
+// A *slot* is one label of one material. Every slot holds, for every local box, one array a
+// component: the interior cells plus the slot's ghost layers (none in inactive directions). Slots
+// are added while a graph is compiled; nothing is allocated inside a step.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "framework/field/array_view.hpp"
+#include "framework/field/label.hpp"
+#include "framework/grid/level.hpp"
+
+namespace sluice {
+
+// Memory of one array, aligned for the widest vector registers.
+class AlignedArray {
+ public:
+  AlignedArray() = default;
+  explicit AlignedArray(std::size_t count);  // zeroed
+  double* data() const { return data_.get(); }
+  std::size_t size() const { return count_; }
+
+ private:
+  struct Free {
+    void operator()(double* p) const;
+  };
+  std::unique_ptr<double[], Free> data_;
+  std::size_t count_ = 0;
+};
+
+// A box of cells laid out with unit stride along the first active direction.
+RealView lay_out(double* data, const IndexBox& box, const Level& level);
+
+struct SlotInfo {
+  Label label;
+  int material = 0;
+  int components = 1;
+  int ghosts = 0;
+};
+
+class Warehouse {
+ public:
+  // Keeps a reference to `level`; `rank` owns the boxes whose owner it is.
+  Warehouse(const Level& level, int rank);
+
+  // Adds a slot (or returns the existing one of the same label and material, whose ghost width and
+  // component count must then suffice) and allocates it, zeroed.
+  int add(const SlotInfo& info);
+  int find(Label label, int material) const;  // -1 when absent
+  const SlotInfo& info(int slot) const { return slots_[static_cast<std::size_t>(slot)].info; }
+  int slot_count() const { return static_cast<int>(slots_.size()); }
+
+  const Level& level() const { return *level_; }
+  const std::vector<GridBox>& local_boxes() const { return local_; }
+  // View of component `c` over the interior and ghosts of local box number `b`.
+  RealView view(int slot, int c, int b) const {
+    const Slot& s = slots_[static_cast<std::size_t>(slot)];
+    return s.views[static_cast<std::size_t>(b * s.info.components + c)];
+  }
+  std::size_t bytes() const;
+
+  void swap(Warehouse& other) noexcept;
+
+ private:
+  struct Slot {
+    SlotInfo info;
+    std::vector<AlignedArray> arrays;
+    std::vector<RealView> views;
+  };
+  const Level* level_;
+  std::vector<GridBox> local_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace sluice

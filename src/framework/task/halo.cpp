@@ -1,0 +1,138 @@
+// Finding and carrying out halo copies.
+#include "framework/task/halo.hpp"
+
+#include <cstring>
+#include <map>
+#include <utility>
+
+namespace sluice {
+namespace {
+
+// Shifts by whole periods under which a box may be its own or another's neighbour.
+std::vector<IntVec3> periodic_shifts(const Level& level) {
+  std::vector<IntVec3> shifts;
+  const IntVec3 n = level.domain.size();
+  auto reach = [&](std::size_t d) { return level.periodic[d] && level.active[d] ? 1 : 0; };
+  for (int k = -reach(2); k <= reach(2); ++k)
+    for (int j = -reach(1); j <= reach(1); ++j)
+      for (int i = -reach(0); i <= reach(0); ++i) shifts.push_back({i * n.x, j * n.y, k * n.z});
+  return shifts;
+}
+
+// Calls f(offset of the first cell of a row, length) for every row of a region of a view.
+template <class F>
+void for_each_row(const RealView& v, const IndexBox& region, F&& f) {
+  // Rows run along the direction of unit stride: the first that has one.
+  const int along = v.stride[0] == 1 ? 0 : v.stride[1] == 1 ? 1 : 2;
+  IndexBox starts = region;
+  starts.upper[along] = starts.lower[along] + 1;
+  const auto length = static_cast<std::size_t>(region.size()[along]);
+  for_each_cell(starts, [&](IntVec3 c) { f(v.offset(c), length); });
+}
+
+void copy_region(const RealView& to, const IndexBox& region, const RealView& from, IntVec3 shift) {
+  const int along = to.stride[0] == 1 ? 0 : to.stride[1] == 1 ? 1 : 2;
+  IndexBox starts = region;
+  starts.upper[along] = starts.lower[along] + 1;
+  const auto bytes = static_cast<std::size_t>(region.size()[along]) * sizeof(double);
+  for_each_cell(starts, [&](IntVec3 c) {
+    std::memcpy(to.data + to.offset(c), from.data + from.offset(c + shift), bytes);
+  });
+}
+
+}  // namespace
+
+std::vector<HaloCopy> halo_copies(const Level& level, int width) {
+  std::vector<HaloCopy> copies;
+  const std::vector<IntVec3> shifts = periodic_shifts(level);
+  const IntVec3 ghosts = level.ghosts(width);
+  for (const GridBox& to : level.boxes) {
+    const IndexBox grown = to.cells.grown(ghosts);
+    for (const GridBox& from : level.boxes)
+      for (IntVec3 shift : shifts) {
+        if (from.id == to.id && shift == IntVec3{}) continue;
+        const IndexBox region = intersection(grown, from.cells.shifted(IntVec3{} - shift));
+        if (!region.empty()) copies.push_back({from.id, to.id, region, shift});
+      }
+  }
+  return copies;
+}
+
+HaloExchange::HaloExchange(const Level& level, int width, int rank) {
+  std::vector<int> local_number(level.boxes.size(), -1);
+  int count = 0;
+  for (const GridBox& b : level.boxes)
+    if (b.owner == rank) local_number[static_cast<std::size_t>(b.id)] = count++;
+  std::map<int, Peer> peers;
+  for (const HaloCopy& c : halo_copies(level, width)) {
+    const int from_owner = level.boxes[static_cast<std::size_t>(c.from)].owner;
+    const int to_owner = level.boxes[static_cast<std::size_t>(c.to)].owner;
+    const Local copy{local_number[static_cast<std::size_t>(c.from)],
+                     local_number[static_cast<std::size_t>(c.to)], c.region, c.shift};
+    if (from_owner == rank && to_owner == rank) {
+      local_.push_back(copy);
+    } else if (from_owner == rank) {
+      peers[to_owner].sends.push_back(copy);
+    } else if (to_owner == rank) {
+      peers[from_owner].receives.push_back(copy);
+    }
+  }
+  for (auto& [other, peer] : peers) {
+    peer.rank = other;
+    peers_.push_back(std::move(peer));
+  }
+}
+
+std::size_t HaloExchange::message_bytes(int components) const {
+  std::int64_t cells = 0;
+  for (const Peer& p : peers_)
+    for (const Local& s : p.sends) cells += s.region.volume();
+  return static_cast<std::size_t>(cells) * static_cast<std::size_t>(components) * sizeof(double);
+}
+
+void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots) {
+  int components = 0;
+  for (int s : slots) components += warehouse.info(s).components;
+  auto doubles = [&](const std::vector<Local>& regions) {
+    std::int64_t cells = 0;
+    for (const Local& r : regions) cells += r.region.volume();
+    return static_cast<std::size_t>(cells * components);
+  };
+  for (Peer& p : peers_) {
+    p.receive_buffer.resize(doubles(p.receives));
+    messages_.post_receive(p.receive_buffer.data(), p.receive_buffer.size(), p.rank, 1);
+  }
+  for (Peer& p : peers_) {
+    p.send_buffer.resize(doubles(p.sends));
+    double* next = p.send_buffer.data();
+    for (const Local& r : p.sends)
+      for (int s : slots)
+        for (int c = 0; c < warehouse.info(s).components; ++c) {
+          const RealView v = warehouse.view(s, c, r.from);
+          for_each_row(v, r.region.shifted(r.shift), [&](std::ptrdiff_t offset, std::size_t n) {
+            std::memcpy(next, v.data + offset, n * sizeof(double));
+            next += n;
+          });
+        }
+    messages_.post_send(p.send_buffer.data(), p.send_buffer.size(), p.rank, 1);
+  }
+  for (const Local& r : local_)
+    for (int s : slots)
+      for (int c = 0; c < warehouse.info(s).components; ++c)
+        copy_region(warehouse.view(s, c, r.to), r.region, warehouse.view(s, c, r.from), r.shift);
+  messages_.wait_all();
+  for (Peer& p : peers_) {
+    const double* next = p.receive_buffer.data();
+    for (const Local& r : p.receives)
+      for (int s : slots)
+        for (int c = 0; c < warehouse.info(s).components; ++c) {
+          const RealView v = warehouse.view(s, c, r.to);
+          for_each_row(v, r.region, [&](std::ptrdiff_t offset, std::size_t n) {
+            std::memcpy(v.data + offset, next, n * sizeof(double));
+            next += n;
+          });
+        }
+  }
+}
+
+}  // namespace sluice

@@ -1,0 +1,65 @@
+// What a sweep accumulates besides fields: maxima, exact sums, counts and inadmissible cells.
+//
+// Every thread has its own; merging them (and those of other ranks) gives the same bits in any
+// order, because maxima, exact sums, integer counts and "the lowest cell" do not depend on order.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "framework/base/exact_sum.hpp"
+#include "framework/base/vec3.hpp"
+
+namespace sluice {
+
+// The first inadmissible cell of a step, in (level, k, j, i) order.
+struct CellFault {
+  IntVec3 cell{};
+  int level = 0;
+  int material = 0;
+  int kind = 0;        // which check failed; the component knows the words
+  double value = 0.0;  // what was found
+};
+bool before(const CellFault& a, const CellFault& b);
+
+// A non-negative double as an integer of the same order: lets the compiler take a vectorised
+// maximum, and makes NaN the largest of all, so that it cannot hide.
+inline std::int64_t ordered_bits(double x) {
+  return std::bit_cast<std::int64_t>(x);
+}
+inline double from_ordered_bits(std::int64_t b) {
+  return std::bit_cast<double>(b);
+}
+
+class Reductions {
+ public:
+  Reductions() = default;
+  Reductions(int maxima, int sums)
+      : maxima_(static_cast<std::size_t>(maxima), 0), sums_(static_cast<std::size_t>(sums)) {}
+
+  void maximum(int slot, std::int64_t bits) {
+    std::int64_t& m = maxima_[static_cast<std::size_t>(slot)];
+    m = bits > m ? bits : m;
+  }
+  double maximum(int slot) const {
+    return from_ordered_bits(maxima_[static_cast<std::size_t>(slot)]);
+  }
+  ExactSum& sum(int slot) { return sums_[static_cast<std::size_t>(slot)]; }
+  const ExactSum& sum(int slot) const { return sums_[static_cast<std::size_t>(slot)]; }
+
+  void fault(const CellFault& f);
+  std::int64_t fault_count() const { return static_cast<std::int64_t>(faults_.size()); }
+  const std::vector<CellFault>& faults() const { return faults_; }
+
+  int maxima_count() const { return static_cast<int>(maxima_.size()); }
+  int sum_count() const { return static_cast<int>(sums_.size()); }
+  void clear();
+  void merge(const Reductions& other);
+
+ private:
+  std::vector<std::int64_t> maxima_;
+  std::vector<ExactSum> sums_;
+  std::vector<CellFault> faults_;
+};
+
+}  // namespace sluice

@@ -1,0 +1,230 @@
+// Blocks, threads, sleeping blocks.
+#include "framework/task/sweep_executor.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cstring>
+#include <stdexcept>
+
+namespace sluice {
+
+struct SweepExecutor::Worker {
+  Worker(const TaskList& list, const SweepPlan& plan, const Level& level,
+         const StateBinding& binding, IntVec3 largest, const SweepOptions& o)
+      : sweep(list, plan, level, binding, largest),
+        reductions(o.maxima, o.sums),
+        times(plan.tasks.size(), 0) {}
+  BlockSweep sweep;
+  Reductions reductions;
+  TaskTimes times;
+  std::int64_t run = 0, asleep = 0, sampled = 0;
+};
+
+struct SweepExecutor::Threads {
+  explicit Threads(int n) : arena(n) {}
+  tbb::task_arena arena;
+};
+
+IntVec3 default_block(const Level& level) {
+  IntVec3 b = level.domain.size();
+  const int axes = level.active_count();
+  int axis = 0;
+  for (int d = 0; d < 3; ++d) {
+    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    // 1-D: rows of 512; 2-D: 256 x 64, swept along the second; 3-D: 128 x 24 x 128, swept along the
+    // third
+    const int extent = axes == 1   ? 512
+                       : axes == 2 ? (axis == 0 ? 256 : 64)
+                                   : (axis == 0   ? 128
+                                      : axis == 1 ? 24
+                                                  : 128);
+    b[d] = std::min(b[d], extent);
+    ++axis;
+  }
+  return b;
+}
+
+std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents) {
+  std::vector<Block> blocks;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    const IndexBox& box = boxes[n].cells;
+    IntVec3 pieces{};
+    for (int d = 0; d < 3; ++d)
+      pieces[d] = std::max(1, (box.size()[d] + extents[d] - 1) / extents[d]);
+    for (const IndexBox& piece : split(box, pieces)) blocks.push_back({static_cast<int>(n), piece});
+  }
+  return blocks;
+}
+
+SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& level,
+                             const SweepOptions& options)
+    : list_(&list),
+      plan_(std::move(plan)),
+      level_(&level),
+      options_(options),
+      total_(options.maxima, options.sums) {
+  if (options.threads > 1) threads_ = std::make_unique<Threads>(options.threads);
+}
+
+SweepExecutor::~SweepExecutor() = default;
+
+void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output) {
+  binding_.old_state = &old_state;
+  binding_.new_state = &new_state;
+  binding_.output = output;
+  binding_.slot.assign(list_->variables().size(), -1);
+  for (std::size_t v = 0; v < list_->variables().size(); ++v) {
+    const Variable& variable = list_->variables()[v];
+    if (variable.storage == Storage::temporary || !plan_.used[v]) continue;
+    const Warehouse* w = variable.storage == Storage::old_state   ? &old_state
+                         : variable.storage == Storage::new_state ? &new_state
+                                                                  : output;
+    const int slot = w == nullptr ? -1 : w->find(variable.label, variable.material);
+    if (slot < 0) throw std::logic_error("no storage for '" + variable.name + "'");
+    binding_.slot[v] = slot;
+  }
+  const IntVec3 extents = options_.block == IntVec3{} ? default_block(*level_) : options_.block;
+  blocks_ = place_blocks(old_state.local_boxes(), extents);
+  IntVec3 largest{1, 1, 1};
+  for (const Block& b : blocks_) largest = max(largest, b.cells.size());
+  workers_.clear();
+  for (int t = 0; t < options_.threads; ++t)
+    workers_.push_back(
+        std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_));
+}
+
+bool SweepExecutor::is_quiet(const Block& block) const {
+  for (VariableId id : plan_.states_read) {
+    const Variable& variable = (*list_)[id];
+    const int slot = binding_.slot[static_cast<std::size_t>(id.index)];
+    for (int c = 0; c < variable.components; ++c) {
+      const RealView v = binding_.old_state->view(slot, c, block.box);
+      const IndexBox seen = intersection(block.cells.grown(plan_.halo), v.box);
+      const int along = plan_.axes.direction[0];
+      IndexBox starts = seen;
+      starts.upper[along] = starts.lower[along] + 1;
+      const double first = v.data[v.offset(seen.lower)];
+      const int n = seen.size()[along];
+      bool same = true;
+      const IntVec3 size = starts.size();
+      for (int k = 0; k < size.z && same; ++k)
+        for (int j = 0; j < size.y && same; ++j)
+          for (int i = 0; i < size.x && same; ++i) {
+            const double* row = v.data + v.offset(starts.lower + IntVec3{i, j, k});
+            int different = 0;
+            for (int x = 0; x < n; ++x) different += row[x] != first;
+            same = different == 0;
+          }
+      if (!same) return false;
+    }
+  }
+  return true;
+}
+
+void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
+  // Peel off the cells along the boundary of the domain, side by side, each cell once.
+  IndexBox rest = block.cells;
+  for (int a = 0; a < plan_.axes.count && !rest.empty(); ++a) {
+    const int d = plan_.axes.direction[a];
+    if (level_->periodic[static_cast<std::size_t>(d)]) continue;
+    if (rest.lower[d] == level_->domain.lower[d]) {
+      IndexBox strip = rest;
+      strip.upper[d] = strip.lower[d] + 1;
+      worker.sweep.run(step, block.box, strip, worker.reductions);
+      rest.lower[d] += 1;
+    }
+    if (!rest.empty() && rest.upper[d] == level_->domain.upper[d]) {
+      IndexBox strip = rest;
+      strip.lower[d] = strip.upper[d] - 1;
+      worker.sweep.run(step, block.box, strip, worker.reductions);
+      rest.upper[d] -= 1;
+    }
+  }
+  if (rest.empty()) return;
+  worker.sweep.run(step, block.box, {rest.lower, rest.lower + IntVec3{1, 1, 1}}, worker.reductions);
+  for (std::size_t v = 0; v < list_->variables().size(); ++v) {
+    const Variable& variable = list_->variables()[v];
+    if (variable.storage != Storage::new_state || !plan_.used[v]) continue;
+    const int from = binding_.old_state->find(variable.label, variable.material);
+    for (int c = 0; c < variable.components; ++c) {
+      const RealView old = binding_.old_state->view(from, c, block.box);
+      const RealView now = binding_.new_state->view(binding_.slot[v], c, block.box);
+      const double value = old.data[old.offset(rest.lower)];
+      const int along = plan_.axes.direction[0];
+      IndexBox starts = rest;
+      starts.upper[along] = starts.lower[along] + 1;
+      const int n = rest.size()[along];
+      for_each_cell(starts, [&](IntVec3 cell) {
+        double* row = now.data + now.offset(cell);
+        for (int x = 0; x < n; ++x) row[x] = value;
+      });
+    }
+  }
+}
+
+void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::size_t n) {
+  const Block& block = blocks_[n];
+  if (options_.quiet_blocks && is_quiet(block)) {
+    sleep(worker, step, block);
+    ++worker.asleep;
+    return;
+  }
+  const auto every = static_cast<std::size_t>(options_.sample_every);
+  const bool sample =
+      every > 0 && (n + static_cast<std::size_t>(passes_) * blocks_.size()) % every == 0;
+  worker.sweep.run(step, block.box, block.cells, worker.reductions,
+                   sample ? &worker.times : nullptr);
+  ++worker.run;
+  if (sample) ++worker.sampled;
+}
+
+const Reductions& SweepExecutor::run(const StepConstants& step) {
+  for (auto& w : workers_) w->reductions.clear();
+  if (threads_ == nullptr) {
+    for (std::size_t n = 0; n < blocks_.size(); ++n) run_block(*workers_[0], step, n);
+  } else {
+    threads_->arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, blocks_.size(), 1),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            const int t = tbb::this_task_arena::current_thread_index();
+            for (std::size_t n = range.begin(); n < range.end(); ++n)
+              run_block(*workers_[static_cast<std::size_t>(t)], step, n);
+          },
+          tbb::simple_partitioner());
+    });
+  }
+  total_.clear();
+  blocks_run_ = blocks_asleep_ = 0;
+  for (auto& w : workers_) {
+    total_.merge(w->reductions);
+    blocks_run_ += w->run;
+    blocks_asleep_ += w->asleep;
+  }
+  ++passes_;
+  return total_;
+}
+
+std::size_t SweepExecutor::scratch_bytes() const {
+  std::size_t n = 0;
+  for (const auto& w : workers_) n += w->sweep.scratch_bytes();
+  return n;
+}
+
+std::vector<double> SweepExecutor::task_seconds() const {
+  std::vector<double> seconds(plan_.tasks.size(), 0.0);
+  std::int64_t sampled = 0, run = 0;
+  for (const auto& w : workers_) {
+    sampled += w->sampled;
+    run += w->run;
+    for (std::size_t t = 0; t < seconds.size(); ++t)
+      seconds[t] += 1e-9 * static_cast<double>(w->times[t]);
+  }
+  const double scale = sampled > 0 ? static_cast<double>(run) / static_cast<double>(sampled) : 0.0;
+  for (double& s : seconds) s *= scale;
+  return seconds;
+}
+
+}  // namespace sluice

@@ -1,0 +1,70 @@
+// Runs a sweep over all local boxes of a level: placement on blocks and threads.
+//
+// Blocks are windows of boxes sized for the cache. Their number and shape change nothing in the
+// results. A block whose old state is uniform over itself and the whole stencil sleeps: its state
+// is copied, and only the cells that touch the boundary of the domain (they account for what passes
+// through it) and one cell besides (it gives its time-step rate) are computed.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "framework/task/block_sweep.hpp"
+
+namespace sluice {
+
+struct SweepOptions {
+  int threads = 1;
+  IntVec3 block{};            // extents of a block; 0: chosen from the number of active directions
+  bool quiet_blocks = false;  // may uniform blocks sleep
+  int maxima = 0, sums = 0;   // of the reductions
+  int sample_every = 0;       // time every n-th block per task; 0: never
+};
+
+struct Block {
+  int box = 0;  // local box number
+  IndexBox cells;
+};
+
+// Cuts the local boxes of a level into blocks no larger than `extents`.
+std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
+IntVec3 default_block(const Level& level);
+
+class SweepExecutor {
+ public:
+  SweepExecutor(const TaskList& list, SweepPlan plan, const Level& level,
+                const SweepOptions& options);
+  ~SweepExecutor();
+
+  // Finds slots (the warehouses must have them) and remembers the warehouses.
+  void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output);
+  // One pass over all blocks. The result holds what this rank reduced.
+  const Reductions& run(const StepConstants& step);
+
+  const SweepPlan& plan() const { return plan_; }
+  const TaskList& list() const { return *list_; }
+  std::int64_t blocks_run() const { return blocks_run_; }  // since construction
+  std::int64_t blocks_asleep() const { return blocks_asleep_; }
+  std::size_t scratch_bytes() const;
+  // Seconds per planned task, scaled up from the sampled blocks.
+  std::vector<double> task_seconds() const;
+
+ private:
+  struct Worker;
+  void run_block(Worker& worker, const StepConstants& step, std::size_t n);
+  bool is_quiet(const Block& block) const;
+  void sleep(Worker& worker, const StepConstants& step, const Block& block);
+
+  const TaskList* list_;
+  SweepPlan plan_;
+  const Level* level_;
+  SweepOptions options_;
+  StateBinding binding_;
+  std::vector<Block> blocks_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  Reductions total_;
+  std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
+  struct Threads;
+  std::unique_ptr<Threads> threads_;
+};
+
+}  // namespace sluice

@@ -1,0 +1,76 @@
+// Collecting declarations.
+#include "framework/task/task.hpp"
+
+namespace sluice {
+
+VariableId TaskList::add(Variable v) {
+  variables_.push_back(std::move(v));
+  return {static_cast<int>(variables_.size()) - 1};
+}
+
+namespace {
+
+std::string key_name(Label label, const char* when) {
+  return label.name() + when;
+}
+
+}  // namespace
+
+VariableId TaskList::old_state(Label label, int material, int components) {
+  for (std::size_t v = 0; v < variables_.size(); ++v)
+    if (variables_[v].storage == Storage::old_state && variables_[v].label == label &&
+        variables_[v].material == material)
+      return {static_cast<int>(v)};
+  return add({key_name(label, " (old)"), Storage::old_state, components, label, material,
+              face_direction(label.info().centring)});
+}
+
+VariableId TaskList::new_state(Label label, int material, int components) {
+  for (std::size_t v = 0; v < variables_.size(); ++v)
+    if (variables_[v].storage == Storage::new_state && variables_[v].label == label &&
+        variables_[v].material == material)
+      return {static_cast<int>(v)};
+  return add({key_name(label, " (new)"), Storage::new_state, components, label, material,
+              face_direction(label.info().centring)});
+}
+
+VariableId TaskList::output(Label label, int material) {
+  return add({label.name(), Storage::output, component_count(label.info().type), label, material,
+              face_direction(label.info().centring)});
+}
+
+VariableId TaskList::temporary(std::string name, int components, int face_direction) {
+  return add({std::move(name), Storage::temporary, components, Label{}, 0, face_direction});
+}
+
+TaskBuilder TaskList::task(std::string name, int effect) {
+  Task t;
+  t.name = std::move(name);
+  t.effect = effect;
+  tasks_.push_back(std::move(t));
+  return TaskBuilder(*this, tasks_.size() - 1);
+}
+
+In TaskBuilder::read(VariableId v, Stencil s) {
+  auto& reads = list_->tasks_[task_].reads;
+  reads.push_back({v, s});
+  return {static_cast<int>(reads.size()) - 1};
+}
+
+Out TaskBuilder::write(VariableId v) {
+  auto& writes = list_->tasks_[task_].writes;
+  writes.push_back(v);
+  return {static_cast<int>(writes.size()) - 1};
+}
+
+TaskBuilder& TaskBuilder::kernel(RowKernel k) {
+  list_->tasks_[task_].kernel = std::move(k);
+  return *this;
+}
+
+TaskBuilder& TaskBuilder::always() {
+  list_->tasks_[task_].always = true;
+  return *this;
+}
+
+}  // namespace sluice

@@ -1,0 +1,107 @@
+// Declaring tasks: name, effect, what is read (with its stencil), what is written, a row kernel.
+//
+// A row kernel computes one contiguous row of cells (or of low faces of cells) of everything that
+// the task writes. It asks the Row for pointers by the handles it got when it declared its reads
+// and writes, and loops over row.count() with unit stride. It knows nothing of boxes, blocks,
+// ranks, threads or files.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "framework/base/vec3.hpp"
+#include "framework/field/label.hpp"
+#include "framework/task/row.hpp"
+
+namespace sluice {
+
+// How far below and above a point a task reads, in cells of each level direction. A face variable
+// of direction d holds at index i the face between cells i-1 and i of that direction.
+struct Stencil {
+  IntVec3 low{}, high{};
+
+  static Stencil point() { return {}; }
+  static Stencil box(int r) { return {IntVec3::all(r), IntVec3::all(r)}; }
+  static Stencil along(int direction, int low, int high) {
+    Stencil s;
+    s.low[direction] = low;
+    s.high[direction] = high;
+    return s;
+  }
+};
+
+enum class Storage {
+  old_state,  // the state at the start of the step: read only, ghosts filled by a halo point
+  new_state,  // the state at the end of the step: written once, interior cells
+  temporary,  // lives in a block's scratch memory, only as long as somebody reads it
+  output      // stored for the archive or an analysis, interior cells (and closing faces)
+};
+
+struct Variable {
+  std::string name;
+  Storage storage = Storage::temporary;
+  int components = 1;
+  Label label;  // state and output
+  int material = 0;
+  int face_direction = -1;  // level direction of a face variable, -1 for cells
+};
+
+struct VariableId {
+  int index = -1;
+  friend bool operator==(VariableId, VariableId) = default;
+};
+
+struct Access {
+  VariableId variable;
+  Stencil stencil;
+};
+
+using RowKernel = std::function<void(const Row&)>;
+
+struct Task {
+  std::string name;
+  int effect = 0;  // index into the EffectList
+  std::vector<Access> reads;
+  std::vector<VariableId> writes;
+  RowKernel kernel;
+  bool always = false;  // wanted for its reductions even when nobody reads what it writes
+};
+
+class TaskList;
+
+class TaskBuilder {
+ public:
+  TaskBuilder(TaskList& list, std::size_t task) : list_(&list), task_(task) {}
+  In read(VariableId v, Stencil s = Stencil::point());
+  Out write(VariableId v);
+  TaskBuilder& kernel(RowKernel k);
+  TaskBuilder& always();
+
+ private:
+  TaskList* list_;
+  std::size_t task_;
+};
+
+// Everything the effects of one graph declared.
+class TaskList {
+ public:
+  VariableId old_state(Label label, int material, int components);
+  VariableId new_state(Label label, int material, int components);
+  VariableId output(Label label, int material);
+  VariableId temporary(std::string name, int components = 1, int face_direction = -1);
+  TaskBuilder task(std::string name, int effect);
+
+  const std::vector<Variable>& variables() const { return variables_; }
+  const std::vector<Task>& tasks() const { return tasks_; }
+  const Variable& operator[](VariableId v) const {
+    return variables_[static_cast<std::size_t>(v.index)];
+  }
+
+ private:
+  friend class TaskBuilder;
+  VariableId add(Variable v);
+  std::vector<Variable> variables_;
+  std::vector<Task> tasks_;
+};
+
+}  // namespace sluice

@@ -1,0 +1,146 @@
+// Step 7 (2-D and 3-D): what each cell offers to the remap along axis d.
+//
+//   base_d(q) = q_L - sum_{t != d} [ h_t u_t L3_t(q) - put_t(q) ]
+//   put_t: + h rho su_t for rho; + h (E + p) su_t for E; + (h/rho) sp_t for u_t only
+// The terms put half of the transverse Lagrangian change back, so that the face value is that of
+// the middle of the step; without them the order falls to one. rho and E are floored at a tenth
+// of their Lagrangian value.
+#include "ice/conservative/variables.hpp"
+#include "ice/limiters.hpp"
+
+namespace sluice::ice {
+namespace {
+
+struct Handles {
+  In rho, energy, velocity, pressure, inverse_rho, velocity_slope, pressure_slope, mask;
+  In rho_L, energy_L, velocity_L;
+  std::array<Out, 3> base;
+};
+
+// Rows of one quantity along every axis.
+struct Quantity {
+  const double* minus[3];
+  const double* centre;
+  const double* plus[3];
+};
+
+template <int D>
+Quantity quantity(const Row& row, In in, int c) {
+  Quantity q;
+  q.centre = row(in, c);
+  for (int t = 0; t < D; ++t) {
+    q.minus[t] = row(in, c, t, -1);
+    q.plus[t] = row(in, c, t, 1);
+  }
+  return q;
+}
+
+struct Context {
+  int n;
+  double h[3];
+  const double* u[3];  // transverse velocities
+  const double* mask;  // may be null
+};
+
+// Change of q across the half step by advection along axis t at cell i.
+inline double advected(const Quantity& q, const Context& x, int t, int i) {
+  return x.h[t] * x.u[t][i] *
+         central_slope(q.centre[i] - q.minus[t][i], q.plus[t][i] - q.centre[i]);
+}
+
+// base_d = L - sum of the others' changes; `change(t, i)` is the whole bracket above.
+template <int D, bool Masked, class Change>
+void write_bases(const Context& x, const double* __restrict L, double* const* out, double floor,
+                 Change change) {
+  double* __restrict b0 = out[0];
+  double* __restrict b1 = out[1];
+  double* __restrict b2 = D > 2 ? out[2] : out[1];
+#pragma GCC ivdep
+  for (int i = 0; i < x.n; ++i) {
+    const double m = Masked ? x.mask[i] : 1.0;
+    const double bound = floor * L[i];
+    const double t0 = m * change(0, i), t1 = m * change(1, i);
+    if constexpr (D == 2) {
+      const double r0 = L[i] - t1, r1 = L[i] - t0;
+      b0[i] = floor > 0 ? larger(r0, bound) : r0;
+      b1[i] = floor > 0 ? larger(r1, bound) : r1;
+    } else {
+      const double t2 = m * change(2, i);
+      const double r0 = L[i] - (t1 + t2), r1 = L[i] - (t0 + t2), r2 = L[i] - (t0 + t1);
+      b0[i] = floor > 0 ? larger(r0, bound) : r0;
+      b1[i] = floor > 0 ? larger(r1, bound) : r1;
+      b2[i] = floor > 0 ? larger(r2, bound) : r2;
+    }
+  }
+}
+
+template <int D, int C, bool Masked>
+void base_rows(const Row& row, const Handles& h, const Axes& axes) {
+  Context x;
+  x.n = row.count();
+  x.mask = Masked ? row(h.mask) : nullptr;
+  const double* su[3];
+  const double* sp[3];
+  for (int t = 0; t < D; ++t) {
+    x.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+    x.u[t] = row(h.velocity, t);
+    su[t] = row(h.velocity_slope, t);
+    sp[t] = row(h.pressure_slope, t);
+  }
+  auto outputs = [&](int component, double** out) {
+    for (int d = 0; d < D; ++d) out[d] = row(h.base[static_cast<std::size_t>(d)], component);
+  };
+  double* out[3];
+  outputs(0, out);
+  const Quantity rho = quantity<D>(row, h.rho, 0);
+  write_bases<D, Masked>(x, row(h.rho_L), out, 0.1, [&](int t, int i) {
+    return advected(rho, x, t, i) - x.h[t] * rho.centre[i] * su[t][i];
+  });
+  outputs(1, out);
+  const Quantity E = quantity<D>(row, h.energy, 0);
+  const double* p = row(h.pressure);
+  write_bases<D, Masked>(x, row(h.energy_L), out, 0.1, [&](int t, int i) {
+    return advected(E, x, t, i) - x.h[t] * (E.centre[i] + p[i]) * su[t][i];
+  });
+  const double* w = row(h.inverse_rho);
+  for (int c = 0; c < C; ++c) {
+    outputs(2 + c, out);
+    const Quantity u = quantity<D>(row, h.velocity, c);
+    write_bases<D, Masked>(x, row(h.velocity_L, c), out, 0.0, [&](int t, int i) {
+      const double put = t == c ? x.h[t] * w[i] * sp[t][i] : 0.0;
+      return advected(u, x, t, i) - put;
+    });
+  }
+}
+
+}  // namespace
+
+void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
+  TaskBuilder task = list.task("remap bases", effect);
+  Handles h;
+  h.rho = task.read(v.rho, Stencil::box(1));
+  h.energy = task.read(v.energy, Stencil::box(1));
+  h.velocity = task.read(v.velocity, Stencil::box(1));
+  h.pressure = task.read(v.pressure);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.velocity_slope = task.read(v.velocity_slope);
+  h.pressure_slope = task.read(v.pressure_slope);
+  if (o.masked) h.mask = task.read(v.mask);
+  h.rho_L = task.read(v.rho_L);
+  h.energy_L = task.read(v.energy_L);
+  h.velocity_L = task.read(v.velocity_L);
+  for (int d = 0; d < o.axes.count; ++d)
+    h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    if constexpr (D > 1)
+      task.kernel([=](const Row& row) {
+        if (o.masked)
+          base_rows<D, C, true>(row, h, o.axes);
+        else
+          base_rows<D, C, false>(row, h, o.axes);
+      });
+  });
+}
+
+}  // namespace sluice::ice

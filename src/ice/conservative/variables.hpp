@@ -1,0 +1,97 @@
+// The variables of one step of the conservative scheme, and the options its tasks depend on.
+//
+// Axes are the active directions in order; component c < axes of momentum and velocity is along
+// axis c, further components are carried passively.
+#pragma once
+#include <array>
+
+#include "eos/ideal_gas.hpp"
+#include "framework/grid/index_box.hpp"
+#include "framework/task/task.hpp"
+
+namespace sluice::ice {
+
+struct SchemeOptions {
+  Axes axes;
+  int components = 1;                     // of momentum, axes.count <= components <= 3
+  std::array<int, 3> direction{0, 1, 2};  // level direction of each component
+  eos::IdealGas gas;
+  bool second_order = true;
+  bool masked = false;          // a redo: slopes vanish where the mask says so
+  double sound_speed_knob = 1;  // weight of c in the deck's time-step rule
+  Vec3 gravity{};               // m/s^2
+  bool gravity_on = false;
+  double viscosity = 0;  // dynamic, Pa s; 0: no stress
+  bool viscous = false;
+  bool conservative_time_step = false;  // Scheme_for_delT_calc
+  double cfl = 0.4;
+  IndexBox domain;  // cells of the physical domain
+  std::array<bool, 3> periodic{};
+};
+
+struct SchemeVariables {
+  // State: mass, momentum and internal energy per volume.
+  VariableId rho, momentum, energy, mask;        // old
+  VariableId rho_new, momentum_new, energy_new;  // new
+  // Primitives of the old state.
+  VariableId velocity, pressure, sound, inverse_rho;
+  // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse
+  // advection of the normal velocity.
+  VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
+  std::array<VariableId, 3> face_velocity, face_pressure;  // by axis
+  std::array<VariableId, 3> stress;                        // viscous, by axis: force per area
+  // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
+  // the inverse of its bounded value, momentum source (what p and the forces took).
+  VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
+  VariableId impulse;
+  std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
+  std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
+};
+
+// What the reductions of a step hold.
+struct StepSlots {
+  static constexpr int deck_rate = 0;   // max of sum or max of (|u| + knob c)/dx: 1/s
+  static constexpr int flow_rate = 1;   // max of sum |u|/dx
+  static constexpr int sound_rate = 2;  // max of (|u| + c)/dx
+  static constexpr int maxima = 3;
+  // Exact sums: what left through the boundary in this step.
+  static constexpr int mass = 0;
+  static constexpr int momentum = 1;  // three
+  static constexpr int energy = 4;
+  static constexpr int work_of_gravity = 5;
+  static constexpr int sums = 6;
+};
+
+enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2 };
+
+// Calls f.operator()<D, C>() for D active axes and C momentum components.
+template <class F>
+auto dispatch(int axes, int components, F&& f) {
+  switch (axes * 10 + components) {
+    case 11:
+      return f.template operator()<1, 1>();
+    case 12:
+      return f.template operator()<1, 2>();
+    case 13:
+      return f.template operator()<1, 3>();
+    case 22:
+      return f.template operator()<2, 2>();
+    case 23:
+      return f.template operator()<2, 3>();
+    default:
+      return f.template operator()<3, 3>();
+  }
+}
+
+// Tasks of the step, in order; each in the file of its name.
+void add_primitives(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_viscous_stress(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice
