@@ -187,7 +187,8 @@ Made make_wave(const SolutionParameters& from) {
 
 Made make_hydrostatic(const SolutionParameters& from) {
   const State base = mean_state(from);
-  return std::make_unique<HydrostaticColumn>(base, from.vector("gravity"),
+  const bool isothermal = from.integer("isothermal", 1, 0, 1) == 1;
+  return std::make_unique<HydrostaticColumn>(base, from.vector("gravity"), isothermal,
                                              from.vector("origin", {}));
 }
 
@@ -284,12 +285,13 @@ const std::vector<Kind>& kinds() {
          sense_help, origin_help}},
        make_wave<SimpleWave>},
       {{"hydrostatic",
-        "isothermal gas at rest in gravity",
+        "gas at rest in gravity, its state given at the origin",
         {density_help,
          velocity_help,
          pressure_help,
          gamma_help,
          {"gravity", "vector"},
+         {"isothermal", "1: one temperature, 0: one density (1)"},
          origin_help}},
        make_hydrostatic},
   };

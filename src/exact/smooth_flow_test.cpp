@@ -77,7 +77,8 @@ TEST(SmoothFlow, ColumnIsInBalance) {
   const State base{1.2, {}, .9, 1.4};
   const Vec3 gravity{.4, -.7, 0};
   for (const Vec3 x : places) {
-    EXPECT_LT(residual(HydrostaticColumn(base, gravity, {}), x, .2, gravity), 1e-9);
+    EXPECT_LT(residual(HydrostaticColumn(base, gravity, true, {}), x, .2, gravity), 1e-9);
+    EXPECT_LT(residual(HydrostaticColumn(base, gravity, false, {}), x, .2, gravity), 1e-9);
   }
 }
 

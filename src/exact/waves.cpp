@@ -96,10 +96,15 @@ State SimpleWave::at(Vec3 x, double t) const {
 }
 
 State HydrostaticColumn::at(Vec3 x, double) const {
-  const double ratio = std::exp(base_.density / base_.pressure * dot(gravity_, x - origin_));
+  const double rise = base_.density * dot(gravity_, x - origin_);
   State out = base_;
-  out.density = base_.density * ratio;
-  out.pressure = base_.pressure * ratio;
+  if (isothermal_) {
+    const double ratio = std::exp(rise / base_.pressure);
+    out.density *= ratio;
+    out.pressure *= ratio;
+  } else {
+    out.pressure += rise;
+  }
   return out;
 }
 

@@ -74,17 +74,20 @@ class SimpleWave final : public ExactSolution {
   double breaking_time_;
 };
 
-// Ideal gas at rest and at one temperature in gravity g:
-// rho = rho0 exp(rho0/p0 g.(x - origin)), p = p0 rho/rho0.
+// Ideal gas at rest in gravity g, with state rho0, p0 at the origin. Isothermal:
+// rho = rho0 exp(rho0/p0 g.(x - origin)), p = p0 rho/rho0; else of uniform density:
+// p = p0 + rho0 g.(x - origin).
 class HydrostaticColumn final : public ExactSolution {
  public:
-  HydrostaticColumn(State base, Vec3 gravity, Vec3 origin)
-      : base_(base), gravity_(gravity), origin_(origin) {}
+  HydrostaticColumn(State base, Vec3 gravity, bool isothermal, Vec3 origin)
+      : base_(base), gravity_(gravity), isothermal_(isothermal), origin_(origin) {}
   State at(Vec3 x, double t) const override;
 
  private:
   State base_;
-  Vec3 gravity_, origin_;
+  Vec3 gravity_;
+  bool isothermal_;
+  Vec3 origin_;
 };
 
 }  // namespace sluice::exact
