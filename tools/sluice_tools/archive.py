@@ -94,7 +94,7 @@ class Archive:
         self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
                       for e in root.iterfind("timesteps/timestep")]
         self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
-        self.histories = {e.get("name"): self.path / e.get("href")
+        self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
                           for e in root.iterfind("globals/variable")}
 
     def step(self, which="last"):
@@ -127,10 +127,22 @@ class Archive:
         return best
 
     def history(self, name):
-        """Columns of a .dat file: array [line, column]; the last columns are the values."""
+        """A .dat file: (what the lines go by, its numbers, values [line, component])."""
         if name not in self.histories:
             raise ArchiveError(f"no history '{name}'; there are: {_names(self.histories)}")
-        return np.loadtxt(self.histories[name], ndmin=2)
+        path, kind = self.histories[name]
+        try:
+            lines = np.loadtxt(path, ndmin=2)
+        except (OSError, ValueError) as error:
+            raise ArchiveError(f"{path}: not readable as a history ({error})") from error
+        width = 3 if "Vector" in kind else 1
+        before, values = lines[:, :-width], lines[:, -width:]
+        # A step number and the time may stand before the values, or one, or neither.
+        if before.shape[1] == 0:
+            return "line", np.arange(1, len(lines) + 1), values
+        times = before[:, -1]
+        steps = before.shape[1] == 1 and np.array_equal(times, np.floor(times)) and times[0] >= 1
+        return "step" if steps else "time", times, values
 
 
 def _variable(element):

@@ -155,17 +155,15 @@ def draw_histories(archive, given, plt):
     fig, axes = plt.subplots(rows, columns, squeeze=False,
                              figsize=(4.0 * columns, 2.5 * rows + 0.3))
     for ax, name in zip(axes.flat, given.history):
-        lines = archive.history(name)
-        width = 3 if lines.shape[1] >= 4 else 1
-        times = lines[:, -width - 1]
-        for c in range(width):
-            ax.plot(times, lines[:, c - width], color=style.COLOURS[c], linestyle=style.LINES[c],
+        along, places, values = archive.history(name)
+        for c, column in enumerate(values.T):
+            ax.plot(places, column, color=style.COLOURS[c], linestyle=style.LINES[c],
                     label="xyz"[c])
-        if width > 1:
+        if len(values.T) > 1:
             ax.legend()
         ax.set_title(name, loc="left")
-        ax.set_xlabel("time")
-        headroom(ax, lines[:, -width:])
+        ax.set_xlabel(along)
+        headroom(ax, values)
     for ax in axes.flat[len(given.history):]:
         ax.set_visible(False)
     fig.suptitle(archive.path.name, x=0.01, ha="left", fontsize=11)

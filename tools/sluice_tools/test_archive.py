@@ -134,8 +134,10 @@ class Reading(OnDisk):
             Archive(self.root)
 
     def test_history(self):
-        lines = self.two_dimensional().history("TotalMass")
-        np.testing.assert_array_equal(lines, [[1, 0.1, 2.5], [2, 0.2, 2.5]])
+        along, places, values = self.two_dimensional().history("TotalMass")
+        self.assertEqual(along, "time")
+        np.testing.assert_array_equal(places, [0.1, 0.2])
+        np.testing.assert_array_equal(values, [[2.5], [2.5]])
 
 
 class Views(OnDisk):
