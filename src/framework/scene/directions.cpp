@@ -89,8 +89,12 @@ ActiveDirection judge(int d, const GridSettings& grid, const BoundaryConditions&
 std::array<ActiveDirection, 3> find_active_directions(const GridSettings& grid,
                                                       const BoundaryConditions& boundary,
                                                       const DirectionFacts& facts) {
-  return {judge(0, grid, boundary, facts), judge(1, grid, boundary, facts),
-          judge(2, grid, boundary, facts)};
+  std::array<ActiveDirection, 3> result = {judge(0, grid, boundary, facts),
+                                           judge(1, grid, boundary, facts),
+                                           judge(2, grid, boundary, facts)};
+  if (!result[0].active && !result[1].active && !result[2].active)
+    result[0] = stays("one cell in every direction; one direction must remain", result[0].where);
+  return result;
 }
 
 }  // namespace sluice

@@ -1,0 +1,94 @@
+// The deck's <DataAnalysis>.
+#include "framework/scene/analysis_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "framework/deck/nearest_name.hpp"
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice {
+
+namespace {
+
+int material_named(const std::string& name, const std::vector<std::string>& materials) {
+  const auto found = std::find(materials.begin(), materials.end(), name);
+  if (found == materials.end())
+    throw InputError(
+        fmt::format("<Module>: no material is named '{}' {}", name, suggest_name(name, materials)));
+  return static_cast<int>(found - materials.begin());
+}
+
+void check_material(int index, const std::vector<std::string>& materials) {
+  if (index < 0 || index >= static_cast<int>(materials.size()))
+    throw InputError(fmt::format("material {} does not exist; the deck has {} (from 0)", index,
+                                 materials.size()));
+}
+
+AnalysedVariable read_variable(const DeckNode& node, int default_material,
+                               const std::vector<std::string>& materials) {
+  AnalysedVariable v;
+  v.where = node.where;
+  v.label = node.attribute("label").value_or("");
+  if (v.label.empty()) throw InputError("<analyze>: no label; which variable is meant?");
+  v.material = integer_attribute(node, "matl").value_or(default_material);
+  check_material(v.material, materials);
+  v.levels = read_index_set(node.attribute("level").value_or(""));
+  return v;
+}
+
+AnalysedLine read_line(const DeckNode& node) {
+  AnalysedLine line;
+  line.where = node.where;
+  line.name = node.attribute("name").value_or("");
+  if (line.name.empty()) throw InputError("<line>: no name; its files are named after it");
+  if (line.name.find('/') != std::string::npos || line.name.front() == '.')
+    throw InputError(fmt::format("<line>: '{}' cannot be a folder's name", line.name));
+  line.start = node.vector("startingPt");
+  line.end = node.vector("endingPt");
+  line.step = real_or(node, "stepSize", 0);
+  if (line.step < 0) throw InputError("<line>: stepSize must be greater than 0");
+  return line;
+}
+
+void read_module(const DeckNode& node, const std::vector<std::string>& materials, AnalysisModule& m,
+                 std::vector<Fault>& faults) {
+  m.where = node.where;
+  m.name = node.attribute("name").value_or("");
+  m.material_name = text_or(node, "material", "");
+  m.material = m.material_name.empty() ? integer_or(node, "materialIndex", 0)
+                                       : material_named(m.material_name, materials);
+  check_material(m.material, materials);
+  m.sampling_frequency = real_or(node, "samplingFrequency", 0);
+  m.time_start = real_or(node, "timeStart", 0);
+  m.time_stop = real_or(node, "timeStop", std::numeric_limits<double>::max());
+  if (m.sampling_frequency < 0) throw InputError("<Module>: samplingFrequency must be at least 0");
+  if (const DeckNode* variables = node.child("Variables"))
+    for (const DeckNode* v : variables->all("analyze"))
+      collect(faults, v->where,
+              [&] { m.variables.push_back(read_variable(*v, m.material, materials)); });
+  if (const DeckNode* lines = node.child("lines"))
+    for (const DeckNode* l : lines->all("line"))
+      collect(faults, l->where, [&] { m.lines.push_back(read_line(*l)); });
+}
+
+}  // namespace
+
+AnalysisSettings read_analysis_settings(const DeckNode* node,
+                                        const std::vector<std::string>& materials,
+                                        std::vector<Fault>& faults) {
+  AnalysisSettings a;
+  if (node == nullptr) return a;
+  for (const DeckNode* module : node->all("Module"))
+    collect(faults, module->where, [&] {
+      AnalysisModule m;
+      read_module(*module, materials, m, faults);
+      a.modules.push_back(std::move(m));
+    });
+  return a;
+}
+
+}  // namespace sluice

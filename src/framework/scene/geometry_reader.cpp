@@ -1,0 +1,172 @@
+// Geometry pieces from the deck: labels, nesting, files, and the <geom_object> around them.
+#include "framework/scene/geometry_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "framework/deck/value_text.hpp"
+#include "framework/geometry/boolean.hpp"
+#include "framework/geometry/sampling.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "framework/scene/make_piece.hpp"
+
+namespace sluice {
+
+namespace {
+
+constexpr int deepest_nesting = 64;
+
+constexpr std::array<std::string_view, 21> piece_tags = {"box",
+                                                         "sphere",
+                                                         "cylinder",
+                                                         "cone",
+                                                         "ellipsoid",
+                                                         "torus",
+                                                         "parallelepiped",
+                                                         "tri",
+                                                         "line_segment",
+                                                         "polyhedron",
+                                                         "smoothcyl",
+                                                         "file",
+                                                         "plane_shell",
+                                                         "sphere_shell",
+                                                         "cylinder_shell",
+                                                         "null",
+                                                         "sphere_membrane",
+                                                         "corrugated",
+                                                         "union",
+                                                         "intersection",
+                                                         "difference"};
+
+std::string label_of(const DeckNode& node) {
+  const std::optional<std::string> label = node.attribute("label");
+  return label ? *label : node.attribute("name").value_or("");
+}
+
+bool empty(const DeckNode& node) {
+  return node.text.empty() && std::all_of(node.children.begin(), node.children.end(),
+                                          [](const auto& child) { return child->defaulted; });
+}
+
+}  // namespace
+
+bool GeometryReader::is_piece(std::string_view tag) {
+  return std::find(piece_tags.begin(), piece_tags.end(), tag) != piece_tags.end();
+}
+
+GeometryReader::GeometryReader(const DeckNode& root, std::vector<Fault>& faults) {
+  std::vector<const DeckNode*> stack = {&root};
+  while (!stack.empty()) {
+    const DeckNode* node = stack.back();
+    stack.pop_back();
+    for (auto child = node->children.rbegin(); child != node->children.rend(); ++child)
+      stack.push_back(child->get());
+    const std::string label = label_of(*node);
+    if (!is_piece(node->name) || label.empty() || empty(*node)) continue;
+    const auto [known, fresh] = labels_.emplace(label, node);
+    if (!fresh)
+      add_error(faults, node->where,
+                fmt::format("geometry label '{}' is already defined at {}", label,
+                            to_string(known->second->where)),
+                "reuse it with an empty tag, or choose another label");
+  }
+}
+
+PiecePtr GeometryReader::piece(const DeckNode& node, std::vector<Fault>& faults) const {
+  return build(node, faults, 0);
+}
+
+PiecePtr GeometryReader::build(const DeckNode& node, std::vector<Fault>& faults, int depth) const {
+  if (depth > deepest_nesting) {
+    add_error(faults, node.where, fmt::format("geometry nested deeper than {}", deepest_nesting));
+    return nullptr;
+  }
+  const std::string label = label_of(node);
+  if (!label.empty() && empty(node) && node.name != "null") {
+    const auto found = labels_.find(label);
+    if (found == labels_.end()) {
+      add_error(faults, node.where,
+                fmt::format("no geometry is labelled '{}'; this empty <{}> stands for one", label,
+                            node.name));
+      return nullptr;
+    }
+    if (found->second->name != node.name) {
+      add_error(faults, node.where,
+                fmt::format("geometry '{}' is a <{}> (at {}), not a <{}>", label,
+                            found->second->name, to_string(found->second->where), node.name));
+      return nullptr;
+    }
+    return build(*found->second, faults, depth + 1);
+  }
+  const bool boolean =
+      node.name == "union" || node.name == "intersection" || node.name == "difference";
+  PiecePtr result;
+  if (!boolean) {
+    collect(faults, node.where, [&] { result = make_piece(node); });
+    return result;
+  }
+  std::vector<PiecePtr> members;
+  bool good = true;
+  for (const auto& child : node.children)
+    if (is_piece(child->name)) {
+      members.push_back(build(*child, faults, depth + 1));
+      good = good && members.back() != nullptr;
+    }
+  if (!good) return nullptr;
+  if (node.name == "difference" && members.size() != 2) {
+    add_error(faults, node.where,
+              fmt::format("a difference has {} pieces; it takes exactly two: the first without the "
+                          "second",
+                          members.size()));
+    return nullptr;
+  }
+  collect(faults, node.where, [&] {
+    if (node.name == "union") result = std::make_shared<UnionPiece>(members);
+    if (node.name == "intersection") result = std::make_shared<IntersectionPiece>(members);
+    if (node.name == "difference")
+      result = std::make_shared<DifferencePiece>(members[0], members[1]);
+  });
+  return result;
+}
+
+GeomObject GeometryReader::object(const DeckNode& node, std::vector<Fault>& faults) const {
+  GeomObject o;
+  o.where = node.where;
+  std::vector<PiecePtr> pieces;
+  bool good = true;
+  for (const auto& child : node.children) {
+    if (is_piece(child->name)) {
+      pieces.push_back(build(*child, faults, 0));
+      good = good && pieces.back() != nullptr;
+    } else if (child->name != "res" && child->name != "velocity") {
+      // Initial values: every tag that holds one number.
+      const ParsedValue<double> x = parse_real(child->text);
+      if (!x) continue;
+      o.values[child->name] = *x.value;
+      o.value_where[child->name] = child->where;
+    }
+  }
+  collect(faults, node.where, [&] {
+    o.res = int_vector_or(node, "res", {1, 1, 1});
+    o.velocity = vector_or(node, "velocity", {});
+    if (o.res.x < 1 || o.res.y < 1 || o.res.z < 1 || o.res.x > 1000 || o.res.y > 1000 ||
+        o.res.z > 1000)
+      throw InputError(fmt::format("<geom_object>: res is [{}, {}, {}]; each must be 1 to 1000",
+                                   o.res.x, o.res.y, o.res.z));
+  });
+  if (pieces.empty()) add_error(faults, node.where, "<geom_object> without a geometry piece");
+  if (!good || pieces.empty()) return o;
+  o.piece = pieces.size() == 1 ? pieces.front() : std::make_shared<UnionPiece>(std::move(pieces));
+  return o;
+}
+
+std::vector<std::int32_t> count_inside(const GeomObject& object, const Level& level,
+                                       const IndexBox& cells) {
+  return count_inside(*object.piece, CellLattice{level.anchor, level.spacing}, cells.lower,
+                      cells.upper, object.res);
+}
+
+}  // namespace sluice

@@ -1,0 +1,78 @@
+// The deck's <DataArchiver>.
+#include "framework/scene/output_settings.hpp"
+
+#include <fmt/format.h>
+
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice {
+
+namespace {
+
+SaveRequest read_save(const DeckNode& node, const std::string& compression) {
+  SaveRequest s;
+  s.where = node.where;
+  s.label = node.attribute("label").value_or("");
+  if (s.label.empty()) throw InputError("<save>: no label; which variable is to be saved?");
+  s.materials = read_index_set(node.attribute("material").value_or(""));
+  s.levels = read_index_set(node.attribute("levels").value_or(""));
+  s.compression = node.attribute("compression").value_or(compression);
+  return s;
+}
+
+CheckpointSettings read_checkpoint(const DeckNode& node) {
+  CheckpointSettings c;
+  c.where = node.where;
+  const auto real = [&](std::string_view name) { return real_attribute(node, name).value_or(0); };
+  c.interval = real("interval");
+  c.timestep_interval = integer_attribute(node, "timestepInterval").value_or(0);
+  c.walltime_interval = real("walltimeInterval") + 3600 * real("walltimeIntervalHours");
+  c.walltime_start = real("walltimeStart") + 3600 * real("walltimeStartHours");
+  c.cycle = integer_attribute(node, "cycle").value_or(2);
+  c.last_timestep = true_attribute(node, "lastTimestep");
+  if (c.interval < 0 || c.timestep_interval < 0 || c.walltime_interval < 0 || c.cycle < 0)
+    throw InputError("<checkpoint>: intervals and cycle must be at least 0");
+  if ((c.interval > 0) + (c.timestep_interval > 0) + (c.walltime_interval > 0) > 1)
+    throw InputError(
+        "<checkpoint>: more than one of interval, timestepInterval, walltimeInterval "
+        "and walltimeIntervalHours; keep one");
+  return c;
+}
+
+}  // namespace
+
+OutputSettings read_output_settings(const DeckNode& archiver, std::vector<Fault>& faults) {
+  OutputSettings o;
+  o.where = archiver.where;
+  collect(faults, archiver.where, [&] {
+    o.filebase = text_or(archiver, "filebase", "");
+    o.interval = real_or(archiver, "outputInterval", 0);
+    o.timestep_interval = integer_or(archiver, "outputTimestepInterval", 0);
+    o.initial_timestep = archiver.has("outputInitTimestep");
+    o.last_timestep = boolean_or(archiver, "outputLastTimestep", false);
+    o.doubles_as_floats = archiver.has("outputDoubleAsFloat");
+    o.compression = text_or(archiver, "compression", "");
+    o.reduction_frequency = integer_or(archiver, "frequency", 1);
+    o.reduction_on_timestep = integer_or(archiver, "onTimeStep", 0);
+    o.reduction_step_column = boolean_or(archiver, "timeStep", false);
+    o.reduction_time_column = boolean_or(archiver, "simTime", true);
+    if (o.filebase.empty()) throw InputError("<DataArchiver>: no <filebase>; name the archive");
+    if (o.interval < 0 || o.timestep_interval < 0)
+      throw InputError("<DataArchiver>: output intervals must be at least 0 (0: no output)");
+    if (o.interval > 0 && o.timestep_interval > 0)
+      throw InputError("<DataArchiver>: both outputInterval and outputTimestepInterval; keep one");
+    if (o.reduction_frequency < 1)
+      throw InputError(fmt::format("<DataArchiver>: frequency is {}; it must be at least 1",
+                                   o.reduction_frequency));
+  });
+  for (const DeckNode* save : archiver.all("save"))
+    collect(faults, save->where, [&] { o.saves.push_back(read_save(*save, o.compression)); });
+  if (const DeckNode* checkpoint = archiver.child("checkpoint"))
+    collect(faults, checkpoint->where, [&] { o.checkpoint = read_checkpoint(*checkpoint); });
+  if (o.any() && o.saves.empty() && archiver.all("save").empty())
+    add_error(faults, archiver.where,
+              "<DataArchiver> asks for output but saves nothing; add <save label=\"...\"/>");
+  return o;
+}
+
+}  // namespace sluice
