@@ -1,0 +1,79 @@
+// What a physics component offers to the run loop.
+//
+// The run loop owns grids, warehouses, graphs, time and archives; a component declares its state,
+// its tasks and its outputs, fills boundaries, and turns what a step reduced into the next step.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/base/exact_sum.hpp"
+#include "framework/field/warehouse.hpp"
+#include "framework/task/effect.hpp"
+#include "framework/task/reductions.hpp"
+#include "framework/task/task.hpp"
+
+namespace sluice {
+
+// The next step that the physics allows, and what limits it.
+struct StepLimit {
+  double dt = 0;
+  std::string reason;
+};
+
+// Conserved totals of the whole domain, or what passed through its boundary.
+struct Totals {
+  std::vector<ExactSum> mass;  // by material, kg
+  ExactSum momentum[3];        // kg m/s
+  ExactSum internal_energy;    // J
+  ExactSum kinetic_energy;     // J
+  // Sums of magnitudes: what the drift is measured against.
+  ExactSum momentum_scale;
+};
+
+// What entered through the boundary and by forces in one accepted step.
+struct BoundaryBalance {
+  std::vector<double> mass;
+  Vec3 momentum{};
+  double energy = 0;
+};
+
+class Component {
+ public:
+  virtual ~Component() = default;
+
+  virtual std::string name() const = 0;
+  virtual const EffectList& effects() const = 0;
+  virtual int material_count() const = 0;
+
+  // The conserved state: what steps advance, halos exchange and checkpoints keep.
+  virtual std::vector<SlotInfo> state_slots() const = 0;
+  virtual void initialise(Warehouse& state) const = 0;
+  // Ghost cells outside the domain, after the halo point has filled the others.
+  virtual void fill_boundary(Warehouse& state, double time) const = 0;
+
+  // Tasks of a step. `masked`: slopes vanish where the mask slot is zero (a redone step).
+  // Every label that can be saved from within a step is declared as an output.
+  virtual void declare_step(TaskList& list, bool masked) const = 0;
+  // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
+  virtual void declare_diagnostics(TaskList& list) const = 0;
+  virtual Label mask_label() const = 0;
+  virtual int reduction_maxima() const = 0;
+  virtual int reduction_sums() const = 0;
+
+  // May a block of uniform state sleep: nothing in the scene acts on uniform states.
+  virtual bool quiet_blocks_allowed() const = 0;
+
+  // Rates of a state, as the reductions of a step hold them (for the first step and restarts).
+  virtual void measure_rates(const Warehouse& state, Reductions& rates) const = 0;
+  virtual StepLimit step_limit(const std::vector<double>& maxima) const = 0;
+
+  virtual void add_totals(const Warehouse& state, Totals& totals) const = 0;
+  // From the reduced sums of a step of length dt that began with these totals.
+  virtual BoundaryBalance balance(const std::vector<double>& sums, double dt) const = 0;
+
+  // "density", "internal energy": what a fault's kind means, with its unit and allowed range.
+  virtual std::string describe_fault(int kind) const = 0;
+};
+
+}  // namespace sluice
