@@ -1,0 +1,167 @@
+// The machine fails: full disk, read-only folder, a kill in the middle, two runs at once.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+
+#include <random>
+#include <set>
+#include <thread>
+
+#include "framework/archive/archive_test_support.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace archive_test;
+using ::testing::HasSubstr;
+
+// A memory disk of a given size; only root may make one.
+class TinyDisk {
+ public:
+  TinyDisk(const fs::path& place, const char* options) : place_(place) {
+    fs::create_directories(place);
+    mounted_ = ::mount("tmpfs", place.c_str(), "tmpfs", 0, options) == 0;
+  }
+  ~TinyDisk() {
+    if (mounted_) ::umount2(place_.c_str(), MNT_DETACH);
+  }
+  bool mounted() const { return mounted_; }
+
+ private:
+  fs::path place_;
+  bool mounted_ = false;
+};
+
+void write_one(ArchiveWriter& writer, int step, const Grid& grid, Fields& fields) {
+  writer.write_output({step, 0.1 * step, 0.1, 0.1, {}}, grid, fields.pieces());
+}
+
+std::int64_t count_good(const fs::path& archive) {
+  const Archive a = Archive::open(archive);
+  std::int64_t values = 0;
+  for (const StepEntry& e : a.outputs()) {
+    const ArchiveStep step = a.read_output(e);
+    EXPECT_EQ(step.info().step, e.step);
+    EXPECT_THAT(step.verify(values), ::testing::IsEmpty());
+  }
+  return static_cast<std::int64_t>(a.outputs().size());
+}
+
+// Sizes from "the values do not fit" to "only the structure does not fit".
+TEST(ArchiveFailure, FullDiskLeavesTheArchiveGood) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({24, 20, 10}, {2, 1, 1});
+  for (const int kib : {100, 140, 144, 148, 152, 156, 160, 200, 236, 240, 244, 400}) {
+    const TinyDisk disk(folder.path() / std::to_string(kib),
+                        ("size=" + std::to_string(kib) + "k").c_str());
+    if (!disk.mounted()) GTEST_SKIP() << "mounting a memory disk is not permitted here";
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path() / std::to_string(kib)));
+    Fields fields;
+    fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+    int step = 0;
+    std::string message;
+    while (message.empty() && step < 50) {
+      try {
+        writer.history("TotalMass", -1, step + 1, 0.1, 1.0);
+        write_one(writer, step + 1, grid, fields);
+        ++step;
+      } catch (const SystemError& e) {
+        message = e.what();
+      }
+    }
+    EXPECT_THAT(message, HasSubstr("No space left on device")) << kib;
+    EXPECT_THAT(message, HasSubstr("37.5 KiB")) << kib;
+    EXPECT_THAT(message, HasSubstr("stays good")) << kib;
+    EXPECT_EQ(count_good(writer.folder()), step) << kib;
+    EXPECT_FALSE(fs::exists(writer.folder() / (step_folder_name(step + 1) + ".partial")));
+    EXPECT_FALSE(fs::exists(writer.folder() / step_folder_name(step + 1)));
+    // With room again the run could go on.
+    if (step == 0) continue;
+    fs::remove_all(writer.folder() / step_folder_name(1));
+    EXPECT_NO_THROW(write_one(writer, step + 1, grid, fields)) << kib;
+  }
+}
+
+TEST(ArchiveFailure, FolderThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "file") << "x";
+  auto message_of = [&](const fs::path& parent) {
+    try {
+      ArchiveWriter::create(setup_in(parent));
+    } catch (const SystemError& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(message_of(folder.path() / "file" / "below"), HasSubstr("Not a directory"));
+  EXPECT_THAT(message_of("/proc/self"), HasSubstr("/proc/self/box.uda.000"));
+  const TinyDisk disk(folder.path() / "ro", "size=1m,mode=555");
+  if (!disk.mounted() ||
+      ::mount(nullptr, (folder.path() / "ro").c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr))
+    GTEST_SKIP() << "mounting a memory disk is not permitted here";
+  EXPECT_THAT(message_of(folder.path() / "ro"), HasSubstr("Read-only file system"));
+  EXPECT_THAT(message_of(folder.path() / "ro"), HasSubstr("-o DIR"));
+}
+
+TEST(ArchiveFailure, RunsStartedAtOnceGetTheirOwnFolders) {
+  const TemporaryFolder folder;
+  constexpr int runs = 12;
+  std::vector<fs::path> made(runs);
+  std::vector<std::thread> threads;
+  for (std::size_t n = 0; n < runs; ++n)
+    threads.emplace_back(
+        [&, n] { made[n] = ArchiveWriter::create(setup_in(folder.path())).folder(); });
+  for (std::thread& t : threads) t.join();
+  EXPECT_EQ(std::set<fs::path>(made.begin(), made.end()).size(), static_cast<std::size_t>(runs));
+  for (const fs::path& path : made) EXPECT_NO_THROW(Archive::open(path));
+  EXPECT_NO_THROW(Archive::open(folder.path() / "box.uda"));
+}
+
+[[noreturn]] void write_until_killed(const fs::path& parent) {
+  const Grid grid = make_grid({20, 10, 5}, {2, 1, 1});
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(parent));
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  for (int step = 1;; ++step) {
+    writer.history("TotalMass", -1, step, 0.1 * step, 1.0);
+    write_one(writer, step, grid, fields);
+    writer.write_checkpoint({step, 0.1 * step, 0.1, 0.1, {}}, grid, fields.pieces());
+  }
+}
+
+TEST(ArchiveFailure, KilledAtRandomMomentsNothingIndexedIsHarmed) {
+  std::mt19937 random(2);
+  for (int kill_number = 0; kill_number < 25; ++kill_number) {
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) write_until_killed(folder.path());
+    std::this_thread::sleep_for(std::chrono::microseconds(10000 + random() % 150000));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const fs::path path = folder.path() / "box.uda.000";
+    if (!fs::exists(path / "index.xml")) continue;  // killed before there was an archive
+    count_good(path);
+    const Archive a = Archive::open(path);
+    EXPECT_THAT(a.damage(), ::testing::IsEmpty());
+    if (a.checkpoints().empty()) continue;
+    const int step = a.select_checkpoint().step;
+    std::int64_t values = 0;
+    EXPECT_THAT(a.read_checkpoint(a.select_checkpoint()).verify(values), ::testing::IsEmpty());
+    EXPECT_EQ(values, 1000);
+    // And it continues: the history has a line for every step up to the checkpoint.
+    const ArchiveWriter writer = ArchiveWriter::resume(path, setup_in(folder.path()), step);
+    const std::string text = read_text(path / "TotalMass.dat");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), step);
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace sluice

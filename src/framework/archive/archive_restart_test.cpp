@@ -1,0 +1,154 @@
+// Continuing archives: dropped steps, cut histories, adopted outputs, kept checkpoints, locks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "framework/archive/archive_test_support.hpp"
+#include "framework/archive/posix_file.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace archive_test;
+using ::testing::ElementsAre;
+
+std::vector<int> steps_of(const std::vector<StepEntry>& entries) {
+  std::vector<int> steps;
+  for (const StepEntry& e : entries) steps.push_back(e.step);
+  return steps;
+}
+
+// Writes steps first to last: an output each, a checkpoint at every even step.
+void write_steps(ArchiveWriter& writer, int first, int last) {
+  const Grid grid = make_grid({4, 3, 1}, {1, 1, 1});
+  for (int step = first; step <= last; ++step) {
+    Fields fields;
+    fields.add(grid.levels[0], real_label("press_CC"), 0,
+               [&](IntVec3 c, int) { return step + 0.1 * c.x; });
+    writer.history("TotalMass", -1, step, 0.1 * step, 1.0 / step);
+    writer.history("Momentum", 2, step, 0.1 * step, Vec3{1, 2.5, -step / 3.0});
+    const StepInfo info{step, 0.1 * step, 0.1, 0.1, {}};
+    writer.write_output(info, grid, fields.pieces());
+    if (step % 2 == 0) writer.write_checkpoint(info, grid, fields.pieces());
+  }
+  writer.finish();
+}
+
+std::string dat(const ArchiveWriter& writer) {
+  return read_text(writer.folder() / "TotalMass.dat");
+}
+
+TEST(ArchiveRestart, NumbersAndLink) {
+  const TemporaryFolder folder;
+  for (int n = 0; n < 3; ++n)
+    EXPECT_EQ(ArchiveWriter::create(setup_in(folder.path())).folder().filename(),
+              "box.uda.00" + std::to_string(n));
+  EXPECT_EQ(fs::read_symlink(folder.path() / "box.uda"), "box.uda.002");
+  fs::remove_all(folder.path() / "box.uda.001");
+  EXPECT_EQ(ArchiveWriter::create(setup_in(folder.path())).folder().filename(), "box.uda.001");
+  EXPECT_EQ(fs::read_symlink(folder.path() / "box.uda"), "box.uda.001");
+  // A file in the link's place is left alone only when it cannot be replaced; that is said.
+  fs::remove(folder.path() / "box.uda");
+  fs::create_directory(folder.path() / "box.uda");
+  const ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  EXPECT_EQ(writer.warnings().size(), 1u);
+}
+
+TEST(ArchiveRestart, CheckpointCycleKeepsTheNewest) {
+  const TemporaryFolder folder;
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  write_steps(writer, 1, 9);
+  EXPECT_THAT(steps_of(Archive::open(writer.folder()).checkpoints()), ElementsAre(6, 8));
+  EXPECT_FALSE(fs::exists(writer.folder() / "checkpoints" / "t00004"));
+  ArchiveSetup all = setup_in(folder.path());
+  all.checkpoint_cycle = 0;
+  ArchiveWriter keeper = ArchiveWriter::create(all);
+  write_steps(keeper, 1, 9);
+  EXPECT_THAT(steps_of(Archive::open(keeper.folder()).checkpoints()), ElementsAre(2, 4, 6, 8));
+}
+
+TEST(ArchiveRestart, ResumedRunLeavesTheSameArchive) {
+  const TemporaryFolder folder;
+  ArchiveWriter reference = ArchiveWriter::create(setup_in(folder.path()));
+  write_steps(reference, 1, 9);
+  fs::path path;
+  {
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+    write_steps(writer, 1, 7);
+    path = writer.folder();
+    // What a kill may leave: a half-written step, a cut history line, lines beyond the checkpoint.
+    fs::create_directory(path / "t00008.partial");
+    fs::create_directory(path / "checkpoints" / "t00008.partial");
+    std::ofstream(path / "TotalMass.dat", std::ios::app) << "0.8\t0.1";
+  }
+  ArchiveWriter resumed = ArchiveWriter::resume(path, setup_in(folder.path()), 4);
+  EXPECT_EQ(dat(resumed).find("0.5\t"), std::string::npos);
+  EXPECT_FALSE(fs::exists(path / "t00008.partial"));
+  EXPECT_FALSE(fs::exists(path / "t00005"));
+  EXPECT_FALSE(fs::exists(path / "checkpoints" / "t00006"));
+  write_steps(resumed, 5, 9);
+  EXPECT_EQ(dat(resumed), dat(reference));
+  EXPECT_EQ(read_text(path / "Momentum_2.dat"), read_text(reference.folder() / "Momentum_2.dat"));
+  const Archive a = Archive::open(path);
+  EXPECT_THAT(steps_of(a.outputs()), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9));
+  EXPECT_THAT(steps_of(a.checkpoints()), ElementsAre(6, 8));
+  ASSERT_EQ(a.index().restarts.size(), 1u);
+  EXPECT_EQ(a.index().restarts[0].step, 4);
+  EXPECT_EQ(a.index().histories.size(), 2u);
+  for (const char* file : {"t00004/p00000.h5", "t00008/p00000.h5", "checkpoints/t00008/p00000.h5"})
+    EXPECT_EQ(read_text(path / file), read_text(reference.folder() / file)) << file;
+  EXPECT_THROW(ArchiveWriter::resume(reference.folder(), setup_in(folder.path()), 5), Error);
+}
+
+TEST(ArchiveRestart, NewArchiveAdoptsTheEarlierOutputs) {
+  const TemporaryFolder folder;
+  fs::path old_path;
+  {
+    ArchiveWriter old = ArchiveWriter::create(setup_in(folder.path()));
+    write_steps(old, 1, 5);
+    old_path = old.folder();
+  }
+  for (const Earlier mode : {Earlier::stamp_only, Earlier::refer, Earlier::copy}) {
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+    writer.adopt(old_path, 4, mode);
+    write_steps(writer, 5, 6);
+    const Archive a = Archive::open(writer.folder());
+    ASSERT_EQ(a.index().restarts.size(), 1u);
+    EXPECT_EQ(a.index().restarts[0].from, old_path.filename());
+    if (mode == Earlier::stamp_only) {
+      EXPECT_THAT(steps_of(a.outputs()), ElementsAre(5, 6));
+      continue;
+    }
+    ASSERT_THAT(steps_of(a.outputs()), ElementsAre(1, 2, 3, 4, 5, 6));
+    EXPECT_EQ(fs::exists(writer.folder() / "t00001"), mode == Earlier::copy);
+    for (int n = 0; n < 6; ++n) {
+      const ArchiveStep step = a.read_output(a.outputs()[static_cast<std::size_t>(n)]);
+      EXPECT_EQ(step.read(*step.find("press_CC", 0, 0)).at({2, 1, 0}), n + 1 + 0.2);
+    }
+    const std::string text = dat(writer);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6);
+  }
+}
+
+TEST(ArchiveRestart, OneWriterAtATime) {
+  const TemporaryFolder folder;
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  write_steps(writer, 1, 2);
+  try {
+    ArchiveWriter::resume(writer.folder(), setup_in(folder.path()), 2);
+    FAIL();
+  } catch (const SystemError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("another run is writing"));
+  }
+}
+
+TEST(ArchiveRestart, AStepWrittenAgainReplacesItself) {
+  const TemporaryFolder folder;
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  write_steps(writer, 1, 2);
+  write_steps(writer, 2, 2);
+  EXPECT_THAT(steps_of(Archive::open(writer.folder()).outputs()), ElementsAre(1, 2));
+}
+
+}  // namespace
+}  // namespace sluice

@@ -1,0 +1,58 @@
+// Comparing two archives, whatever their boxes and ranks.
+//
+// Two numbers differ when |a - b| > abs and |a - b| > rel max(|a|, |b|); both bounds are 0 unless
+// given, so that any difference counts. NaN differs from everything, -0 equals +0.
+// Archives are not comparable when grids, times, labels, materials or covered cells differ.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/archive/archive.hpp"
+#include "framework/archive/selection.hpp"
+
+namespace sluice {
+
+struct CompareOptions {
+  double absolute = 0, relative = 0;
+  LabelFilter labels;
+  bool checkpoints = false;   // compare these instead of the outputs
+  bool common_times = false;  // only steps whose times both have
+};
+
+struct Difference {
+  int step = 0;
+  double time = 0;
+  std::string label;
+  int level = 0, material = 0, component = 0, components = 1;
+  IntVec3 index{};
+  double a = 0, b = 0;
+  double size() const;  // |a - b|; infinite when one is NaN
+};
+std::string to_string(const Difference&);
+
+// One label, material, level and step in which something differs.
+struct FieldDifference {
+  Difference first, largest;
+  std::int64_t differing = 0, values = 0;
+};
+
+struct CompareResult {
+  std::vector<std::string> not_comparable;
+  std::vector<FieldDifference> fields;
+  std::int64_t values = 0, differing = 0;
+  int steps = 0;
+  // 0 equal, 1 different, 2 not comparable (although what could be compared was)
+  int exit_status() const { return !not_comparable.empty() ? 2 : differing > 0 ? 1 : 0; }
+  std::optional<Difference> first() const;
+  std::optional<Difference> largest() const;
+};
+
+bool numbers_differ(double a, double b, double absolute, double relative);
+CompareResult compare(const Archive& a, const Archive& b, const CompareOptions& options);
+
+// Why two levels cannot be compared index by index, or "".
+std::string grid_mismatch(const Level& a, const Level& b);
+
+}  // namespace sluice

@@ -1,0 +1,33 @@
+// Norms of the difference of two archives, over the points of the first.
+//
+//   L1 = sum |d| / n     L2 = sqrt(sum d^2 / n)     Linf = max |d|      d = a - b
+//
+// per output, label, component, material and level. The first archive's domain may be a part of the
+// second's; points must coincide, else InputError. Sums are exact, rounded once.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/archive/archive.hpp"
+#include "framework/archive/selection.hpp"
+
+namespace sluice {
+
+struct NormsOptions {
+  LabelFilter labels;
+  std::string time;              // of the first archive, as for extract; empty: all outputs
+  double time_tolerance = 1e-9;  // relative
+};
+
+struct NormsRow {
+  double time = 0;
+  int level = 0, material = 0;
+  std::string label;  // vectors: label.x and so on
+  std::int64_t points = 0;
+  double l1 = 0, l2 = 0, linf = 0;
+};
+
+std::vector<NormsRow> difference_norms(const Archive& a, const Archive& b,
+                                       const NormsOptions& options);
+
+}  // namespace sluice

@@ -1,0 +1,30 @@
+// Which fields, materials, levels and points a tool looks at; where the points of a label lie.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/archive/archive.hpp"
+
+namespace sluice {
+
+// Where index c of a label lies: cells at centres, faces on their planes, nodes at corners.
+Vec3 position(const Level& level, Centring centring, IntVec3 c);
+// The indices of a label of this centring over the whole domain of a level.
+IndexBox index_range(const Level& level, Centring centring);
+
+// Names a user asked for; empty: all.
+struct LabelFilter {
+  std::vector<std::string> only, ignore;
+  bool selects(const std::string& name) const;
+};
+
+// Splits "a,b,c" at commas; blanks around names go.
+std::vector<std::string> split_names(const std::string& text);
+
+// The fields of a step that a user means, in the order material, level. InputError names what the
+// step has when there is none. level < 0: all levels.
+std::vector<FieldInfo> select_fields(const ArchiveStep& step, const std::string& name,
+                                     std::optional<int> material, int level);
+
+}  // namespace sluice
