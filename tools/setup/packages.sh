@@ -8,20 +8,22 @@ packages_of() {
       echo libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libgtest-dev libgmock-dev
       echo python3 python3-numpy python3-h5py python3-matplotlib
       ;;
+    test) echo python3-paraview ;; # reads exports back, as users' ParaView will
     lint) echo clang-format-16 clang-tidy-16 ;;
     bench) echo libbenchmark-dev valgrind util-linux ;;
-    verify) echo clang-16 libclang-rt-16-dev python3-paraview ;;
-    all) for group in core lint bench verify; do packages_of $group; done ;;
-    *) fail 2 "setup: no package group '$1' (core, lint, bench, verify, all)" ;;
+    verify) echo clang-16 libclang-rt-16-dev ;;
+    all) for group in core test lint bench verify; do packages_of $group; done ;;
+    *) fail 2 "setup: no package group '$1' (core, test, lint, bench, verify, all)" ;;
   esac
 }
 
 reason_for() {
   case $1 in
     core) echo "compiler, libraries, Python for pictures" ;;
+    test) echo "ParaView, to read exports back" ;;
     lint) echo "clang-format and clang-tidy" ;;
     bench) echo "instruction counts and kernel benchmarks" ;;
-    verify) echo "fuzzing and ParaView pictures" ;;
+    verify) echo "clang for fuzzing" ;;
     *) echo "everything" ;;
   esac
 }
