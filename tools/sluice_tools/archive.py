@@ -97,6 +97,15 @@ class Archive:
         self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
                           for e in root.iterfind("globals/variable")}
 
+    def title(self):
+        """What the deck calls itself, or the name of the archive."""
+        name = self.path.name.split(".uda")[0].replace("_", " ")
+        try:
+            deck = ElementTree.parse(self.path / "input.xml").getroot()
+        except (OSError, ElementTree.ParseError):
+            return name
+        return " ".join((deck.findtext("Meta/title") or name).split())
+
     def step(self, which="last"):
         """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
         if not self.steps:

@@ -52,7 +52,7 @@ def draw_line(ax, step, name, material, exact):
     x, values, levels = views.line(step, name, material)
     if exact is not None and name in exact:
         ax.plot(exact["x"], exact[name], color="black", linewidth=0.9, label="exact", zorder=3)
-    many = len(x) > 450
+    many = len(x) > 600
     for level in sorted(set(levels)):
         mine = levels == level
         text = f"{len(x)} cells" if len(set(levels)) == 1 else f"level {level}"
@@ -116,7 +116,7 @@ def ax_rectangle(x, y, width, height):
 
 
 def head_text(archive, step, given):
-    text = given.title or archive.path.name.split(".uda")[0].replace("_", " ")
+    text = given.title or archive.title()
     if given.position is not None and given.normal is not None:
         text += f",  {'xyz'[given.normal]} = {given.position:g}"
     return f"{text}   t = {step.time:.6g}   step {step.number}"
@@ -166,7 +166,7 @@ def draw_histories(archive, given, plt):
         headroom(ax, values)
     for ax in axes.flat[len(given.history):]:
         ax.set_visible(False)
-    fig.suptitle(archive.path.name, x=0.01, ha="left", fontsize=11)
+    fig.suptitle(given.title or archive.title(), x=0.01, ha="left", fontsize=11)
     return fig
 
 
