@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace sluice {
 namespace {
@@ -100,6 +101,14 @@ ExactSum ExactSum::from_slots(const Slots& slots) {
 
 void ExactSum::merge(const ExactSum& other) {
   const Slots addend = other.canonical();
+  for (int i = 0; i < slot_count; ++i) slots_[i] += addend[i];
+  if (--room_ == 0) carry();
+}
+
+void ExactSum::subtract(const ExactSum& other) {
+  Slots addend = other.canonical();
+  for (int i = 0; i < chunk_count; ++i) addend[i] = -addend[i];
+  std::swap(addend[plus_infinity_slot], addend[minus_infinity_slot]);
   for (int i = 0; i < slot_count; ++i) slots_[i] += addend[i];
   if (--room_ == 0) carry();
 }

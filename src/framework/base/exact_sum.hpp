@@ -32,6 +32,7 @@ class ExactSum {
   void add(double x);
   void add(const double* values, std::size_t count);
   void merge(const ExactSum& other);
+  void subtract(const ExactSum& other);
 
   // The sum, rounded once to the nearest double (ties to even); +-inf on overflow.
   double value() const;

@@ -217,6 +217,27 @@ TEST(ExactSum, merging_the_same_many_times_overflows_nothing) {
   EXPECT_EQ(sum.value(), 300000.0);
 }
 
+TEST(ExactSum, subtracting_undoes_merging) {
+  const std::vector<double> values = random_values(3000, -40, 40, 5);
+  ExactSum first, second;
+  first.add(values.data(), 2000);
+  second.add(values.data() + 2000, 1000);
+  ExactSum both = first;
+  both.merge(second);
+  both.subtract(first);
+  EXPECT_EQ(both, second);
+  both.subtract(second);
+  EXPECT_EQ(both, ExactSum());
+  EXPECT_EQ(both.value(), 0.0);
+  for (int i = 0; i < 5000; ++i) both.subtract(second);
+  for (int i = 0; i < 5001; ++i) both.merge(second);
+  EXPECT_EQ(both, second);
+  ExactSum infinite;
+  infinite.add(infinity);
+  both.subtract(infinite);
+  EXPECT_EQ(both.value(), -infinity);
+}
+
 TEST(ExactSum, merge_carries_the_special_values) {
   ExactSum sum;
   sum.add(1.0);
