@@ -114,6 +114,8 @@ TEST(Profile, NormsOfKnownDifferences) {
   EXPECT_EQ(norms.relative_l1, 3. / 9);
   EXPECT_TRUE(std::isnan(error_norms({std::nan(""), 2}, {1, 0}).linf));
   EXPECT_THROW(error_norms({1}, {1, 2}), InputError);
+  EXPECT_EQ(error_norms({1, 2}, {1, 1}, {3, 1}).l1, .25);
+  EXPECT_THROW(error_norms({1, 2}, {1, 1}, {3}), InputError);
 }
 
 TEST(Profile, VariablesOfAnArchive) {

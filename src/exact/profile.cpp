@@ -33,26 +33,29 @@ double exact_value(const State& state, const std::string& variable, int componen
       variable));
 }
 
-ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact) {
-  if (computed.size() != exact.size() || computed.empty()) {
+ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact,
+                       const std::vector<double>& volumes) {
+  const bool weighted = !volumes.empty();
+  if (computed.size() != exact.size() || computed.empty() ||
+      (weighted && volumes.size() != exact.size())) {
     throw InputError(
-        fmt::format("error norms: {} computed and {} exact values; expected as many "
-                    "of each, at least one",
-                    computed.size(), exact.size()));
+        fmt::format("error norms: {} computed values, {} exact ones and {} volumes; "
+                    "expected as many of each, at least one",
+                    computed.size(), exact.size(), volumes.size()));
   }
   ErrorNorms norms;
-  ExactSum absolute, squares, size;
+  ExactSum absolute, squares, size, all;
   for (std::size_t i = 0; i < computed.size(); ++i) {
-    const double d = std::abs(computed[i] - exact[i]);
-    absolute.add(d);
-    squares.add(d * d);
-    size.add(std::abs(exact[i]));
+    const double d = std::abs(computed[i] - exact[i]), w = weighted ? volumes[i] : 1.0;
+    absolute.add(w * d);
+    squares.add(w * d * d);
+    size.add(w * std::abs(exact[i]));
+    all.add(w);
     if (std::isnan(d) || d > norms.linf) norms.linf = d;  // a NaN stays: nothing exceeds it
   }
-  const auto count = static_cast<double>(computed.size());
   norms.points = computed.size();
-  norms.l1 = absolute.value() / count;
-  norms.l2 = std::sqrt(squares.value() / count);
+  norms.l1 = absolute.value() / all.value();
+  norms.l2 = std::sqrt(squares.value() / all.value());
   norms.relative_l1 = absolute.value() / size.value();
   return norms;
 }

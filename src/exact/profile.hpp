@@ -18,12 +18,14 @@ void write_profile(std::ostream& out, const ExactSolution& solution,
 double exact_value(const State& state, const std::string& variable, int component,
                    double specific_heat);
 
-// Mean |d|, root of the mean d^2, and largest |d| of the differences, each summed exactly so that
+// Mean |d|, root of the mean d^2, and largest |d| of the differences, summed exactly so that the
 // order does not count. relative_l1 divides by the mean |exact|.
 struct ErrorNorms {
   double l1 = 0, l2 = 0, linf = 0, relative_l1 = 0;
   std::size_t points = 0;
 };
-ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact);
+// `volumes` weights the points; empty: all alike.
+ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact,
+                       const std::vector<double>& volumes = {});
 
 }  // namespace sluice::exact

@@ -1,0 +1,143 @@
+// sluice accuracy STUDY: error against wall time over ladders of resolution and settings.
+//
+// Each run is a process of `sluice run` of its own, so that its time is what a user would see.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/study.hpp"
+#include "app/study_process.hpp"
+#include "app/study_report.hpp"
+#include "app/study_run.hpp"
+#include "framework/base/console.hpp"
+#include "framework/base/error.hpp"
+#include "sluice_version.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPython = "/usr/bin/python3";
+
+struct AccuracyRequest {
+  std::string study, folder, json, csv, picture, only;
+  int repeats = 7;
+};
+
+template <class Write>
+void write_file(const fs::path& path, Write&& write) {
+  std::ofstream out(path);
+  write(out);
+  if (!out.flush()) {
+    throw SystemError(
+        fmt::format("cannot write {}: is the disk full or the folder read-only?", path.string()));
+  }
+}
+
+// The work-precision picture; a message instead of a failure when Python cannot draw it, because
+// table, CSV and JSON are complete without.
+void draw(const fs::path& json, const fs::path& picture, const StudyReport& report,
+          const fs::path& log) {
+  const fs::path tools =
+      (own_executable().parent_path() / version::kDataFromBin / "tools").lexically_normal();
+  ProcessRequest request;
+  request.words = {kPython,
+                   "-B",
+                   "-m",
+                   "sluice_tools",
+                   "workprecision",
+                   json.string(),
+                   "-o",
+                   picture.string(),
+                   "--title",
+                   report.study.title,
+                   "--error-label",
+                   fmt::format("{} error of {}", report.study.norm, report.study.variable)};
+  request.environment = {"PYTHONPATH=" + tools.string()};
+  request.output = log;
+  const int status = run_process(request);
+  if (status == 0) {
+    fmt::print("picture: {}\n", picture.string());
+  } else {
+    fmt::print(stderr, "sluice: warning: no picture: {}\n", last_lines(log, 3));
+  }
+  fs::remove(log);
+}
+
+StudyReport measure(const Study& study, const AccuracyRequest& request, const fs::path& folder) {
+  StudyReport report{study, {}};
+  StudyRunner runner;
+  runner.executable = own_executable();
+  runner.folder = folder;
+  runner.repeats = request.repeats;
+  const auto points = points_of(study);
+  std::size_t number = 0;
+  for (const StudyPoint& point : points) {
+    ++number;
+    if (!request.only.empty() && !matches(point, request.only)) continue;
+    report.results.push_back(runner.run(study, point));
+    const StudyResult& r = report.results.back();
+    fmt::print("[{}/{}] {}, N {}: {}\n", number, points.size(), point.setting, point.cells(),
+               r.done() ? fmt::format("error {:.3e}, {}{}", r.error, human_duration(r.seconds),
+                                      r.noisy() ? " (noisy)" : "")
+                        : r.status + ": " + r.message);
+    std::fflush(stdout);
+  }
+  if (report.results.empty()) {
+    throw InputError(fmt::format("--only {} matches none of the {} runs; the first is \"{}, N {}\"",
+                                 request.only, points.size(), points[0].setting,
+                                 points[0].cells()));
+  }
+  return report;
+}
+
+int accuracy(const AccuracyRequest& request) {
+  const Study study = read_study(request.study);
+  const std::string stem = fs::path(request.study).stem().string();
+  const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) {
+    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
+                                  folder.string(), fault.message()));
+  }
+  fmt::print("{}: {} of {}, {}\n", study.title, study.norm, study.variable, study.deck);
+  const StudyReport report = measure(study, request, folder);
+  fmt::print("\n{}\n{}\n", runs_table(report), targets_table(report));
+
+  const fs::path json = request.json.empty() ? folder / (stem + ".json") : fs::path(request.json);
+  const fs::path csv = request.csv.empty() ? folder / (stem + ".csv") : fs::path(request.csv);
+  write_file(json, [&](std::ostream& out) { out << json_text(report); });
+  write_file(csv, [&](std::ostream& out) { write_csv(out, report); });
+  fmt::print("numbers: {} and {}\n", json.string(), csv.string());
+  draw(json, folder / (stem + ".png"), report, folder / "picture.log");
+  for (const StudyResult& r : report.results) {
+    if (!r.done()) return static_cast<int>(ExitStatus::failed);
+  }
+  return static_cast<int>(ExitStatus::good);
+}
+
+}  // namespace
+
+void add_accuracy_command(CLI::App& app, int& exit_status) {
+  CLI::App* command =
+      app.add_subcommand("accuracy", "What accuracy costs: error against wall time of a study");
+  auto request = std::make_shared<AccuracyRequest>();
+  command->add_option("STUDY", request->study, "Study file (.study)")->required();
+  command->add_option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
+  command->add_option("--json", request->json, "JSON file (in the folder)");
+  command->add_option("--csv", request->csv, "CSV file (in the folder)");
+  command->add_option("--repeat", request->repeats, "Runs of each point at most, for its time")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--only", request->only,
+                      "Only runs whose \"setting, N cells\" holds this text or fits this pattern");
+  command->callback([request, &exit_status] { exit_status = accuracy(*request); });
+}
+
+}  // namespace sluice

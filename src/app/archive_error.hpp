@@ -1,0 +1,30 @@
+// The exact solution that a deck names, and the error of an archived state against it.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "exact/exact_solution.hpp"
+#include "exact/profile.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/deck/deck.hpp"
+
+namespace sluice {
+
+struct DeckReference {
+  std::unique_ptr<exact::ExactSolution> solution;
+  double specific_heat = 1;  // of the first ICE material, for temperatures
+};
+
+// Nothing when the deck has no <Meta><exact_solution>; InputError when it makes no sense.
+std::optional<DeckReference> reference_of_deck(const DeckNode& root);
+
+// The same of the deck that an archive keeps as input.xml.
+std::optional<DeckReference> reference_of_archive(const Archive& archive);
+
+// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) at the cell centres,
+// each point counted once, on the finest level there.
+exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
+                                const std::string& variable, int component, int material);
+
+}  // namespace sluice

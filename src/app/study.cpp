@@ -1,0 +1,219 @@
+#include "app/study.hpp"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "framework/base/error.hpp"
+#include "framework/deck/nearest_name.hpp"
+
+namespace sluice {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::string& file, const std::string& what) {
+  throw InputError(fmt::format("{}: {}", file, what));
+}
+
+void refuse_unknown(const std::string& file, const Json& object,
+                    const std::vector<std::string>& known) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    refuse(file, fmt::format("unknown entry \"{}\" ({})", key, suggest_name(key, known)));
+  }
+}
+
+std::string need_text(const std::string& file, const Json& object, const std::string& key) {
+  if (!object.contains(key)) refuse(file, fmt::format("entry \"{}\" is missing", key));
+  if (!object[key].is_string()) refuse(file, fmt::format("\"{}\" must be a text", key));
+  return object[key].get<std::string>();
+}
+
+// A text or a list of texts, each PATH=VALUE.
+std::vector<std::string> overrides_in(const std::string& file, const Json& value) {
+  std::vector<std::string> out;
+  const auto add = [&](const Json& one) {
+    if (!one.is_string() || one.get<std::string>().find('=') == std::string::npos) {
+      refuse(file,
+             fmt::format("{} is no override; expected \"PATH=VALUE\" as for --set", one.dump()));
+    }
+    out.push_back(one.get<std::string>());
+  };
+  if (value.is_array()) {
+    for (const Json& one : value) add(one);
+  } else {
+    add(value);
+  }
+  return out;
+}
+
+IntVec3 resolution_in(const std::string& file, const Json& value) {
+  IntVec3 out;
+  if (!value.is_array() || value.size() != 3) {
+    refuse(file, fmt::format("{} in \"resolution\" is no triple such as [100,1,1]", value.dump()));
+  }
+  for (int d = 0; d < 3; ++d) {
+    const Json& n = value[static_cast<std::size_t>(d)];
+    if (!n.is_number_integer() || n.get<std::int64_t>() < 1 || n.get<std::int64_t>() > 100000000) {
+      refuse(file, fmt::format("{} in \"resolution\": cells must be whole numbers from 1 on",
+                               value.dump()));
+    }
+    out[d] = n.get<int>();
+  }
+  return out;
+}
+
+Study::Ladder ladder_in(const std::string& file, const Json& value) {
+  if (!value.is_object()) refuse(file, "each of \"ladders\" must be an object");
+  refuse_unknown(file, value, {"name", "default", "values"});
+  Study::Ladder ladder;
+  ladder.name = need_text(file, value, "name");
+  ladder.default_value = need_text(file, value, "default");
+  if (!value.contains("values") || !value["values"].is_object() || value["values"].empty()) {
+    refuse(file,
+           fmt::format("ladder \"{}\" needs \"values\": names with their overrides", ladder.name));
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, overrides] : value["values"].items()) {
+    ladder.values.push_back({name, overrides_in(file, overrides)});
+    names.push_back(name);
+  }
+  if (std::find(names.begin(), names.end(), ladder.default_value) == names.end()) {
+    refuse(file,
+           fmt::format("ladder \"{}\": the default \"{}\" is none of its values ({})", ladder.name,
+                       ladder.default_value, suggest_name(ladder.default_value, names)));
+  }
+  return ladder;
+}
+
+// From the folder of the study, else from the working directory, as includes in decks are found.
+std::string deck_path(const std::string& file, const std::string& deck) {
+  namespace fs = std::filesystem;
+  const fs::path beside = fs::path(file).parent_path() / deck;
+  if (fs::exists(beside)) return beside.lexically_normal().string();
+  if (fs::exists(deck)) return deck;
+  refuse(file, fmt::format("the deck {} is neither at {} nor in the working directory", deck,
+                           beside.lexically_normal().string()));
+}
+
+Json parse(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError(fmt::format("{}: cannot be read; name a .study file", file));
+  std::stringstream text;
+  text << in.rdbuf();
+  try {
+    return Json::parse(text.str(), nullptr, true, true);
+  } catch (const nlohmann::json::exception& problem) {
+    refuse(file, fmt::format("this is no JSON: {}", problem.what()));
+  }
+}
+
+void read_targets(Study& study, const Json& value) {
+  study.targets.clear();
+  for (const Json& target : value) {
+    if (!target.is_number() || !(target.get<double>() > 0)) {
+      refuse(study.file, fmt::format("target {} must be a number above zero", target.dump()));
+    }
+    study.targets.push_back(target.get<double>());
+  }
+}
+
+void read_variable(Study& study, const std::string& text) {
+  study.variable = text;
+  const std::size_t dot = text.find('.');
+  if (dot == std::string::npos) return;
+  const std::string component = text.substr(dot + 1);
+  study.variable = text.substr(0, dot);
+  if (component != "x" && component != "y" && component != "z") {
+    refuse(study.file, fmt::format("variable {}: the component must be x, y or z", text));
+  }
+  study.component = component[0] - 'x';
+}
+
+}  // namespace
+
+int StudyPoint::cells() const {
+  return std::max({resolution.x, resolution.y, resolution.z});
+}
+
+Study read_study(const std::string& file) {
+  const Json json = parse(file);
+  if (!json.is_object()) refuse(file, "expected an object { ... }");
+  refuse_unknown(file, json,
+                 {"title", "deck", "variable", "norm", "set", "resolution", "resolution_path",
+                  "ladders", "targets"});
+  Study study;
+  study.file = file;
+  study.title = need_text(file, json, "title");
+  study.deck = deck_path(file, need_text(file, json, "deck"));
+  if (json.contains("variable")) read_variable(study, need_text(file, json, "variable"));
+  if (json.contains("norm")) study.norm = need_text(file, json, "norm");
+  const std::vector<std::string> norms = {"l1", "l2", "linf", "relative_l1"};
+  if (std::find(norms.begin(), norms.end(), study.norm) == norms.end()) {
+    refuse(file,
+           fmt::format("unknown norm \"{}\" ({})", study.norm, suggest_name(study.norm, norms)));
+  }
+  if (json.contains("set")) study.overrides = overrides_in(file, json["set"]);
+  if (json.contains("resolution_path")) {
+    study.resolution_path = need_text(file, json, "resolution_path");
+  }
+  if (!json.contains("resolution") || !json["resolution"].is_array() ||
+      json["resolution"].empty()) {
+    refuse(file, "entry \"resolution\" is missing: a list of [cells, cells, cells]");
+  }
+  for (const Json& one : json["resolution"]) {
+    study.resolutions.push_back(resolution_in(file, one));
+  }
+  if (json.contains("ladders")) {
+    for (const Json& one : json["ladders"]) study.ladders.push_back(ladder_in(file, one));
+  }
+  if (json.contains("targets")) read_targets(study, json["targets"]);
+  return study;
+}
+
+std::vector<StudyPoint> points_of(const Study& study) {
+  std::vector<StudyPoint> settings(1);
+  settings[0].is_default = true;
+  settings[0].overrides = study.overrides;
+  for (const Study::Ladder& ladder : study.ladders) {
+    std::vector<StudyPoint> more;
+    for (const StudyPoint& base : settings) {
+      for (const Study::Value& value : ladder.values) {
+        StudyPoint point = base;
+        point.setting += (base.setting.empty() ? "" : ", ") + ladder.name + " " + value.name;
+        point.is_default = base.is_default && value.name == ladder.default_value;
+        point.overrides.insert(point.overrides.end(), value.overrides.begin(),
+                               value.overrides.end());
+        more.push_back(std::move(point));
+      }
+    }
+    settings = std::move(more);
+  }
+  std::vector<StudyPoint> points;
+  for (StudyPoint& setting : settings) {
+    if (setting.setting.empty()) setting.setting = "as the deck says";
+    for (const IntVec3 n : study.resolutions) {
+      StudyPoint point = setting;
+      point.resolution = n;
+      point.overrides.push_back(fmt::format("{}=[{},{},{}]", study.resolution_path, n.x, n.y, n.z));
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+bool matches(const StudyPoint& point, const std::string& pattern) {
+  const std::string name = fmt::format("{}, N {}", point.setting, point.cells());
+  if (pattern.find_first_of("*?") == std::string::npos) {
+    return name.find(pattern) != std::string::npos;
+  }
+  return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+}  // namespace sluice

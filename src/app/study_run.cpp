@@ -1,0 +1,154 @@
+#include "app/study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "app/archive_error.hpp"
+#include "app/study_process.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+double in_norm(const exact::ErrorNorms& norms, const std::string& norm) {
+  if (norm == "l2") return norms.l2;
+  if (norm == "linf") return norms.linf;
+  if (norm == "relative_l1") return norms.relative_l1;
+  return norms.l1;
+}
+
+std::vector<std::string> run_words(const StudyRunner& runner, const Study& study,
+                                   const StudyPoint& point) {
+  std::vector<std::string> words = {runner.executable.string(), "run", study.deck};
+  for (const std::string& one : point.overrides) {
+    words.emplace_back("--set");
+    words.push_back(one);
+  }
+  return words;
+}
+
+// For a person's shell: words with blanks or brackets in quotes.
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string out = "sluice";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool plain = words[i].find_first_of(" []*?$'\"@=") == std::string::npos;
+    out += plain ? " " + words[i] : " '" + words[i] + "'";
+  }
+  return out;
+}
+
+exact::ErrorNorms measure(const Study& study, const std::string& path) {
+  const Archive archive = Archive::open(path);
+  const auto reference = reference_of_archive(archive);
+  if (!reference) {
+    throw InputError(fmt::format(
+        "{}: the deck names no <Meta><exact_solution>; a study needs one to measure errors",
+        study.deck));
+  }
+  if (archive.outputs().empty()) {
+    throw InputError(fmt::format("{}: the run of {} wrote no output", study.file, study.deck));
+  }
+  const ArchiveStep step = archive.read_output(archive.select_output("last"));
+  return archive_error(step, *reference, study.variable, study.component, 0);
+}
+
+}  // namespace
+
+// What one process gave.
+struct StudyRunner::Once {
+  std::string status = "failed", message;
+  int steps = 0;
+  double seconds = 0;
+  exact::ErrorNorms norms;
+};
+
+Timing timing_of(std::vector<double> seconds) {
+  if (seconds.empty()) return {};
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {  // linear between the sorted values
+    const double place = share * static_cast<double>(seconds.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, seconds.size() - 1);
+    return seconds[low] + (place - static_cast<double>(low)) * (seconds[high] - seconds[low]);
+  };
+  const double median = at(0.5);
+  return {median, median > 0 ? (at(0.75) - at(0.25)) / median : 0};
+}
+
+StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& point,
+                                        bool measure_error) const {
+  const fs::path here = folder / "run";
+  fs::remove_all(here);
+  fs::create_directories(here);
+  const fs::path json = here / "run.json", log = here / "run.log";
+  ProcessRequest request;
+  request.words = run_words(*this, study, point);
+  for (const std::string& word : {std::string("-o"), here.string(), std::string("--json"),
+                                  json.string(), std::string("--progress"), std::string("none")}) {
+    request.words.push_back(word);
+  }
+  request.output = log;
+  Once once;
+  const int exit_status = run_process(request);
+  if (exit_status == static_cast<int>(ExitStatus::bad_input)) {
+    throw InputError(fmt::format("{} does not run:\n{}", shell_text(run_words(*this, study, point)),
+                                 last_lines(log, 20)));
+  }
+  std::ifstream in(json);
+  const auto told = nlohmann::json::parse(in, nullptr, false);
+  if (!told.is_object()) {
+    once.message = fmt::format("exit status {}: {}", exit_status, last_lines(log, 5));
+    return once;
+  }
+  once.status = told.value("status", "failed");
+  once.steps = told.value("steps", 0);
+  once.seconds = told.value("wall_s", 0.0);
+  if (once.status != "done") once.message = last_lines(log, 5);
+  if (measure_error && once.status == "done") {
+    const auto archive = told.find("archive");
+    if (archive == told.end() || !archive->is_string()) {
+      throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
+    }
+    once.norms = measure(study, archive->get<std::string>());
+  }
+  return once;
+}
+
+StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const {
+  StudyResult result;
+  result.point = point;
+  result.command = shell_text(run_words(*this, study, point));
+  std::vector<double> seconds;
+  double spent = 0;
+  Timing timing;
+  for (int repeat = 0; repeat < std::max(1, repeats); ++repeat) {
+    const Once once = run_once(study, point, repeat == 0);
+    if (repeat == 0) {
+      result.status = once.status;
+      result.message = once.message;
+      result.steps = once.steps;
+      result.norms = once.norms;
+      result.error = in_norm(once.norms, study.norm);
+    }
+    seconds.push_back(once.seconds);
+    spent += once.seconds;
+    timing = timing_of(seconds);
+    if (!result.done() || spent > patience) break;
+    if (repeat >= 2 && timing.spread <= 0.05) break;
+  }
+  result.seconds = timing.median;
+  result.spread = timing.spread;
+  result.repeats = static_cast<int>(seconds.size());
+  fs::remove_all(folder / "run");
+  return result;
+}
+
+}  // namespace sluice

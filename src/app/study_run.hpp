@@ -1,0 +1,49 @@
+// One run of a study: `sluice run` as a process of its own, its error and its wall time.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/study.hpp"
+#include "exact/profile.hpp"
+
+namespace sluice {
+
+struct StudyResult {
+  StudyPoint point;
+  std::string status = "failed";  // as the run's JSON says; "done" is good
+  std::string message;            // why it is not done
+  std::string command;            // repeats the run
+  int steps = 0;
+  double seconds = 0;  // median of the repeats
+  double spread = 0;   // of the repeats, relative; 0 of a single one
+  int repeats = 0;
+  exact::ErrorNorms norms;
+  double error = 0;  // in the study's norm
+
+  bool done() const { return status == "done"; }
+  // Timing too uneven, or not repeated.
+  bool noisy() const { return repeats < 2 || spread > 0.05; }
+};
+
+struct StudyRunner {
+  std::filesystem::path executable;  // sluice
+  std::filesystem::path folder;      // for archives and logs; archives are removed when measured
+  int repeats = 7;                   // at most; stops when the spread falls to 5 %
+  double patience = 20;              // no more repeats once they took so many seconds in all
+
+  StudyResult run(const Study& study, const StudyPoint& point) const;
+
+ private:
+  struct Once;
+  Once run_once(const Study& study, const StudyPoint& point, bool measure_error) const;
+};
+
+// Middle of the values, and (third quartile - first quartile) / middle.
+struct Timing {
+  double median = 0, spread = 0;
+};
+Timing timing_of(std::vector<double> seconds);
+
+}  // namespace sluice
