@@ -1,11 +1,11 @@
 #!/bin/sh
 # How three ranks end: the launcher must return the wanted status, tell the reason exactly once,
-# and print no banner. Usage: communicator_abort_test.sh LAUNCHER... TEST_EXECUTABLE
+# and print no banner. Usage: communicator_end_test.sh LAUNCHER... TEST_EXECUTABLE
 run() {
   case=$1
   expected=$2
   shift 2
-  output=$("$@" --gtest_also_run_disabled_tests --gtest_filter="Communicator.DISABLED_$case" 2>&1)
+  output=$("$@" --gtest_filter="CommunicatorEnd.$case" 2>&1)
   status=$?
   echo "$output"
   test "$status" -eq "$expected" || { echo "exit status $status, expected $expected"; exit 1; }
