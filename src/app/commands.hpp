@@ -12,5 +12,10 @@ class App;
 namespace sluice {
 
 void add_check_command(CLI::App& app, int& exit_status);
+void add_compare_command(CLI::App& app, int& exit_status);
+void add_export_command(CLI::App& app, int& exit_status);
+void add_extract_command(CLI::App& app, int& exit_status);
+void add_info_command(CLI::App& app, int& exit_status);
+void add_norms_command(CLI::App& app, int& exit_status);
 
 }  // namespace sluice

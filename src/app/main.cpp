@@ -43,6 +43,11 @@ int main(int argument_count, char** arguments) {
 
   int exit_status = 0;
   sluice::add_check_command(app, exit_status);
+  sluice::add_compare_command(app, exit_status);
+  sluice::add_export_command(app, exit_status);
+  sluice::add_extract_command(app, exit_status);
+  sluice::add_info_command(app, exit_status);
+  sluice::add_norms_command(app, exit_status);
 
   try {
     const bool has_word = argument_count > 1 && arguments[1][0] != '-';

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "framework/base/communicator.hpp"
+#include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
@@ -105,7 +106,8 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
     raise(static_cast<char>('0' + static_cast<int>(e.status())),
           fmt::format("{}\n  while writing step {} ({} on this rank); the incomplete step was "
                       "removed, the archive {} stays good up to the step before it",
-                      e.what(), info.step, human_bytes(stored_bytes(pieces, options)),
+                      e.what(), info.step,
+                      human_bytes(static_cast<double>(stored_bytes(pieces, options))),
                       folder_.string()));
   }
   return report;

@@ -109,6 +109,7 @@ Hdf5Handle create_data_set(hid_t group, const char* name, hid_t type,
       checked(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose,
               "make a space", file);
   const auto list = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a list", file);
+  checked(H5Pset_obj_track_times(list.get(), false), "set the times", file);
   checked(H5Pset_fill_time(list.get(), H5D_FILL_TIME_NEVER), "set the fill time", file);
   if (gzip) {
     const hsize_t chunk = std::min<hsize_t>(extent[0], gather_chunk_bytes / H5Tget_size(type));
@@ -153,10 +154,25 @@ std::int64_t write_compressed(Group& g, const Hdf5Handle& values, const std::str
   return overflows;
 }
 
-std::int64_t lay_out(Group& g, hid_t file_id, hid_t link_list, const std::string& file) {
-  const auto group =
-      checked(H5Gcreate2(file_id, g.variable.group().c_str(), link_list, H5P_DEFAULT, H5P_DEFAULT),
-              H5Gclose, "create a group", file);
+// Opens or creates the group at an absolute path, and all above it.
+Hdf5Handle make_group(hid_t file_id, const std::string& path, const std::string& file) {
+  const auto list = checked(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make a list", file);
+  checked(H5Pset_obj_track_times(list.get(), false), "set the times", file);
+  Hdf5Handle group;
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    const htri_t exists = H5Lexists(file_id, part.c_str(), H5P_DEFAULT);
+    if (exists < 0) fail_hdf5("look for a group", file);
+    group =
+        checked(exists ? H5Gopen2(file_id, part.c_str(), H5P_DEFAULT)
+                       : H5Gcreate2(file_id, part.c_str(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
+                H5Gclose, "create a group", file);
+    if (end == path.npos) return group;
+  }
+}
+
+std::int64_t lay_out(Group& g, hid_t file_id, const std::string& file) {
+  const Hdf5Handle group = make_group(file_id, g.variable.group(), file);
   write_text_attribute(group.get(), "type", std::string(name_of(g.variable.type)), file);
   write_text_attribute(group.get(), "centring", std::string(name_of(g.variable.centring)), file);
   write_text_attribute(group.get(), "unit", g.variable.unit, file);
@@ -182,12 +198,13 @@ std::int64_t write_structure(const std::filesystem::path& path, std::vector<Grou
   checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "set the version",
           file);
   checked(H5Pset_alignment(access.get(), 64 * 1024, 4096), "set the alignment", file);
-  const auto links = checked(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "make a list", file);
-  checked(H5Pset_create_intermediate_group(links.get(), 1), "set the groups", file);
-  auto file_id = checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+  // No time stamps: equal data make equal files.
+  const auto creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a list", file);
+  checked(H5Pset_obj_track_times(creation.get(), false), "set the times", file);
+  auto file_id = checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
                          H5Fclose, "create the file", file);
   std::int64_t overflows = 0;
-  for (Group& g : groups) overflows += lay_out(g, file_id.get(), links.get(), file);
+  for (Group& g : groups) overflows += lay_out(g, file_id.get(), file);
   if (!file_id.close()) fail_hdf5("close the file", file);
   return overflows;
 }

@@ -82,24 +82,27 @@ void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, c
 
 }  // namespace
 
-std::vector<NormsRow> difference_norms(const Archive& a, const Archive& b,
-                                       const NormsOptions& options) {
+NormsResult difference_norms(const Archive& a, const Archive& b, const NormsOptions& options) {
   std::vector<StepEntry> steps = a.outputs();
   if (!options.time.empty()) steps = {a.select_output(options.time)};
-  std::vector<NormsRow> rows;
+  NormsResult result;
   for (const StepEntry& entry : steps) {
     const ArchiveStep sa = a.read_output(entry);
     const ArchiveStep sb = b.read_output(partner(b, entry, options.time_tolerance));
     for (const FieldInfo& fa : sa.fields()) {
       if (!options.labels.selects(fa.name)) continue;
       const FieldInfo* fb = sb.find(fa.name, fa.material, fa.level);
-      if (fb && fb->type == fa.type && fb->centring == fa.centring) add_rows(sa, sb, fa, *fb, rows);
+      if (fb && fb->type == fa.type && fb->centring == fa.centring)
+        add_rows(sa, sb, fa, *fb, result.rows);
+      else if (std::find(result.skipped.begin(), result.skipped.end(), fa.name) ==
+               result.skipped.end())
+        result.skipped.push_back(fa.name);
     }
   }
-  if (rows.empty())
+  if (result.rows.empty())
     throw InputError(fmt::format("{} and {} have no label in common that was asked for",
                                  a.folder().string(), b.folder().string()));
-  return rows;
+  return result;
 }
 
 }  // namespace sluice

@@ -27,7 +27,11 @@ struct NormsRow {
   double l1 = 0, l2 = 0, linf = 0;
 };
 
-std::vector<NormsRow> difference_norms(const Archive& a, const Archive& b,
-                                       const NormsOptions& options);
+struct NormsResult {
+  std::vector<NormsRow> rows;
+  std::vector<std::string> skipped;  // labels of the first archive that the second does not have
+};
+
+NormsResult difference_norms(const Archive& a, const Archive& b, const NormsOptions& options);
 
 }  // namespace sluice

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
@@ -27,8 +28,8 @@ std::string advice(const std::filesystem::path& path, int error_number) {
       const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
       std::string left;
       if (statvfs(folder.c_str(), &space) == 0)
-        left = fmt::format(" ({} left)", human_bytes(static_cast<std::int64_t>(space.f_bavail) *
-                                                     static_cast<std::int64_t>(space.f_frsize)));
+        left = fmt::format(" ({} left)", human_bytes(static_cast<double>(space.f_bavail) *
+                                                     static_cast<double>(space.f_frsize)));
       return left + "; free some space or choose another folder with -o DIR";
     }
     case EACCES:
@@ -183,14 +184,6 @@ void remove_tree(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::remove_all(path, error);
   if (error) fail_system("remove", path, error.value());
-}
-
-std::string human_bytes(std::int64_t bytes) {
-  constexpr const char* units[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
-  double value = static_cast<double>(bytes);
-  int unit = 0;
-  for (; value >= 1024 && unit < 4; ++unit) value /= 1024;
-  return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", value, units[unit]);
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {

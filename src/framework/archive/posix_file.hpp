@@ -53,8 +53,6 @@ bool make_folder(const std::filesystem::path& path);
 void rename_path(const std::filesystem::path& from, const std::filesystem::path& to);
 void sync_folder(const std::filesystem::path& path);
 void remove_tree(const std::filesystem::path& path);
-// "1.5 GiB"
-std::string human_bytes(std::int64_t bytes);
 
 // Keeps other runs from writing into the same archive while this one lives (the lock goes with the
 // process). Throws SystemError when another run holds it.

@@ -1,0 +1,67 @@
+// sluice compare A B: exit status 0 equal, 1 different, 2 not comparable.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "framework/archive/compare.hpp"
+#include "framework/base/console.hpp"
+
+namespace sluice {
+namespace {
+
+struct CompareRequest {
+  std::string first, second, only, ignore;
+  CompareOptions options;
+  bool quiet = false;
+};
+
+constexpr std::size_t listed_fields = 20;
+
+void print_result(const CompareRequest& r, const CompareResult& result) {
+  for (const std::string& why : result.not_comparable) fmt::print("not comparable: {}\n", why);
+  for (std::size_t n = 0; n < std::min(result.fields.size(), listed_fields); ++n) {
+    const FieldDifference& f = result.fields[n];
+    fmt::print("{} of {} values differ: {}\n", human_count(f.differing), human_count(f.values),
+               to_string(f.largest));
+  }
+  if (result.fields.size() > listed_fields)
+    fmt::print("... and {} more labels and times\n", result.fields.size() - listed_fields);
+  if (const auto first = result.first()) {
+    fmt::print("first:   {}\n", to_string(*first));
+    fmt::print("largest: {}\n", to_string(*result.largest()));
+  }
+  constexpr const char* verdicts[] = {"equal", "different", "not comparable"};
+  fmt::print("{}: {} values in {} steps compared, {} differ (abs {:g}, rel {:g})\n",
+             verdicts[result.exit_status()], human_count(result.values), result.steps,
+             human_count(result.differing), r.options.absolute, r.options.relative);
+}
+
+int compare_archives(CompareRequest& r) {
+  r.options.labels = {split_names(r.only), split_names(r.ignore)};
+  const CompareResult result = compare(Archive::open(r.first), Archive::open(r.second), r.options);
+  if (!r.quiet) print_result(r, result);
+  return result.exit_status();
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand("compare", "Compare two archives value by value");
+  auto r = std::make_shared<CompareRequest>();
+  command->add_option("A", r->first, "An archive")->required();
+  command->add_option("B", r->second, "Another, on any boxes and ranks")->required();
+  command->add_option("--abs", r->options.absolute, "Differences up to this are none")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--rel", r->options.relative, "Nor are those up to this times the value")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--vars", r->only, "Only these labels: a,b,c");
+  command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command->add_flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
+  command->add_flag("--common-times", r->options.common_times, "Only times that both have");
+  command->add_flag("--quiet", r->quiet, "Say it by the exit status alone");
+  command->callback([r, &exit_status] { exit_status = compare_archives(*r); });
+}
+
+}  // namespace sluice

@@ -1,0 +1,93 @@
+// sluice norms A B: L1, L2 and Linf of the difference, per label, material, level and time.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/text_sink.hpp"
+#include "framework/archive/norms.hpp"
+#include "framework/base/console.hpp"
+
+namespace sluice {
+namespace {
+
+struct NormsRequest {
+  std::string first, second, only, ignore, csv, json;
+  NormsOptions options;
+};
+
+void write_csv(const std::string& target, const std::vector<NormsRow>& rows) {
+  TextSink sink(target);
+  sink.write("time,level,material,label,points,L1,L2,Linf\n");
+  for (const NormsRow& r : rows)
+    sink.write(fmt::format("{:.17g},{},{},{},{},{:.17g},{:.17g},{:.17g}\n", r.time, r.level,
+                           r.material, r.label, r.points, r.l1, r.l2, r.linf));
+  sink.close();
+}
+
+void write_json(const std::string& target, const std::vector<NormsRow>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  // JSON knows no NaN: it becomes null.
+  for (const NormsRow& r : rows)
+    list.push_back({{"time", r.time},
+                    {"level", r.level},
+                    {"material", r.material},
+                    {"label", r.label},
+                    {"points", r.points},
+                    {"L1", r.l1},
+                    {"L2", r.l2},
+                    {"Linf", r.linf}});
+  TextSink sink(target);
+  sink.write(list.dump(2) + "\n");
+  sink.close();
+}
+
+void print_table(const std::vector<NormsRow>& rows) {
+  using Align = TextTable::Align;
+  TextTable table({{"time", Align::right},
+                   {"level", Align::right},
+                   {"material", Align::right},
+                   {"label"},
+                   {"points", Align::right},
+                   {"L1", Align::right},
+                   {"L2", Align::right},
+                   {"Linf", Align::right}});
+  auto number = [](double x) { return fmt::format("{:.6e}", x); };
+  for (const NormsRow& r : rows)
+    table.row({fmt::format("{:.10g}", r.time), std::to_string(r.level), std::to_string(r.material),
+               r.label, std::to_string(r.points), number(r.l1), number(r.l2), number(r.linf)});
+  fmt::print("{}", table.text());
+}
+
+void norms(NormsRequest& r) {
+  r.options.labels = {split_names(r.only), split_names(r.ignore)};
+  const NormsResult result =
+      difference_norms(Archive::open(r.first), Archive::open(r.second), r.options);
+  if (!r.csv.empty()) write_csv(r.csv, result.rows);
+  if (!r.json.empty()) write_json(r.json, result.rows);
+  if (r.csv.empty() && r.json.empty()) print_table(result.rows);
+  for (const std::string& name : result.skipped)
+    fmt::print(stderr, "sluice norms: note: the second archive does not have {}\n", name);
+}
+
+}  // namespace
+
+void add_norms_command(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("norms", "L1, L2 and Linf of the difference of archives");
+  auto r = std::make_shared<NormsRequest>();
+  command->add_option("A", r->first, "An archive; its points are compared")->required();
+  command->add_option("B", r->second, "One that has values at the same points")->required();
+  command->add_option("--vars", r->only, "Only these labels: a,b,c");
+  command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command->add_option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command->add_option("--time-tolerance", r->options.time_tolerance, "Relative, between outputs")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--csv", r->csv, "Write CSV to a file, - for standard output");
+  command->add_option("--json", r->json, "Write JSON to a file, - for standard output");
+  command->callback([r] { norms(*r); });
+}
+
+}  // namespace sluice

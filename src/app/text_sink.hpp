@@ -1,0 +1,25 @@
+// Where a subcommand writes its result: a file, or standard output for "-".
+#pragma once
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace sluice {
+
+// Every write is checked; a full disk or a closed pipe is a SystemError that names the target.
+class TextSink {
+ public:
+  explicit TextSink(const std::string& target);
+  TextSink(const TextSink&) = delete;
+  TextSink& operator=(const TextSink&) = delete;
+  ~TextSink();
+  void write(std::string_view text);
+  void close();  // to be called at the good end: checks the last bytes
+
+ private:
+  [[noreturn]] void fail() const;
+  std::string target_;
+  std::FILE* file_;
+};
+
+}  // namespace sluice

@@ -1,0 +1,24 @@
+// One VTK image file (.vti): cell and point arrays over a box of cells.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "framework/grid/level.hpp"
+
+namespace sluice {
+
+struct VtkArray {
+  std::string name;
+  bool on_points = false;
+  bool integers = false;  // stored as Int32, else as Float64
+  int components = 1;
+  std::vector<double> values;  // component fastest, then x, y, z
+};
+
+// With `from_zero` the extent starts at 0 and the origin at the box's corner (what AMR data sets
+// need); else extents are the level's own indices.
+void write_vti(const std::filesystem::path& path, const Level& level, const IndexBox& cells,
+               bool from_zero, const std::vector<VtkArray>& arrays);
+
+}  // namespace sluice
