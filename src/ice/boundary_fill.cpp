@@ -1,0 +1,200 @@
+// Filling ghost cells outside the domain.
+#include "ice/boundary_fill.hpp"
+
+#include <algorithm>
+
+namespace sluice::ice {
+
+BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots)
+    : gravity_(scene.constants.gravity),
+      gas_(material.gas),
+      viscous_(material.viscosity > 0),
+      slots_(slots),
+      level_(&scene.grid.levels.front()) {
+  for (Side side : all_sides) {
+    const int d = direction_of(side);
+    const auto n = static_cast<std::size_t>(side);
+    if (!level_->active[static_cast<std::size_t>(d)] ||
+        level_->periodic[static_cast<std::size_t>(d)])
+      continue;
+    for (const BoundaryRegion& region : scene.boundary.side(side).regions)
+      rules_[n].push_back(make_rule(region, material.index, d));
+    regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
+  }
+}
+
+IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_width,
+                                    Side side) const {
+  const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+  const int d = direction_of(side);
+  IndexBox region = cells.grown(level_->ghosts(ghost_width));
+  // Later directions have not been filled yet: stay inside the domain there.
+  for (int e = d + 1; e < 3; ++e) {
+    if (level_->periodic[static_cast<std::size_t>(e)]) continue;
+    region.lower[e] = std::max(region.lower[e], level_->domain.lower[e]);
+    region.upper[e] = std::min(region.upper[e], level_->domain.upper[e]);
+  }
+  if (is_plus(side))
+    region.lower[d] = std::max(region.lower[d], level_->domain.upper[d]);
+  else
+    region.upper[d] = std::min(region.upper[d], level_->domain.lower[d]);
+  return region;
+}
+
+namespace {
+
+// The interior cell that a ghost cell looks at: its mirror image or the nearest one.
+IntVec3 source_cell(IntVec3 ghost, int d, bool plus, bool mirrored, const IndexBox& domain) {
+  IntVec3 s = ghost;
+  if (plus)
+    s[d] = mirrored ? 2 * domain.upper[d] - 1 - ghost[d] : domain.upper[d] - 1;
+  else
+    s[d] = mirrored ? 2 * domain.lower[d] - 1 - ghost[d] : domain.lower[d];
+  // A domain narrower than the ghost layers is mirrored once more.
+  s[d] = std::clamp(s[d], domain.lower[d], domain.upper[d] - 1);
+  return s;
+}
+
+// State arrays of one box.
+struct StateViews {
+  RealView mass, energy;
+  std::vector<RealView> momentum;
+};
+
+}  // namespace
+
+struct BoundaryFill::SideRules {
+  const BoundaryFill& fill;
+  const GhostRule& rule;
+  int d;
+  bool plus;
+
+  // Hydrostatic difference of pressure from the source cell out to the ghost cell: the sum of
+  // g dx (rho + rho)/2 over the steps between them. Ghost densities closer in are filled already.
+  double hydrostatic(const StateViews& v, IntVec3 source, IntVec3 ghost, double rho_ghost) const {
+    const double g = fill.gravity_[d];
+    if (g == 0) return 0;
+    const int outward = plus ? 1 : -1;
+    double change = 0;
+    IntVec3 c = source;
+    while (c[d] != ghost[d]) {
+      IntVec3 next = c;
+      next[d] += outward;
+      const double rho_next = next[d] == ghost[d] ? rho_ghost : v.mass(next);
+      change += outward * 0.5 * g * fill.level_->spacing[d] * (v.mass(c) + rho_next);
+      c = next;
+    }
+    return change;
+  }
+
+  void plain(const StateViews& v, IntVec3 ghost, IntVec3 source) const {
+    v.mass(ghost) = v.mass(source);
+    v.energy(ghost) = v.energy(source);
+    const bool mirrored = rule.velocity_kind == GhostRule::Velocity::mirror;
+    for (std::size_t c = 0; c < v.momentum.size(); ++c)
+      v.momentum[c](ghost) = mirrored && fill.slots_.directions[c] == d ? -v.momentum[c](source)
+                                                                        : v.momentum[c](source);
+  }
+
+  double velocity(const StateViews& v, IntVec3 source, std::size_t c, double distance) const {
+    const int direction = fill.slots_.directions[c];
+    const double u = v.momentum[c](source) / v.mass(source);
+    switch (rule.velocity_kind) {
+      case GhostRule::Velocity::copy:
+        return u - rule.velocity_gradient[direction] * distance;
+      case GhostRule::Velocity::mirror:
+        return direction == d ? -u : u;
+      case GhostRule::Velocity::wall:
+        if (direction == d) return -u;
+        return fill.viscous_ ? 2.0 * rule.velocity[direction] - u : u;
+      case GhostRule::Velocity::prescribed:
+        return rule.velocity[direction];
+    }
+    return u;
+  }
+
+  void general(const StateViews& v, IntVec3 ghost, IntVec3 source) const {
+    const eos::IdealGas& gas = fill.gas_;
+    const double distance = std::abs(ghost[d] - source[d]) * fill.level_->spacing[d];
+    const double source_rho = v.mass(source), source_E = v.energy(source);
+    double rho = rule.fixed_density ? rule.density : source_rho - rule.density_gradient * distance;
+    const double p_source = gas.pressure(source_rho, source_E);
+    const bool given_T = rule.fixed_temperature || rule.temperature_gradient != 0;
+    const double T = rule.fixed_temperature ? rule.temperature
+                                            : gas.temperature(source_rho, source_E) -
+                                                  rule.temperature_gradient * distance;
+    double p;
+    if (rule.fixed_pressure) {
+      p = rule.pressure;
+    } else if (rule.fixed_density && given_T) {
+      p = gas.pressure(rho, gas.energy_from_temperature(rho, T));
+    } else {
+      p = p_source - rule.pressure_gradient * distance;
+      if (given_T && !rule.fixed_density) rho = gas.density(p, T);
+      p += hydrostatic(v, source, ghost, rho);
+    }
+    if (given_T && !rule.fixed_density) rho = gas.density(p, T);
+    v.mass(ghost) = rho;
+    v.energy(ghost) = gas.energy_from_pressure(rho, p);
+    for (std::size_t c = 0; c < v.momentum.size(); ++c)
+      v.momentum[c](ghost) = rho * velocity(v, source, c, distance);
+  }
+};
+
+void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const {
+  const auto n = static_cast<std::size_t>(side);
+  const int d = direction_of(side);
+  const bool plus = is_plus(side);
+  const int slot_m = state.find(slots_.momentum, slots_.material);
+  StateViews v;
+  v.mass = state.view(state.find(slots_.mass, slots_.material), 0, box);
+  v.energy = state.view(state.find(slots_.energy, slots_.material), 0, box);
+  for (int c = 0; c < state.info(slot_m).components; ++c)
+    v.momentum.push_back(state.view(slot_m, c, box));
+  const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
+  auto one = [&](IntVec3 ghost) {
+    IntVec3 inside = ghost;
+    for (int e : {a, b})
+      inside[e] = std::clamp(ghost[e], level_->domain.lower[e], level_->domain.upper[e] - 1);
+    const int region = regions_[n]->region(inside[a], inside[b]);
+    const SideRules rules{*this, rules_[n][static_cast<std::size_t>(region)], d, plus};
+    const IntVec3 source = source_cell(ghost, d, plus, rules.rule.mirrored(), level_->domain);
+    if (rules.rule.plain() && gravity_[d] == 0)
+      rules.plain(v, ghost, source);
+    else
+      rules.general(v, ghost, source);
+  };
+  // From the boundary outward, so that hydrostatic sums find the nearer ghosts filled.
+  const int layers = ghosts.size()[d];
+  for (int layer = 0; layer < layers; ++layer) {
+    IndexBox slice = ghosts;
+    slice.lower[d] = plus ? ghosts.lower[d] + layer : ghosts.upper[d] - 1 - layer;
+    slice.upper[d] = slice.lower[d] + 1;
+    for_each_cell(slice, one);
+  }
+}
+
+void BoundaryFill::fill(Warehouse& state) const {
+  const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
+  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
+    for (Side side : all_sides) {
+      if (regions_[static_cast<std::size_t>(side)] == nullptr) continue;
+      const IndexBox ghosts = ghost_region(state, box, width, side);
+      if (!ghosts.empty()) fill_side(state, box, ghosts, side);
+    }
+}
+
+void BoundaryFill::copy_outward(Warehouse& state, Label label, int material) const {
+  const int slot = state.find(label, material);
+  const int width = state.info(slot).ghosts;
+  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
+    for (Side side : all_sides) {
+      if (regions_[static_cast<std::size_t>(side)] == nullptr) continue;
+      const RealView v = state.view(slot, 0, box);
+      for_each_cell(ghost_region(state, box, width, side), [&](IntVec3 ghost) {
+        v(ghost) = v(source_cell(ghost, direction_of(side), is_plus(side), false, level_->domain));
+      });
+    }
+}
+
+}  // namespace sluice::ice

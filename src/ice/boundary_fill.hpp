@@ -1,0 +1,76 @@
+// Boundary conditions as ghost states: what lies outside the domain, from what the deck says.
+//
+// A ghost state is a density, a velocity and a pressure; the face solver does the rest (a
+// prescribed state is filtered by its characteristics, a mirrored one gives a wall exactly).
+//
+//   symmetry, free-slip wall   mirror, normal velocity negated
+//   velocity Dirichlet with no normal component: a wall; the state is mirrored, the tangential
+//     velocity about the wall's (viscous) or plainly (inviscid)
+//   velocity Dirichlet with a normal component: prescribed
+//   Neumann q: the nearest interior cell minus q times the distance (0: a copy)
+//   pressure and density: Dirichlet values; where temperature and density are given but not the
+//     pressure, it follows from them; where temperature is given but not the density, the density
+//     follows from pressure and temperature; all three: pressure and density count
+// Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "framework/field/warehouse.hpp"
+#include "framework/scene/boundary.hpp"
+#include "ice/ice_scene.hpp"
+
+namespace sluice::ice {
+
+// One region's conditions for one material, as numbers.
+struct GhostRule {
+  enum class Velocity { copy, mirror, wall, prescribed };
+  Velocity velocity_kind = Velocity::copy;
+  Vec3 velocity{};           // wall or prescribed
+  Vec3 velocity_gradient{};  // copy
+  bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
+  double density = 0, pressure = 0, temperature = 0;
+  double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
+
+  bool mirrored() const {
+    return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall;
+  }
+  // The conserved state is copied (or mirrored) as it is.
+  bool plain() const;
+};
+
+// Throws InputError naming the deck line of a condition that is not built.
+GhostRule make_rule(const BoundaryRegion& region, int material, int normal);
+
+struct StateSlots {
+  Label mass, momentum, energy;
+  int material = 0;
+  std::vector<int> directions;  // of the momentum components
+};
+
+class BoundaryFill {
+ public:
+  BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots);
+
+  // Ghost cells outside the domain of all local boxes, x then y then z: every value depends on
+  // cells of the domain only, whatever the boxes.
+  void fill(Warehouse& state) const;
+  // The same for one slot that is simply copied outward (masks).
+  void copy_outward(Warehouse& state, Label label, int material) const;
+
+ private:
+  struct SideRules;
+  void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
+  IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
+
+  Vec3 gravity_;
+  eos::IdealGas gas_;
+  bool viscous_;
+  StateSlots slots_;
+  const Level* level_;
+  std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region
+  std::array<std::unique_ptr<RegionMap>, 6> regions_;
+};
+
+}  // namespace sluice::ice

@@ -1,0 +1,248 @@
+// The time step of ICE, readable as a table; and what the run loop asks of the component.
+#include "ice/ice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ice/initial_state.hpp"
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+SchemeVariables declare_variables(TaskList& list, const SchemeOptions& o) {
+  const Labels& l = labels();
+  const int C = o.components, D = o.axes.count;
+  SchemeVariables v;
+  v.rho = list.old_state(l.mass, 0, 1);
+  v.momentum = list.old_state(l.momentum, 0, C);
+  v.energy = list.old_state(l.energy, 0, 1);
+  if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
+  v.rho_new = list.new_state(l.mass, 0, 1);
+  v.momentum_new = list.new_state(l.momentum, 0, C);
+  v.energy_new = list.new_state(l.energy, 0, 1);
+  v.velocity = list.temporary("velocity", C);
+  v.pressure = list.temporary("pressure");
+  v.sound = list.temporary("sound speed");
+  v.inverse_rho = list.temporary("1/rho");
+  v.velocity_slope = list.temporary("velocity slope", D);
+  v.pressure_slope = list.temporary("pressure slope", D);
+  v.predicted_pressure = list.temporary("predicted pressure");
+  v.transverse_velocity = list.temporary("transverse advection", D);
+  for (int a = 0; a < D; ++a) {
+    const auto n = static_cast<std::size_t>(a);
+    const int d = o.axes.direction[a];
+    const std::string axis = " of axis " + std::to_string(a);
+    v.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
+    v.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
+    v.stress[n] = list.temporary("stress" + axis, C, d);
+    v.base[n] = list.temporary("remap base" + axis, 2 + C);
+    v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
+  }
+  v.inverse_J = list.temporary("1/J");
+  v.rho_L = list.temporary("Lagrangian density");
+  v.energy_L = list.temporary("Lagrangian energy");
+  v.velocity_L = list.temporary("Lagrangian velocity", C);
+  v.energy_star = list.temporary("energy after work");
+  v.courant = list.temporary("outflow Courant number");
+  v.inverse_courant = list.temporary("1/outflow Courant number");
+  v.impulse = list.temporary("impulse", C);
+  return v;
+}
+
+SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
+  const Level& level = scene.grid.levels.front();
+  SchemeOptions o;
+  o.axes.count = 0;
+  o.components = 0;
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) {
+      o.axes.direction[o.axes.count++] = d;
+      o.direction[static_cast<std::size_t>(o.components++)] = d;
+    }
+  for (int d = 0; d < 3; ++d)
+    if (scene.directions[static_cast<std::size_t>(d)].velocity == VelocityComponent::carried)
+      o.direction[static_cast<std::size_t>(o.components++)] = d;
+  const IceMaterial& m = ice.materials.front();
+  o.gas = m.gas;
+  o.second_order = ice.second_order;
+  o.sound_speed_knob = ice.sound_speed_knob;
+  o.gravity = scene.constants.gravity;
+  o.gravity_on = !(o.gravity == Vec3{});
+  o.viscosity = m.viscosity;
+  o.viscous = m.viscosity > 0;
+  o.conservative_time_step = ice.conservative_time_step;
+  o.cfl = ice.cfl;
+  o.domain = level.domain;
+  o.periodic = level.periodic;
+  return o;
+}
+
+}  // namespace
+
+// One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
+// in the file of its name under conservative/; when it is absent is said there in its first line.
+void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
+  const SchemeVariables v = declare_variables(list, o);
+  // task                    reads                              writes
+  add_primitives(list, v, o, effect_flow);           // state                    u, p, c
+  add_slopes(list, v, o, effect_second_order);       // u, p                     su, sp, P, UT
+  add_faces(list, v, o, effect_flow);                // u, p, c, slopes          u_f, p_f
+  add_viscous_stress(list, v, o, effect_viscosity);  // u                        t_f
+  add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f     rho_L, E_L, v, E*
+  add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
+  add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
+  add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
+  if (effects_.on(effect_boundary_account))
+    add_boundary_account(list, v, o, effect_boundary_account);  // fluxes       sums
+  declare_step_outputs(list, v, o);                             // whatever a deck saves    outputs
+}
+
+Ice::Ice(const Scene& scene, IceScene ice_scene)
+    : scene_(&scene),
+      ice_(std::move(ice_scene)),
+      effects_(find_effects(scene, ice_)),
+      options_(make_options(scene, ice_)) {
+  StateSlots slots;
+  slots.mass = labels().mass;
+  slots.momentum = labels().momentum;
+  slots.energy = labels().energy;
+  for (int c = 0; c < options_.components; ++c)
+    slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
+  boundary_ = std::make_unique<BoundaryFill>(scene, ice_.materials.front(), slots);
+}
+
+std::vector<SlotInfo> Ice::state_slots() const {
+  constexpr int ghosts = 3;
+  return {{labels().mass, 0, 1, ghosts},
+          {labels().momentum, 0, options_.components, ghosts},
+          {labels().energy, 0, 1, ghosts}};
+}
+
+Label Ice::mask_label() const {
+  return labels().mask;
+}
+
+void Ice::initialise(Warehouse& state) const {
+  const IceMaterial& m = ice_.materials.front();
+  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
+            energy = state.find(labels().energy, 0);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m, state.level(), cells);
+    std::size_t n = 0;
+    for_each_cell(cells, [&](IntVec3 cell) {
+      state.view(mass, 0, b)(cell) = fill.density[n];
+      state.view(energy, 0, b)(cell) =
+          m.gas.energy_from_pressure(fill.density[n], fill.pressure[n]);
+      for (int c = 0; c < options_.components; ++c)
+        state.view(momentum, c, b)(cell) =
+            fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
+      ++n;
+    });
+  }
+}
+
+void Ice::fill_boundary(Warehouse& state, double /*time*/) const {
+  boundary_->fill(state);
+  if (state.find(labels().mask, 0) >= 0) boundary_->copy_outward(state, labels().mask, 0);
+}
+
+void Ice::declare_step(TaskList& list, bool masked) const {
+  SchemeOptions o = options_;
+  o.masked = masked;
+  declare_conservative(list, o);
+}
+
+void Ice::declare_diagnostics(TaskList& list) const {
+  declare_diagnostic_outputs(list, options_, ice_, scene_->grid.levels.front());
+}
+
+bool Ice::quiet_blocks_allowed() const {
+  return !options_.gravity_on;
+}
+
+void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
+  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
+            energy = state.find(labels().energy, 0);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
+    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+      const double rho = r(cell);
+      const double c = options_.gas.sound_speed(rho, options_.gas.pressure(rho, E(cell)));
+      double deck = 0, deck_sum = 0, flow = 0, sound = 0;
+      for (int a = 0; a < options_.axes.count; ++a) {
+        const double dx = state.level().spacing[options_.axes.direction[a]];
+        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho;
+        const double deck_rate = (u + options_.sound_speed_knob * c) / dx;
+        deck = std::max(deck, deck_rate);
+        deck_sum += deck_rate;
+        flow += u / dx;
+        sound = std::max(sound, (u + c) / dx);
+      }
+      const double rate = options_.conservative_time_step ? deck_sum : deck;
+      rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
+      rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
+      rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
+    });
+  }
+}
+
+StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
+  constexpr double flow_share = 0.9, sound_share = 0.8;
+  StepLimit limit{options_.cfl / maxima[StepSlots::deck_rate], options_.conservative_time_step
+                                                                   ? "deck: conservative rule"
+                                                                   : "deck: cfl dx/(|u| + knob c)"};
+  auto at_most = [&](double dt, const char* reason) {
+    if (dt < limit.dt) limit = {dt, reason};
+  };
+  at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
+  at_most(sound_share / maxima[StepSlots::sound_rate], "scheme: 0.8 dx/(|u| + c)");
+  return limit;
+}
+
+void Ice::add_totals(const Warehouse& state, Totals& totals) const {
+  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
+            energy = state.find(labels().energy, 0);
+  totals.mass.resize(1);
+  const double V = state.level().cell_volume();
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
+    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+      totals.mass[0].add(r(cell) * V);
+      totals.internal_energy.add(E(cell) * V);
+      double m2 = 0;
+      for (int c = 0; c < options_.components; ++c) {
+        const double m = state.view(momentum, c, b)(cell);
+        totals.momentum[options_.direction[static_cast<std::size_t>(c)]].add(m * V);
+        m2 += m * m;
+      }
+      totals.momentum_scale.add(std::sqrt(m2) * V);
+      totals.kinetic_energy.add(0.5 * m2 / r(cell) * V);
+    });
+  }
+}
+
+BoundaryBalance Ice::balance(const std::vector<double>& sums, double /*dt*/) const {
+  BoundaryBalance b;
+  b.mass = {sums[StepSlots::mass]};
+  for (int d = 0; d < 3; ++d)
+    b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
+  b.energy = sums[StepSlots::energy];
+  return b;
+}
+
+std::string Ice::describe_fault(int kind) const {
+  switch (kind) {
+    case fault_density:
+      return "density (kg/m^3, must be above 0)";
+    case fault_energy:
+      return "internal energy per volume (J/m^3, must be above 0)";
+    case fault_volume:
+      return "relative volume after the Lagrangian phase (must be above 0)";
+    default:
+      return "value";
+  }
+}
+
+}  // namespace sluice::ice

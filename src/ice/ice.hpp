@@ -1,0 +1,72 @@
+// ICE: cell-centred compressible flow as a component of a run.
+#pragma once
+#include <memory>
+
+#include "framework/run/component.hpp"
+#include "ice/boundary_fill.hpp"
+#include "ice/conservative/variables.hpp"
+#include "ice/ice_scene.hpp"
+
+namespace sluice::ice {
+
+class Ice final : public Component {
+ public:
+  Ice(const Scene& scene, IceScene ice_scene);
+
+  std::string name() const override { return "ice"; }
+  const EffectList& effects() const override { return effects_; }
+  int material_count() const override { return static_cast<int>(ice_.materials.size()); }
+
+  std::vector<SlotInfo> state_slots() const override;
+  void initialise(Warehouse& state) const override;
+  void fill_boundary(Warehouse& state, double time) const override;
+  void declare_step(TaskList& list, bool masked) const override;
+  void declare_diagnostics(TaskList& list) const override;
+  Label mask_label() const override;
+  int reduction_maxima() const override { return StepSlots::maxima; }
+  int reduction_sums() const override { return StepSlots::sums; }
+  bool quiet_blocks_allowed() const override;
+  void measure_rates(const Warehouse& state, Reductions& rates) const override;
+  StepLimit step_limit(const std::vector<double>& maxima) const override;
+  void add_totals(const Warehouse& state, Totals& totals) const override;
+  BoundaryBalance balance(const std::vector<double>& sums, double dt) const override;
+  std::string describe_fault(int kind) const override;
+
+ private:
+  void declare_conservative(TaskList& list, const SchemeOptions& options) const;
+
+  const Scene* scene_;
+  IceScene ice_;
+  EffectList effects_;
+  SchemeOptions options_;
+  std::unique_ptr<BoundaryFill> boundary_;
+};
+
+// What the scene calls for and what it does not, with the deck lines.
+EffectList find_effects(const Scene& scene, const IceScene& ice);
+
+// Ids in that list, in its order.
+enum EffectId {
+  effect_flow = 0,
+  effect_second_order,
+  effect_gravity,
+  effect_viscosity,
+  effect_boundary_account,
+  effect_saved_intermediates,
+  effect_diagnostics,
+  effect_conduction,
+  effect_equilibration,
+  effect_momentum_exchange,
+  effect_heat_exchange,
+  effect_turbulence,
+  effect_scalars,
+  effect_reactions
+};
+
+// Labels that are functions of a state, as tasks that read it as old state.
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,
+                                const Level& level);
+// Labels that only exist inside a step.
+void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options);
+
+}  // namespace sluice::ice

@@ -1,0 +1,215 @@
+// Boundary conditions of an ICE deck: each variable once on every part of the boundary, with a
+// value of the right kind.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/rule_tools.hpp"
+#include "ice/ice_schema.hpp"
+
+namespace sluice {
+namespace {
+
+const std::vector<std::string> labels = {"Pressure", "Density",     "Temperature",
+                                         "Velocity", "SpecificVol", "Symmetric"};
+// SpecificVol may be left out: it follows from the density.
+constexpr std::array<const char*, 4> needed = {"Pressure", "Velocity", "Temperature", "Density"};
+constexpr std::array<const char*, 6> shape_names = {"side",    "circle",    "annulus",
+                                                    "ellipse", "rectangle", "rectangulus"};
+
+void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
+           std::string suggestion = {}) {
+  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
+}
+
+// "side x-", "circle y+": how a face is called in messages.
+std::string face_name(const DeckNode& face) {
+  for (const char* shape : shape_names) {
+    if (const auto side = face.attribute(shape)) return fmt::format("{} {}", shape, *side);
+  }
+  return "Face";
+}
+
+void check_label(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
+  const auto label = condition.attribute("label");
+  if (!label || std::find(labels.begin(), labels.end(), *label) != labels.end()) return;
+  const bool of_models =
+      label->rfind("scalar-", 0) == 0 || *label == "cumulativeEnergyReleased" || *label == "Phi";
+  if (of_models) {
+    fault(faults, condition,
+          fmt::format("boundary variable {} on {} is known to the format, but not built yet",
+                      in_quotes(*label), face_name(face)));
+    faults.back().not_built = true;
+    return;
+  }
+  fault(faults, condition,
+        fmt::format("there is no boundary variable {} on {}", in_quotes(*label), face_name(face)),
+        suggest_name(*label, labels));
+}
+
+void check_kind(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
+  const std::string label = condition.attribute("label").value_or("");
+  const std::string kind = condition.attribute("var").value_or("");
+  if (kind == "computeFromDensity" && label != "SpecificVol") {
+    fault(faults, condition,
+          fmt::format("computeFromDensity on {} is for SpecificVol only, not for {}",
+                      face_name(face), label));
+  }
+  const bool symmetric_label = label == "Symmetric";
+  const bool built = kind == "symmetry" || kind == "Dirichlet" || kind == "Neumann";
+  if (built && symmetric_label != (kind == "symmetry")) {
+    fault(faults, condition,
+          fmt::format("label {} with var {} on {}: Symmetric and symmetry belong together", label,
+                      kind, face_name(face)));
+  }
+}
+
+void check_value(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
+  const std::string label = condition.attribute("label").value_or("");
+  const std::string kind = condition.attribute("var").value_or("");
+  if (kind != "Dirichlet" && kind != "Neumann") return;
+  const DeckNode* tag = condition.child("value");
+  const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
+  const DeckNode& where = tag != nullptr ? *tag : condition;
+  if (!text || text->empty()) {
+    fault(faults, condition,
+          fmt::format("{} {} on {} needs a <value>", kind, label, face_name(face)));
+    return;
+  }
+  if (label == "Velocity") {
+    const auto vector = parse_vector(*text);
+    if (!vector) {
+      fault(faults, where,
+            fmt::format("{} {} on {}: {}", kind, label, face_name(face), vector.problem),
+            "a velocity is a vector, as [0.0, 0.0, 0.0]");
+    }
+    return;
+  }
+  const auto number = parse_real(*text);
+  if (!number) {
+    fault(faults, where,
+          fmt::format("{} {} on {}: {}", kind, label, face_name(face), number.problem));
+  } else if (kind == "Dirichlet" && *number.value <= 0) {
+    fault(faults, where,
+          fmt::format("Dirichlet {} on {} is {}; it must be greater than 0", label, face_name(face),
+                      *number.value));
+  }
+}
+
+void check_material(const DeckNode& face, const DeckNode& condition, int materials,
+                    bool has_default, std::vector<Fault>& faults) {
+  const auto id = condition.attribute("id");
+  const auto ids = condition.attribute("ids");
+  if (!id && !ids && !has_default) {
+    fault(faults, condition,
+          fmt::format("<BCType> on {} does not say for which material", face_name(face)),
+          "add id=\"0\" or id=\"all\", or <DefaultMaterial> in <BoundaryConditions>");
+  }
+  std::vector<int> indices;
+  if (id && *id != "all") {
+    const auto index = parse_integer(*id);
+    if (!index) {
+      fault(faults, condition,
+            fmt::format("id {} on {} is neither a material index nor all", in_quotes(*id),
+                        face_name(face)));
+      return;
+    }
+    indices.push_back(*index.value);
+  }
+  if (ids) {
+    const auto list = parse_integers(*ids);
+    if (list) indices.insert(indices.end(), list.value->begin(), list.value->end());
+  }
+  for (const int index : indices) {
+    if (index >= 0 && index < materials) continue;
+    fault(faults, condition,
+          fmt::format("there is no material {} (on {}): the deck has {}, counted from 0", index,
+                      face_name(face), materials));
+  }
+}
+
+// Names of the variables that these faces leave without condition.
+std::string missing_on(const std::vector<const DeckNode*>& faces) {
+  std::vector<std::string> given;
+  for (const DeckNode* face : faces) {
+    for (const DeckNode* condition : face->all("BCType")) {
+      given.push_back(condition->attribute("label").value_or(""));
+    }
+  }
+  const auto has = [&](const char* label) {
+    return std::find(given.begin(), given.end(), label) != given.end();
+  };
+  if (has("Symmetric")) return {};
+  std::vector<const char*> missing;
+  std::copy_if(needed.begin(), needed.end(), std::back_inserter(missing),
+               [&](const char* label) { return !has(label); });
+  return fmt::format("{}", fmt::join(missing, ", "));
+}
+
+std::array<bool, 3> periodic_directions(const DeckNode& grid) {
+  std::array<bool, 3> periodic{};
+  const auto levels = grid.all("Level");
+  const auto flags = levels.empty() ? std::nullopt : int_vector_of(levels[0], "periodic");
+  for (int d = 0; flags && d < 3; ++d) periodic[static_cast<std::size_t>(d)] = (*flags)[d] != 0;
+  return periodic;
+}
+
+}  // namespace
+
+void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* conditions = root.find("Grid/BoundaryConditions");
+  if (!runs_ice(root) || conditions == nullptr) return;
+  const auto materials = static_cast<int>(ice_materials(root).size());
+  const bool has_default = conditions->child("DefaultMaterial") != nullptr;
+  for (const DeckNode* face : conditions->all("Face")) {
+    for (const DeckNode* condition : face->all("BCType")) {
+      check_label(*face, *condition, faults);
+      check_kind(*face, *condition, faults);
+      check_value(*face, *condition, faults);
+      if (materials > 0) check_material(*face, *condition, materials, has_default, faults);
+    }
+  }
+}
+
+void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* grid = root.child("Grid");
+  if (!runs_ice(root) || grid == nullptr) return;
+  const DeckNode* conditions = grid->child("BoundaryConditions");
+  const auto periodic = periodic_directions(*grid);
+  for (std::size_t s = 0; s < 6; ++s) {
+    if (periodic[s / 2]) continue;
+    std::vector<const DeckNode*> whole;
+    if (conditions != nullptr) {
+      for (const DeckNode* face : conditions->all("Face")) {
+        if (face->attribute("side") == side_names[s]) whole.push_back(face);
+      }
+    }
+    if (whole.empty()) {
+      fault(faults, conditions == nullptr ? *grid : *conditions,
+            fmt::format("side {} has no boundary conditions", side_names[s]),
+            fmt::format("add <Face side=\"{}\"> with Pressure, Velocity, Temperature, Density, or "
+                        "with Symmetric, or make {} periodic",
+                        side_names[s], direction_names[s / 2]));
+      continue;
+    }
+    const std::string missing = missing_on(whole);
+    if (!missing.empty()) {
+      fault(faults, *whole.front(),
+            fmt::format("side {} has no condition for {}", side_names[s], missing),
+            "every variable needs one, unless Symmetric stands for all");
+    }
+  }
+  if (conditions == nullptr) return;
+  for (const DeckNode* face : conditions->all("Face")) {
+    if (face->attribute("side")) continue;
+    const std::string missing = missing_on({face});
+    if (!missing.empty()) {
+      fault(faults, *face, fmt::format("{} has no condition for {}", face_name(*face), missing),
+            "every variable needs one, unless Symmetric stands for all");
+    }
+  }
+}
+
+}  // namespace sluice

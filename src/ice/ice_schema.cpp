@@ -1,0 +1,344 @@
+// The tags of ICE.
+#include "ice/ice_schema.hpp"
+
+#include <algorithm>
+
+#include "framework/deck/format_tags.hpp"
+
+namespace sluice {
+namespace {
+
+TagSpec advection() {
+  return tag("advection", "order of the scheme in space and time")
+      .once()
+      .with_attributes(
+          {attribute("type", "the order")
+               .once()
+               .words({"FirstOrder", "SecondOrder"})
+               .not_built({"FirstOrderGPU"}),
+           attribute("useCompatibleFluxes", "classic scheme: fluxes of q/m weighted with mass")
+               .boolean()
+               .alias("compatibleFluxes")
+               .by_default("true")});
+}
+
+TagSpec time_step_control() {
+  return tag("TimeStepControl", "the deck's own rule for the time step")
+      .fill()
+      .with_children({tag("Scheme_for_delT_calc", "which rule")
+                          .words({"aggressive", "conservative"})
+                          .by_default("aggressive"),
+                      tag("knob_for_speedSound", "share of the sound speed in the rule")
+                          .real()
+                          .at_least(0)
+                          .at_most(1)
+                          .by_default("1"),
+                      tag("knob_for_diffusion", "share of diffusion in the rule")
+                          .real()
+                          .at_least(0)
+                          .at_most(1)
+                          .by_default("1")});
+}
+
+TagSpec formula_of(const std::string& name, const std::string& unit) {
+  return tag(name, "formula of x, y, z; absent: as the geometry objects say").text().unit(unit);
+}
+
+TagSpec custom_initialization() {
+  return tag("customInitialization", "initial state that geometry objects cannot give")
+      .child(
+          tag("formula", "initial state as formulas of x, y, z at the centre of each cell")
+              .with_children(
+                  {formula_of("density", "density"), formula_of("velocity_x", "velocity"),
+                   formula_of("velocity_y", "velocity"), formula_of("velocity_z", "velocity"),
+                   formula_of("pressure", "pressure"), formula_of("temperature", "temperature")}));
+}
+
+TagSpec ice_block() {
+  return tag("ICE", "the multi-material finite-volume method")
+      .with_children({tag("scheme",
+                          "conservative: total energy conserved, second order in space "
+                          "and time; classic: internal energy, one stage")
+                          .words({"conservative", "classic"})
+                          .by_default("conservative"),
+                      advection(), time_step_control(), custom_initialization(),
+                      tag("max_iteration_equilibration",
+                          "most iterations for one pressure of "
+                          "several materials")
+                          .integer()
+                          .at_least(1)
+                          .by_default("100"),
+                      tag("ClampSpecificVolume", "accepted without effect: there are no clamps")
+                          .boolean()
+                          .by_default("false"),
+                      tag("applyHydrostaticPressure",
+                          "with gravity: the pressure at the start balances the weight")
+                          .boolean()
+                          .by_default("true")});
+}
+
+TagSpec fluid_dynamics() {
+  return tag("CFD", "the fluid")
+      .with_children({tag("cfl", "share of the stable time step").once().real().above(0).at_most(1),
+                      ice_block()});
+}
+
+TagSpec geom_object() {
+  return tag("geom_object", "a region and the state in it; later objects overwrite earlier ones")
+      .at_least_once()
+      .attribute(attribute("name", "name of the object").text())
+      .group("geometry_piece")
+      .with_children(
+          {tag("res", "sample points per cell and direction")
+               .int_vector()
+               .at_least(1)
+               .by_default("[2,2,2]"),
+           tag("velocity", "velocity").once().vector().unit("velocity"),
+           tag("temperature", "temperature").once().real().above(0).unit("temperature"),
+           tag("density", "density of the material itself").once().real().above(0).unit("density"),
+           tag("pressure", "read, not used: density and temperature give the pressure")
+               .real()
+               .unit("pressure")});
+}
+
+TagSpec material() {
+  return tag("material", "a material of ICE")
+      .at_least_once()
+      .with_attributes({attribute("name", "name of the material").text(),
+                        attribute("index", "accepted without effect: order gives the index")
+                            .integer()
+                            .at_least(0)})
+      .with_children(
+          {tag("EOS", "equation of state")
+               .once()
+               .attribute(
+                   attribute("type", "which one")
+                       .once()
+                       .words({"ideal_gas"})
+                       .not_built({"hard_sphere_gas", "TST", "Thomsen_Hartka_water", "JWL", "JWLC",
+                                   "Murnaghan", "BirchMurnaghan", "Gruneisen", "Tillotson",
+                                   "KnaussSeaWater", "KumariDass", "StiffenedGas", "MieGruneisen"}))
+               .child(tag("gas_constant", "accepted without effect").real()),
+           tag("gamma", "ratio of specific heats").once().real().above(1),
+           tag("specific_heat", "at constant volume")
+               .once()
+               .real()
+               .above(0)
+               .unit("energy/(mass temperature)"),
+           tag("dynamic_viscosity", "dynamic viscosity")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("pressure time"),
+           tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
+           tag("tiny_rho", "accepted without effect: no mass is added")
+               .real()
+               .above(0)
+               .unit("density"),
+           tag("isSurroundingMatl",
+               "its weight makes the hydrostatic pressure; with one material "
+               "this may be left out")
+               .boolean()
+               .by_default("false"),
+           tag("includeFlowWork", "work of the pressure changes the energy")
+               .boolean()
+               .by_default("true"),
+           geom_object()});
+}
+
+TagSpec exchange() {
+  const auto model = [](const std::string& name, const std::string& doc) {
+    return tag(name, doc).words({"constant"}).not_built({"linearVariation"});
+  };
+  return tag("exchange_properties", "momentum and heat exchange between materials")
+      .with_children(
+          {tag("CoefficientModel", "how coefficients vary")
+               .with_children({model("momentum", "variation of the momentum coefficients"),
+                               model("heat", "variation of the heat coefficients")}),
+           tag("exchange_coefficients", "coefficients of the pairs 0-1, 0-2, ..., 1-2, ...")
+               .once()
+               .with_children(
+                   {tag("momentum", "momentum exchange").once().reals().at_least(0).at_most(1e20),
+                    tag("heat", "heat exchange").reals().at_least(0).at_most(1e15)})});
+}
+
+TagSpec refinement() {
+  return tag("ICE", "refinement of ICE")
+      .with_children(
+          {tag("orderOfInterpolation", "order of interpolation onto finer levels")
+               .once()
+               .integer()
+               .at_least(0)
+               .at_most(2),
+           tag("orderOf_CFI_Interpolation", "order at the faces between levels; absent: the same")
+               .integer()
+               .at_least(0)
+               .at_most(2),
+           tag("do_Refluxing", "fluxes are matched between levels").boolean().by_default("true"),
+           tag("ClampSpecificVolume", "accepted without effect: there are no clamps").boolean(),
+           tag("Refinement_Criteria_Thresholds", "gradients that flag a cell")
+               .child(tag("Variable", "one criterion")
+                          .multiple()
+                          .with_attributes(
+                              {attribute("name", "the variable")
+                                   .once()
+                                   .words({"rho_CC", "temp_CC", "vol_frac_CC", "press_CC"})
+                                   .not_built({"vel_CC"}),
+                               attribute("value", "cells with a larger gradient are flagged")
+                                   .once()
+                                   .real()
+                                   .at_least(0),
+                               attribute("matl", "material index or all").once().text()}))});
+}
+
+}  // namespace
+
+bool runs_ice(const DeckNode& root) {
+  const DeckNode* component = root.child("SimulationComponent");
+  return component != nullptr && component->attribute("type") == "ice";
+}
+
+std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
+  std::vector<const DeckNode*> materials;
+  for (const DeckNode* properties : root.all("MaterialProperties")) {
+    const DeckNode* ice = properties->child("ICE");
+    if (ice == nullptr) continue;
+    for (const DeckNode* node : ice->all("material")) materials.push_back(node);
+  }
+  return materials;
+}
+
+SaveLabels ice_save_labels() {
+  return {{"rho_CC",
+           "vel_CC",
+           "temp_CC",
+           "press_CC",
+           "sp_vol_CC",
+           "vol_frac_CC",
+           "press_equil_CC",
+           "delP_Dilatate",
+           "delP_MassX",
+           "speedSound_CC",
+           "mach",
+           "uvel_FC",
+           "vvel_FC",
+           "wvel_FC",
+           "uvel_FCME",
+           "vvel_FCME",
+           "wvel_FCME",
+           "mom_L_ME_CC",
+           "mag_grad_rho_CC",
+           "mag_grad_temp_CC",
+           "mag_grad_press_CC",
+           "mag_grad_vol_frac_CC",
+           "mag_div_vel_CC",
+           "refineFlag",
+           "vorticity",
+           "TotalMass",
+           "TotalIntEng",
+           "KineticEnergy",
+           "TotalMomentum"},
+          {"rho_micro_CC",
+           "f_theta",
+           "sum_rho_CC",
+           "sumKappa",
+           "temp_CC_Xchange",
+           "vel_CC_Xchange",
+           "dTdt_CC",
+           "dVdt_CC",
+           "sp_vol_L_CC",
+           "velTau_CC",
+           "term2",
+           "pressX_FC",
+           "pressY_FC",
+           "pressZ_FC",
+           "TempX_FC",
+           "TempY_FC",
+           "TempZ_FC",
+           "tau_X_FC",
+           "tau_Y_FC",
+           "tau_Z_FC",
+           "sp_volX_FC",
+           "sp_volY_FC",
+           "sp_volZ_FC",
+           "vol_fracX_FC",
+           "vol_fracY_FC",
+           "vol_fracZ_FC",
+           "grad_P_XFC",
+           "grad_P_YFC",
+           "grad_P_ZFC",
+           "grad_dp_XFC",
+           "grad_dp_YFC",
+           "grad_dp_ZFC",
+           "viscous_src_CC",
+           "mom_source_CC",
+           "intE_source_CC",
+           "heatCond_src_CC",
+           "mass_L_CC",
+           "mom_L_CC",
+           "int_eng_L_CC",
+           "eng_L_ME_CC",
+           "sp_vol_src_CC",
+           "Tdot",
+           "mass_adv",
+           "mom_adv",
+           "eng_adv",
+           "sp_vol_adv",
+           "modelMass_src",
+           "modelMom_src",
+           "modelEng_src",
+           "modelVol_src",
+           "viscosity",
+           "turb_viscosity_CC",
+           "total_viscosity_CC",
+           "thermalCond",
+           "specific_heat",
+           "gamma",
+           "compressiblity",
+           "eq_press_iters",
+           "imp_delP",
+           "sum_imp_delP",
+           "rhs",
+           "matrix",
+           "max_RHS",
+           "Li1",
+           "Li2",
+           "Li3",
+           "Li4",
+           "Li5",
+           "TMV_CC",
+           "mom_exch_error",
+           "eng_exch_error",
+           "delT",
+           "cumulativeEnergyReleased",
+           "HeatReleaseRate",
+           "dt_chemistry",
+           "F",
+           "delF",
+           "totalMassBurned",
+           "totalHeatReleased",
+           "totalMassExchanged",
+           "totalIntEngExchanged",
+           "totalMassExchange"}};
+}
+
+void add_ice_tags(Schema& schema) {
+  schema.add(fluid_dynamics());
+  schema.add(tag("AMR", "").child(refinement()));
+  schema.add(tag("MaterialProperties", "the materials and how they act on each other")
+                 .multiple()
+                 .attribute(attribute("add", "accepted without effect").boolean())
+                 .with_children({tag("ICE", "materials of ICE").child(material()), exchange()}));
+  schema.rewrites.emplace_back(drop_foreign_eos_tags);
+  schema.rules.emplace_back(check_ice_blocks);
+  schema.rules.emplace_back(check_ice_materials);
+  schema.rules.emplace_back(check_ice_fill);
+  schema.rules.emplace_back(check_ice_conditions);
+  schema.rules.emplace_back(check_ice_coverage);
+  const DeckRule labels = check_save_labels(ice_save_labels());
+  schema.rules.emplace_back([labels](const DeckNode& root, std::vector<Fault>& faults) {
+    if (runs_ice(root)) labels(root, faults);
+  });
+}
+
+}  // namespace sluice

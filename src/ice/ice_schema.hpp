@@ -1,0 +1,29 @@
+// The blocks of a deck that belong to ICE: CFD, AMR/ICE, MaterialProperties/ICE, exchange.
+#pragma once
+#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/schema.hpp"
+
+namespace sluice {
+
+// Tags and rules; the framework's own tags must be there already.
+void add_ice_tags(Schema& schema);
+
+// Variables that an ICE run can save; what stands under not_built is refused by name.
+SaveLabels ice_save_labels();
+
+// Rules over several tags of an ICE deck; each does nothing when another component runs.
+void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
+
+// Tags of another equation of state inside <EOS> are dropped with one warning.
+void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);
+
+// Whether the deck runs ICE, as far as can be seen.
+bool runs_ice(const DeckNode& root);
+// The <material> nodes of ICE, in index order.
+std::vector<const DeckNode*> ice_materials(const DeckNode& root);
+
+}  // namespace sluice

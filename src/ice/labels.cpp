@@ -1,0 +1,108 @@
+// Declarations of the labels of ICE; docs/labels.md is generated from them.
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+Label cell(const char* name, const char* unit, const char* definition) {
+  return declare_label({name, ValueType::real, Centring::cell, unit, definition});
+}
+Label cell_vector(const char* name, const char* unit, const char* definition) {
+  return declare_label({name, ValueType::vector, Centring::cell, unit, definition});
+}
+Label face(const char* name, int d, const char* unit, const char* definition) {
+  constexpr Centring centrings[] = {Centring::x_face, Centring::y_face, Centring::z_face};
+  return declare_label({name, ValueType::real, centrings[d], unit, definition});
+}
+Label reduction(const char* name, ValueType type, const char* unit, const char* definition) {
+  return declare_label({name, type, Centring::reduction, unit, definition});
+}
+
+void declare_state(Labels& l) {
+  l.mass = cell("state.mass", "kg/m^3", "Conserved state: mass per volume of the cell.");
+  l.momentum = cell("state.momentum", "kg/(m^2 s)",
+                    "Conserved state: momentum per volume, one component a carried direction.");
+  l.energy = cell("state.energy", "J/m^3", "Conserved state: internal energy per volume.");
+  l.mask = cell("state.slope_mask", "1",
+                "1 where slopes are used, 0 in cells whose faces are redone at first order.");
+}
+
+void declare_primitives(Labels& l) {
+  l.rho = cell("rho_CC", "kg/m^3", "Mass of the material per volume of the cell.");
+  l.rho_micro = cell("rho_micro_CC", "kg/m^3", "True density: mass per volume of the material.");
+  l.velocity = cell_vector("vel_CC", "m/s", "Velocity, momentum over mass.");
+  l.temperature = cell("temp_CC", "K", "Temperature from density and internal energy.");
+  l.pressure = cell("press_CC", "Pa", "Pressure of the equation of state.");
+  l.specific_volume = cell("sp_vol_CC", "m^3/kg", "Specific volume, the inverse true density.");
+  l.volume_fraction = cell("vol_frac_CC", "1", "Share of the cell that the material fills.");
+  l.sound_speed = cell("speedSound_CC", "m/s", "Speed of sound.");
+  l.mach = cell("mach", "1", "Speed over speed of sound.");
+  l.sum_rho = cell("sum_rho_CC", "kg/m^3", "Mass of all materials per volume of the cell.");
+  l.compressibility =
+      cell("compressiblity", "1/Pa", "Specific volume over the speed of sound squared.");
+  l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity.");
+  l.thermal_conductivity = cell("thermalCond", "W/(m K)", "Thermal conductivity.");
+  l.specific_heat = cell("specific_heat", "J/(kg K)", "Specific heat at constant volume.");
+  l.gamma = cell("gamma", "1", "Ratio of specific heats.");
+}
+
+void declare_derivatives(Labels& l) {
+  l.gradient_rho = cell("mag_grad_rho_CC", "kg/m^4", "Magnitude of the density gradient.");
+  l.gradient_temperature =
+      cell("mag_grad_temp_CC", "K/m", "Magnitude of the temperature gradient.");
+  l.gradient_pressure = cell("mag_grad_press_CC", "Pa/m", "Magnitude of the pressure gradient.");
+  l.gradient_volume_fraction =
+      cell("mag_grad_vol_frac_CC", "1/m", "Magnitude of the volume-fraction gradient.");
+  l.divergence_velocity = cell("mag_div_vel_CC", "1/s",
+                               "Norm of the diagonal velocity derivatives, "
+                               "sqrt(sum (du_d/dx_d)^2).");
+  l.refine_flag = declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
+                                 "1 where a refinement criterion of the deck asks for a finer "
+                                 "level, 0 elsewhere."});
+  l.vorticity = cell_vector("vorticity", "1/s", "Curl of the velocity, central differences.");
+}
+
+void declare_step_labels(Labels& l) {
+  l.equilibrium_pressure = cell("press_equil_CC", "Pa", "Pressure at the start of the step.");
+  l.pressure_change =
+      cell("delP_Dilatate", "Pa", "Change of the pressure over the step by compression and flow.");
+  l.lagrangian_momentum = cell_vector(
+      "mom_L_ME_CC", "kg m/s", "Momentum of the cell after pressure and forces, before advection.");
+  constexpr const char* velocity[] = {"uvel_FC", "vvel_FC", "wvel_FC"};
+  constexpr const char* exchanged[] = {"uvel_FCME", "vvel_FCME", "wvel_FCME"};
+  constexpr const char* pressure[] = {"pressX_FC", "pressY_FC", "pressZ_FC"};
+  for (int d = 0; d < 3; ++d) {
+    l.face_velocity[d] = face(velocity[d], d, "m/s", "Normal velocity of the face.");
+    l.face_velocity_exchanged[d] =
+        face(exchanged[d], d, "m/s",
+             "Normal velocity of the face after momentum exchange between materials.");
+    l.face_pressure[d] = face(pressure[d], d, "Pa", "Pressure on the face.");
+  }
+}
+
+void declare_reductions(Labels& l) {
+  l.total_mass = reduction("TotalMass", ValueType::real, "kg", "Mass in the domain.");
+  l.total_momentum =
+      reduction("TotalMomentum", ValueType::vector, "kg m/s", "Momentum in the domain.");
+  l.total_internal_energy =
+      reduction("TotalIntEng", ValueType::real, "J", "Internal energy in the domain.");
+  l.kinetic_energy = reduction("KineticEnergy", ValueType::real, "J",
+                               "Kinetic energy in the domain, sum of |m|^2/(2 rho) V.");
+}
+
+}  // namespace
+
+const Labels& labels() {
+  static const Labels all = [] {
+    Labels l;
+    declare_state(l);
+    declare_primitives(l);
+    declare_derivatives(l);
+    declare_step_labels(l);
+    declare_reductions(l);
+    return l;
+  }();
+  return all;
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,30 @@
+// All labels of ICE: what users may save, and the conserved state.
+#pragma once
+#include "framework/field/label.hpp"
+
+namespace sluice::ice {
+
+struct Labels {
+  // Conserved state, per volume. Components of momentum: the active directions, then carried ones.
+  Label mass, momentum, energy;
+  // 1 where slopes are used, 0 in cells whose faces are redone at first order.
+  Label mask;
+
+  // From a state alone.
+  Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;
+  Label rho_micro, gradient_rho, gradient_temperature, gradient_pressure, gradient_volume_fraction;
+  Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, specific_heat, gamma;
+  Label thermal_conductivity, compressibility;
+
+  // From within a step.
+  Label equilibrium_pressure, pressure_change, lagrangian_momentum;
+  Label face_velocity[3], face_velocity_exchanged[3], face_pressure[3];
+
+  // Reductions (.dat).
+  Label total_mass, total_momentum, total_internal_energy, kinetic_energy;
+};
+
+// Declares them once; later calls return the same.
+const Labels& labels();
+
+}  // namespace sluice::ice

@@ -1,0 +1,97 @@
+// Saved labels that only exist inside a step.
+#include "ice/ice.hpp"
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+void copy_row(int n, const double* __restrict from, double* __restrict to) {
+  for (int i = 0; i < n; ++i) to[i] = from[i];
+}
+
+void copy_task(TaskList& list, VariableId from, Label label) {
+  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
+  const In in = task.read(from);
+  const Out out = task.write(list.output(label, 0));
+  task.kernel([=](const Row& row) { copy_row(row.count(), row(in), row(out)); });
+}
+
+// p(new state) - p(old state).
+void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  TaskBuilder task =
+      list.task("save " + labels().pressure_change.name(), effect_saved_intermediates);
+  const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
+  const Out out = task.write(list.output(labels().pressure_change, 0));
+  const eos::IdealGas gas = o.gas;
+  task.kernel([=](const Row& row) {
+    const double* before = row(p);
+    const double* r = row(rho);
+    const double* e = row(E);
+    double* change = row(out);
+    for (int i = 0; i < row.count(); ++i) change[i] = gas.pressure(r[i], e[i]) - before[i];
+  });
+}
+
+// (m - dp) V, by level direction; zero along directions that are not carried.
+void lagrangian_momentum_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  TaskBuilder task =
+      list.task("save " + labels().lagrangian_momentum.name(), effect_saved_intermediates);
+  const In m = task.read(v.momentum), dp = task.read(v.impulse);
+  const Out out = task.write(list.output(labels().lagrangian_momentum, 0));
+  task.kernel([=](const Row& row) {
+    const Vec3 dx = row.step().spacing;
+    const double V = dx.x * dx.y * dx.z;
+    for (int d = 0; d < 3; ++d) {
+      double* to = row(out, d);
+      for (int i = 0; i < row.count(); ++i) to[i] = 0.0;
+    }
+    for (int c = 0; c < o.components; ++c) {
+      const double* from = row(m, c);
+      const double* taken = row(dp, c);
+      double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
+      for (int i = 0; i < row.count(); ++i) to[i] = (from[i] - taken[i]) * V;
+    }
+  });
+}
+
+// A face label along a direction that is not active: nothing flows, the pressure is the cell's.
+void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int d,
+                        Label label, bool pressure) {
+  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
+  int carried = -1;
+  for (int c = o.axes.count; c < o.components; ++c)
+    if (o.direction[static_cast<std::size_t>(c)] == d) carried = c;
+  const In in = task.read(pressure ? v.pressure : v.velocity);
+  const Out out = task.write(list.output(label, 0));
+  task.kernel([=](const Row& row) {
+    double* to = row(out);
+    const double* from = pressure ? row(in) : carried >= 0 ? row(in, carried) : nullptr;
+    for (int i = 0; i < row.count(); ++i) to[i] = from != nullptr ? from[i] : 0.0;
+  });
+}
+
+}  // namespace
+
+void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  const Labels& l = labels();
+  copy_task(list, v.pressure, l.equilibrium_pressure);
+  pressure_change_task(list, v, o);
+  lagrangian_momentum_task(list, v, o);
+  for (int d = 0; d < 3; ++d) {
+    int axis = -1;
+    for (int a = 0; a < o.axes.count; ++a)
+      if (o.axes.direction[a] == d) axis = a;
+    if (axis < 0) {
+      inactive_face_task(list, v, o, d, l.face_velocity[d], false);
+      inactive_face_task(list, v, o, d, l.face_velocity_exchanged[d], false);
+      inactive_face_task(list, v, o, d, l.face_pressure[d], true);
+      continue;
+    }
+    const auto n = static_cast<std::size_t>(axis);
+    copy_task(list, v.face_velocity[n], l.face_velocity[d]);
+    copy_task(list, v.face_velocity[n], l.face_velocity_exchanged[d]);
+    copy_task(list, v.face_pressure[n], l.face_pressure[d]);
+  }
+}
+
+}  // namespace sluice::ice
