@@ -3,23 +3,87 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "framework/deck/deck.hpp"
+#include "app/sluice_schema.hpp"
+#include "framework/deck/load_deck.hpp"
 
 namespace sluice {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::vector<std::string> overrides;
+  bool json = false;
+  bool quiet = false;
+};
+
+const char* kind_of(const Fault& fault) {
+  if (fault.not_built) return "not_built";
+  return fault.severity == Severity::error     ? "error"
+         : fault.severity == Severity::warning ? "warning"
+                                               : "note";
+}
+
+nlohmann::ordered_json to_json(const Deck& deck) {
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  for (const Fault& fault : deck.faults) {
+    faults.push_back({{"kind", kind_of(fault)},
+                      {"file", fault.where.file},
+                      {"line", fault.where.line},
+                      {"column", fault.where.column},
+                      {"message", fault.message},
+                      {"suggestion", fault.suggestion}});
+  }
+  return {{"deck", deck.file}, {"good", deck.good()}, {"faults", faults}};
+}
+
+void print(const Deck& deck, bool quiet) {
+  std::size_t errors = 0;
+  std::size_t others = 0;
+  for (const Fault& fault : deck.faults) {
+    (fault.severity == Severity::error ? errors : others) += 1;
+    if (!quiet || fault.severity == Severity::error) fmt::print("{}\n", to_string(fault));
+  }
+  if (deck.good() && quiet) return;
+  fmt::print("{}: {}, {} error{}, {} warning{}\n", deck.file, deck.good() ? "good" : "bad", errors,
+             errors == 1 ? "" : "s", others, others == 1 ? "" : "s");
+}
+
+int check(const Options& options) {
+  const Schema schema = sluice_schema();
+  nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  bool all_good = true;
+  for (const std::string& file : options.files) {
+    const Deck deck = load_deck(file, options.overrides, schema);
+    all_good = all_good && deck.good();
+    if (options.json) {
+      reports.push_back(to_json(deck));
+    } else {
+      print(deck, options.quiet);
+    }
+  }
+  if (options.json) {
+    const nlohmann::ordered_json report = {{"good", all_good}, {"decks", reports}};
+    using Json = nlohmann::ordered_json;
+    fmt::print("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
+  }
+  return all_good ? 0 : 2;
+}
+
+}  // namespace
 
 void add_check_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("check", "Find all faults of decks without running them");
-  auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("DECK", *files, "Deck files (.ups)")->required();
-  command->callback([files, &exit_status] {
-    for (const std::string& file : *files) {
-      const Deck deck = read_deck(file);
-      for (const Fault& fault : deck.faults) fmt::print("{}\n", to_string(fault));
-      if (!deck.good()) exit_status = 2;
-    }
-  });
+  auto options = std::make_shared<Options>();
+  command->add_option("DECK", options->files, "Deck files (.ups)")->required();
+  command->add_option("--set", options->overrides, "Override PATH=VALUE (may be repeated)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "Report as JSON");
+  command->add_flag("--quiet", options->quiet, "Errors only");
+  command->callback([options, &exit_status] { exit_status = check(*options); });
 }
 
 }  // namespace sluice

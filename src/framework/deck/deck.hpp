@@ -31,6 +31,7 @@ struct Fault {
   Location where;
   std::string message;     // what was found and what was expected, one sentence
   std::string suggestion;  // nearest valid name or next thing to try; may be empty
+  bool not_built = false;  // known to the deck format, not built yet (an error)
 };
 std::string to_string(const Fault&);  // "deck.ups:12:7: error: ... (did you mean 'cfl'?)"
 

@@ -1,0 +1,16 @@
+// The components' tags put together; a new component adds one line.
+#include "app/sluice_schema.hpp"
+
+#include "framework/deck/framework_schema.hpp"
+#include "ice/ice_schema.hpp"
+
+namespace sluice {
+
+Schema sluice_schema() {
+  Schema schema;
+  add_framework_tags(schema);
+  add_ice_tags(schema);
+  return schema;
+}
+
+}  // namespace sluice

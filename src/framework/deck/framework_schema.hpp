@@ -1,0 +1,38 @@
+// The blocks of a deck that belong to the framework, whatever component runs.
+#pragma once
+#include "framework/deck/schema.hpp"
+
+namespace sluice {
+
+// All of the blocks below, with their rules.
+void add_framework_tags(Schema& schema);
+
+void add_run_tags(Schema& schema);       // Meta, SimulationComponent, Time, PhysicalConstants, ...
+void add_output_tags(Schema& schema);    // DataArchiver
+void add_geometry_tags(Schema& schema);  // the group "geometry_piece"
+void add_grid_tags(Schema& schema);      // Grid with its BoundaryConditions and Levels
+void add_refinement_tags(Schema& schema);  // AMR, LoadBalancer
+void add_analysis_tags(Schema& schema);    // DataAnalysis
+
+// Rules over several tags; each reads the tree and takes nothing for granted.
+void check_time(const DeckNode& root, std::vector<Fault>& faults);
+void check_levels(const DeckNode& root, std::vector<Fault>& faults);
+void check_boxes(const DeckNode& root, std::vector<Fault>& faults);
+void check_periodicity(const DeckNode& root, std::vector<Fault>& faults);
+void check_faces(const DeckNode& root, std::vector<Fault>& faults);
+void check_refinement(const DeckNode& root, std::vector<Fault>& faults);
+void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults);
+void check_pieces(const DeckNode& root, std::vector<Fault>& faults);
+
+// Whether a tag of this name is a geometry piece or an operator that joins pieces.
+bool is_geometry_piece(std::string_view name);
+
+// Labels that <save> and <analyze> may name. A label that is neither built nor known to the format
+// is refused with the nearest valid one.
+struct SaveLabels {
+  std::vector<std::string> built;
+  std::vector<std::string> not_built;  // known to the format
+};
+DeckRule check_save_labels(SaveLabels labels);
+
+}  // namespace sluice

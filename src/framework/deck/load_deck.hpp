@@ -1,0 +1,35 @@
+// A deck ready for use: read, brought up to date, overridden, checked, defaults filled in.
+//
+//   const Deck deck = load_deck("shock.ups", {"Grid/Level/Box/resolution=[500,1,1]"}, schema);
+//   for (const Fault& fault : deck.faults) print(to_string(fault));
+//   if (!deck.good()) return 2;
+//
+// Overrides, one "PATH=VALUE" each:
+//   Grid/Level/Box/resolution=[500,1,1]   sets the tag, makes it where the schema has it
+//   Grid/Level[1]/Box[@label=left]/...    selects among tags of one name, by number or attribute
+//   CFD/ICE/advection/@type=FirstOrder    sets an attribute
+//   Solver=                               deletes the tag (or attribute)
+// Setting <resolution> removes the level's <spacing>, and the other way round; setting one of
+// several tags that exclude each other removes the others.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+#include "framework/deck/schema.hpp"
+
+namespace sluice {
+
+Deck load_deck(const std::string& file, const std::vector<std::string>& overrides,
+               const Schema& schema);
+Deck load_deck_text(std::string_view xml, const std::string& shown_name,
+                    const std::vector<std::string>& overrides, const Schema& schema);
+
+// The passes, in the order in which load_deck runs them after reading; each adds to the faults.
+void drop_obsolete(DeckNode& root, std::vector<Fault>& faults);
+void apply_override(DeckNode& root, const std::string& override_text, const Schema& schema,
+                    std::vector<Fault>& faults);
+void resolve_piece_labels(DeckNode& root, std::vector<Fault>& faults);
+
+}  // namespace sluice

@@ -1,0 +1,149 @@
+// DataArchiver: what is kept, when and how.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/rule_tools.hpp"
+
+namespace sluice {
+namespace {
+
+TagSpec save() {
+  return tag("save", "a variable that is written at every output")
+      .multiple()
+      .with_attributes(
+          {attribute("label", "name of the variable").once().text(),
+           attribute("material", "indices of the materials; absent: all").index_set(),
+           attribute("levels", "indices of the levels, -1 the finest; absent: all").index_set(),
+           attribute("compression", "gzip or nothing; absent: that of the archive")
+               .words({"gzip", ""}),
+           attribute("table_lookup", "accepted without effect").boolean()});
+}
+
+TagSpec checkpoint() {
+  return tag("checkpoint", "states from which the run can go on; exactly one interval")
+      .with_attributes(
+          {attribute("interval", "time between checkpoints").real().at_least(0).unit("time"),
+           attribute("timestepInterval", "steps between checkpoints").integer().at_least(0),
+           attribute("walltimeInterval", "wall-clock time between checkpoints")
+               .real()
+               .at_least(0)
+               .unit("s"),
+           attribute("walltimeStart", "wall-clock time of the first checkpoint")
+               .real()
+               .at_least(0)
+               .unit("s"),
+           attribute("walltimeIntervalHours", "as walltimeInterval").real().at_least(0).unit("h"),
+           attribute("walltimeStartHours", "as walltimeStart").real().at_least(0).unit("h"),
+           attribute("cycle", "how many checkpoints are kept; 0: all")
+               .integer()
+               .at_least(0)
+               .by_default("2"),
+           attribute("lastTimestep", "a checkpoint at the end of the run")
+               .boolean()
+               .by_default("false")});
+}
+
+}  // namespace
+
+void add_output_tags(Schema& schema) {
+  schema.add(
+      tag("DataArchiver", "what is kept, when and how")
+          .once()
+          .attribute(attribute("type", "format of the archive").words({"UDA"}).not_built({"PIDX"}))
+          .exactly_one({"outputInterval", "outputTimestepInterval"})
+          .with_children(
+              {tag("filebase", "name of the archive's folder").once().text(),
+               tag("outputInterval", "time between outputs; 0: none")
+                   .real()
+                   .at_least(0)
+                   .unit("time"),
+               tag("outputTimestepInterval", "steps between outputs; 0: none")
+                   .integer()
+                   .at_least(0),
+               tag("outputInitTimestep", "present: the state at the start is written too"),
+               tag("outputLastTimestep", "the state at the end is written too")
+                   .boolean()
+                   .by_default("false"),
+               tag("outputDoubleAsFloat",
+                   "present: outputs (never checkpoints) are written in single precision"),
+               tag("compression", "compression of the data").words({"gzip", ""}), save(),
+               checkpoint(),
+               tag("frequency", "steps between lines of .dat files")
+                   .integer()
+                   .at_least(1)
+                   .by_default("1"),
+               tag("onTimeStep", "offset of the steps that write lines of .dat files")
+                   .integer()
+                   .at_least(0)
+                   .by_default("0"),
+               tag("timeStep", "lines of .dat files begin with the step's number")
+                   .boolean()
+                   .by_default("false"),
+               tag("simTime", "lines of .dat files hold the time").boolean().by_default("true")}));
+  schema.rules.emplace_back(check_checkpoint);
+}
+
+void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* node = root.find("DataArchiver/checkpoint");
+  if (node == nullptr) return;
+  std::vector<std::string> intervals;
+  for (const char* name :
+       {"interval", "timestepInterval", "walltimeInterval", "walltimeIntervalHours"}) {
+    if (node->attribute(name)) intervals.emplace_back(name);
+  }
+  const bool last = node->attribute("lastTimestep") == "true";
+  if (intervals.empty() && !last) {
+    faults.push_back({Severity::error, node->where, "<checkpoint> has no interval",
+                      "give one of interval, timestepInterval, walltimeInterval, "
+                      "walltimeIntervalHours"});
+  } else if (intervals.size() > 1) {
+    faults.push_back(
+        {Severity::error, node->where,
+         fmt::format("<checkpoint> has several intervals: {}", fmt::join(intervals, ", ")),
+         "keep one of them"});
+  }
+  for (const char* unit : {"", "Hours"}) {
+    const std::string start = std::string("walltimeStart") + unit;
+    const std::string interval = std::string("walltimeInterval") + unit;
+    if (node->attribute(start) && !node->attribute(interval)) {
+      faults.push_back({Severity::error, node->where,
+                        fmt::format("<checkpoint> has {} without {}", start, interval), ""});
+    }
+  }
+}
+
+DeckRule check_save_labels(SaveLabels labels) {
+  return [labels = std::move(labels)](const DeckNode& root, std::vector<Fault>& faults) {
+    const auto listed = [](const std::vector<std::string>& list, const std::string& label) {
+      return std::find(list.begin(), list.end(), label) != list.end();
+    };
+    const auto check = [&](const DeckNode& node) {
+      const auto label = node.attribute("label");
+      if (!label || listed(labels.built, *label)) return;
+      const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||
+                         label->rfind("g.", 0) == 0 || label->rfind("scalar-", 0) == 0;
+      Fault fault{Severity::error, node.where,
+                  known ? fmt::format("variable {} is known to the format, but not built yet",
+                                      in_quotes(*label))
+                        : fmt::format("there is no variable {}", in_quotes(*label)),
+                  known ? "" : suggest_name(*label, labels.built)};
+      fault.not_built = known;
+      faults.push_back(std::move(fault));
+    };
+    if (const DeckNode* archiver = root.child("DataArchiver")) {
+      for (const DeckNode* node : archiver->all("save")) check(*node);
+    }
+    const DeckNode* analysis = root.child("DataAnalysis");
+    if (analysis == nullptr) return;
+    for (const DeckNode* module : analysis->all("Module")) {
+      const DeckNode* variables = module->child("Variables");
+      if (variables == nullptr) continue;
+      for (const DeckNode* node : variables->all("analyze")) check(*node);
+    }
+  };
+}
+
+}  // namespace sluice

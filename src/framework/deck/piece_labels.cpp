@@ -1,0 +1,118 @@
+// Geometry pieces by label: an empty tag with the label of a piece elsewhere becomes a copy of it,
+// so that nobody after this has to know about labels.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/load_deck.hpp"
+#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/value_text.hpp"
+
+namespace sluice {
+namespace {
+
+std::string label_of(const DeckNode& node) {
+  const auto label = node.attribute("label");
+  return collapse_blanks(label ? *label : node.attribute("name").value_or(""));
+}
+
+bool is_empty(const DeckNode& node) {
+  return node.children.empty() && node.text.empty();
+}
+
+class LabelResolver {
+ public:
+  LabelResolver(std::vector<Fault>& faults) : faults_(faults) {}
+
+  // Every piece with content and a label, in document order.
+  void collect(const DeckNode& node) {
+    for (const auto& child : node.children) {
+      collect(*child);
+      if (!is_geometry_piece(child->name) || is_empty(*child)) continue;
+      const std::string label = label_of(*child);
+      if (label.empty()) continue;
+      const auto [first, fresh] = pieces_.try_emplace(label, child.get());
+      if (fresh) continue;
+      fault(*child,
+            fmt::format("label {} is already that of the piece at {}", in_quotes(label),
+                        to_string(first->second->where)),
+            "give this piece another label, or write it empty to repeat the first");
+    }
+  }
+
+  void resolve(DeckNode& node) {
+    for (const auto& child : node.children) {
+      const bool reference = is_geometry_piece(child->name) && is_empty(*child) &&
+                             child->name != "null" && !label_of(*child).empty();
+      if (reference) {
+        fill(*child);
+      } else {
+        resolve(*child);
+      }
+    }
+  }
+
+ private:
+  void fault(const DeckNode& node, std::string message, std::string suggestion) {
+    faults_.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
+  }
+
+  void fill(DeckNode& reference) {
+    const std::string label = label_of(reference);
+    const auto found = pieces_.find(label);
+    if (found == pieces_.end()) {
+      std::vector<std::string> labels;
+      for (const auto& [name, piece] : pieces_) labels.push_back(name);
+      fault(reference, fmt::format("no piece has the label {}", in_quotes(label)),
+            suggest_name(label, labels));
+      return;
+    }
+    const DeckNode& piece = *found->second;
+    if (piece.name != reference.name) {
+      fault(reference,
+            fmt::format("{} is the label of a <{}> at {}, not of a <{}>", in_quotes(label),
+                        piece.name, to_string(piece.where), reference.name),
+            fmt::format("write <{} label=\"{}\"/>", piece.name, label));
+      return;
+    }
+    if (depth_ > deepest_ || copied_ > most_copied_) {
+      fault(reference, fmt::format("label {} repeats pieces without end", in_quotes(label)), "");
+      return;
+    }
+    copy_children(piece, reference);
+    ++depth_;
+    resolve(reference);  // the piece may itself hold references
+    --depth_;
+  }
+
+  void copy_children(const DeckNode& from, DeckNode& to) {
+    to.text = from.text;
+    for (const auto& child : from.children) {
+      auto copy = std::make_unique<DeckNode>();
+      copy->name = child->name;
+      copy->where = child->where;
+      copy->attributes = child->attributes;
+      ++copied_;
+      if (copied_ <= most_copied_) copy_children(*child, *copy);
+      to.children.push_back(std::move(copy));
+    }
+  }
+
+  static constexpr int deepest_ = 32;
+  static constexpr int most_copied_ = 100'000;
+  std::vector<Fault>& faults_;
+  std::map<std::string, const DeckNode*> pieces_;
+  int depth_ = 0;
+  int copied_ = 0;
+};
+
+}  // namespace
+
+void resolve_piece_labels(DeckNode& root, std::vector<Fault>& faults) {
+  LabelResolver resolver(faults);
+  resolver.collect(root);
+  resolver.resolve(root);
+}
+
+}  // namespace sluice

@@ -1,0 +1,35 @@
+// Reading values in rules, on trees that may be faulty: what cannot be read is simply absent.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "framework/deck/deck.hpp"
+#include "framework/deck/value_text.hpp"
+
+namespace sluice {
+
+template <class T>
+std::optional<T> parsed_child(const DeckNode* parent, std::string_view name,
+                              ParsedValue<T> (*parse)(std::string_view)) {
+  const DeckNode* child = parent == nullptr ? nullptr : parent->child(name);
+  return child == nullptr ? std::nullopt : parse(child->text).value;
+}
+
+inline std::optional<double> real_of(const DeckNode* parent, std::string_view name) {
+  return parsed_child<double>(parent, name, parse_real);
+}
+inline std::optional<int> integer_of(const DeckNode* parent, std::string_view name) {
+  return parsed_child<int>(parent, name, parse_integer);
+}
+inline std::optional<Vec3> vector_of(const DeckNode* parent, std::string_view name) {
+  return parsed_child<Vec3>(parent, name, parse_vector);
+}
+inline std::optional<IntVec3> int_vector_of(const DeckNode* parent, std::string_view name) {
+  return parsed_child<IntVec3>(parent, name, parse_int_vector);
+}
+
+inline constexpr std::string_view direction_names[3] = {"x", "y", "z"};
+inline constexpr std::string_view side_names[6] = {"x-", "x+", "y-", "y+", "z-", "z+"};
+
+}  // namespace sluice

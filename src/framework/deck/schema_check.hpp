@@ -1,0 +1,26 @@
+// A tree against its schema: names, numbers of occurrences, values; then defaults, then rules.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+#include "framework/deck/schema.hpp"
+
+namespace sluice {
+
+// What is wrong with a value; `problem` is empty for a good one. `text` is normalised: a word in
+// another spelling is replaced by the word itself.
+struct ValueVerdict {
+  std::string problem;
+  std::string suggestion;
+  bool not_built = false;
+};
+ValueVerdict judge_value(const ValueSpec& spec, std::string& text);
+
+// Old spellings of tags and attributes become the names of the schema.
+void normalise_names(DeckNode& root, const Schema& schema);
+
+// Checks everything below the root and fills in defaults; adds to `faults`, in document order.
+void check_structure(DeckNode& root, const Schema& schema, std::vector<Fault>& faults);
+
+}  // namespace sluice

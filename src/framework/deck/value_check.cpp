@@ -1,0 +1,122 @@
+// One value against its description.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/schema_check.hpp"
+#include "framework/deck/value_text.hpp"
+
+namespace sluice {
+namespace {
+
+std::string expected(const ValueSpec& spec) {
+  std::string text = "expected " + to_string(spec.type);
+  if (spec.range.limited()) text += ' ' + spec.range.text();
+  return text;
+}
+
+ValueVerdict bad(std::string problem, std::string suggestion) {
+  return {std::move(problem), std::move(suggestion), false};
+}
+
+ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
+  for (const auto& [other, word] : spec.word_spellings) {
+    if (text == other) text = word;
+  }
+  const auto listed = [&](const std::vector<std::string>& words) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+  };
+  if (listed(spec.words)) return {};
+  if (listed(spec.words_not_built)) {
+    ValueVerdict verdict;
+    verdict.not_built = true;
+    verdict.problem = fmt::format("{} is known to the format, but not built yet", in_quotes(text));
+    verdict.suggestion = fmt::format("built: {}", fmt::join(spec.words, ", "));
+    return verdict;
+  }
+  std::vector<std::string> all = spec.words;
+  all.insert(all.end(), spec.words_not_built.begin(), spec.words_not_built.end());
+  std::string suggestion;
+  if (const auto nearest = nearest_name(text, all)) {
+    suggestion = fmt::format("did you mean '{}'?", *nearest);
+  } else {
+    suggestion = fmt::format("valid: {}", fmt::join(spec.words, ", "));
+  }
+  if (text.empty()) return bad("empty, expected a word", suggestion);
+  return bad(fmt::format("{} is not a valid word", in_quotes(text)), suggestion);
+}
+
+// The numbers in a value, for the range check.
+struct Numbers {
+  std::string problem;
+  std::vector<double> values;
+};
+
+template <class T>
+Numbers numbers_of(const ParsedValue<T>& parsed) {
+  Numbers numbers{parsed.problem, {}};
+  if (!parsed) return numbers;
+  if constexpr (std::is_arithmetic_v<T>) {
+    numbers.values.push_back(static_cast<double>(*parsed.value));
+  } else if constexpr (std::is_same_v<T, Vec3> || std::is_same_v<T, IntVec3>) {
+    for (int d = 0; d < 3; ++d) numbers.values.push_back(static_cast<double>((*parsed.value)[d]));
+  } else if constexpr (std::is_same_v<T, std::vector<IntVec3>>) {
+    for (const IntVec3& v : *parsed.value) {
+      for (int d = 0; d < 3; ++d) numbers.values.push_back(v[d]);
+    }
+  } else {
+    for (const auto v : *parsed.value) numbers.values.push_back(static_cast<double>(v));
+  }
+  return numbers;
+}
+
+Numbers parse_numbers(ValueType type, const std::string& text) {
+  switch (type) {
+    case ValueType::integer:
+      return numbers_of(parse_integer(text));
+    case ValueType::real:
+      return numbers_of(parse_real(text));
+    case ValueType::vector:
+      return numbers_of(parse_vector(text));
+    case ValueType::int_vector:
+      return numbers_of(parse_int_vector(text));
+    case ValueType::reals:
+      return numbers_of(parse_reals(text));
+    case ValueType::integers:
+      return numbers_of(parse_integers(text));
+    case ValueType::int_vectors:
+      return numbers_of(parse_int_vectors(text));
+    case ValueType::boolean:
+      return {parse_boolean(text).problem, {}};
+    case ValueType::index_set:
+      return {parse_index_set(text).problem, {}};
+    default:
+      return {};
+  }
+}
+
+bool may_be_empty(ValueType type) {
+  return type == ValueType::text || type == ValueType::index_set || type == ValueType::word;
+}
+
+}  // namespace
+
+ValueVerdict judge_value(const ValueSpec& spec, std::string& text) {
+  if (spec.type == ValueType::none) {
+    if (text.empty()) return {};
+    return bad(fmt::format("{} found, but this takes no value", in_quotes(text)), "");
+  }
+  if (spec.type == ValueType::word) return judge_word(spec, text);
+  if (text.empty() && !may_be_empty(spec.type)) return bad("empty", expected(spec));
+  const Numbers numbers = parse_numbers(spec.type, text);
+  if (!numbers.problem.empty()) return bad(numbers.problem, expected(spec));
+  for (const double value : numbers.values) {
+    if (!spec.range.contains(value)) {
+      return bad(fmt::format("{} is out of range", in_quotes(text)), expected(spec));
+    }
+  }
+  return {};
+}
+
+}  // namespace sluice
