@@ -42,6 +42,7 @@ int main(int argument_count, char** arguments) {
   app.require_subcommand(1);
 
   int exit_status = 0;
+  sluice::add_accuracy_command(app, exit_status);
   sluice::add_check_command(app, exit_status);
   sluice::add_compare_command(app, exit_status);
   sluice::add_export_command(app, exit_status);

@@ -1,0 +1,122 @@
+#include "verification/case_run.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "app/archive_error.hpp"
+#include "app/study_process.hpp"
+#include "framework/archive/archive.hpp"
+
+namespace sluice::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_folder() {
+  std::string name = (fs::temp_directory_path() / "sluice_case_XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder " + name);
+  return name;
+}
+
+}  // namespace
+
+double lowest(const CellValues& field) {
+  return *std::min_element(field.values.begin(), field.values.end());
+}
+
+double highest(const CellValues& field) {
+  return *std::max_element(field.values.begin(), field.values.end());
+}
+
+double farthest_from(const CellValues& field, double wanted) {
+  double farthest = 0;
+  for (const double value : field.values) farthest = std::max(farthest, std::abs(value - wanted));
+  return farthest;
+}
+
+CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& options)
+    : folder_(fresh_folder()) {
+  const bool is_path = deck.find('/') != std::string::npos;
+  ProcessRequest request;
+  request.words = {SLUICE_COMMAND, "run",
+                   is_path ? deck : fmt::format("{}/inputs/ice/{}.ups", SLUICE_SOURCE_DIR, deck)};
+  for (const std::string& one : overrides) {
+    request.words.emplace_back("--set");
+    request.words.push_back(one);
+  }
+  const fs::path json = folder_ / "run.json";
+  for (const std::string& word : {std::string("-o"), folder_.string(), std::string("--json"),
+                                  json.string(), std::string("--progress"), std::string("none")}) {
+    request.words.push_back(word);
+  }
+  request.words.insert(request.words.end(), options.begin(), options.end());
+  request.output = folder_ / "run.log";
+  const int status = run_process(request);
+  std::ifstream in(json);
+  record_ = nlohmann::json::parse(in, nullptr, false);
+  const std::string end = record_.is_object() ? record_.value("status", "unknown") : "no record";
+  if (status == 0 && (end == "done" || end == "max_steps")) return;
+  const std::string said = last_lines(request.output, 20);
+  fs::remove_all(folder_);
+  throw std::runtime_error(fmt::format("{}: exit status {}, {}:\n{}", deck, status, end, said));
+}
+
+CaseRun::~CaseRun() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+CellValues CaseRun::field(const std::string& variable, int component,
+                          const std::string& which) const {
+  const Archive opened = Archive::open(archive());
+  const ArchiveStep step = opened.read_output(opened.select_output(which));
+  const FieldInfo* info = step.find(variable, 0, 0);
+  if (!info) throw std::runtime_error("the archive holds no " + variable);
+  const Level& level = step.grid().levels.at(0);
+  CellValues out;
+  out.size = level.domain.size();
+  out.spacing = level.spacing;
+  out.low = level.anchor;
+  out.time = step.info().time;
+  out.values = step.read(*info, level.domain).components.at(static_cast<std::size_t>(component));
+  return out;
+}
+
+exact::ErrorNorms CaseRun::error(const std::string& variable, int component) const {
+  const Archive opened = Archive::open(archive());
+  const auto reference = reference_of_archive(opened);
+  if (!reference) throw std::runtime_error("the deck names no exact solution");
+  const ArchiveStep step = opened.read_output(opened.select_output("last"));
+  return archive_error(step, *reference, variable, component, 0);
+}
+
+double CaseRun::worst_drift() const {
+  const auto& totals = record_.at("conservation");
+  if (totals.empty()) throw std::runtime_error("the run's record says nothing on conservation");
+  double worst = 0;
+  for (const auto& total : totals) {
+    const double drift = std::abs(total.at("drift").get<double>());
+    if (!(drift <= worst)) worst = drift;  // a NaN stays
+  }
+  return worst;
+}
+
+long CaseRun::events() const {
+  long count = 0;
+  for (const auto& event : record_.at("events")) {
+    if (event.is_number()) count += event.get<long>();
+  }
+  return count;
+}
+
+std::string resolution(int nx, int ny, int nz) {
+  return fmt::format("Grid/Level/Box/resolution=[{},{},{}]", nx, ny, nz);
+}
+
+}  // namespace sluice::verification

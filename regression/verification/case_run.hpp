@@ -1,0 +1,73 @@
+// A deck run by the sluice command in a folder of its own, and what its archive says.
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "exact/profile.hpp"
+#include "framework/base/vec3.hpp"
+
+namespace sluice::verification {
+
+// A cell variable of one archived time over the whole domain, x fastest.
+struct CellValues {
+  IntVec3 size;
+  Vec3 low, spacing;  // low corner of the domain
+  double time = 0;
+  std::vector<double> values;
+
+  double at(int i, int j = 0, int k = 0) const {
+    return values[static_cast<std::size_t>(i) +
+                  static_cast<std::size_t>(size.x) *
+                      (static_cast<std::size_t>(j) +
+                       static_cast<std::size_t>(size.y) * static_cast<std::size_t>(k))];
+  }
+  Vec3 centre(int i, int j = 0, int k = 0) const {
+    return {low.x + (i + 0.5) * spacing.x, low.y + (j + 0.5) * spacing.y,
+            low.z + (k + 0.5) * spacing.z};
+  }
+};
+
+double lowest(const CellValues& field);
+double highest(const CellValues& field);
+// Largest |value - wanted|.
+double farthest_from(const CellValues& field, double wanted);
+
+// A run that must end as it should: the constructor throws std::runtime_error with the end of the
+// run's own messages otherwise. The folder goes away with the object.
+class CaseRun {
+ public:
+  // deck: name of a deck of inputs/ice without ".ups", or a path. options: of sluice run.
+  explicit CaseRun(const std::string& deck, const std::vector<std::string>& overrides = {},
+                   const std::vector<std::string>& options = {});
+  ~CaseRun();
+  CaseRun(const CaseRun&) = delete;
+  CaseRun& operator=(const CaseRun&) = delete;
+
+  const nlohmann::json& record() const { return record_; }  // of --json
+  int steps() const { return record_.at("steps").get<int>(); }
+  std::filesystem::path archive() const { return record_.at("archive").get<std::string>(); }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  // which: last, first, #N or a time.
+  CellValues field(const std::string& variable, int component = 0,
+                   const std::string& which = "last") const;
+  // Against the deck's exact solution, last output.
+  exact::ErrorNorms error(const std::string& variable, int component = 0) const;
+
+  // Largest |drift| of the conserved totals, as the share of sum |q|; boundary fluxes, impulses and
+  // sources counted.
+  double worst_drift() const;
+  // Events of the ledger (retries, repaired faces, fallbacks): their sum.
+  long events() const;
+
+ private:
+  std::filesystem::path folder_;
+  nlohmann::json record_;
+};
+
+// "Grid/Level/Box/resolution=[nx,ny,nz]"
+std::string resolution(int nx, int ny = 1, int nz = 1);
+
+}  // namespace sluice::verification
