@@ -10,6 +10,7 @@ class UnionPiece final : public GeometryPiece {
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }
   Cover cover(const Bounds& box) const override;
+  PiecePtr restricted(const Bounds& box) const override;
 
  private:
   std::vector<PiecePtr> members_;
@@ -22,6 +23,7 @@ class IntersectionPiece final : public GeometryPiece {
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }
   Cover cover(const Bounds& box) const override;
+  PiecePtr restricted(const Bounds& box) const override;
 
  private:
   std::vector<PiecePtr> members_;
@@ -35,6 +37,7 @@ class DifferencePiece final : public GeometryPiece {
   bool inside(Vec3 p) const override { return first_->inside(p) && !second_->inside(p); }
   Bounds bounds() const override { return first_->bounds(); }
   Cover cover(const Bounds& box) const override;
+  PiecePtr restricted(const Bounds& box) const override;
 
  private:
   PiecePtr first_, second_;

@@ -47,6 +47,8 @@ class GeometryPiece {
   virtual Bounds bounds() const = 0;
   // Must agree with inside() to the bit: with `all` every point of the box is inside.
   virtual Cover cover(const Bounds& box) const;
+  // A piece that has the same points in the box and is cheaper to ask, or nullptr.
+  virtual std::shared_ptr<const GeometryPiece> restricted(const Bounds&) const { return nullptr; }
   // Pieces that are lists of points (particle files) say so here; others return nullptr.
   virtual const std::vector<Vec3>* points() const { return nullptr; }
 };

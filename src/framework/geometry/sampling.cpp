@@ -19,28 +19,30 @@ std::int32_t points_in_cell(const std::vector<Vec3>& points, const CellLattice& 
 // Counts over a range of cells by halving blocks until a block is settled or is one cell.
 class Counter {
  public:
-  Counter(const GeometryPiece& piece, const CellLattice& lattice, IntVec3 lower, IntVec3 upper,
-          IntVec3 res)
-      : piece_(piece), lattice_(lattice), lower_(lower), size_(upper - lower), res_(res) {
+  Counter(const CellLattice& lattice, IntVec3 lower, IntVec3 upper, IntVec3 res)
+      : lattice_(lattice), lower_(lower), size_(upper - lower), res_(res) {
     counts_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                        static_cast<std::size_t>(size_.z),
                    0);
   }
 
-  void visit(IntVec3 lower, IntVec3 upper) {
-    const Cover c = piece_.cover(sub_points(lower, upper));
+  void visit(const GeometryPiece& whole, IntVec3 lower, IntVec3 upper) {
+    const Bounds window = sub_points(lower, upper);
+    const Cover c = whole.cover(window);
     if (c == Cover::none) return;
     if (c == Cover::all) return fill(lower, upper);
+    const PiecePtr part = whole.restricted(window);
+    const GeometryPiece& piece = part ? *part : whole;
     const IntVec3 n = upper - lower;
     const int d = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
     if (n[d] == 1) {
-      at(lower) = count_inside(piece_, lattice_, lower, res_);
+      at(lower) = count_inside(piece, lattice_, lower, res_);
       return;
     }
     IntVec3 middle_up = upper, middle_down = lower;
     middle_up[d] = middle_down[d] = lower[d] + n[d] / 2;
-    visit(lower, middle_up);
-    visit(middle_down, upper);
+    visit(piece, lower, middle_up);
+    visit(piece, middle_down, upper);
   }
 
   std::vector<std::int32_t> take() { return std::move(counts_); }
@@ -71,7 +73,6 @@ class Counter {
       }
   }
 
-  const GeometryPiece& piece_;
   const CellLattice& lattice_;
   IntVec3 lower_, size_, res_;
   std::vector<std::int32_t> counts_;
@@ -117,8 +118,8 @@ std::vector<std::int32_t> count_inside(const GeometryPiece& piece, const CellLat
     }
     return counts;
   }
-  Counter counter(piece, lattice, lower, upper, res);
-  counter.visit(lower, upper);
+  Counter counter(lattice, lower, upper, res);
+  counter.visit(piece, lower, upper);
   return counter.take();
 }
 

@@ -101,6 +101,33 @@ TEST(Sampling, BlocksGiveTheSameBitsAsSubPoints) {
   }
 }
 
+// A packing of small balls, cut by a box and by a large ball: what lies far away is left out of the
+// blocks, and nothing of it is lost.
+TEST(Sampling, LargeUnionsAreCountedInFull) {
+  std::vector<PiecePtr> balls;
+  for (int n = 0; n < 300; ++n)
+    balls.push_back(std::make_shared<SpherePiece>(
+        Vec3{std::sin(n * 1.1), std::cos(n * 2.3), std::sin(n * 3.7 + 1)},
+        0.03 + 0.001 * (n % 40)));
+  const PiecePtr packing = std::make_shared<UnionPiece>(balls);
+  const PiecePtr cut = std::make_shared<IntersectionPiece>(
+      std::vector<PiecePtr>{packing, std::make_shared<BoxPiece>(Vec3::all(-0.9), Vec3::all(0.9))});
+  const PiecePtr rest =
+      std::make_shared<DifferencePiece>(std::make_shared<SpherePiece>(Vec3{}, 0.95), packing);
+  const int n = 16;
+  for (const PiecePtr& piece : {packing, cut, rest}) {
+    const auto counts = count_inside(*piece, cube(n), {0, 0, 0}, IntVec3::all(n), {3, 3, 3});
+    std::int64_t total = 0;
+    for (int i = 0; i < n * n * n; ++i) {
+      const std::int32_t plain =
+          count_inside(*piece, cube(n), {i % n, i / n % n, i / n / n}, {3, 3, 3});
+      ASSERT_EQ(counts[static_cast<std::size_t>(i)], plain);
+      total += plain;
+    }
+    EXPECT_GT(total, 1000);
+  }
+}
+
 // Every piece and its mirror image at x = 0, on a domain centred at zero with dx = 1/16.
 TEST(Sampling, MirroredPiecesGiveMirroredCounts) {
   auto m = [](Vec3 p) { return Vec3{-p.x, p.y, p.z}; };

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "framework/deck/nearest_name.hpp"
 #include "framework/deck/value_text.hpp"
 #include "framework/geometry/boolean.hpp"
 #include "framework/geometry/sampling.hpp"
@@ -51,6 +52,12 @@ bool empty(const DeckNode& node) {
                                           [](const auto& child) { return child->defaulted; });
 }
 
+bool same_content(const DeckNode& a, const DeckNode& b) {
+  return a.name == b.name && a.text == b.text && a.children.size() == b.children.size() &&
+         std::equal(a.children.begin(), a.children.end(), b.children.begin(),
+                    [](const auto& x, const auto& y) { return same_content(*x, *y); });
+}
+
 }  // namespace
 
 bool GeometryReader::is_piece(std::string_view tag) {
@@ -58,21 +65,54 @@ bool GeometryReader::is_piece(std::string_view tag) {
 }
 
 GeometryReader::GeometryReader(const DeckNode& root, std::vector<Fault>& faults) {
-  std::vector<const DeckNode*> stack = {&root};
+  std::map<std::string, const DeckNode*> rivals;  // second, different definition of a label
+  std::vector<const DeckNode*> references, stack = {&root};
   while (!stack.empty()) {
     const DeckNode* node = stack.back();
     stack.pop_back();
     for (auto child = node->children.rbegin(); child != node->children.rend(); ++child)
       stack.push_back(child->get());
     const std::string label = label_of(*node);
-    if (!is_piece(node->name) || label.empty() || empty(*node)) continue;
+    if (!is_piece(node->name) || label.empty()) continue;
+    if (empty(*node)) {
+      references.push_back(node);
+      continue;
+    }
     const auto [known, fresh] = labels_.emplace(label, node);
-    if (!fresh)
-      add_error(faults, node->where,
-                fmt::format("geometry label '{}' is already defined at {}", label,
-                            to_string(known->second->where)),
-                "reuse it with an empty tag, or choose another label");
+    if (!fresh && !same_content(*known->second, *node)) rivals.emplace(label, node);
   }
+  for (const DeckNode* node : references) {
+    const std::string label = label_of(*node);
+    const auto rival = rivals.find(label);
+    if (rival == rivals.end()) continue;
+    add_error(faults, node->where,
+              fmt::format("geometry label '{}' has two definitions, at {} and at {}", label,
+                          to_string(labels_.at(label)->where), to_string(rival->second->where)),
+              "give one of them another label");
+  }
+}
+
+// The piece that a label stands for, or a fault and nullptr.
+const DeckNode* GeometryReader::labelled(const DeckNode& node, const std::string& label,
+                                         std::vector<Fault>& faults) const {
+  const auto found = labels_.find(label);
+  if (found == labels_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [name, definition] : labels_) known.push_back(name);
+    add_error(faults, node.where,
+              fmt::format("no geometry is labelled '{}'; this empty <{}> stands for one", label,
+                          node.name),
+              suggest_name(label, known));
+    return nullptr;
+  }
+  const DeckNode& meant = *found->second;
+  if (meant.name != node.name) {
+    add_error(faults, node.where,
+              fmt::format("geometry '{}' is a <{}> (at {}), not a <{}>", label, meant.name,
+                          to_string(meant.where), node.name));
+    return nullptr;
+  }
+  return &meant;
 }
 
 PiecePtr GeometryReader::piece(const DeckNode& node, std::vector<Fault>& faults) const {
@@ -86,20 +126,8 @@ PiecePtr GeometryReader::build(const DeckNode& node, std::vector<Fault>& faults,
   }
   const std::string label = label_of(node);
   if (!label.empty() && empty(node) && node.name != "null") {
-    const auto found = labels_.find(label);
-    if (found == labels_.end()) {
-      add_error(faults, node.where,
-                fmt::format("no geometry is labelled '{}'; this empty <{}> stands for one", label,
-                            node.name));
-      return nullptr;
-    }
-    if (found->second->name != node.name) {
-      add_error(faults, node.where,
-                fmt::format("geometry '{}' is a <{}> (at {}), not a <{}>", label,
-                            found->second->name, to_string(found->second->where), node.name));
-      return nullptr;
-    }
-    return build(*found->second, faults, depth + 1);
+    const DeckNode* meant = labelled(node, label, faults);
+    return meant != nullptr ? build(*meant, faults, depth + 1) : nullptr;
   }
   const bool boolean =
       node.name == "union" || node.name == "intersection" || node.name == "difference";

@@ -28,7 +28,8 @@ struct GeomObject {
 // the piece that carries the same label elsewhere.
 class GeometryReader {
  public:
-  // Collects the labels below `root`; a label defined twice is a fault.
+  // Collects the labels below `root`, which must outlive the reader. Reusing a label that has two
+  // different definitions is a fault.
   GeometryReader(const DeckNode& root, std::vector<Fault>& faults);
 
   static bool is_piece(std::string_view tag);
@@ -38,6 +39,8 @@ class GeometryReader {
 
  private:
   PiecePtr build(const DeckNode& node, std::vector<Fault>& faults, int depth) const;
+  const DeckNode* labelled(const DeckNode& node, const std::string& label,
+                           std::vector<Fault>& faults) const;
 
   std::map<std::string, const DeckNode*> labels_;
 };

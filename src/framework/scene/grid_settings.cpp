@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "framework/scene/deck_values.hpp"
@@ -21,9 +22,10 @@ constexpr double largest_level = 1e11;      // cells
 
 constexpr const char* axis = "xyz";
 
-// Cells a direction of a box as the deck asks for them; nothing when a fault was found.
-std::optional<Vec3> cells_of(const DeckNode& node, const BoxSettings& box, Vec3& spacing,
-                             std::vector<Fault>& faults) {
+// Cells a direction of a box as the deck asks for them; nothing when a fault was found. The spacing
+// (or resolution) stands in the box or in the level around it.
+std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const BoxSettings& box,
+                             Vec3& spacing, std::vector<Fault>& faults) {
   const Vec3 size = box.upper - box.lower;
   Vec3 cells{};
   for (int d = 0; d < 3; ++d)
@@ -35,15 +37,22 @@ std::optional<Vec3> cells_of(const DeckNode& node, const BoxSettings& box, Vec3&
     }
   const DeckNode* resolution = node.child("resolution");
   const DeckNode* given_spacing = node.child("spacing");
+  if (resolution == nullptr && given_spacing == nullptr) {
+    resolution = level.child("resolution");
+    given_spacing = level.child("spacing");
+  }
   if ((resolution == nullptr) == (given_spacing == nullptr)) {
-    add_error(faults, node.where, "a box needs either <resolution> or <spacing>, not both");
+    add_error(faults, node.where,
+              resolution == nullptr ? "a box needs a <resolution>, or its level a <spacing>"
+                                    : "a box takes either a <resolution> or a <spacing>, not both");
     return std::nullopt;
   }
   if (resolution != nullptr) {
     cells = resolution->as_vector();
   } else {
     spacing = given_spacing->as_vector();
-    for (int d = 0; d < 3; ++d) cells[d] = size[d] / spacing[d];
+    for (int d = 0; d < 3; ++d)
+      cells[d] = spacing[d] > 0 ? size[d] / spacing[d] : std::numeric_limits<double>::infinity();
   }
   const DeckNode& source = resolution != nullptr ? *resolution : *given_spacing;
   for (int d = 0; d < 3; ++d) {
@@ -94,7 +103,8 @@ struct RawBox {
   Vec3 cells{}, spacing{};
 };
 
-std::optional<RawBox> read_box(const DeckNode& node, std::vector<Fault>& faults) {
+std::optional<RawBox> read_box(const DeckNode& node, const DeckNode& level,
+                               std::vector<Fault>& faults) {
   std::optional<RawBox> result;
   collect(faults, node.where, [&] {
     RawBox raw;
@@ -104,7 +114,7 @@ std::optional<RawBox> read_box(const DeckNode& node, std::vector<Fault>& faults)
     raw.box.upper = node.vector("upper");
     raw.box.extra_cells = int_vector_or(node, "extraCells", {0, 0, 0});
     read_patches(node, raw.box, faults);
-    const std::optional<Vec3> cells = cells_of(node, raw.box, raw.spacing, faults);
+    const std::optional<Vec3> cells = cells_of(node, level, raw.box, raw.spacing, faults);
     if (!cells) return;
     raw.cells = *cells;
     for (int d = 0; d < 3; ++d)
@@ -211,7 +221,7 @@ std::vector<RawBox> read_level(const DeckNode& node, LevelSettings& level,
   if (nodes.empty()) add_error(faults, node.where, "a level needs at least one <Box>");
   std::vector<RawBox> boxes;
   for (const DeckNode* b : nodes)
-    if (std::optional<RawBox> raw = read_box(*b, faults)) boxes.push_back(std::move(*raw));
+    if (std::optional<RawBox> raw = read_box(*b, node, faults)) boxes.push_back(std::move(*raw));
   if (!boxes.empty()) level.spacing = boxes.front().spacing;
   if (boxes.size() != nodes.size()) boxes.clear();  // a fault was reported
   return boxes;

@@ -185,7 +185,8 @@ std::vector<int> read_materials(const DeckNode& node, int materials, std::vector
   return result;
 }
 
-void read_condition(const DeckNode& node, int materials, BoundaryRegion& region,
+// `strict`: the values must be complete (a fluid needs them).
+void read_condition(const DeckNode& node, int materials, bool strict, BoundaryRegion& region,
                     std::vector<Fault>& faults) {
   Condition c;
   c.where = node.where;
@@ -195,7 +196,7 @@ void read_condition(const DeckNode& node, int materials, BoundaryRegion& region,
   if (c.variable.empty() && c.kind == ConditionKind::symmetry) c.variable = "Symmetric";
   if (c.variable.empty()) throw InputError("<BCType>: no label; which variable is meant?");
   read_value(node, c);
-  check_condition(c);
+  if (strict) check_condition(c);
   for (int m : read_materials(node, materials, faults)) {
     c.material = m;
     region.conditions.push_back(c);
@@ -204,8 +205,8 @@ void read_condition(const DeckNode& node, int materials, BoundaryRegion& region,
 
 class BoundaryReader {
  public:
-  BoundaryReader(const Level& level, int materials, std::vector<Fault>& faults)
-      : level_(level), materials_(materials), faults_(faults) {
+  BoundaryReader(const Level& level, int materials, bool strict, std::vector<Fault>& faults)
+      : level_(level), materials_(materials), strict_(strict), faults_(faults) {
     for (Side s : all_sides) {
       BoundarySide& side = at(s);
       side.periodic = level.periodic[static_cast<std::size_t>(direction_of(s))];
@@ -240,7 +241,7 @@ class BoundaryReader {
     for (const auto& child : face.children)
       if (child->name == "BCType")
         collect(faults_, child->where,
-                [&] { read_condition(*child, materials_, region, faults_); });
+                [&] { read_condition(*child, materials_, strict_, region, faults_); });
   }
 
   // Faces that repeat a shape (for another material) share a region.
@@ -265,6 +266,7 @@ class BoundaryReader {
 
   const Level& level_;
   int materials_;
+  bool strict_;
   std::vector<Fault>& faults_;
   BoundaryConditions result_;
 };
@@ -317,7 +319,7 @@ BoundaryConditions read_boundary_conditions(const DeckNode* node, const GridSett
   const Grid built = build_grid(grid, {});
   if (built.levels.empty()) return {};
   const Level& level = built.levels.front();
-  BoundaryReader reader(level, materials, faults);
+  BoundaryReader reader(level, materials, !needs.empty(), faults);
   if (node != nullptr)
     for (const DeckNode* face : node->all("Face"))
       collect(faults, face->where, [&] { reader.read_face(*face); });
