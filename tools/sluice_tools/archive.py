@@ -7,7 +7,7 @@
     density.coordinates(0)                   # positions along x
 
 The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
---check` does that.
+--verify` does that.
 """
 import dataclasses
 import pathlib

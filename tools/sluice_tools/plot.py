@@ -99,20 +99,30 @@ def draw_plane(fig, ax, step, name, given):
         image = ax.pcolormesh(xs, ys, np.ma.masked_invalid(sheet), vmin=low, vmax=high,
                               cmap=colours, rasterized=True)
     for x, y, width, height in views.outlines(step, given.normal, given.position):
-        ax.add_patch(ax_rectangle(x, y, width, height))
+        for colour, line in (("white", 1.6), ("black", 0.6)):  # seen on dark and light cells
+            ax.add_patch(frame(x, y, width, height, colour, line))
     first, second, _ = views.plane_axes(step, given.normal)
     ax.set_xlabel("xyz"[first])
     ax.set_ylabel("xyz"[second])
     ax.set_aspect("equal")
     ax.grid(False)
-    bar = fig.colorbar(image, ax=ax, shrink=0.9, pad=0.02)
+    # Inset, so that the bar is as high as a plane drawn in its own proportions.
+    bar = fig.colorbar(image, cax=ax.inset_axes([1.03, 0, 0.035, 1]))
     bar.outline.set_linewidth(0.4)
     bar.formatter.set_powerlimits((-3, 5))
 
 
-def ax_rectangle(x, y, width, height):
+def frame(x, y, width, height, colour, line):
     from matplotlib.patches import Rectangle
-    return Rectangle((x, y), width, height, fill=False, edgecolor="black", linewidth=0.5)
+    return Rectangle((x, y), width, height, fill=False, edgecolor=colour, linewidth=line)
+
+
+def plane_height(step, given, width):
+    """Height of a panel of this width (inches) whose plane keeps its proportions."""
+    level = step.levels[0]
+    first, second, _ = views.plane_axes(step, given.normal)
+    size = [(level.upper[d] - level.lower[d]) * level.spacing[d] for d in (first, second)]
+    return 0.75 * width * min(max(size[1] / size[0], 0.15), 1.6) + 0.75
 
 
 def head_text(archive, step, given):
@@ -130,9 +140,10 @@ def draw_fields(archive, given, plt):
     one = len(step.levels[0].active_directions()) == 1
     exact = read_exact(given.exact) if given.exact else None
     rows, columns = panel_grid(len(names))
-    height = 2.5 if one else 3.2
+    width = min(4.0, 11.0 / columns)
+    height = 2.5 if one else plane_height(step, given, width)
     fig, axes = plt.subplots(rows, columns, squeeze=False,
-                             figsize=(min(4.0 * columns, 11.0), height * rows + 0.3))
+                             figsize=(width * columns, height * rows + 0.3))
     for ax, name in zip(axes.flat, names):
         if one:
             draw_line(ax, step, name, given.material, exact)
@@ -140,7 +151,7 @@ def draw_fields(archive, given, plt):
             draw_plane(fig, ax, step, name, given)
         caption = style.caption(name, unit_of(archive, name))
         if not one and "." not in name and archive.variables[name].components == 3:
-            caption = "size of " + caption
+            caption = caption.replace("  (", " magnitude  (")
         ax.set_title(caption, loc="left")
     for ax in axes.flat[len(names):]:
         ax.set_visible(False)

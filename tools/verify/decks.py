@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Run decks as they stand; each must end with status done and totals conserved as it says itself.
+
+Own decks: every .ups under --inputs. Suite: the decks of the format's public suite that Sluice
+promises to run unmodified, from the suite's folder. Each run has a wall limit; one that reaches it
+is reported as such, which is a failure for an own deck.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import time
+
+LIMIT = 240  # seconds a deck
+BUDGET = 1700  # seconds in all: the part's limit less some room
+SUITE = {  # deck below inputs/: further options
+    "ICE/riemann_sm.ups": [], "ICE/riemann3D.ups": [], "ICE/advect.ups": [],
+    "ICE/advect_periodic.ups": [], "ICE/test2.ups": [], "ICE/test3.ups": [], "ICE/test4.ups": [],
+    "UintahRelease/ICE/shockTube.ups": [],
+    "ICE/explosion.ups": ["--set", "AMR/Regridder/max_levels=1"],
+    "ICE/riemann2D_AMR.ups": ["--set", "AMR/Regridder/max_levels=1"],
+}
+
+
+def run(given, deck, folder, options):
+    report = folder / "report.json"
+    words = [given.sluice, "run", str(deck), "-o", str(folder), "--progress", "none", "--json",
+             str(report), *options]
+    began = time.monotonic()
+    try:
+        done = subprocess.run(words, cwd=given.suite or given.inputs, capture_output=True,
+                              text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return False, f"not finished in {LIMIT} s"
+    if done.returncode != 0:
+        last = (done.stderr.strip() or done.stdout.strip()).splitlines()
+        return False, f"exit {done.returncode}: {last[-1] if last else 'no message'}"
+    told = json.loads(report.read_text())
+    text = f"{told['status']}, {told['steps']} steps, {time.monotonic() - began:.1f} s"
+    return told["status"] in ("done", "max_steps"), text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sluice", required=True)
+    parser.add_argument("--folder", required=True, type=pathlib.Path)
+    parser.add_argument("--inputs", required=True, type=pathlib.Path)
+    parser.add_argument("--suite", type=pathlib.Path)
+    given = parser.parse_args()
+
+    jobs = [(deck, []) for deck in sorted(given.inputs.rglob("*.ups"))]
+    if given.suite:
+        jobs += [(given.suite / "inputs" / name, options) for name, options in SUITE.items()]
+    began, failed, skipped = time.monotonic(), [], []
+    for number, (deck, options) in enumerate(jobs):
+        if time.monotonic() - began > BUDGET - LIMIT:
+            skipped.append(deck.name)
+            continue
+        folder = given.folder / f"{number:02d}_{deck.stem}"
+        folder.mkdir()
+        good, text = run(given, deck, folder, options)
+        print(f"   {'good  ' if good else 'FAILED'} {deck.name}: {text}", flush=True)
+        if not good:
+            failed.append(deck.name)
+    ran = len(jobs) - len(skipped)
+    told = f"{ran - len(failed)} of {len(jobs)} decks ran"
+    told += f"; failed: {', '.join(failed)}" if failed else ""
+    told += f"; no time left for: {', '.join(skipped)}" if skipped else ""
+    told += "" if given.suite else "; the public suite was not there"
+    print(f"RESULT: {told}")
+    return 1 if failed or skipped else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

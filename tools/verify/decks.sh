@@ -1,0 +1,4 @@
+#!/usr/bin/env bash
+# every deck of inputs/, and of the public suite where SLUICE_DECKS names it, run as it stands
+"$PYTHON" "$SLUICE_ROOT/tools/verify/decks.py" --sluice "$SLUICE" --folder "$PART_DIR" \
+  --inputs "$SLUICE_ROOT/inputs" ${SLUICE_DECKS:+--suite "$SLUICE_DECKS"}

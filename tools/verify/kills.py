@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Kill runs at random moments, restart each, and compare the end with an uninterrupted run.
+
+After every kill the archive must be undamaged (`sluice info --verify`). A killed run is restarted
+from its last checkpoint, or started again when it had none yet, until it finishes; then every
+output and history must equal the uninterrupted run's to the bit. Exit 1 at the first difference.
+"""
+import argparse
+import filecmp
+import json
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import time
+
+SETTINGS = ["Grid/Level/Box/resolution=[160,160,1]", "Time/max_Timesteps=400",
+            "DataArchiver/outputInterval=", "DataArchiver/outputTimestepInterval=20",
+            "DataArchiver/checkpoint/@cycle=2", "DataArchiver/checkpoint/@timestepInterval=15"]
+
+
+class Runner:
+    def __init__(self, given):
+        self.sluice, self.deck, self.folder = given.sluice, given.deck, given.folder
+
+    def command(self, name, restart=None):
+        words = [self.sluice, "run", self.deck, "-o", str(self.folder / name), "--progress", "none",
+                 "--json", str(self.folder / f"{name}.json")]
+        if restart:
+            words += ["--restart", str(restart)]
+        for setting in SETTINGS if not restart else []:
+            words += ["--set", setting]
+        return words
+
+    def start(self, name, restart=None):
+        log = open(self.folder / f"{name}.log", "ab")
+        return subprocess.Popen(self.command(name, restart), stdout=log, stderr=log)
+
+    def newest(self, name):
+        found = sorted((self.folder / name).glob("*.uda.[0-9]*"))
+        return found[-1] if found else None
+
+    def told(self, *words):
+        return subprocess.run([self.sluice, *map(str, words)], capture_output=True, text=True)
+
+
+def has_checkpoint(archive):
+    return archive is not None and (archive / "checkpoints/index.xml").exists() and \
+        "<timestep " in (archive / "checkpoints/index.xml").read_text()
+
+
+def fail(text):
+    print(f"RESULT: {text}")
+    sys.exit(1)
+
+
+def check_archive(runner, archive):
+    if archive is None or not (archive / "index.xml").exists():
+        return  # killed before there was anything to index
+    told = runner.told("info", archive, "--verify")
+    if told.returncode != 0:
+        fail(f"{archive.name} is damaged after a kill: {told.stdout[-300:]}{told.stderr[-300:]}")
+
+
+def compare(runner, reference, archive):
+    told = runner.told("compare", reference, archive)
+    if told.returncode != 0:
+        fail(f"differs from the uninterrupted run: {told.stdout[-300:]}{told.stderr[-300:]}")
+    for history in sorted(reference.glob("*.dat")):
+        if not filecmp.cmp(history, archive / history.name, shallow=False):
+            fail(f"{history.name} differs from the uninterrupted run's")
+
+
+def one_sequence(runner, name, wall, budget):
+    """Kills until a run finishes or the budget is used up; the number of kills."""
+    (runner.folder / name).mkdir()
+    kills, archive = 0, None
+    while True:
+        process = runner.start(name, archive if has_checkpoint(archive) else None)
+        if kills < budget:
+            try:
+                process.wait(timeout=random.uniform(0.01, 0.9 * wall))
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL)
+                process.wait()
+                kills += 1
+                archive = runner.newest(name)
+                check_archive(runner, archive)
+                continue
+        if process.wait() != 0:
+            fail(f"a restarted run ended with {process.returncode}; see {name}.log")
+        return kills, runner.newest(name)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sluice", required=True)
+    parser.add_argument("--deck", required=True)
+    parser.add_argument("--folder", required=True, type=pathlib.Path)
+    parser.add_argument("--kills", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=int(time.time()))
+    given = parser.parse_args()
+    random.seed(given.seed)
+    print(f"seed {given.seed}")
+
+    runner = Runner(given)
+    (given.folder / "reference").mkdir()
+    begin = time.monotonic()
+    if runner.start("reference").wait() != 0:
+        fail("the uninterrupted run failed; see reference.log")
+    wall = time.monotonic() - begin
+    reference = runner.newest("reference")
+    steps = json.loads((given.folder / "reference.json").read_text())["steps"]
+
+    kills = sequences = 0
+    while kills < given.kills:
+        sequences += 1
+        done, archive = one_sequence(runner, f"killed{sequences}", wall, given.kills - kills)
+        kills += done
+        compare(runner, reference, archive)
+        print(f"   sequence {sequences}: {done} kills, equal to the bit ({kills} in all)",
+              flush=True)
+    print(f"RESULT: {kills} kills in {sequences} runs of {steps} steps ({wall:.1f} s each): every "
+          "archive undamaged, every end equal to the bit")
+
+
+if __name__ == "__main__":
+    main()
