@@ -99,18 +99,27 @@ ExactSum ExactSum::from_slots(const Slots& slots) {
   return result;
 }
 
+// How many more adds the chunks bear after taking over another sum's; none: carry that one first.
+int ExactSum::room_after(const ExactSum& other) const {
+  return room_ - (adds_between_carries - other.room_) - 1;
+}
+
 void ExactSum::merge(const ExactSum& other) {
+  if (const int room = room_after(other); room > 0) {
+    for (int i = 0; i < slot_count; ++i) slots_[i] += other.slots_[i];
+    room_ = room;
+    return;
+  }
   const Slots addend = other.canonical();
   for (int i = 0; i < slot_count; ++i) slots_[i] += addend[i];
-  if (--room_ == 0) carry();
+  carry();
 }
 
 void ExactSum::subtract(const ExactSum& other) {
-  Slots addend = other.canonical();
-  for (int i = 0; i < chunk_count; ++i) addend[i] = -addend[i];
-  std::swap(addend[plus_infinity_slot], addend[minus_infinity_slot]);
-  for (int i = 0; i < slot_count; ++i) slots_[i] += addend[i];
-  if (--room_ == 0) carry();
+  ExactSum negative = other;
+  for (int i = 0; i < chunk_count; ++i) negative.slots_[i] = -negative.slots_[i];
+  std::swap(negative.slots_[plus_infinity_slot], negative.slots_[minus_infinity_slot]);
+  merge(negative);
 }
 
 double ExactSum::value() const {

@@ -52,6 +52,7 @@ class ExactSum {
   void add_special(double x);
   bool add_block(const double* values, std::size_t count, int levels);
   void carry();
+  int room_after(const ExactSum& other) const;
 
   Slots slots_{};
   int room_ = adds_between_carries;

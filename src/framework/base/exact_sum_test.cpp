@@ -217,6 +217,19 @@ TEST(ExactSum, merging_the_same_many_times_overflows_nothing) {
   EXPECT_EQ(sum.value(), 300000.0);
 }
 
+TEST(ExactSum, merging_full_sums_overflows_nothing) {
+  // Each part stands just before its carries are due, all mantissa bits set, the same chunk.
+  const double x = std::nextafter(std::ldexp(1.0, 31), 0.0);
+  ExactSum part;
+  for (int i = 0; i < 2045; ++i) part.add(x);
+  ExactSum sum;
+  for (int i = 0; i < 64; ++i) sum.merge(part);
+  for (int i = 0; i < 32; ++i) sum.subtract(part);
+  ExactSum reference;
+  for (int i = 0; i < 32 * 2045; ++i) reference.add(x);
+  EXPECT_EQ(sum, reference);
+}
+
 TEST(ExactSum, subtracting_undoes_merging) {
   const std::vector<double> values = random_values(3000, -40, 40, 5);
   ExactSum first, second;
