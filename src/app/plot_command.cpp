@@ -5,8 +5,6 @@
 // run by Debian's own /usr/bin/python3, to which Debian's h5py and matplotlib belong. The exact
 // solution is sampled here, into a temporary CSV file that Python draws as a line.
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,19 +12,15 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <memory>
 #include <optional>
-#include <system_error>
 
+#include "app/archive_error.hpp"
 #include "app/commands.hpp"
-#include "exact/exact_solution.hpp"
+#include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/error.hpp"
-#include "framework/deck/deck.hpp"
 #include "sluice_version.hpp"
-
-extern char** environ;
 
 namespace sluice {
 namespace {
@@ -68,24 +62,14 @@ class TemporaryFile {
 
 // The folder that holds the package sluice_tools.
 fs::path tools_folder() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path tools = (self.parent_path() / version::kDataFromBin / "tools").lexically_normal();
-  if (error || !fs::exists(tools / "sluice_tools" / "__main__.py"))
+  const fs::path beside = own_executable().parent_path() / version::kDataFromBin / "tools";
+  const fs::path tools = beside.lexically_normal();
+  if (!fs::exists(tools / "sluice_tools" / "__main__.py"))
     throw SystemError(
         fmt::format("the Python tools are not beside this executable: looked for {}; "
                     "install with cmake --install, or run the one in the build tree",
                     (tools / "sluice_tools").string()));
   return tools;
-}
-
-// The exact solution that the deck of the archive names, or nothing.
-std::unique_ptr<exact::ExactSolution> exact_solution_of(const DeckNode& deck) {
-  const DeckNode* node = deck.find("Meta/exact_solution");
-  if (!node) return nullptr;
-  std::map<std::string, std::string> values;
-  for (const auto& child : node->children) values[child->name] = child->text;
-  return exact::make_exact_solution({node->attribute("type").value_or(""), std::move(values)});
 }
 
 // The direction of a 1-D run.
@@ -99,21 +83,19 @@ std::optional<int> line_direction(const Level& level) {
   return found;
 }
 
-void write_line(const exact::ExactSolution& solution, const Level& level, int direction,
-                double time, std::optional<double> specific_heat, const std::string& path) {
+void write_line(const DeckReference& reference, const Level& level, int direction, double time,
+                const std::string& path) {
   std::ofstream file(path);
-  file << "x,rho_CC,press_CC,vel_CC" << (specific_heat ? ",temp_CC\n" : "\n");
+  file << "x,rho_CC,press_CC,vel_CC,temp_CC\n";
   const int cells = level.domain.size()[direction];
   for (int n = 0; n < kExactPoints; ++n) {
     Vec3 x = level.centre(level.domain.lower);
     const double along = (n + 0.5) / kExactPoints * cells;
     x[direction] = level.anchor[direction] +
                    (level.domain.lower[direction] + along) * level.spacing[direction];
-    const exact::State s = solution.at(x, time);
-    file << fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}", x[direction], s.density, s.pressure,
-                        s.velocity[direction]);
-    if (specific_heat) file << fmt::format(",{:.17g}", s.temperature(*specific_heat));
-    file << '\n';
+    const exact::State s = reference.solution->at(x, time);
+    file << fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", x[direction], s.density,
+                        s.pressure, s.velocity[direction], s.temperature(reference.specific_heat));
   }
   if (!file.flush()) throw SystemError("cannot write " + path + ": is the disk full?");
 }
@@ -122,27 +104,29 @@ void write_line(const exact::ExactSolution& solution, const Level& level, int di
 bool sample_exact(const PlotRequest& request, const std::string& path) {
   const Archive archive = Archive::open(request.archive);
   if (archive.outputs().empty()) return false;
-  const Deck deck = read_deck((archive.folder() / "input.xml").string());
-  if (!deck.root) return false;
-  const auto solution = exact_solution_of(*deck.root);
-  if (!solution) return false;
+  const auto reference = reference_of_archive(archive);
+  if (!reference) return false;
   const StepEntry& output = archive.select_output(request.time);
   const ArchiveStep step = archive.read_output(output);
-  const std::optional<int> direction = line_direction(step.grid().levels.front());
+  const Level& level = step.grid().levels.front();
+  const std::optional<int> direction = line_direction(level);
   if (!direction) return false;
-  const DeckNode* material = deck.root->find("MaterialProperties/ICE/material");
-  std::optional<double> specific_heat;
-  if (material && material->has("specific_heat")) specific_heat = material->real("specific_heat");
-  write_line(*solution, step.grid().levels.front(), *direction, output.time, specific_heat, path);
+  write_line(*reference, level, *direction, output.time, path);
   return true;
 }
 
-std::vector<std::string> python_arguments(const PlotRequest& request, const std::string& exact) {
-  std::vector<std::string> words = {kPython, "-B", "-m", "sluice_tools", "plot", request.archive};
+int run_python(const PlotRequest& request, const std::string& exact) {
+  if (::access(kPython, X_OK) != 0)
+    throw SystemError(
+        fmt::format("pictures need {}; on Debian: apt-get install python3 "
+                    "python3-numpy python3-h5py python3-matplotlib",
+                    kPython));
+  ProcessRequest python;
+  python.words = {kPython, "-B", "-m", "sluice_tools", "plot", request.archive};
   auto option = [&](const char* name, const std::string& value) {
     if (value.empty()) return;
-    words.emplace_back(name);
-    words.push_back(value);
+    python.words.emplace_back(name);
+    python.words.push_back(value);
   };
   for (const std::string& v : request.variables) option("--var", v);
   for (const std::string& h : request.histories) option("--history", h);
@@ -152,46 +136,15 @@ std::vector<std::string> python_arguments(const PlotRequest& request, const std:
   option("--time", request.time);
   option("--exact", exact);
   option("--output", request.picture);
-  return words;
-}
-
-// Runs Python with the tools on its path; its exit status.
-int run_python(const std::vector<std::string>& words) {
-  if (::access(kPython, X_OK) != 0)
-    throw SystemError(
-        fmt::format("pictures need {}; on Debian: apt-get install python3 "
-                    "python3-numpy python3-h5py python3-matplotlib",
-                    kPython));
-  std::string path = "PYTHONPATH=" + tools_folder().string();
-  if (const char* before = std::getenv("PYTHONPATH")) path += std::string(":") + before;
-  std::vector<char*> environment = {path.data()};
-  for (char** e = environ; *e; ++e)
-    if (std::strncmp(*e, "PYTHONPATH=", 11) != 0) environment.push_back(*e);
-  environment.push_back(nullptr);
-  std::vector<char*> arguments;
-  for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
-  arguments.push_back(nullptr);
-
-  pid_t child = 0;
-  const int error =
-      ::posix_spawn(&child, kPython, nullptr, nullptr, arguments.data(), environment.data());
-  if (error != 0)
-    throw SystemError(fmt::format("cannot start {}: {}", kPython, std::strerror(error)));
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw SystemError(fmt::format("waiting: {}", std::strerror(errno)));
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
-  throw SystemError(fmt::format("{} was ended by signal {}", kPython, WTERMSIG(status)));
+  python.environment = {"PYTHONPATH=" + tools_folder().string()};
+  return run_process(python);
 }
 
 int plot(const PlotRequest& request) {
-  if (request.exact != "auto" && request.exact != "none")
-    return run_python(python_arguments(request, request.exact));
-  if (request.exact == "none" || !request.histories.empty())
-    return run_python(python_arguments(request, ""));
+  if (request.exact != "auto" && request.exact != "none") return run_python(request, request.exact);
+  if (request.exact == "none" || !request.histories.empty()) return run_python(request, "");
   const TemporaryFile line;
-  const bool known = sample_exact(request, line.path());
-  return run_python(python_arguments(request, known ? line.path() : ""));
+  return run_python(request, sample_exact(request, line.path()) ? line.path() : "");
 }
 
 }  // namespace

@@ -3,15 +3,17 @@
 mapfile -t studies < <(find "$SLUICE_ROOT/regression/accuracy" -name '*.study' | sort)
 ((${#studies[@]} > 0)) || { echo "RESULT: there is no study"; exit 1; }
 mkdir -p "$SLUICE_ROOT/docs/accuracy"
-told=()
+failed=() runs=0
 for study in "${studies[@]}"; do
   name=$(basename "$study" .study)
-  say "$name"
-  "$SLUICE" accuracy "$study" -o "$PART_DIR/$name" | tee "$name.txt"
-  for file in "$PART_DIR/$name"/*.{csv,png}; do
+  "$SLUICE" accuracy "$study" -o "$PART_DIR/$name" --repeat 3 >"$name.txt" 2>&1 ||
+    failed+=("$name")
+  done_runs=$(grep -c '^\[' "$name.txt" || true)
+  runs=$((runs + done_runs))
+  say "$name: $done_runs runs"
+  for file in "$PART_DIR/$name/$name".{csv,png}; do
     [[ -f $file ]] && cp "$file" "$SLUICE_ROOT/docs/accuracy/"
   done
-  told+=("$name: $(grep -c '^\[' "$name.txt") runs")
 done
-IFS=';'
-echo "RESULT: ${told[*]}"
+echo "RESULT: ${#studies[@]} studies, $runs runs${failed:+; with failed runs: ${failed[*]}}"
+((${#failed[@]} == 0))
