@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -38,6 +39,18 @@ ConservedTotal total_of(const Json& json) {
 }
 
 }  // namespace
+
+void ConservedTotal::add(const double* q, std::size_t count) {
+  sum.add(q, count);
+  std::array<double, 256> sizes;
+  while (count > 0) {
+    const std::size_t n = std::min(count, sizes.size());
+    for (std::size_t i = 0; i < n; ++i) sizes[i] = std::fabs(q[i]);
+    magnitude.add(sizes.data(), n);
+    q += n;
+    count -= n;
+  }
+}
 
 Conservation::Conservation(std::vector<std::string> names) {
   for (std::string& name : names) books_.push_back({std::move(name), {}, {}, {}, {}});

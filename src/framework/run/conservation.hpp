@@ -6,6 +6,7 @@
 // All sums are exact: the drift is the round-off of the scheme, not of the book-keeping, and the
 // same on any number of ranks and threads. What passes in a rejected step is never booked.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -24,6 +25,7 @@ struct ConservedTotal {
     sum.add(q);
     magnitude.add(q < 0 ? -q : q);
   }
+  void add(const double* q, std::size_t count);  // a row at the speed of ExactSum's arrays
   void merge(const ConservedTotal& other) {
     sum.merge(other.sum);
     magnitude.merge(other.magnitude);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "framework/base/error.hpp"
 
@@ -30,6 +31,16 @@ TEST(Conservation, nothing_gained_nothing_lost) {
   EXPECT_EQ(books.drift(1), 0.0);
   EXPECT_EQ(books.scale(1), 4.0) << "a vanishing momentum is measured by the sum of |q|";
   EXPECT_EQ(books.worst_drift(), 0.0);
+}
+
+TEST(Conservation, rows_and_single_cells_add_the_same) {
+  std::vector<double> row(1000);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(static_cast<double>(i)) * 1e3;
+  ConservedTotal at_once, one_by_one;
+  at_once.add(row.data(), row.size());
+  for (const double q : row) one_by_one.add(q);
+  EXPECT_EQ(at_once.sum, one_by_one.sum);
+  EXPECT_EQ(at_once.magnitude, one_by_one.magnitude);
 }
 
 TEST(Conservation, what_passes_the_boundary_and_sources_is_booked) {
