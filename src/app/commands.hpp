@@ -18,5 +18,6 @@ void add_export_command(CLI::App& app, int& exit_status);
 void add_extract_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_norms_command(CLI::App& app, int& exit_status);
+void add_plot_command(CLI::App& app, int& exit_status);
 
 }  // namespace sluice
