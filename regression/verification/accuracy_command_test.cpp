@@ -1,0 +1,70 @@
+// sluice accuracy on a corner of the study of Sod's tube: numbers, orders, files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/study_process.hpp"
+
+namespace sluice::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Accuracy : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "sluice_accuracy_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  int accuracy(const std::vector<std::string>& words) const {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND, "accuracy"};
+    request.words.insert(request.words.end(), words.begin(), words.end());
+    request.output = folder_ / "log";
+    return run_process(request);
+  }
+  std::string log() const { return last_lines(folder_ / "log", 1000); }
+
+  const std::string study_ = std::string(SLUICE_SOURCE_DIR) + "/regression/accuracy/sod.study";
+  fs::path folder_;
+};
+
+TEST_F(Accuracy, CornerOfTheSodStudy) {
+  const fs::path out = folder_ / "out";
+  ASSERT_EQ(
+      accuracy({study_, "-o", out.string(), "--repeat", "1", "--only", "*CFL 0.4, N [124]00"}), 0)
+      << log();
+  std::ifstream in(out / "sod.json");
+  const auto json = nlohmann::json::parse(in);
+  const auto& rows = json.at("rows");
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[4].at("setting"), "order 2, CFL 0.4");
+  EXPECT_EQ(rows[4].at("cells"), 200);
+  EXPECT_TRUE(rows[4].at("default").get<bool>());
+  EXPECT_LE(rows[4].at("error").get<double>(), 1.25 * 2.59e-3);
+  EXPECT_GT(rows[4].at("seconds").get<double>(), 0);
+  EXPECT_GT(rows[4].at("order").get<double>(), .6);
+  // First order costs accuracy: at equal resolution it is worse by far.
+  EXPECT_GT(rows[1].at("error").get<double>(), 2 * rows[4].at("error").get<double>());
+  EXPECT_THAT(log(), testing::HasSubstr("cheapest setting"));
+  EXPECT_TRUE(fs::exists(out / "sod.csv"));
+  EXPECT_TRUE(fs::exists(out / "sod.png")) << log();
+  EXPECT_FALSE(fs::exists(out / "run"));  // archives are not kept
+}
+
+TEST_F(Accuracy, BadStudiesAndPatternsAreRefused) {
+  EXPECT_EQ(accuracy({(folder_ / "no.study").string()}), 2);
+  EXPECT_EQ(accuracy({study_, "-o", (folder_ / "out").string(), "--only", "order 7"}), 2);
+  EXPECT_THAT(log(), testing::HasSubstr("matches none of the 36 runs"));
+}
+
+}  // namespace
+}  // namespace sluice::verification

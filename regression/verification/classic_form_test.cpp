@@ -1,0 +1,22 @@
+// The classic ICE form against the errors that Uintah's own run of the same tube shows: 250 cells,
+// 820 equal steps, mean errors against the exact solution.
+#include <gtest/gtest.h>
+
+#include "verification/case_run.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double allowed_share = .05;
+constexpr double density_error = 5.445e-3, velocity_error = 3.267, pressure_error = 454.7;
+
+TEST(ClassicForm, HasTheErrorsOfTheOriginal) {
+  const CaseRun run("shock_tube_classic");
+  EXPECT_EQ(run.steps(), 820);
+  EXPECT_NEAR(run.error("rho_CC").l1, density_error, allowed_share * density_error);
+  EXPECT_NEAR(run.error("vel_CC").l1, velocity_error, allowed_share * velocity_error);
+  EXPECT_NEAR(run.error("press_CC").l1, pressure_error, allowed_share * pressure_error);
+}
+
+}  // namespace
+}  // namespace sluice::verification
