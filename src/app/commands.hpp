@@ -16,6 +16,7 @@ void add_check_command(CLI::App& app, int& exit_status);
 void add_compare_command(CLI::App& app, int& exit_status);
 void add_export_command(CLI::App& app, int& exit_status);
 void add_extract_command(CLI::App& app, int& exit_status);
+void add_help_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_norms_command(CLI::App& app, int& exit_status);
 void add_plot_command(CLI::App& app, int& exit_status);

@@ -47,6 +47,7 @@ int main(int argument_count, char** arguments) {
   sluice::add_compare_command(app, exit_status);
   sluice::add_export_command(app, exit_status);
   sluice::add_extract_command(app, exit_status);
+  sluice::add_help_command(app, exit_status);
   sluice::add_info_command(app, exit_status);
   sluice::add_norms_command(app, exit_status);
   sluice::add_plot_command(app, exit_status);

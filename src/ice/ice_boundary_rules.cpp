@@ -66,6 +66,11 @@ void check_kind(const DeckNode& face, const DeckNode& condition, std::vector<Fau
   }
 }
 
+bool must_be_positive(const std::string& label) {
+  return label == "Pressure" || label == "Density" || label == "Temperature" ||
+         label == "SpecificVol";
+}
+
 void check_value(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
   const std::string label = condition.attribute("label").value_or("");
   const std::string kind = condition.attribute("var").value_or("");
@@ -91,7 +96,7 @@ void check_value(const DeckNode& face, const DeckNode& condition, std::vector<Fa
   if (!number) {
     fault(faults, where,
           fmt::format("{} {} on {}: {}", kind, label, face_name(face), number.problem));
-  } else if (kind == "Dirichlet" && *number.value <= 0) {
+  } else if (kind == "Dirichlet" && must_be_positive(label) && *number.value <= 0) {
     fault(faults, where,
           fmt::format("Dirichlet {} on {} is {}; it must be greater than 0", label, face_name(face),
                       *number.value));

@@ -144,6 +144,18 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+void check_ice_gas(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_ice(root)) return;
+  for (const DeckNode* material : ice_materials(root)) {
+    const DeckNode* eos = material->child("EOS");
+    const auto gamma = real_of(material, "gamma");
+    if (eos == nullptr || eos->attribute("type") != "ideal_gas" || !gamma || *gamma > 1) continue;
+    fault(faults, *material->child("gamma"),
+          fmt::format("<gamma> {} is out of range for an ideal gas", *gamma),
+          "expected real number greater than 1");
+  }
+}
+
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   for (const DeckNode* material : ice_materials(root)) {

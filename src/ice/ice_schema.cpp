@@ -119,7 +119,7 @@ TagSpec material() {
                                    "Murnaghan", "BirchMurnaghan", "Gruneisen", "Tillotson",
                                    "KnaussSeaWater", "KumariDass", "StiffenedGas", "MieGruneisen"}))
                .child(tag("gas_constant", "accepted without effect").real()),
-           tag("gamma", "ratio of specific heats").once().real().above(1),
+           tag("gamma", "ratio of specific heats; above 1 for a gas").once().real().above(0),
            tag("specific_heat", "at constant volume")
                .once()
                .real()
@@ -332,12 +332,14 @@ void add_ice_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
+  schema.rules.emplace_back(check_ice_gas);
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
   const DeckRule labels = check_save_labels(ice_save_labels());
   schema.rules.emplace_back([labels](const DeckNode& root, std::vector<Fault>& faults) {
-    if (runs_ice(root)) labels(root, faults);
+    // Models bring variables of their own.
+    if (runs_ice(root) && root.child("Models") == nullptr) labels(root, faults);
   });
 }
 

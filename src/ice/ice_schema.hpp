@@ -14,6 +14,7 @@ SaveLabels ice_save_labels();
 // Rules over several tags of an ICE deck; each does nothing when another component runs.
 void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_gas(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);

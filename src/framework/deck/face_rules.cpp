@@ -122,9 +122,10 @@ void check_faces(const DeckNode& root, std::vector<Fault>& faults) {
     }
     const auto direction = static_cast<std::size_t>(at - std::begin(side_names)) / 2;
     if (periodic[direction]) {
-      fault(faults, *face,
-            fmt::format("<Face> on {}, but {} is periodic", side, direction_names[direction]),
-            "remove the face, or set periodic to 0 there");
+      faults.push_back({Severity::warning, face->where,
+                        fmt::format("<Face> on {} has no effect: {} is periodic", side,
+                                    direction_names[direction]),
+                        "remove the face, or set periodic to 0 there"});
     }
   }
   for (const auto& [side, face] : pieces) {

@@ -2,6 +2,7 @@
 // so that nobody after this has to know about labels.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "framework/deck/framework_schema.hpp"
@@ -21,19 +22,33 @@ bool is_empty(const DeckNode& node) {
   return node.children.empty() && node.text.empty();
 }
 
+bool same_piece(const DeckNode& a, const DeckNode& b) {
+  if (a.name != b.name || a.text != b.text || a.attributes != b.attributes) return false;
+  return std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(),
+                    [](const auto& x, const auto& y) { return same_piece(*x, *y); });
+}
+
 class LabelResolver {
  public:
   LabelResolver(std::vector<Fault>& faults) : faults_(faults) {}
 
-  // Every piece with content and a label, in document order.
-  void collect(const DeckNode& node) {
+  // Every piece with content and a label, in document order. Pieces outside <geom_object> (regions
+  // of loads) have labels of their own that nobody refers to.
+  void collect(const DeckNode& node, bool in_object = false) {
     for (const auto& child : node.children) {
-      collect(*child);
-      if (!is_geometry_piece(child->name) || is_empty(*child)) continue;
+      collect(*child, in_object || child->name == "geom_object");
+      if (!in_object || !is_geometry_piece(child->name) || is_empty(*child)) continue;
       const std::string label = label_of(*child);
       if (label.empty()) continue;
       const auto [first, fresh] = pieces_.try_emplace(label, child.get());
       if (fresh) continue;
+      if (same_piece(*first->second, *child)) {
+        faults_.push_back({Severity::warning, child->where,
+                           fmt::format("label {} repeats the piece at {}, word for word",
+                                       in_quotes(label), to_string(first->second->where)),
+                           "write it empty to repeat the piece"});
+        continue;
+      }
       fault(*child,
             fmt::format("label {} is already that of the piece at {}", in_quotes(label),
                         to_string(first->second->where)),

@@ -47,9 +47,9 @@ TagSpec regridder() {
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
-          tag("max_timestep_interval", "most steps between regrids")
+          tag("max_timestep_interval", "most steps between regrids; 0: no limit")
               .integer()
-              .at_least(1)
+              .at_least(0)
               .by_default("50"),
           tag("min_timestep_interval", "fewest steps between regrids")
               .integer()

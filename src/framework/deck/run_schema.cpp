@@ -158,7 +158,7 @@ void add_run_tags(Schema& schema) {
           .with_children({tag("gravity", "acceleration").once().vector().unit("length/time^2"),
                           tag("reference_pressure", "pressure of the undisturbed state")
                               .real()
-                              .above(0)
+                              .at_least(0)
                               .unit("pressure"),
                           tag("reference_point", "point that has the reference pressure")
                               .vector()

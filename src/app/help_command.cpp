@@ -1,0 +1,31 @@
+// sluice help [TAG]: what a tag of the deck means; --markdown writes the whole reference.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/sluice_schema.hpp"
+#include "framework/deck/deck_help.hpp"
+
+namespace sluice {
+
+void add_help_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand("help", "Explain a tag of the deck");
+  auto tags = std::make_shared<std::vector<std::string>>();
+  auto markdown = std::make_shared<bool>(false);
+  command->add_option("TAG", *tags, "Names or paths, as cfl or CFD/ICE/advection");
+  command->add_flag("--markdown", *markdown, "Write the reference of all tags");
+  command->callback([tags, markdown, &exit_status] {
+    const Schema schema = sluice_schema();
+    if (*markdown) {
+      fmt::print("{}", markdown_reference(schema));
+    } else if (tags->empty()) {
+      fmt::print("{}", help_overview(schema));
+    }
+    for (const std::string& tag : *tags) fmt::print("{}", help_on(schema, tag));
+    exit_status = 0;
+  });
+}
+
+}  // namespace sluice

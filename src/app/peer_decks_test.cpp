@@ -1,0 +1,133 @@
+// Every deck of the collection named by SLUICE_DECKS ends as good, as not built yet, or with a
+// fault that is really there (listed below, one row a deck).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "app/sluice_schema.hpp"
+#include "framework/deck/load_deck.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double seconds_allowed = 10;
+constexpr std::size_t decks_expected = 400;
+
+// Decks with a real fault, and a piece of the message that each must give.
+const std::map<std::string, std::string> faulty = {
+    {"inputs/ICE/impVortex.ups", "there is no material 'atmosphere'"},
+    {"inputs/ICE/rayleigh.ups", "there is no variable 'press_force'"},
+    {"inputs/MPM/1603grains.ups", "label '12' is already that of"},
+    {"inputs/MPM/2380grains_64.1.ups", "label '1' is already that of"},
+    {"inputs/MPM/GranularMPM/Silo_empty_MPM_ConialHopper.ups", "XML: StartTag"},
+    {"inputs/MPM/GranularMPM/Y_Pipe_05.ups", "does not exist"},
+    {"inputs/MPM/Scripts/CylGen/TestCylGen.ups", "included file 'Test2D.xml' does not exist"},
+    {"inputs/MPM/Scripts/CylGen/TestMMCylGen.ups", "included file 'Test2D.0.xml' does not exist"},
+    {"inputs/MPM/SingleField/twoDisksAndPlate2M.ups", "label 'piston' is already that of"},
+    {"inputs/MPM/TXC_Axi_Cyl.ups", "label 'outer cylinder' is already that of"},
+    {"inputs/MPM/TXC_Axi_Cyl_NoRamp.ups", "label 'outer cylinder' is already that of"},
+    {"inputs/MPM/TXC_Full_Cyl.ups", "label 'outer cylinder' is already that of"},
+    {"inputs/MPM/loadCurve_press-torque.ups", "label 'circumference' is already that of"},
+    {"inputs/MPM/loadCurve_press-torqueCBDI.ups", "label 'circumference' is already that of"},
+    {"inputs/MPM/torqueTest.ups", "label 'circumference' is already that of"},
+    {"inputs/MPMICE/NG_nozzle/NG_Nozzle.ups", "label 'AboveRocket' is already that of"},
+    {"inputs/MPMICE/VF_3mats.ups", "label 'rightmaterial2.0' is already that of"},
+    {"inputs/MPMICE/rieman_mpmAIG.ups", "label 'leftpartition' is already that of"},
+    {"inputs/MPMICE/rieman_reflected.ups", "label 'Right_MPM_Wall' is already that of"},
+    {"inputs/MPMICE/sym_grain_void_ice.ups", "label 'grain' is already that of"},
+    {"inputs/Models/imp2DJet_flamesheet.ups", "second <delt_init> in <Time>"},
+    {"inputs/Models/massx.ups", "second <delt_init> in <Time>"},
+    {"inputs/UintahRelease/MPM/WSphereIntoSteel.axi.ups", "does not exist"},
+};
+
+// Decks that must be good as they stand, or on their coarsest level.
+const std::vector<std::string> good = {
+    "inputs/ICE/riemann_sm.ups",
+    "inputs/ICE/riemann3D.ups",
+    "inputs/ICE/advect.ups",
+    "inputs/ICE/advect_periodic.ups",
+    "inputs/ICE/test2.ups",
+    "inputs/ICE/test3.ups",
+    "inputs/ICE/test4.ups",
+    "inputs/UintahRelease/ICE/shockTube.ups",
+    "inputs/UintahRelease/ICE/explosion.ups",
+    "inputs/UintahRelease/ICE/riemann2D_AMR.ups",
+};
+
+class PeerDecks : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const char* folder = std::getenv("SLUICE_DECKS");
+    if (folder == nullptr) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
+    back_ = fs::current_path();
+    fs::current_path(folder);
+  }
+  void TearDown() override {
+    if (!back_.empty()) fs::current_path(back_);
+  }
+
+ private:
+  fs::path back_;
+};
+
+TEST_F(PeerDecks, EndAsGoodNotBuiltOrTrulyFaulty) {
+  const Schema schema = sluice_schema();
+  const auto begin = std::chrono::steady_clock::now();
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator("inputs")) {
+    if (entry.path().extension() != ".ups") continue;
+    ++count;
+    const std::string file = entry.path().string();
+    const Deck deck = load_deck(file, {}, schema);
+    const auto expected = faulty.find(file);
+    bool found = expected == faulty.end();
+    for (const Fault& fault : deck.faults) {
+      if (!found) found = fault.message.find(expected->second) != std::string::npos;
+      const bool real = fault.severity == Severity::error && !fault.not_built;
+      EXPECT_FALSE(real && expected == faulty.end()) << to_string(fault);
+      EXPECT_FALSE(fault.message.empty());
+    }
+    EXPECT_TRUE(found) << file << ": expected " << expected->second;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_GE(count, decks_expected);
+  EXPECT_LT(taken.count(), seconds_allowed);
+}
+
+TEST_F(PeerDecks, ThatMustRunAreGood) {
+  const Schema schema = sluice_schema();
+  for (const std::string& file : good) {
+    std::vector<std::string> overrides;
+    if (file.find("explosion") != std::string::npos || file.find("AMR") != std::string::npos) {
+      overrides.emplace_back("AMR/Regridder/max_levels=1");
+    }
+    const Deck deck = load_deck(file, overrides, schema);
+    EXPECT_TRUE(deck.good()) << file;
+    for (const Fault& fault : deck.faults) {
+      EXPECT_NE(fault.severity, Severity::error) << to_string(fault);
+    }
+  }
+}
+
+// What is read back from the XML of a checked deck is the same deck.
+TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
+  const Schema schema = sluice_schema();
+  for (const std::string& file : good) {
+    const std::vector<std::string> overrides = {"AMR="};
+    const Deck deck = load_deck(file, overrides, schema);
+    ASSERT_NE(deck.root, nullptr);
+    const std::string xml = to_xml(*deck.root);
+    const Deck again = load_deck_text(xml, file, {}, schema);
+    ASSERT_TRUE(again.good()) << file << to_string(again.faults.front());
+    EXPECT_EQ(to_xml(*again.root), xml) << file;
+  }
+}
+
+}  // namespace
+}  // namespace sluice
