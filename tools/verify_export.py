@@ -85,15 +85,29 @@ def images_of(path):
 
 
 def image_box(level, image):
-    """Index box of an image within its level, from its own origin, spacing and extent."""
-    if not np.allclose(image.GetSpacing(), level.spacing, rtol=1e-12):
-        raise AssertionError(f"spacing {image.GetSpacing()} is not {level.spacing}")
+    """Index box of an image within its level from its own origin, spacing and extent, and into how
+    many thin cells each of the level's is cut (one-cell directions of a refined level)."""
+    spacing = np.array(image.GetSpacing())
+    copies = np.round(level.spacing / spacing).astype(int)
+    if np.any(copies < 1) or not np.allclose(spacing * copies, level.spacing, rtol=1e-12):
+        raise AssertionError(f"spacing {spacing} is not {level.spacing}")
     extent = np.array(image.GetExtent()).reshape(3, 2)
-    low = (np.array(image.GetOrigin()) - level.anchor) / level.spacing
-    if not np.allclose(low, np.round(low), atol=1e-9):
+    corners = (np.array(image.GetOrigin()) - level.anchor) / level.spacing
+    corners = corners + extent.T / copies
+    if not np.allclose(corners, np.round(corners), atol=1e-9):
         raise AssertionError(f"origin {image.GetOrigin()} is not on the level's corners")
-    low = np.round(low).astype(int)
-    return low + extent[:, 0], low + extent[:, 1]
+    lower, upper = np.round(corners).astype(int)
+    return lower, upper, copies
+
+
+def one_of_each(found, copies):
+    """The array without the copies; all copies must be equal."""
+    for axis, count in zip((2, 1, 0), copies):
+        parts = [found.take(np.arange(n, found.shape[axis], count), axis) for n in range(count)]
+        if not all(np.array_equal(parts[0], part, equal_nan=True) for part in parts):
+            raise AssertionError("the thin cells of one cell differ")
+        found = parts[0]
+    return found
 
 
 def compare(image, box, array_name, on_points, shift, pieces):
@@ -103,8 +117,9 @@ def compare(image, box, array_name, on_points, shift, pieces):
     if array is None:
         raise AssertionError(f"the export has no array {array_name}")
     lower, upper = box[0], box[1] + (1 if on_points else 0)
-    shape = (*(upper - lower)[::-1], array.GetNumberOfComponents())
-    found = vtk_to_numpy(array).reshape(shape)
+    copies = box[2] if not on_points else np.ones(3, dtype=int)
+    shape = (*((upper - lower) * copies)[::-1], array.GetNumberOfComponents())
+    found = one_of_each(vtk_to_numpy(array).reshape(shape), copies)
     compared = 0
     for piece_lower, values in pieces:
         piece_lower = piece_lower - shift
@@ -136,6 +151,11 @@ def compare_field(level, key, many, image, box):
             + compare(image, box, name + "_high", False, up, pieces))
 
 
+def copies_of(level, images, number):
+    image = next(image for l, image in images if l == number)
+    return int(np.prod(image_box(level, image)[2]))
+
+
 def check_blanking(levels, images):
     """VTK must hide exactly the coarse cells under finer boxes."""
     for number, level in enumerate(levels[:-1]):
@@ -144,6 +164,7 @@ def check_blanking(levels, images):
                      if l == number and image.GetCellData().GetArray("vtkGhostType"))
         fine = levels[number + 1]
         expected = sum(int(np.prod((upper - lower) // fine.ratio)) for lower, upper in fine.boxes)
+        expected *= copies_of(level, images, number)
         if hidden != expected:
             raise AssertionError(f"level {number}: VTK hides {hidden} cells, {expected} are refined")
 
@@ -158,7 +179,7 @@ def compare_step(levels, path):
     for number, image in images:
         level = levels[number]
         box = image_box(level, image)
-        cells += image.GetNumberOfCells()
+        cells += image.GetNumberOfCells() // int(np.prod(box[2]))
         for key in level.fields:
             compared += compare_field(level, key, len(materials[key[0]]) > 1, image, box)
     expected = sum(int(np.prod(upper - lower)) for level in levels for lower, upper in level.boxes)

@@ -46,6 +46,22 @@ inline Grid make_grid(IntVec3 cells, IntVec3 pieces) {
   return {{level}};
 }
 
+// A coarse level of 8 x 6 x nz cells and two fine boxes (ratio 2) over a part of it.
+inline Grid make_two_levels(int nz, int ny = 6) {
+  Grid grid = make_grid({8, ny, nz}, {2, 1, 1});
+  Level fine = grid.levels[0];
+  const int ry = ny > 1 ? 2 : 1, rz = nz > 1 ? 2 : 1;
+  fine.index = 1;
+  fine.ratio = {2, ry, rz};
+  fine.spacing = {0.05, 0.25 / ry, 0.5 / rz};
+  fine.domain = {{0, 0, 0}, {16, ry * ny, rz * nz}};
+  const int low = ny > 1 ? 4 : 0;
+  fine.boxes = {{{{4, low, 0}, {8, ny > 1 ? 8 : 1, rz}}, 0, 0},
+                {{{8, low, 0}, {12, ny > 1 ? 10 : 1, rz}}, 0, 1}};
+  grid.levels.push_back(fine);
+  return grid;
+}
+
 // Memory for pieces, with two ghost layers that hold NaN.
 class Fields {
  public:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -19,6 +20,53 @@ struct LoadedField {
   FieldInfo info;
   DenseField values;
 };
+
+// A level as VTK gets it. Its AMR format takes one refinement ratio for all directions, so that in
+// a direction of one cell, which we do not refine, every cell becomes `copies` thin ones.
+struct VtkLevel {
+  Level level;
+  IntVec3 copies{1, 1, 1};
+
+  IndexBox spread(const IndexBox& b) const {
+    IndexBox s;
+    for (int d = 0; d < 3; ++d) {
+      s.lower[d] = b.lower[d] * copies[d];
+      s.upper[d] = b.upper[d] * copies[d];
+    }
+    return s;
+  }
+  IntVec3 source(IntVec3 c) const {
+    auto divide = [](int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); };
+    return {divide(c.x, copies.x), divide(c.y, copies.y), divide(c.z, copies.z)};
+  }
+};
+
+// The ratio of the directions that are refined; InputError when they are refined unequally.
+int common_ratio(const Level& level) {
+  int ratio = 0;
+  for (int d = 0; d < 3; ++d) {
+    if (level.domain.size()[d] == 1) continue;
+    if (ratio != 0 && level.ratio[d] != ratio)
+      throw InputError(fmt::format(
+          "level {} is refined by {}: VTK's AMR format knows only one ratio for all directions; "
+          "sluice extract gives the values of every level",
+          level.index, triple_text(level.ratio)));
+    ratio = level.ratio[d];
+  }
+  return std::max(ratio, 1);
+}
+
+std::vector<VtkLevel> vtk_levels(const Grid& grid) {
+  std::vector<VtkLevel> levels;
+  IntVec3 copies{1, 1, 1};
+  for (const Level& level : grid.levels) {
+    const int ratio = level.index > 0 ? common_ratio(level) : 1;
+    for (int d = 0; d < 3; ++d) copies[d] *= ratio / level.ratio[d];
+    levels.push_back({level, copies});
+    for (int d = 0; d < 3; ++d) levels.back().level.spacing[d] /= copies[d];
+  }
+  return levels;
+}
 
 class StepExport {
  public:
@@ -39,7 +87,7 @@ class StepExport {
     if (grid.levels.size() > 1 || coarse.cell_count() != coarse.domain.volume())
       return write_hierarchy(folder, name);
     write_vti(folder / (name + ".vti"), coarse, coarse.domain, false,
-              arrays(coarse, coarse.domain));
+              arrays({coarse}, coarse.domain));
     return name + ".vti";
   }
 
@@ -56,15 +104,16 @@ class StepExport {
     XmlElement& amr = root.add("vtkOverlappingAMR");
     amr.set("origin", fmt::format("{:.17g} {:.17g} {:.17g}", origin.x, origin.y, origin.z))
         .set("grid_description", "XYZ");
-    for (const Level& level : grid.levels) {
+    for (const VtkLevel& vtk : vtk_levels(grid)) {
+      const Level& level = vtk.level;
       XmlElement& block = amr.add("Block");
       block.set("level", std::to_string(level.index))
           .set("spacing", fmt::format("{:.17g} {:.17g} {:.17g}", level.spacing.x, level.spacing.y,
                                       level.spacing.z));
       for (std::size_t b = 0; b < level.boxes.size(); ++b) {
-        const IndexBox& c = level.boxes[b].cells;
+        const IndexBox c = vtk.spread(level.boxes[b].cells);
         const std::string file = fmt::format("{}/l{}_{:05}.vti", name, level.index, b);
-        write_vti(folder / file, level, c, true, arrays(level, c));
+        write_vti(folder / file, level, c, true, arrays(vtk, c));
         block.add("DataSet")
             .set("index", std::to_string(b))
             .set("amr_box", fmt::format("{} {} {} {} {} {}", c.lower.x, c.upper.x - 1, c.lower.y,
@@ -77,7 +126,7 @@ class StepExport {
   }
 
   // All arrays of a box. Every box of a hierarchy has the same arrays: NaN where nothing is stored.
-  std::vector<VtkArray> arrays(const Level& level, const IndexBox& cells) const {
+  std::vector<VtkArray> arrays(const VtkLevel& vtk, const IndexBox& cells) const {
     std::vector<VtkArray> made;
     std::set<std::string> names;
     for (const LoadedField& any : fields_) {
@@ -85,15 +134,15 @@ class StepExport {
       if (!names.insert(name).second) continue;
       const LoadedField* f = nullptr;
       for (const LoadedField& g : fields_)
-        if (g.info.level == level.index && array_name(g.info) == name) f = &g;
+        if (g.info.level == vtk.level.index && array_name(g.info) == name) f = &g;
       const int face = face_direction(any.info.centring);
       if (face < 0) {
-        made.push_back(fill(any.info, f, name, cells, {}));
+        made.push_back(fill(any.info, f, name, vtk, cells, {}));
       } else {
         IntVec3 up;
         up[face] = 1;
-        made.push_back(fill(any.info, f, name + "_low", cells, {}));
-        made.push_back(fill(any.info, f, name + "_high", cells, up));
+        made.push_back(fill(any.info, f, name + "_low", vtk, cells, {}));
+        made.push_back(fill(any.info, f, name + "_high", vtk, cells, up));
       }
     }
     return made;
@@ -104,17 +153,18 @@ class StepExport {
   }
 
   static VtkArray fill(const FieldInfo& info, const LoadedField* f, const std::string& name,
-                       const IndexBox& cells, IntVec3 shift) {
+                       const VtkLevel& vtk, const IndexBox& cells, IntVec3 shift) {
     VtkArray a;
     a.name = name;
     a.on_points = info.centring == Centring::node;
-    a.integers = info.type == ValueType::integer;
+    a.type = info.type == ValueType::integer ? VtkType::integer : VtkType::real;
     a.components = info.components();
-    const double absent = a.integers ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    const IndexBox range =
-        a.on_points ? IndexBox{cells.lower, cells.upper + IntVec3{1, 1, 1}} : cells.shifted(shift);
+    const double absent =
+        a.type == VtkType::integer ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    const IndexBox range{cells.lower, a.on_points ? cells.upper + IntVec3{1, 1, 1} : cells.upper};
     a.values.reserve(static_cast<std::size_t>(range.volume() * a.components));
-    for_each_cell(range, [&](IntVec3 c) {
+    for_each_cell(range, [&](IntVec3 place) {
+      const IntVec3 c = vtk.source(place) + shift;
       const bool has = f && f->values.has(c);
       for (int m = 0; m < a.components; ++m) a.values.push_back(has ? f->values.at(c, m) : absent);
     });

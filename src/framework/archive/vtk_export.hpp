@@ -6,6 +6,9 @@
 // and NAME_high, the values on the cell's two faces (nothing is averaged). An array is called
 // LABEL, or LABEL_M when the step holds the label for several materials M.
 //
+// VTK's AMR takes one refinement ratio for all directions: a direction of one cell, which is not
+// refined, is cut into thin copies of its cell on finer levels; unequal ratios are refused.
+//
 // Format: VTK's XML files, version 1.0, appended raw data, little endian (VTK file formats,
 // vtk.org/wp-content/uploads/2015/04/file-formats.pdf).
 #pragma once

@@ -12,7 +12,7 @@ namespace sluice {
 namespace {
 
 std::size_t value_bytes(const VtkArray& a) {
-  return a.integers ? 4 : 8;
+  return a.type == VtkType::real ? 8 : 4;
 }
 
 // The <DataArray> elements of one kind; `offset` runs on through the appended data.
@@ -22,7 +22,7 @@ XmlElement data_element(const char* kind, const std::vector<VtkArray>& arrays, b
   for (const VtkArray& a : arrays) {
     if (a.on_points != on_points) continue;
     element.add("DataArray")
-        .set("type", a.integers ? "Int32" : "Float64")
+        .set("type", a.type == VtkType::real ? "Float64" : "Int32")
         .set("Name", a.name)
         .set("NumberOfComponents", std::to_string(a.components))
         .set("format", "appended")
@@ -39,7 +39,7 @@ void append(std::string& bytes, const void* data, std::size_t size) {
 void append_array(std::string& bytes, const VtkArray& a) {
   const std::uint64_t length = a.values.size() * value_bytes(a);
   append(bytes, &length, sizeof length);
-  if (!a.integers) return append(bytes, a.values.data(), length);
+  if (a.type == VtkType::real) return append(bytes, a.values.data(), length);
   for (const double v : a.values) {
     const auto n = static_cast<std::int32_t>(v);
     append(bytes, &n, sizeof n);

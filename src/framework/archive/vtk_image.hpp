@@ -8,10 +8,12 @@
 
 namespace sluice {
 
+enum class VtkType { real, integer };  // Float64, Int32
+
 struct VtkArray {
   std::string name;
+  VtkType type = VtkType::real;
   bool on_points = false;
-  bool integers = false;  // stored as Int32, else as Float64
   int components = 1;
   std::vector<double> values;  // component fastest, then x, y, z
 };

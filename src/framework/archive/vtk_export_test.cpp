@@ -1,0 +1,109 @@
+// What VTK's and ParaView's readers see of an export are the archive's numbers.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "framework/archive/archive_test_support.hpp"
+#include "framework/archive/vtk_export.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace archive_test;
+
+// Runs tools/verify_export.py; GTEST_SKIP where Python's VTK is missing.
+int verify_export(const fs::path& archive, const fs::path& pvd) {
+  const std::string command =
+      std::string("/usr/bin/python3 " SLUICE_SOURCE_DIR "/tools/verify_export.py ") +
+      archive.string() + " " + pvd.string() + " --paraview";
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void add_all_kinds(Fields& fields, const Level& level) {
+  fields.add(level, real_label("press_CC"), 0, wavy);
+  fields.add(level, real_label("temp_CC"), 0, wavy);
+  fields.add(level, real_label("temp_CC"), 1,
+             [](IntVec3 c, int m) { return 1e-3 * wavy(c, m + 5); });
+  fields.add(level, vector_label("vel_CC"), 0, wavy);
+  fields.add(level, real_label("vvel_FC", Centring::y_face), 0, wavy);
+  fields.add(level, declare_label({"flag", ValueType::integer, Centring::cell, "1", "a test"}), 0,
+             [](IntVec3 c, int) { return c.x - 100 * c.y; });
+}
+
+void expect_right_numbers(const fs::path& archive_path, const fs::path& folder,
+                          const char* extension) {
+  const Archive archive = Archive::open(archive_path);
+  const fs::path pvd = export_vtk(archive, folder / "vtk", {});
+  EXPECT_EQ(pvd.filename(), "box.uda.000.pvd");
+  EXPECT_TRUE(fs::exists(folder / "vtk" / ("t00002" + std::string(extension))));
+  const int status = verify_export(archive_path, pvd);
+  if (status == 77) GTEST_SKIP() << "vtkmodules (python3-paraview) or h5py is not installed";
+  EXPECT_EQ(status, 0);
+}
+
+TEST(VtkExport, OneLevelAsImages) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({7, 5, 3}, {2, 2, 1});
+  Fields fields;
+  add_all_kinds(fields, grid.levels[0]);
+  fields.add(grid.levels[0], real_label("node_NC", Centring::node), 0, wavy);
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  for (int step = 1; step <= 2; ++step)
+    writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
+  expect_right_numbers(writer.folder(), folder.path(), ".vti");
+}
+
+void export_two_levels(int nz, int ny) {
+  const TemporaryFolder folder;
+  const Grid grid = make_two_levels(nz, ny);
+  Fields fields;
+  for (const Level& level : grid.levels) add_all_kinds(fields, level);
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  for (int step = 1; step <= 2; ++step)
+    writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
+  expect_right_numbers(writer.folder(), folder.path(), ".vthb");
+}
+
+TEST(VtkExport, TwoLevelsInTwoDimensions) {
+  export_two_levels(1, 6);
+}
+TEST(VtkExport, TwoLevelsInThreeDimensions) {
+  export_two_levels(3, 6);
+}
+
+TEST(VtkExport, TwoLevelsInOneDimension) {
+  export_two_levels(1, 1);
+}
+
+// VTK's hierarchies know one ratio for all directions; a wrong picture is worse than none.
+TEST(VtkExport, UnequalRatiosAreRefused) {
+  const TemporaryFolder folder;
+  Grid grid = make_two_levels(3);
+  grid.levels[1].ratio = {2, 4, 2};
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  writer.write_output({1, 1, 0, 0, {}}, grid, fields.pieces());
+  EXPECT_THROW(export_vtk(Archive::open(writer.folder()), folder.path() / "vtk", {}), InputError);
+}
+
+// The check itself must be able to fail: a number changed after the export is found.
+TEST(VtkExport, TheReadingBackFindsAWrongNumber) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({7, 5, 3}, {1, 1, 1});
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  writer.write_output({1, 1, 0, 0, {}}, grid, fields.pieces());
+  const fs::path pvd = export_vtk(Archive::open(writer.folder()), folder.path() / "vtk", {});
+  const fs::path image = folder.path() / "vtk" / "t00001.vti";
+  flip_bit(image, static_cast<std::int64_t>(fs::file_size(image)) - 200);
+  const int status = verify_export(writer.folder(), pvd);
+  if (status == 77) GTEST_SKIP() << "vtkmodules (python3-paraview) or h5py is not installed";
+  EXPECT_EQ(status, 1);
+}
+
+}  // namespace
+}  // namespace sluice
