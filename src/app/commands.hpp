@@ -12,6 +12,7 @@ class App;
 namespace sluice {
 
 void add_accuracy_command(CLI::App& app, int& exit_status);
+void add_run_command(CLI::App& app, int& exit_status);
 void add_check_command(CLI::App& app, int& exit_status);
 void add_compare_command(CLI::App& app, int& exit_status);
 void add_export_command(CLI::App& app, int& exit_status);

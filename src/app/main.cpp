@@ -43,6 +43,7 @@ int main(int argument_count, char** arguments) {
 
   int exit_status = 0;
   sluice::add_accuracy_command(app, exit_status);
+  sluice::add_run_command(app, exit_status);
   sluice::add_check_command(app, exit_status);
   sluice::add_compare_command(app, exit_status);
   sluice::add_export_command(app, exit_status);

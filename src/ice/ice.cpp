@@ -119,6 +119,14 @@ std::vector<SlotInfo> Ice::state_slots() const {
           {labels().energy, 0, 1, ghosts}};
 }
 
+std::vector<std::vector<Label>> Ice::checkpoint_labels() const {
+  std::vector<Label> momentum;
+  for (int c = 0; c < options_.components; ++c)
+    momentum.push_back(
+        labels().momentum_component[options_.direction[static_cast<std::size_t>(c)]]);
+  return {{labels().mass}, momentum, {labels().energy}};
+}
+
 Label Ice::mask_label() const {
   return labels().mask;
 }
@@ -217,19 +225,36 @@ void Ice::add_totals(const Warehouse& state, Totals& totals) const {
         totals.momentum[options_.direction[static_cast<std::size_t>(c)]].add(m * V);
         m2 += m * m;
       }
-      totals.momentum_scale.add(std::sqrt(m2) * V);
       totals.kinetic_energy.add(0.5 * m2 / r(cell) * V);
     });
   }
 }
 
-BoundaryBalance Ice::balance(const std::vector<double>& sums, double /*dt*/) const {
-  BoundaryBalance b;
+// Gravity acts on the mass at the start of the step and works along the mean momentum of the
+// Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
+StepBalance Ice::balance(const std::vector<double>& sums, const StepStart& start, double dt) const {
+  StepBalance b;
   b.mass = {sums[StepSlots::mass]};
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
+    const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
+    const double kick = dt * options_.gravity[d] * start.mass.front();
+    b.momentum_of_forces[d] = kick;
+    b.energy_of_forces += dt * options_.gravity[d] * (start.momentum[d] + 0.5 * (impulse + kick));
+  }
   b.energy = sums[StepSlots::energy];
   return b;
+}
+
+double Ice::history_value(Label label, const Totals& totals) const {
+  if (label == labels().total_mass) return totals.mass.front().sum.value();
+  if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
+  return totals.kinetic_energy.sum.value();
+}
+
+Vec3 Ice::history_vector(Label /*label*/, const Totals& totals) const {
+  return {totals.momentum[0].sum.value(), totals.momentum[1].sum.value(),
+          totals.momentum[2].sum.value()};
 }
 
 std::string Ice::describe_fault(int kind) const {

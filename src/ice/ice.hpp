@@ -18,6 +18,7 @@ class Ice final : public Component {
   int material_count() const override { return static_cast<int>(ice_.materials.size()); }
 
   std::vector<SlotInfo> state_slots() const override;
+  std::vector<std::vector<Label>> checkpoint_labels() const override;
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time) const override;
   void declare_step(TaskList& list, bool masked) const override;
@@ -29,7 +30,10 @@ class Ice final : public Component {
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
   void add_totals(const Warehouse& state, Totals& totals) const override;
-  BoundaryBalance balance(const std::vector<double>& sums, double dt) const override;
+  StepBalance balance(const std::vector<double>& sums, const StepStart& start,
+                      double dt) const override;
+  double history_value(Label label, const Totals& totals) const override;
+  Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override;
 
  private:

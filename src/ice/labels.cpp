@@ -22,6 +22,10 @@ void declare_state(Labels& l) {
   l.mass = cell("state.mass", "kg/m^3", "Conserved state: mass per volume of the cell.");
   l.momentum = cell("state.momentum", "kg/(m^2 s)",
                     "Conserved state: momentum per volume, one component a carried direction.");
+  constexpr const char* components[] = {"state.momentum_x", "state.momentum_y", "state.momentum_z"};
+  for (int d = 0; d < 3; ++d)
+    l.momentum_component[d] = cell(components[d], "kg/(m^2 s)",
+                                   "Conserved state: momentum per volume along one direction.");
   l.energy = cell("state.energy", "J/m^3", "Conserved state: internal energy per volume.");
   l.mask = cell("state.slope_mask", "1",
                 "1 where slopes are used, 0 in cells whose faces are redone at first order.");

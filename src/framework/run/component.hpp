@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/base/exact_sum.hpp"
 #include "framework/field/warehouse.hpp"
+#include "framework/run/conservation.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
 #include "framework/task/task.hpp"
@@ -21,21 +21,25 @@ struct StepLimit {
   std::string reason;
 };
 
-// Conserved totals of the whole domain, or what passed through its boundary.
+// Totals over the cells of this rank.
 struct Totals {
-  std::vector<ExactSum> mass;  // by material, kg
-  ExactSum momentum[3];        // kg m/s
-  ExactSum internal_energy;    // J
-  ExactSum kinetic_energy;     // J
-  // Sums of magnitudes: what the drift is measured against.
-  ExactSum momentum_scale;
+  std::vector<ConservedTotal> mass;  // by material, kg
+  ConservedTotal momentum[3];        // kg m/s
+  ConservedTotal internal_energy;    // J
+  ConservedTotal kinetic_energy;     // J
 };
 
-// What entered through the boundary and by forces in one accepted step.
-struct BoundaryBalance {
+// What came in through the boundary in one accepted step, and what forces added.
+struct StepBalance {
+  std::vector<double> mass;
+  Vec3 momentum{}, momentum_of_forces{};
+  double energy = 0, energy_of_forces = 0;
+};
+
+// Totals of the conserved quantities at the start of a step, over all ranks.
+struct StepStart {
   std::vector<double> mass;
   Vec3 momentum{};
-  double energy = 0;
 };
 
 class Component {
@@ -48,6 +52,8 @@ class Component {
 
   // The conserved state: what steps advance, halos exchange and checkpoints keep.
   virtual std::vector<SlotInfo> state_slots() const = 0;
+  // The labels under which checkpoints keep the components of each slot.
+  virtual std::vector<std::vector<Label>> checkpoint_labels() const = 0;
   virtual void initialise(Warehouse& state) const = 0;
   // Ghost cells outside the domain, after the halo point has filled the others.
   virtual void fill_boundary(Warehouse& state, double time) const = 0;
@@ -70,7 +76,11 @@ class Component {
 
   virtual void add_totals(const Warehouse& state, Totals& totals) const = 0;
   // From the reduced sums of a step of length dt that began with these totals.
-  virtual BoundaryBalance balance(const std::vector<double>& sums, double dt) const = 0;
+  virtual StepBalance balance(const std::vector<double>& sums, const StepStart& start,
+                              double dt) const = 0;
+  // Labels of .dat histories and their values.
+  virtual double history_value(Label label, const Totals& totals) const = 0;
+  virtual Vec3 history_vector(Label label, const Totals& totals) const = 0;
 
   // "density", "internal energy": what a fault's kind means, with its unit and allowed range.
   virtual std::string describe_fault(int kind) const = 0;

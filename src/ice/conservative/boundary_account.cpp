@@ -33,16 +33,17 @@ void account_face(const Row& row, const Handles& h, const SchemeOptions& o, cons
   for (int c = 0; c < o.components; ++c) {
     const double U = face(h.flux, 2 + c);
     U2 += U * U;
-    double momentum = F * U + (c == s.axis ? l * pf : 0.0);
+    double impulse = c == s.axis ? l * pf : 0.0;
     if (o.viscous) {
       const double t = face(h.stress, c);
-      momentum -= l * t;
+      impulse -= l * t;
       friction +=
           l * t * 0.5 *
           (row(h.velocity, c, s.axis, s.shift - 1)[i] + row(h.velocity, c, s.axis, s.shift)[i]);
     }
-    sums.sum(StepSlots::momentum + o.direction[static_cast<std::size_t>(c)])
-        .add(sign * momentum * volume);
+    const int direction = o.direction[static_cast<std::size_t>(c)];
+    sums.sum(StepSlots::momentum + direction).add(sign * (F * U + impulse) * volume);
+    sums.sum(StepSlots::pressure_impulse + direction).add(sign * impulse * volume);
   }
   sums.sum(StepSlots::energy).add(sign * (l * pf * uf + 0.5 * F * U2 + G - friction) * volume);
 }

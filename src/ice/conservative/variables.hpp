@@ -54,12 +54,12 @@ struct StepSlots {
   static constexpr int flow_rate = 1;   // max of sum |u|/dx
   static constexpr int sound_rate = 2;  // max of (|u| + c)/dx
   static constexpr int maxima = 3;
-  // Exact sums: what left through the boundary in this step.
+  // Exact sums: what came in through the boundary in this step.
   static constexpr int mass = 0;
   static constexpr int momentum = 1;  // three
   static constexpr int energy = 4;
-  static constexpr int work_of_gravity = 5;
-  static constexpr int sums = 6;
+  static constexpr int pressure_impulse = 5;  // three: the part of momentum that is no advection
+  static constexpr int sums = 8;
 };
 
 enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2 };

@@ -1,0 +1,125 @@
+// sluice run DECK: from deck to archive.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/scene_loader.hpp"
+#include "framework/base/communicator.hpp"
+#include "framework/run/simulation.hpp"
+#include "sluice_version.hpp"
+
+namespace sluice {
+namespace {
+
+struct Options {
+  std::string deck, restart, json, progress = "auto", boxes, block;
+  std::string parent = ".";
+  std::vector<std::string> overrides;
+  int threads = 1, step = -1, max_steps = 0;
+  double wall_limit = 0;
+  bool force_all = false, force_directions = false, no_output = false, copy = false, quiet = false;
+};
+
+IntVec3 triple(const std::string& text, const char* option) {
+  if (text.empty()) return {};
+  IntVec3 v;
+  char end = 0;
+  const int read = std::sscanf(text.c_str(), "%d,%d,%d%c", &v.x, &v.y, &v.z, &end);
+  if (read != 3 || v.x < 1 || v.y < 1 || v.z < 1)
+    throw InputError(
+        fmt::format("{} takes three positive numbers I,J,K; found '{}'", option, text));
+  return v;
+}
+
+// The deck of the run: as named, or the one that the archive keeps.
+std::string deck_file(const Options& o) {
+  if (o.restart.empty()) {
+    if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
+    return o.deck;
+  }
+  if (!o.deck.empty()) return o.deck;
+  const std::filesystem::path kept = std::filesystem::path(o.restart) / "input.xml";
+  if (!std::filesystem::exists(kept))
+    throw InputError(fmt::format("--restart {}: there is no archive ({} does not exist)", o.restart,
+                                 kept.string()));
+  return kept.string();
+}
+
+void write_json(const std::string& file, const RunReport& report) {
+  std::ofstream out(file);
+  out << to_json(report).dump(2) << "\n";
+  out.flush();
+  if (!out)
+    throw SystemError(fmt::format("cannot write {}; is its folder there and writable?", file));
+}
+
+int run(const Options& o) {
+  Communicator& ranks = world();
+  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  SceneOptions scene_options;
+  scene_options.ranks = ranks.size();
+  scene_options.boxes = triple(o.boxes, "--boxes");
+  scene_options.force_directions = o.force_directions;
+  const std::unique_ptr<LoadedScene> loaded =
+      load_scene(deck_file(o), o.overrides, scene_options, o.quiet);
+  RunOptions options;
+  options.parent = o.parent;
+  options.output = !o.no_output;
+  options.threads = o.threads;
+  options.force_all = o.force_all;
+  options.limits.max_steps = o.max_steps;
+  options.limits.wall_seconds = o.wall_limit;
+  options.progress = progress_mode_from(o.progress);
+  options.program = std::string("sluice ") + version::kText;
+  options.deck_xml = to_xml(*loaded->deck.root);
+  options.restart = o.restart;
+  options.restart_step = o.step;
+  options.copy_earlier = o.copy;
+  options.block = triple(o.block, "--block");
+  Simulation simulation(loaded->scene, *loaded->component, ranks, options);
+  const RunReport report = simulation.run();
+  if (ranks.is_root()) {
+    if (!o.json.empty()) write_json(o.json, report);
+    if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
+    if (options.progress != ProgressMode::none) fmt::print("{}", summary(report));
+  }
+  return report.status == RunStatus::failed ? 1 : 0;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand("run", "Run a deck: from .ups to .uda archive");
+  auto o = std::make_shared<Options>();
+  command->add_option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
+  command->add_option("-o,--output", o->parent, "Parent folder of the archive");
+  command->add_option("--threads", o->threads, "Threads of this rank");
+  command->add_option("--max-steps", o->max_steps, "Stop when this step number is done");
+  command->add_option("--wall-limit", o->wall_limit,
+                      "Stop with a checkpoint after so many seconds");
+  command->add_option("--set", o->overrides, "Override PATH=VALUE (may be repeated)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--restart", o->restart, "Go on from the last checkpoint of this archive");
+  command->add_option("--step", o->step, "With --restart: from the checkpoint of this step");
+  command->add_flag("--copy", o->copy,
+                    "With --restart: copy earlier outputs, do not refer to them");
+  command->add_option("--json", o->json, "Write the report of the run to this file");
+  command->add_option("--progress", o->progress, "auto, plain or none");
+  command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
+  command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
+  command->add_flag("--force-all", o->force_all,
+                    "Compute everything, also what changes nothing (to measure the savings)");
+  command->add_flag("--force-directions", o->force_directions,
+                    "Treat every direction as a dimension of the run");
+  command->add_flag("--no-output", o->no_output, "Write no archive");
+  command->add_flag("--quiet", o->quiet, "Drop warnings");
+  command->callback([o, &exit_status] { exit_status = run(*o); });
+}
+
+}  // namespace sluice

@@ -1,0 +1,24 @@
+// From a deck file to a component that can run: load, check, mean; one place for all commands.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/run/component.hpp"
+#include "framework/scene/scene.hpp"
+
+namespace sluice {
+
+struct LoadedScene {
+  Deck deck;
+  Scene scene;
+  std::unique_ptr<Component> component;
+};
+
+// Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck
+// is not good. `quiet` drops the warnings.
+std::unique_ptr<LoadedScene> load_scene(const std::string& file,
+                                        const std::vector<std::string>& overrides,
+                                        const SceneOptions& options, bool quiet = false);
+
+}  // namespace sluice

@@ -1,0 +1,100 @@
+// Advances the state of one level: halo point, boundary, compiled step graphs, acceptance.
+//
+// Graph variants (which labels are stored this step, slopes masked or not) are compiled when first
+// needed and kept. Nothing of the old state is touched by an attempt: a rejected step is simply
+// attempted again.
+#pragma once
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "framework/base/communicator.hpp"
+#include "framework/base/reduction.hpp"
+#include "framework/run/component.hpp"
+#include "framework/run/run_control.hpp"
+#include "framework/task/halo.hpp"
+#include "framework/task/sweep_executor.hpp"
+
+namespace sluice {
+
+struct SolverOptions {
+  int threads = 1;
+  bool force_all = false;  // savings 2 to 5 off: every output computed, no block sleeps
+  int sample_every = 0;    // time every n-th block; 0: never
+  IntVec3 block{};         // extents of a block; 0: chosen
+};
+
+struct StepAttempt {
+  std::vector<double> maxima;  // over all ranks
+  std::vector<double> sums;    // over all ranks, exact
+  std::int64_t faults = 0;     // inadmissible cells, over all ranks
+  CellFault first_fault;       // the lowest of them
+  RunControl::Answer control;  // clock and signals, agreed upon in the same message
+};
+
+class LevelSolver {
+ public:
+  LevelSolver(const Component& component, const Level& level, Communicator& communicator,
+              const SolverOptions& options);
+  ~LevelSolver();
+
+  Warehouse& state() { return state_; }
+  const Warehouse& state() const { return state_; }
+  Warehouse& outputs() { return outputs_; }
+
+  // Fills all ghost cells of the current state.
+  void fill_ghosts(double time);
+  // One attempt at a step from the current state; ghosts must be filled. Step labels in `wanted`
+  // are stored in outputs().
+  const StepAttempt& attempt(double time, double dt, const std::vector<Label>& wanted,
+                             const RunControl& control);
+  const StepAttempt& attempt_result() const { return attempt_; }
+  // The last attempt becomes the current state; masks are forgotten.
+  void accept();
+  // Redo: slopes vanish in the cells that the last attempt found inadmissible (and in those found
+  // before, within the same step). The number of cells masked now, over all ranks.
+  std::int64_t mask_faults(double time);
+
+  // Stores labels that are functions of the current state in outputs(); ghosts must be filled.
+  void compute_diagnostics(double time, const std::vector<Label>& wanted);
+
+  bool is_step_label(Label label) const;
+  bool is_diagnostic_label(Label label) const;
+  std::vector<double> initial_rates();  // maxima of the current state, over all ranks
+
+  // What was spent so far.
+  std::vector<double> effect_seconds() const;  // by effect
+  std::vector<int> effect_tasks() const;       // tasks of the plain step, by effect
+  std::vector<double> effect_doubles() const;  // doubles a cell of scratch rings, by effect
+  std::int64_t blocks_run() const, blocks_asleep() const;
+  std::size_t memory_bytes() const;
+  std::size_t message_bytes() const;
+  std::string graph_as_dot();
+  const SweepPlan& plain_plan();
+
+ private:
+  struct Variant;
+  Variant& variant(bool masked, const std::vector<Label>& wanted);
+  Variant& diagnostics(const std::vector<Label>& wanted);
+  std::unique_ptr<Variant> compile_variant(bool masked, bool diagnostic,
+                                           const std::vector<Label>& wanted);
+  void reduce(const Reductions& local, const RunControl* control);
+  void agree_on_fault(const Reductions& local, const CellFault& lowest);
+
+  const Component* component_;
+  const Level* level_;
+  Communicator* communicator_;
+  SolverOptions options_;
+  Warehouse state_, next_, outputs_;
+  std::vector<int> state_slots_;
+  std::unique_ptr<HaloExchange> halo_;
+  std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_, diagnostics_;
+  std::vector<Label> step_labels_, diagnostic_labels_;
+  Reductions last_;
+  StepAttempt attempt_;
+  Reduction reduction_;
+  bool masked_ = false;
+};
+
+}  // namespace sluice

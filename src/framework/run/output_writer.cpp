@@ -1,0 +1,157 @@
+// Collecting pieces and handing them to the archive.
+#include "framework/run/output_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "framework/deck/nearest_name.hpp"
+
+namespace sluice {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The cells of a box that a label's piece covers: a face label has one more layer where the domain
+// ends.
+IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
+  IndexBox piece = cells;
+  const int d = face_direction(label.info().centring);
+  if (d >= 0 && level.active[static_cast<std::size_t>(d)] &&
+      cells.upper[d] == level.domain.upper[d])
+    piece.upper[d] += 1;
+  return piece;
+}
+
+}  // namespace
+
+SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) {
+  SavedLabels saved;
+  for (const SaveRequest& request : output.saves) {
+    const std::optional<Label> label = find_label(request.label);
+    auto add = [&](std::vector<Label>& list) {
+      if (std::find(list.begin(), list.end(), *label) == list.end()) list.push_back(*label);
+    };
+    if (label && label->info().centring == Centring::reduction) {
+      add(saved.histories);
+    } else if (label && solver.is_step_label(*label)) {
+      add(saved.step);
+    } else if (label && solver.is_diagnostic_label(*label)) {
+      add(saved.diagnostic);
+    } else {
+      std::vector<std::string> names;
+      for (Label l : all_labels())
+        if (solver.is_step_label(l) || solver.is_diagnostic_label(l) ||
+            l.info().centring == Centring::reduction)
+          names.push_back(l.name());
+      throw InputError(fmt::format("{}: <save label=\"{}\"> names no label of this run ({})",
+                                   to_string(request.where), request.label,
+                                   suggest_name(request.label, names)));
+    }
+  }
+  std::sort(saved.step.begin(), saved.step.end());
+  std::sort(saved.diagnostic.begin(), saved.diagnostic.end());
+  return saved;
+}
+
+OutputWriter::OutputWriter(const Scene& scene, const Component& component, LevelSolver& solver,
+                           ArchiveWriter archive)
+    : scene_(&scene),
+      component_(&component),
+      solver_(&solver),
+      archive_(std::move(archive)),
+      saved_(sort_saves(scene.output, solver)) {}
+
+bool OutputWriter::wants(Label label, const SaveRequest*& request) const {
+  const int materials = component_->material_count();
+  const int levels = static_cast<int>(scene_->grid.levels.size());
+  for (const SaveRequest& r : scene_->output.saves)
+    if (r.label == label.name() && r.materials.contains(0, materials) &&
+        r.levels.contains(0, levels)) {
+      request = &r;
+      return true;
+    }
+  return false;
+}
+
+std::vector<FieldPiece> OutputWriter::output_pieces(bool initial) const {
+  std::vector<FieldPiece> pieces;
+  Warehouse& outputs = solver_->outputs();
+  std::vector<Label> labels = saved_.diagnostic;
+  if (!initial) labels.insert(labels.end(), saved_.step.begin(), saved_.step.end());
+  for (Label label : labels) {
+    const SaveRequest* request = nullptr;
+    if (!wants(label, request)) continue;
+    const int slot = outputs.find(label, 0);
+    for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
+      for (int c = 0; c < outputs.info(slot).components; ++c) {
+        const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
+        FieldPiece piece;
+        piece.label = label;
+        piece.box_id = box.id;
+        piece.component = c;
+        piece.cells = piece_cells(box.cells, label, outputs.level());
+        piece.view = outputs.view(slot, c, b);
+        piece.gzip = request->compression == "gzip" || scene_->output.compression == "gzip";
+        pieces.push_back(piece);
+      }
+  }
+  return pieces;
+}
+
+std::vector<FieldPiece> OutputWriter::checkpoint_pieces() const {
+  std::vector<FieldPiece> pieces;
+  const Warehouse& state = solver_->state();
+  const std::vector<SlotInfo> slots = component_->state_slots();
+  const std::vector<std::vector<Label>> labels = component_->checkpoint_labels();
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    const int slot = state.find(slots[s].label, slots[s].material);
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+      for (std::size_t c = 0; c < labels[s].size(); ++c) {
+        const GridBox& box = state.local_boxes()[static_cast<std::size_t>(b)];
+        FieldPiece piece;
+        piece.label = labels[s][c];
+        piece.material = slots[s].material;
+        piece.box_id = box.id;
+        piece.cells = box.cells;
+        piece.view = state.view(slot, static_cast<int>(c), b);
+        pieces.push_back(piece);
+      }
+  }
+  return pieces;
+}
+
+void OutputWriter::write_output(const StepInfo& info, bool initial) {
+  const auto start = Clock::now();
+  solver_->fill_ghosts(info.time);
+  solver_->compute_diagnostics(info.time, saved_.diagnostic);
+  archive_.write_output(info, scene_->grid, output_pieces(initial));
+  seconds_ += seconds_since(start);
+}
+
+void OutputWriter::write_checkpoint(const StepInfo& info) {
+  const auto start = Clock::now();
+  archive_.write_checkpoint(info, scene_->grid, checkpoint_pieces());
+  seconds_ += seconds_since(start);
+}
+
+void OutputWriter::write_histories(int step, double time, const Totals& totals) {
+  for (Label label : saved_.histories) {
+    if (label.info().type == ValueType::vector)
+      archive_.history(label.name(), -1, step, time, component_->history_vector(label, totals));
+    else
+      archive_.history(label.name(), -1, step, time, component_->history_value(label, totals));
+  }
+}
+
+void OutputWriter::finish(const std::string& run_json) {
+  archive_.write_text("run.json", run_json);
+  archive_.finish();
+}
+
+}  // namespace sluice

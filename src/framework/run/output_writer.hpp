@@ -1,0 +1,55 @@
+// What a run keeps: which labels, when, as pieces for the archive.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/archive/archive_writer.hpp"
+#include "framework/run/component.hpp"
+#include "framework/run/level_solver.hpp"
+#include "framework/scene/scene.hpp"
+
+namespace sluice {
+
+// The labels of a deck's <save> entries, sorted by how they are made.
+struct SavedLabels {
+  std::vector<Label> step;        // stored while a step runs
+  std::vector<Label> diagnostic;  // computed from the state after it
+  std::vector<Label> histories;   // reductions
+};
+
+// Throws InputError naming entry and nearest label when a label is unknown.
+SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver);
+
+class OutputWriter {
+ public:
+  OutputWriter(const Scene& scene, const Component& component, LevelSolver& solver,
+               ArchiveWriter archive);
+
+  const SavedLabels& saved() const { return saved_; }
+  // Labels that a step must store for this output.
+  const std::vector<Label>& step_labels() const { return saved_.step; }
+
+  // The state of the solver is the one after the step; ghosts need not be filled.
+  void write_output(const StepInfo& info, bool initial);
+  void write_checkpoint(const StepInfo& info);
+  void write_histories(int step, double time, const Totals& totals);
+  void finish(const std::string& run_json);
+
+  std::string archive_folder() const { return archive_.folder().string(); }
+  double seconds() const { return seconds_; }
+
+ private:
+  std::vector<FieldPiece> output_pieces(bool initial) const;
+  std::vector<FieldPiece> checkpoint_pieces() const;
+  bool wants(Label label, const SaveRequest*& request) const;
+
+  const Scene* scene_;
+  const Component* component_;
+  LevelSolver* solver_;
+  ArchiveWriter archive_;
+  SavedLabels saved_;
+  double seconds_ = 0;
+};
+
+}  // namespace sluice

@@ -1,0 +1,48 @@
+// What a run tells when it ends: for people, for run.json and for `--json`.
+#pragma once
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/run/run_status.hpp"
+#include "framework/task/effect.hpp"
+
+namespace sluice {
+
+struct EffectCost {
+  Effect effect;
+  int tasks = 0;
+  double bytes_per_cell = 0;
+  double seconds = 0;  // measured on a sample of blocks, scaled up
+};
+
+struct RunReport {
+  RunStatus status = RunStatus::running;
+  std::string message;  // why it failed; empty otherwise
+  std::optional<std::string> archive;
+  int steps = 0;      // of this process
+  int last_step = 0;  // number of the last step of the run
+  double time = 0;
+  std::int64_t cells = 0;
+  int ranks = 1, threads = 1;
+  double wall_seconds = 0;      // of the process's run, set-up and output included
+  double stepping_seconds = 0;  // of the steps alone
+  double output_seconds = 0;
+  double start_seconds = 0;  // from the start to the first step
+  std::uint64_t peak_memory_bytes = 0;
+  std::int64_t blocks_run = 0, blocks_asleep = 0;
+  std::vector<EffectCost> effects;
+  std::string step_limit;  // what has set the last step
+  std::string events_json = "{}";
+  std::string conservation_json = "{}";
+  double worst_drift = 0;
+
+  double ns_per_cell_step() const;
+};
+
+nlohmann::ordered_json to_json(const RunReport& report);
+std::string summary(const RunReport& report);
+
+}  // namespace sluice

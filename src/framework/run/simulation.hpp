@@ -1,0 +1,78 @@
+// A run from start (or checkpoint) to end: the step loop and everything it keeps and tells.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "framework/run/event_ledger.hpp"
+#include "framework/run/output_writer.hpp"
+#include "framework/run/progress.hpp"
+#include "framework/run/run_report.hpp"
+#include "framework/run/time_control.hpp"
+
+namespace sluice {
+
+struct RunOptions {
+  std::filesystem::path parent = ".";  // -o DIR
+  bool output = true;                  // --no-output
+  int threads = 1;
+  bool force_all = false;
+  RunLimits limits;
+  ProgressMode progress = ProgressMode::automatic;
+  std::string program;            // "sluice 0.1.0"
+  std::string deck_xml;           // the deck as run
+  std::filesystem::path restart;  // archive to go on from; empty: start anew
+  int restart_step = -1;          // -1: the last checkpoint
+  bool copy_earlier = false;      // copy earlier outputs instead of referring to them
+  IntVec3 block{};                // extents of a block; 0: chosen
+  // For tests: plants a NaN into a cell of the state at the start of a step.
+  std::optional<std::pair<int, IntVec3>> plant_nan;
+};
+
+class ArchiveStep;
+
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const Component& component, Communicator& communicator,
+             RunOptions options);
+  ~Simulation();
+
+  // To the end. Failures of the physics are reported (status failed), with a checkpoint of the last
+  // good state; bad input and system failures are thrown.
+  RunReport run();
+
+ private:
+  void start();
+  void restart_from(const ArchiveStep& checkpoint);
+  bool step();  // false when the run has ended
+  StepPlan advance(StepPlan plan);
+  void book(const StepPlan& plan);
+  void keep(const StepPlan& plan, const StepEnd& end);
+  Totals totals();
+  void set_totals(bool at_start);
+  StepInfo step_info() const;
+  RunReport report() const;
+  [[noreturn]] void fail(const StepPlan& plan);
+  void write_last_good_checkpoint();
+
+  const Scene& scene_;
+  const Component& component_;
+  Communicator& communicator_;
+  RunOptions options_;
+  RunControl control_;
+  TimeControl time_;
+  LevelSolver solver_;
+  std::unique_ptr<OutputWriter> output_;
+  std::unique_ptr<Progress> progress_;
+  EventLedger ledger_;
+  Conservation conservation_;
+  StepStart step_start_;
+  StepLimit limit_;
+  RunStatus status_ = RunStatus::running;
+  std::string message_;
+  int steps_ = 0, last_checkpoint_step_ = -1;
+  double start_seconds_ = 0, stepping_seconds_ = 0;
+  bool ghosts_filled_ = false;
+};
+
+}  // namespace sluice
