@@ -40,12 +40,19 @@ double farthest_from(const CellValues& field, double wanted) {
 }
 
 CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& options)
+                 const std::vector<std::string>& options, int ranks)
     : folder_(fresh_folder()) {
   const bool is_path = deck.find('/') != std::string::npos;
   ProcessRequest request;
-  request.words = {SLUICE_COMMAND, "run",
-                   is_path ? deck : fmt::format("{}/inputs/ice/{}.ups", SLUICE_SOURCE_DIR, deck)};
+  if (ranks > 1) {
+    request.words = {SLUICE_MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-np",
+                     std::to_string(ranks)};
+  }
+  for (const std::string& word :
+       {std::string(SLUICE_COMMAND), std::string("run"),
+        is_path ? deck : fmt::format("{}/inputs/ice/{}.ups", SLUICE_SOURCE_DIR, deck)}) {
+    request.words.push_back(word);
+  }
   for (const std::string& one : overrides) {
     request.words.emplace_back("--set");
     request.words.push_back(one);

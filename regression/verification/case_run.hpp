@@ -40,7 +40,7 @@ class CaseRun {
  public:
   // deck: name of a deck of inputs/ice without ".ups", or a path. options: of sluice run.
   explicit CaseRun(const std::string& deck, const std::vector<std::string>& overrides = {},
-                   const std::vector<std::string>& options = {});
+                   const std::vector<std::string>& options = {}, int ranks = 1);
   ~CaseRun();
   CaseRun(const CaseRun&) = delete;
   CaseRun& operator=(const CaseRun&) = delete;
