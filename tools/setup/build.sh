@@ -124,3 +124,12 @@ tidy_files() {
   printf '%s\0' "$@" | xargs -0 -n 4 -P "$(cores)" clang-tidy-16 -p build/release --quiet \
     --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument
 }
+
+# write_reference FILE OPTION: a generated page of docs/, replaced only when it could be made.
+write_reference() {
+  local page=$SLUICE_ROOT/docs/$1 fresh=$SLUICE_ROOT/build/$1
+  "$SLUICE_ROOT/build/release/bin/sluice" help "$2" >"$fresh" ||
+    fail 1 "docs: sluice help $2 failed; docs/$1 is left as it was"
+  mv "$fresh" "$page"
+  say "wrote docs/$1"
+}
