@@ -90,26 +90,4 @@ double Formula::operator()(Vec3 p) const {
   return engine_->parser.Eval();
 }
 
-std::vector<std::string> split_formulas(const std::string& text) {
-  const std::size_t open = text.find('['), close = text.rfind(']');
-  if (open == std::string::npos || close == std::string::npos || close < open)
-    throw InputError(
-        fmt::format("formula: '{}' is no vector; write three formulas as [f, g, h]", text));
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  for (std::size_t i = open + 1; i < close; ++i) {
-    const char c = text[i];
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    if (c == ',' && depth == 0)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  if (parts.size() != 3)
-    throw InputError(
-        fmt::format("formula: '{}' has {} components; a vector has three", text, parts.size()));
-  return parts;
-}
-
 }  // namespace sluice

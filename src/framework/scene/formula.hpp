@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "framework/deck/deck.hpp"
 
@@ -28,8 +27,5 @@ class Formula {
   std::string text_;
   std::unique_ptr<Engine> engine_;
 };
-
-// "[f, g, h]" split into its three texts, at commas that stand in no inner parentheses.
-std::vector<std::string> split_formulas(const std::string& text);
 
 }  // namespace sluice

@@ -61,16 +61,5 @@ TEST(Formula, FaultsNameTheirPlace) {
   EXPECT_THAT([] { Formula("1 2"); }, ThrowsMessage<InputError>(HasSubstr("character 3")));
 }
 
-TEST(SplitFormulas, CutsAtTheOuterCommas) {
-  const std::vector<std::string> parts = split_formulas("[min(x, y), -y*(1+x), 0]");
-  ASSERT_EQ(parts.size(), 3u);
-  EXPECT_DOUBLE_EQ(value(parts[0], {2, 1, 0}), 1);
-  EXPECT_DOUBLE_EQ(value(parts[1], {2, 1, 0}), -3);
-  EXPECT_DOUBLE_EQ(value(parts[2], {2, 1, 0}), 0);
-  EXPECT_THAT([] { split_formulas("[x, y]"); },
-              ThrowsMessage<InputError>(HasSubstr("2 components")));
-  EXPECT_THAT([] { split_formulas("x"); }, ThrowsMessage<InputError>(HasSubstr("no vector")));
-}
-
 }  // namespace
 }  // namespace sluice

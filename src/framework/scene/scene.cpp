@@ -61,16 +61,24 @@ void note_initial_velocities(const DeckNode& root, DirectionFacts& facts,
         for (const DeckNode* object : material->all("geom_object"))
           if (const DeckNode* v = object->child("velocity"))
             collect(faults, v->where, [&] { note_velocity(v->as_vector(), v->where, facts); });
-  const DeckNode* custom = root.find("CFD/ICE/customInitialization");
-  if (custom == nullptr) return;
-  for (const DeckNode* formula : custom->all("formula"))
-    if (const DeckNode* v = formula->child("velocity"))
-      collect(faults, v->where, [&] {
-        const std::vector<std::string> parts = split_formulas(v->text);
-        Vec3 moving{};
-        for (int d = 0; d < 3; ++d) moving[d] = is_zero(parts[static_cast<std::size_t>(d)]) ? 0 : 1;
-        note_velocity(moving, v->where, facts);
-      });
+  const DeckNode* formulas = root.find("CFD/ICE/customInitialization/formula");
+  if (formulas == nullptr) return;
+  for (int d = 0; d < 3; ++d) {
+    const DeckNode* v = formulas->child(fmt::format("velocity_{}", "xyz"[d]));
+    if (v == nullptr || is_zero(v->text)) continue;
+    Vec3 moving{};
+    moving[d] = 1;
+    note_velocity(moving, v->where, facts);
+  }
+}
+
+// A bad formula is a fault of the deck, not of the cell that would need it first.
+void check_formulas(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* formulas = root.find("CFD/ICE/customInitialization/formula");
+  if (formulas == nullptr) return;
+  for (const auto& child : formulas->children)
+    if (!child->text.empty())
+      collect(faults, child->where, [&] { const Formula parsed(child->text); });
 }
 
 void note_boundary_velocities(const BoundaryConditions& boundary, DirectionFacts& facts) {
@@ -158,6 +166,7 @@ Scene read_scene(const Deck& deck, const SceneOptions& options, std::vector<Faul
   read_grid_and_boundary(root, options, scene, faults);
   if (const DeckNode* archiver = need_block(root, "DataArchiver", faults))
     scene.output = read_output_settings(*archiver, faults);
+  check_formulas(root, faults);
   std::vector<std::string> names;
   for (const MaterialEntry& m : scene.materials) names.push_back(m.name);
   scene.analysis = read_analysis_settings(root.child("DataAnalysis"), names, faults);

@@ -98,7 +98,8 @@ TEST(Scene, VelocitiesAndGravityDecideAboutDirections) {
 
   Parts formula;
   formula.ice =
-      "<customInitialization><formula><velocity>[x, sin(y), 0.0]</velocity></formula>"
+      "<customInitialization><formula><velocity_x>x</velocity_x><velocity_y>sin(y)</velocity_y>"
+      "<velocity_z>0.0</velocity_z></formula>"
       "</customInitialization>";
   EXPECT_TRUE(read_scene(deck_of(formula), {}).directions[1].active);
   EXPECT_FALSE(read_scene(deck_of(formula), {}).directions[2].active);
@@ -115,12 +116,16 @@ TEST(Scene, ReportsAllFaultsOfAllBlocks) {
   Parts bad;
   bad.time = "<maxTime>-1</maxTime><timestep_multiplier>1</timestep_multiplier>";
   bad.faces = sides({"x-", "x+", "y-", "y+", "z-"});
+  bad.ice =
+      "<customInitialization><formula><density>2*densty</density></formula>"
+      "</customInitialization>";
   bad.archiver = "<filebase>a</filebase><save label=\"rho_CC\" levels=\"?\"/>";
   bad.analysis = "<Module name=\"minMax\"><material>water</material></Module>";
   std::vector<Fault> faults;
   read_scene(deck_of(bad), {}, faults);
   const std::string text = all_faults(faults);
-  EXPECT_EQ(faults.size(), 4u) << text;
+  EXPECT_EQ(faults.size(), 5u) << text;
+  EXPECT_THAT(text, HasSubstr("formula: 'densty' is no variable"));
   EXPECT_THAT(text, HasSubstr("maxTime -1"));
   EXPECT_THAT(text, HasSubstr("side z+: no boundary condition"));
   EXPECT_THAT(text, HasSubstr("index set '?'"));
@@ -129,7 +134,7 @@ TEST(Scene, ReportsAllFaultsOfAllBlocks) {
     read_scene(deck_of(bad), {});
     FAIL() << "expected SceneError";
   } catch (const SceneError& e) {
-    EXPECT_EQ(e.faults().size(), 4u);
+    EXPECT_EQ(e.faults().size(), 5u);
     EXPECT_EQ(e.status(), ExitStatus::bad_input);
     EXPECT_EQ(std::string(e.what()) + '\n', text);
   }
