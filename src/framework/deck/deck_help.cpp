@@ -66,8 +66,8 @@ std::string need_text(Need need) {
 
 // "real number greater than 0 and at most 1" or "one of FirstOrder, SecondOrder".
 std::string value_text(const ValueSpec& value) {
-  if (value.type == ValueType::none) return "";
-  if (value.type == ValueType::word) {
+  if (value.type == TagType::none) return "";
+  if (value.type == TagType::word) {
     std::vector<std::string> words = value.words;
     for (std::string& word : words) {
       if (word.empty()) word = "nothing";

@@ -7,31 +7,31 @@
 
 namespace sluice {
 
-std::string to_string(ValueType type) {
+std::string to_string(TagType type) {
   switch (type) {
-    case ValueType::none:
+    case TagType::none:
       return "no text";
-    case ValueType::text:
+    case TagType::text:
       return "text";
-    case ValueType::word:
+    case TagType::word:
       return "word";
-    case ValueType::boolean:
+    case TagType::boolean:
       return "true or false";
-    case ValueType::integer:
+    case TagType::integer:
       return "integer";
-    case ValueType::real:
+    case TagType::real:
       return "real number";
-    case ValueType::vector:
+    case TagType::vector:
       return "vector [x, y, z]";
-    case ValueType::int_vector:
+    case TagType::int_vector:
       return "integer vector [i, j, k]";
-    case ValueType::reals:
+    case TagType::reals:
       return "list of real numbers";
-    case ValueType::integers:
+    case TagType::integers:
       return "list of integers";
-    case ValueType::int_vectors:
+    case TagType::int_vectors:
       return "list of integer vectors [[i, j, k], ...]";
-    case ValueType::index_set:
+    case TagType::index_set:
       return "set of indices such as 0, 2-4";
   }
   return "value";

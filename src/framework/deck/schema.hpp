@@ -24,7 +24,7 @@
 
 namespace sluice {
 
-enum class ValueType {
+enum class TagType {
   none,         // no text; children and attributes only
   text,         // anything
   word,         // one of a closed list
@@ -38,7 +38,7 @@ enum class ValueType {
   int_vectors,  // [[2,2,1],[4,4,1]]
   index_set     // "0, 2-4, -1"; empty: all
 };
-std::string to_string(ValueType);  // "real number", "[i,j,k]", ...
+std::string to_string(TagType);  // "real number", "[i,j,k]", ...
 
 enum class Need { optional, once, multiple, at_least_once };
 
@@ -55,7 +55,7 @@ struct Range {
 
 // A value, of a tag or of an attribute.
 struct ValueSpec {
-  ValueType type = ValueType::none;
+  TagType type = TagType::none;
   Range range;  // of every component
   std::vector<std::string> words;
   std::vector<std::string> words_not_built;                         // known to the format
@@ -83,19 +83,19 @@ struct Described {
     return with([](auto& s) { s.need = Need::at_least_once; });
   }
 
-  Derived text() const { return typed(ValueType::text); }
-  Derived boolean() const { return typed(ValueType::boolean); }
-  Derived integer() const { return typed(ValueType::integer); }
-  Derived real() const { return typed(ValueType::real); }
-  Derived vector() const { return typed(ValueType::vector); }
-  Derived int_vector() const { return typed(ValueType::int_vector); }
-  Derived reals() const { return typed(ValueType::reals); }
-  Derived integers() const { return typed(ValueType::integers); }
-  Derived int_vectors() const { return typed(ValueType::int_vectors); }
-  Derived index_set() const { return typed(ValueType::index_set); }
+  Derived text() const { return typed(TagType::text); }
+  Derived boolean() const { return typed(TagType::boolean); }
+  Derived integer() const { return typed(TagType::integer); }
+  Derived real() const { return typed(TagType::real); }
+  Derived vector() const { return typed(TagType::vector); }
+  Derived int_vector() const { return typed(TagType::int_vector); }
+  Derived reals() const { return typed(TagType::reals); }
+  Derived integers() const { return typed(TagType::integers); }
+  Derived int_vectors() const { return typed(TagType::int_vectors); }
+  Derived index_set() const { return typed(TagType::index_set); }
   Derived words(std::vector<std::string> list) const {
     return with([&](auto& s) {
-      s.value.type = ValueType::word;
+      s.value.type = TagType::word;
       s.value.words = std::move(list);
     });
   }
@@ -138,7 +138,7 @@ struct Described {
     change(changed);
     return changed;
   }
-  Derived typed(ValueType type) const {
+  Derived typed(TagType type) const {
     return with([&](auto& s) { s.value.type = type; });
   }
 };

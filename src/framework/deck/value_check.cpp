@@ -71,43 +71,43 @@ Numbers numbers_of(const ParsedValue<T>& parsed) {
   return numbers;
 }
 
-Numbers parse_numbers(ValueType type, const std::string& text) {
+Numbers parse_numbers(TagType type, const std::string& text) {
   switch (type) {
-    case ValueType::integer:
+    case TagType::integer:
       return numbers_of(parse_integer(text));
-    case ValueType::real:
+    case TagType::real:
       return numbers_of(parse_real(text));
-    case ValueType::vector:
+    case TagType::vector:
       return numbers_of(parse_vector(text));
-    case ValueType::int_vector:
+    case TagType::int_vector:
       return numbers_of(parse_int_vector(text));
-    case ValueType::reals:
+    case TagType::reals:
       return numbers_of(parse_reals(text));
-    case ValueType::integers:
+    case TagType::integers:
       return numbers_of(parse_integers(text));
-    case ValueType::int_vectors:
+    case TagType::int_vectors:
       return numbers_of(parse_int_vectors(text));
-    case ValueType::boolean:
+    case TagType::boolean:
       return {parse_boolean(text).problem, {}};
-    case ValueType::index_set:
+    case TagType::index_set:
       return {parse_index_set(text).problem, {}};
     default:
       return {};
   }
 }
 
-bool may_be_empty(ValueType type) {
-  return type == ValueType::text || type == ValueType::index_set || type == ValueType::word;
+bool may_be_empty(TagType type) {
+  return type == TagType::text || type == TagType::index_set || type == TagType::word;
 }
 
 }  // namespace
 
 ValueVerdict judge_value(const ValueSpec& spec, std::string& text) {
-  if (spec.type == ValueType::none) {
+  if (spec.type == TagType::none) {
     if (text.empty()) return {};
     return bad(fmt::format("{} found, but this takes no value", in_quotes(text)), "");
   }
-  if (spec.type == ValueType::word) return judge_word(spec, text);
+  if (spec.type == TagType::word) return judge_word(spec, text);
   if (text.empty() && !may_be_empty(spec.type)) return bad("empty", expected(spec));
   const Numbers numbers = parse_numbers(spec.type, text);
   if (!numbers.problem.empty()) return bad(numbers.problem, expected(spec));
