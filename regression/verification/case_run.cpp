@@ -95,6 +95,19 @@ CellValues CaseRun::field(const std::string& variable, int component,
   return out;
 }
 
+CellValues CaseRun::exact_field(const CellValues& like, const std::string& variable,
+                                int component) const {
+  const auto reference = reference_of_archive(Archive::open(archive()));
+  if (!reference) throw std::runtime_error("the deck names no exact solution");
+  CellValues out = like;
+  std::size_t n = 0;
+  for_each_cell({{0, 0, 0}, like.size}, [&](IntVec3 c) {
+    const exact::State state = reference->solution->at(like.centre(c.x, c.y, c.z), like.time);
+    out.values[n++] = exact::exact_value(state, variable, component, reference->specific_heat);
+  });
+  return out;
+}
+
 exact::ErrorNorms CaseRun::error(const std::string& variable, int component) const {
   const Archive opened = Archive::open(archive());
   const auto reference = reference_of_archive(opened);
