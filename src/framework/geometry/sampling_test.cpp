@@ -162,6 +162,13 @@ TEST(Sampling, MirroredPiecesGiveMirroredCounts) {
        std::make_shared<ParallelepipedPiece>(m(low), m(high), m({0.5, -0.6, 0}), m({0, 0, -0.8}))});
   pairs.push_back({"shell", make_cylinder_shell(low, high, 0.4, 0.1),
                    make_cylinder_shell(m(low), m(high), 0.4, 0.1)});
+  // Faces that pass through sub-points: the last bit of a coordinate decides.
+  for (int i : {5, 9, 14}) {
+    const double x = cube(32).sub_point(0, i, 0, 3), y = cube(32).sub_point(0, i + 7, 2, 3);
+    pairs.push_back({"box through sub-points",
+                     std::make_shared<BoxPiece>(Vec3{x, -0.7, -0.2}, Vec3{y, 0.4, 0.9}),
+                     std::make_shared<BoxPiece>(Vec3{-y, -0.7, -0.2}, Vec3{-x, 0.4, 0.9})});
+  }
   const std::size_t simple = pairs.size();
   for (std::size_t i = 1; i < simple; ++i)
     pairs.push_back({"difference",

@@ -48,10 +48,18 @@ void assign_owners(std::vector<GridBox>& boxes, int ranks) {
     return morton_key(boxes[a].cells.lower - low) < morton_key(boxes[b].cells.lower - low);
   });
   std::int64_t before = 0;
-  for (std::size_t i : order) {
-    const std::int64_t middle = before + boxes[i].cells.volume() / 2;
-    boxes[i].owner = static_cast<int>(std::min<std::int64_t>(ranks - 1, middle * ranks / total));
-    before += boxes[i].cells.volume();
+  int last = -1;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    GridBox& box = boxes[order[n]];
+    const std::int64_t middle = before + box.cells.volume() / 2;
+    int owner = static_cast<int>(std::min<std::int64_t>(ranks - 1, middle * ranks / total));
+    if (static_cast<int>(order.size()) >= ranks) {
+      // Big boxes must not leave a rank without any: skip none, and keep enough for the rest.
+      const int left = static_cast<int>(order.size() - n);
+      owner = std::max(std::min(owner, last + 1), ranks - left);
+    }
+    box.owner = last = owner;
+    before += box.cells.volume();
   }
 }
 

@@ -59,7 +59,8 @@ struct Grid {
 // fastest, as the peer numbers its patches.
 std::vector<IndexBox> split(const IndexBox& domain, IntVec3 pieces);
 
-// Deals boxes out to ranks along a Morton curve so that every rank gets a like number of cells.
+// Deals boxes out to ranks along a Morton curve so that every rank gets a like number of cells, and
+// at least one box where there are as many boxes as ranks.
 void assign_owners(std::vector<GridBox>& boxes, int ranks);
 
 }  // namespace sluice
