@@ -1,3 +1,4 @@
+// Analysis modules of a deck: what is read, and what is said about bad ones.
 #include "framework/scene/analysis_settings.hpp"
 
 #include "framework/scene/deck_text.hpp"

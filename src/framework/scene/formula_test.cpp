@@ -1,3 +1,4 @@
+// Formulas against the same expressions in C++, and where a bad one is said to be bad.
 #include "framework/scene/formula.hpp"
 
 #include <gmock/gmock.h>

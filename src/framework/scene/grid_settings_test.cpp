@@ -1,3 +1,4 @@
+// Levels and boxes from the deck, every fault of a grid, and the Grid built for ranks.
 #include "framework/scene/grid_settings.hpp"
 
 #include <set>

@@ -1,3 +1,4 @@
+// Index sets: lists, ranges, counting from the end.
 #include "framework/scene/index_set.hpp"
 
 #include <gmock/gmock.h>

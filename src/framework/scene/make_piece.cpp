@@ -80,6 +80,7 @@ PiecePtr make_smooth_cylinder(const DeckNode& node) {
   c.bottom = node.vector("bottom");
   c.top = node.vector("top");
   c.inner_radius = real_or(node, "inner_radius", 0);
+  if (node.child("outer_radius") == nullptr) throw InputError("smoothcyl: no outer_radius");
   c.outer_radius = node.real("outer_radius");
   c.num_radial = static_cast<int>(node.real("num_radial"));
   c.num_axial = static_cast<int>(node.real("num_axial"));

@@ -1,3 +1,4 @@
+// The archiver's tags, defaults and faults.
 #include "framework/scene/output_settings.hpp"
 
 #include "framework/scene/deck_text.hpp"

@@ -1,3 +1,4 @@
+// The time block's tags and contradictions.
 #include "framework/scene/time_settings.hpp"
 
 #include "framework/scene/deck_text.hpp"
