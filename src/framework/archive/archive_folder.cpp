@@ -27,11 +27,22 @@ bool is_partial(const fs::path& path) {
   return path.extension() == ".partial";
 }
 
-// What a killed run left behind.
-void remove_partials(const fs::path& folder) {
+bool is_step_folder(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.size() > 5 && name[0] == 't' &&
+         name.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
+// What a killed run left behind: half-written files and steps that the index does not name.
+void remove_leftovers(const fs::path& folder, const ArchiveIndex& index) {
+  auto indexed = [&](const fs::path& path) {
+    return std::any_of(index.steps.begin(), index.steps.end(),
+                       [&](const StepEntry& s) { return s.href.parent_path() == path.filename(); });
+  };
   std::vector<fs::path> left;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (is_partial(entry.path())) left.push_back(entry.path());
+    if (is_partial(entry.path()) || (is_step_folder(entry.path()) && !indexed(entry.path())))
+      left.push_back(entry.path());
   for (const fs::path& p : left) remove_tree(p);
 }
 
@@ -148,19 +159,13 @@ ArchiveWriter ArchiveWriter::resume(const fs::path& folder, const ArchiveSetup& 
 
 void ArchiveWriter::drop_later_steps(int restart_step) {
   const StepEntry start = find_step(checkpoints_.index, restart_step, folder_);
-  std::vector<fs::path> later;
   for (Store* store : {&outputs_, &checkpoints_}) {
-    remove_partials(store->folder);
-    auto& steps = store->index.steps;
-    for (const StepEntry& s : steps)
-      if (s.step > restart_step && s.href.is_relative())
-        later.push_back((store->folder / s.href).parent_path());
-    std::erase_if(steps, [&](const StepEntry& s) { return s.step > restart_step; });
+    std::erase_if(store->index.steps, [&](const StepEntry& s) { return s.step > restart_step; });
     store->index.restarts.push_back({folder_.filename().string(), restart_step});
     store->index.ranks = ranks_.size;
     write_index(*store);
+    remove_leftovers(store->folder, store->index);
   }
-  for (const fs::path& p : later) remove_tree(p);
   for (const HistoryEntry& h : outputs_.index.histories)
     if (fs::exists(folder_ / h.file))
       cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);

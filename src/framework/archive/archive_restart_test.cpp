@@ -78,6 +78,8 @@ TEST(ArchiveRestart, ResumedRunLeavesTheSameArchive) {
     path = writer.folder();
     // What a kill may leave: a half-written step, a cut history line, lines beyond the checkpoint.
     fs::create_directory(path / "t00008.partial");
+    fs::create_directory(path / "checkpoints" /
+                         "t00002");  // dropped from the index, not yet removed
     fs::create_directory(path / "checkpoints" / "t00008.partial");
     std::ofstream(path / "TotalMass.dat", std::ios::app) << "0.8\t0.1";
   }
@@ -85,6 +87,7 @@ TEST(ArchiveRestart, ResumedRunLeavesTheSameArchive) {
   EXPECT_EQ(dat(resumed).find("0.5\t"), std::string::npos);
   EXPECT_FALSE(fs::exists(path / "t00008.partial"));
   EXPECT_FALSE(fs::exists(path / "t00005"));
+  EXPECT_FALSE(fs::exists(path / "checkpoints" / "t00002"));
   EXPECT_FALSE(fs::exists(path / "checkpoints" / "t00006"));
   write_steps(resumed, 5, 9);
   EXPECT_EQ(dat(resumed), dat(reference));

@@ -77,9 +77,7 @@ WriteReport ArchiveWriter::write_checkpoint(const StepInfo& info, const Grid& gr
   on_root([&] {
     if (make_folder(checkpoints_.folder)) sync_folder(folder_);
   });
-  const WriteReport report = write_step(checkpoints_, info, grid, pieces, StorageOptions{});
-  on_root([&] { drop_old_checkpoints(); });
-  return report;
+  return write_step(checkpoints_, info, grid, pieces, StorageOptions{});
 }
 
 WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const Grid& grid,
@@ -129,13 +127,15 @@ void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid
   std::erase_if(store.index.steps, [&](const StepEntry& s) { return s.step == info.step; });
   if (store.index.steps.size() != before.steps.size()) write_index(store);
   remove_tree(complete);  // of an earlier, unindexed or replaced, writing of this step
+  sync_folder(partial);
   rename_path(partial, complete);
-  sync_folder(store.folder);
+  std::vector<fs::path> retired;
   try {
     flush_histories();
     merge_variables(store.index.variables, stored);
     store.index.steps.push_back(
         {info.step, info.time, info.old_delt, fs::path(name) / "timestep.xml"});
+    retired = retire(store);
     write_index(store);
   } catch (...) {
     store.index = std::move(before);
@@ -143,21 +143,24 @@ void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid
     fs::remove_all(complete, ignored);
     throw;
   }
+  for (const fs::path& old : retired) remove_tree(old);
 }
 
-void ArchiveWriter::drop_old_checkpoints() {
-  auto& steps = checkpoints_.index.steps;
+// Takes the checkpoints beyond the cycle out of the index; their folders go once it is written.
+std::vector<fs::path> ArchiveWriter::retire(Store& store) const {
+  auto& steps = store.index.steps;
   const auto keep = static_cast<std::size_t>(setup_.checkpoint_cycle);
-  if (setup_.checkpoint_cycle <= 0 || steps.size() <= keep) return;
-  const auto last = steps.end() - static_cast<std::ptrdiff_t>(keep);
-  const std::vector<StepEntry> old(steps.begin(), last);
-  steps.erase(steps.begin(), last);
-  write_index(checkpoints_);
-  for (const StepEntry& s : old) remove_tree((checkpoints_.folder / s.href).parent_path());
+  std::vector<fs::path> retired;
+  if (&store != &checkpoints_ || setup_.checkpoint_cycle <= 0) return retired;
+  while (steps.size() > keep) {
+    retired.push_back((store.folder / steps.front().href).parent_path());
+    steps.erase(steps.begin());
+  }
+  return retired;
 }
 
 void ArchiveWriter::write_index(const Store& store) {
-  write_sealed(store.folder / "index.xml", to_xml(store.index));
+  publish_sealed(store.folder / "index.xml", to_xml(store.index));
 }
 
 HistoryFile& ArchiveWriter::history_file(const std::string& label, int material, const char* type) {
@@ -192,6 +195,7 @@ void ArchiveWriter::finish() {
   on_root([&] {
     flush_histories();
     if (!histories_.empty()) write_index(outputs_);
+    sync_folder(folder_);
   });
 }
 

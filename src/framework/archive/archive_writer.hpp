@@ -105,7 +105,7 @@ class ArchiveWriter {
   WriteReport write_step(Store& store, const StepInfo& info, const Grid& grid,
                          std::span<const FieldPiece> pieces, const StorageOptions& options);
   void publish(Store& store, const StepInfo& info, const Grid& grid);
-  void drop_old_checkpoints();
+  std::vector<std::filesystem::path> retire(Store& store) const;
   void write_index(const Store& store);
   void flush_histories();
   HistoryFile& history_file(const std::string& label, int material, const char* type);

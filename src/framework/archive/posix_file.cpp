@@ -144,20 +144,24 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
+void write_text_durably(const std::filesystem::path& path, std::string_view text) {
+  PosixFile file = PosixFile::create(path);
+  file.write_at(0, text.data(), text.size());
+  file.sync();
+  file.close();
+}
+
 void write_text_atomically(const std::filesystem::path& path, std::string_view text) {
   // The process number keeps two writers from sharing the file beside the target.
   const std::filesystem::path beside = path.string() + fmt::format(".{}.partial", ::getpid());
   try {
-    PosixFile file = PosixFile::create(beside);
-    file.write_at(0, text.data(), text.size());
-    file.sync();
-    file.close();
+    write_text_durably(beside, text);
+    sync_folder(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
     rename_path(beside, path);
   } catch (...) {
     ::unlink(beside.c_str());
     throw;
   }
-  sync_folder(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
 }
 
 bool make_folder(const std::filesystem::path& path) {

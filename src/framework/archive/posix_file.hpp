@@ -46,7 +46,11 @@ class PosixFile {
 };
 
 std::string read_text(const std::filesystem::path& path);
+// Writes and flushes a file in a folder that nobody reads yet.
+void write_text_durably(const std::filesystem::path& path, std::string_view text);
 // Writes beside the target, flushes, renames: a reader sees the old text or the new, never a part.
+// Before the rename the folder is flushed, so that all that was renamed in it earlier is on disk
+// when the new text can be seen.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 // False when the folder exists already.
 bool make_folder(const std::filesystem::path& path);

@@ -45,7 +45,9 @@ XmlElement parse_xml(std::string_view text, const std::string& context);
 std::string to_text(const XmlElement& root);
 
 std::string seal(std::string xml);
+// In a folder that nobody reads yet; publish_sealed replaces a file that is read.
 void write_sealed(const std::filesystem::path& path, const XmlElement& root);
+void publish_sealed(const std::filesystem::path& path, const XmlElement& root);
 XmlElement read_sealed(const std::filesystem::path& path);
 
 // Numbers as the archive writes them: 17 digits, "[1, 2, 3]".
