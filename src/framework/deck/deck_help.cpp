@@ -40,16 +40,6 @@ std::vector<Place> all_places(const Schema& schema) {
   return places;
 }
 
-const TagSpec* at_path(const Schema& schema, std::string_view path) {
-  const TagSpec* spec = &schema.root;
-  while (spec != nullptr && !path.empty()) {
-    const auto slash = path.find('/');
-    spec = schema.child(*spec, path.substr(0, slash));
-    path = slash == std::string_view::npos ? std::string_view{} : path.substr(slash + 1);
-  }
-  return spec;
-}
-
 std::string need_text(Need need) {
   switch (need) {
     case Need::once:
@@ -178,7 +168,7 @@ std::string help_on(const Schema& schema, const std::string& name_or_path) {
   while (!wanted.empty() && wanted.front() == '/') wanted.erase(wanted.begin());
   while (!wanted.empty() && wanted.back() == '/') wanted.pop_back();
   if (wanted.empty()) throw InputError("help on which tag? see sluice help");
-  if (const TagSpec* spec = at_path(schema, wanted)) return describe_tag(schema, {wanted, spec});
+  if (const TagSpec* spec = schema.at(wanted)) return describe_tag(schema, {wanted, spec});
 
   std::string text;
   std::vector<std::string> names;

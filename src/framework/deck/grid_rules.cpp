@@ -85,12 +85,14 @@ void check_boxes(const DeckNode& root, std::vector<Fault>& faults) {
   double total = 0;
   const DeckNode* largest = nullptr;
   for (const DeckNode* level : grid->all("Level")) {
+    bool told = false;  // of a spacing that is too large: once a level
     for (const DeckNode* box : level->all("Box")) {
       check_spacing(*level, *box, faults);
       const bool corners = check_corners(*box, faults);
       const auto cells = cells_of(*level, *box);
       const bool zero = corners && (cells[0] < 1 || cells[1] < 1 || cells[2] < 1);
-      if (zero && int_vector_of(box, "resolution") == std::nullopt && vector_of(level, "spacing")) {
+      if (zero && !told && box->child("resolution") == nullptr && vector_of(level, "spacing")) {
+        told = true;
         fault(faults, *level->child("spacing"),
               "the spacing is larger than the box: there would be no cells");
       }

@@ -91,6 +91,16 @@ std::vector<std::string> Schema::child_names(const TagSpec& parent) const {
   return names;
 }
 
+const TagSpec* Schema::at(std::string_view path) const {
+  const TagSpec* spec = &root;
+  while (spec != nullptr && !path.empty()) {
+    const auto slash = path.find('/');
+    spec = child(*spec, path.substr(0, slash));
+    path = slash == std::string_view::npos ? std::string_view{} : path.substr(slash + 1);
+  }
+  return spec;
+}
+
 void Schema::add(TagSpec block) {
   for (TagSpec& present : root.children) {
     if (present.name != block.name) continue;
@@ -99,20 +109,6 @@ void Schema::add(TagSpec block) {
     return;
   }
   root.children.push_back(std::move(block));
-}
-
-TagSpec* Schema::find(std::string_view path) {
-  TagSpec* spec = &root;
-  while (!path.empty()) {
-    const auto slash = path.find('/');
-    const auto name = path.substr(0, slash);
-    path = slash == std::string_view::npos ? std::string_view{} : path.substr(slash + 1);
-    const auto at = std::find_if(spec->children.begin(), spec->children.end(),
-                                 [&](const TagSpec& candidate) { return candidate.called(name); });
-    if (at == spec->children.end()) return nullptr;
-    spec = &*at;
-  }
-  return spec;
 }
 
 }  // namespace sluice

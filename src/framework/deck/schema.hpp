@@ -219,10 +219,11 @@ class Schema {
   std::vector<const TagSpec*> children(const TagSpec& parent) const;
   std::vector<std::string> child_names(const TagSpec& parent) const;
 
+  // The description at a slash-separated path below the root; nullptr when there is none.
+  const TagSpec* at(std::string_view path) const;
+
   // Adds a top-level block, or children to one that is there already.
   void add(TagSpec block);
-  // The description at a slash-separated path below the root, made if need be by add().
-  TagSpec* find(std::string_view path);
 };
 
 }  // namespace sluice

@@ -145,13 +145,23 @@ class Checker {
     std::string suggestion;
     if (const auto nearest = nearest_name(child.name, names)) {
       suggestion = fmt::format("did you mean '{}'?", *nearest);
-    } else if (const auto parents = parents_in_format(child.name); !parents.empty()) {
-      suggestion =
-          fmt::format("it belongs to {}", parents.front().empty() ? "the root" : parents.front());
+    } else if (const std::string home = home_of(child.name); !home.empty()) {
+      suggestion = fmt::format("it belongs to {}", home);
     } else {
       suggestion = suggest_name(child.name, names);
     }
     fault(child, fmt::format("<{}> does not exist in <{}>", child.name, parent.name), suggestion);
+  }
+
+  // The block that has a tag of this name in the format, one that is built if possible.
+  std::string home_of(const std::string& name) const {
+    const auto parents = parents_in_format(name);
+    const auto built = std::find_if(parents.begin(), parents.end(), [&](const std::string& path) {
+      return !path.empty() && schema_.at(path) != nullptr;
+    });
+    if (built != parents.end()) return *built;
+    if (parents.empty()) return {};
+    return parents.front().empty() ? "the root" : parents.front();
   }
 
   void check_choices(const DeckNode& node, const TagSpec& spec) {

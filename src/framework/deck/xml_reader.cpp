@@ -84,7 +84,7 @@ void on_start(void* user, const xmlChar* local, const xmlChar* prefix, const xml
     return;
   }
   if (state.budget->elements == 0) {
-    stop_with(state, node->where, "the deck has too many elements (limit 500,000)", "");
+    stop_with(state, node->where, "the deck has too many elements (limit 200,000)", "");
     return;
   }
   --state.budget->elements;

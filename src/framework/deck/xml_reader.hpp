@@ -18,7 +18,7 @@ namespace sluice {
 // elements.
 struct ReadBudget {
   std::size_t bytes = 64u << 20;
-  std::size_t elements = 500'000;
+  std::size_t elements = 200'000;
   std::size_t includes = 1000;
   std::size_t include_depth = 32;
 };

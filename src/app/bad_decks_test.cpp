@@ -1,0 +1,264 @@
+// A corpus of bad decks: each is the good deck with one edit, and must be refused by
+// `sluice check` within a second, with exit status 2, the right line and the right message.
+//
+// The edits stand in src/framework/deck/bad_decks/*.rows, one paragraph each:
+//   name: what is bad
+//   from: text of good.ups, of which the first occurrence is replaced (\n: line end, \xff: byte)
+//   to: the text in its place
+//   line: where the message must point; 0: not checked
+//   says: a piece of the message
+//   status: 0 where a warning is all
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr double seconds_allowed = 1.0;
+const fs::path corpus = SLUICE_SOURCE_DIR "/src/framework/deck/bad_decks";
+
+struct BadDeck {
+  std::string name, from, to, message;
+  int line = 0;
+  int status = 2;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Outcome {
+  int status = -1;
+  double seconds = 0;
+  std::string text;
+};
+
+Outcome check(const std::string& arguments) {
+  const std::string command = std::string(SLUICE_COMMAND) + " check " + arguments + " 2>&1";
+  const auto begin = std::chrono::steady_clock::now();
+  Outcome outcome;
+  FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    outcome.text.append(buffer.data(), n);
+  }
+  const int status = pclose(pipe);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+// A folder of its own for the edited decks, with the fragments that some include.
+class Folder {
+ public:
+  explicit Folder(const std::string& name)
+      : path_(fs::temp_directory_path() /
+              ("sluice_bad_decks_" + name + "_" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+    for (const auto& entry : fs::directory_iterator(corpus)) {
+      fs::copy_file(entry.path(), path_ / entry.path().filename(),
+                    fs::copy_options::overwrite_existing);
+    }
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string write(const std::string& name, const std::string& text) const {
+    const fs::path file = path_ / name;
+    std::ofstream(file, std::ios::binary) << text;
+    return file.string();
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string edited(const std::string& good, const BadDeck& bad) {
+  std::string text = good;
+  const auto at = text.find(bad.from);
+  EXPECT_NE(at, std::string::npos) << bad.name << ": nothing to edit";
+  if (at != std::string::npos) text.replace(at, bad.from.size(), bad.to);
+  return text;
+}
+
+void expect_refused(const BadDeck& bad, const std::string& file, const Outcome& outcome) {
+  SCOPED_TRACE(bad.name);
+  EXPECT_EQ(outcome.status, bad.status) << outcome.text;
+  EXPECT_LT(outcome.seconds, seconds_allowed);
+  EXPECT_THAT(outcome.text, HasSubstr(bad.message));
+  if (bad.line == 0) return;
+  // The message stands in a line that begins with the file and this line number.
+  const std::string place = file + ':' + std::to_string(bad.line) + ':';
+  bool found = false;
+  for (std::size_t at = outcome.text.find(place); at != std::string::npos && !found;
+       at = outcome.text.find(place, at + 1)) {
+    const auto end = outcome.text.find('\n', at);
+    found = outcome.text.substr(at, end - at).find(bad.message) != std::string::npos;
+  }
+  EXPECT_TRUE(found) << "expected at line " << bad.line << ", got\n" << outcome.text;
+}
+
+std::string unescaped(std::string text) {
+  const std::pair<const char*, const char*> escapes[] = {
+      {"\\n", "\n"}, {"\\xff", "\xff"}, {"\\xfe", "\xfe"}};
+  for (const auto& [written, meant] : escapes) {
+    for (auto at = text.find(written); at != std::string::npos; at = text.find(written)) {
+      text.replace(at, std::string(written).size(), meant);
+    }
+  }
+  return text;
+}
+
+std::vector<BadDeck> read_rows(const fs::path& file) {
+  std::vector<BadDeck> rows;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const auto colon = line.find(':');
+    if (line.empty() || line[0] == '#' || colon == std::string::npos) continue;
+    const std::string key = line.substr(0, colon);
+    const std::string value = line.size() > colon + 2 ? line.substr(colon + 2) : "";
+    if (key == "name") rows.push_back({value, "", "", "", 0, 2});
+    if (key == "from") rows.back().from = unescaped(value);
+    if (key == "to") rows.back().to = unescaped(value);
+    if (key == "says") rows.back().message = value;
+    if (key == "line") rows.back().line = std::stoi(value);
+    if (key == "status") rows.back().status = std::stoi(value);
+  }
+  return rows;
+}
+
+class BadDecks : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BadDecks, AreRefused) {
+  const Folder folder(GetParam());
+  const std::string good = read_file(corpus / "good.ups");
+  const auto rows = read_rows(corpus / (std::string(GetParam()) + ".rows"));
+  ASSERT_GE(rows.size(), 10u);
+  for (const BadDeck& bad : rows) {
+    ASSERT_FALSE(bad.message.empty()) << bad.name;
+    const std::string file = folder.write(bad.name + ".ups", edited(good, bad));
+    expect_refused(bad, file, check(file));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, BadDecks,
+                         ::testing::Values("values", "grids", "boundaries", "materials", "output",
+                                           "not_built", "xml"),
+                         [](const auto& set) { return std::string(set.param); });
+
+TEST(BadDeckChecks, TheGoodOneIsGood) {
+  const Outcome outcome = check((corpus / "good.ups").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("good, 0 errors, 0 warnings"));
+}
+
+// Bombs and giants, made here because they are large.
+TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
+  const Folder folder("bombs");
+  std::string laughs = "<!DOCTYPE r [<!ENTITY a0 \"ha\">\n";
+  for (int i = 1; i < 20; ++i) {
+    const std::string inner = "&a" + std::to_string(i - 1) + ";";
+    laughs += "<!ENTITY a" + std::to_string(i) + " \"";
+    for (int k = 0; k < 10; ++k) laughs += inner;
+    laughs += "\">\n";
+  }
+  std::string deep = "<Uintah_specification>";
+  for (int i = 0; i < 100000; ++i) deep += "<union>";
+  std::string wide = "<Uintah_specification>";
+  for (int i = 0; i < 1000000; ++i) wide += "<a/>";
+  std::string long_value = "<Uintah_specification><Meta><title>" + std::string(12000000, 'x') +
+                           "</title></Meta></Uintah_specification>";
+  std::string chain;  // includes that nest without a loop
+  for (int i = 0; i < 60; ++i) {
+    folder.write("chain_" + std::to_string(i) + ".xml", "<Uintah_Include><include href=\"chain_" +
+                                                            std::to_string(i + 1) +
+                                                            ".xml\"/></Uintah_Include>");
+  }
+  chain = "<Uintah_specification><include href=\"chain_0.xml\"/></Uintah_specification>";
+
+  const struct {
+    const char* name;
+    std::string text;
+    const char* message;
+  } bombs[] = {
+      {"laughs", laughs + "]><r>&a19;</r>", "may not declare entities"},
+      {"deep", deep, "nested deeper than"},
+      {"wide", wide + "</Uintah_specification>", "too many elements"},
+      {"long", long_value, "needs <SimulationComponent>"},
+      {"huge", std::string((16u << 20) + 1, ' '), "more than is read"},
+      {"chain", chain, "too many includes"},
+      {"empty", "", "the file is empty"},
+      {"binary", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11), "XML:"},
+  };
+  for (const auto& bomb : bombs) {
+    SCOPED_TRACE(bomb.name);
+    const Outcome outcome = check(folder.write(std::string(bomb.name) + ".ups", bomb.text));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_LT(outcome.seconds, seconds_allowed);
+    EXPECT_THAT(outcome.text.substr(0, 2000), HasSubstr(bomb.message));
+  }
+}
+
+TEST(BadDeckChecks, AllFaultsAreFoundInOnePass) {
+  const Folder folder("many");
+  std::string text = read_file(corpus / "good.ups");
+  const auto edit = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  edit("<cfl>0.4</cfl>", "<clf>0.4</clf>");
+  edit("<gamma>1.4</gamma>", "");
+  edit("ideal_gas", "idael_gas");
+  edit("label=\"Velocity\"", "label=\"Velocty\"");
+  edit("<upper>[1,", "<upper>[-1,");
+  const Outcome outcome = check(folder.write("many.ups", text));
+  EXPECT_EQ(outcome.status, 2);
+  for (const char* message :
+       {"<clf> does not exist", "<CFD> needs <cfl>", "<material> needs <gamma>", "idael_gas",
+        "Velocty", "no condition for Velocity", "inverted in x"}) {
+    EXPECT_THAT(outcome.text, HasSubstr(message));
+  }
+}
+
+TEST(BadDeckChecks, OverridesThatFailSayWhy) {
+  const std::string good = (corpus / "good.ups").string();
+  const struct {
+    const char* set;
+    const char* message;
+  } rows[] = {
+      {"CFD/clf=0.3", "<CFD> has no <clf> (did you mean 'cfl'?)"},
+      {"CFD/cfl=7", "--set CFD/cfl=7: error: <cfl>: '7' is out of range"},
+      {"CFD/cfl", "there is no '='"},
+      {"=3", "the path is empty"},
+      {"CFD/ICE/advection/@tpye=FirstOrder", "did you mean 'type'?"},
+      {"Grid/Level[2]/spacing=[1,1,1]", "there is no <Level>[2] in <Grid>: it has 1"},
+      {"Grid/Level[x]/spacing=[1,1,1]", "neither a number from 1 on"},
+      {"Grid/Level/Box[@label=nose]/patches=[1,1,1]", "no <Box> in <Level> has label=\"nose\""},
+      {"DataArchiver/save/@label=vel_CC", "choose one with save[1]"},
+      {"Gird/Level/Box/resolution=[5,1,1]", "did you mean 'Grid'?"},
+  };
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.set);
+    const Outcome outcome = check("--set '" + std::string(row.set) + "' " + good);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.text, HasSubstr(row.message));
+  }
+}
+
+}  // namespace
+}  // namespace sluice
