@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace sluice::ice {
 namespace {
 
@@ -31,20 +29,6 @@ std::optional<FormulaFill> read_formula(const DeckNode* ice) {
   return fill;
 }
 
-// The deck's <pressure> of a geometry object is not used: say so where it contradicts.
-void check_pressure(const IceMaterial& m, const GeomObject& o, std::vector<Fault>& faults) {
-  if (!o.has("pressure") || !o.has("density") || !o.has("temperature")) return;
-  const double density = o.value("density");
-  const double p =
-      m.gas.pressure(density, m.gas.energy_from_temperature(density, o.value("temperature")));
-  const double written = o.value("pressure");
-  if (std::fabs(p - written) <= 1e-3 * std::fabs(p)) return;
-  faults.push_back({Severity::warning, o.value_where.at("pressure"),
-                    fmt::format("<pressure> {} is not used: density {} and temperature {} give {}",
-                                written, density, o.value("temperature"), p),
-                    "make the three agree, or leave <pressure> out"});
-}
-
 IceMaterial read_material(const DeckNode& node, int index, const GeometryReader& geometry,
                           std::vector<Fault>& faults) {
   IceMaterial m;
@@ -59,10 +43,8 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
     faults.push_back({Severity::error, k->where,
                       "thermal_conductivity above 0: heat conduction is not built yet",
                       "set it to 0.0 to run without conduction"});
-  for (const DeckNode* object : node.all("geom_object")) {
+  for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(geometry.object(*object, faults));
-    check_pressure(m, m.objects.back(), faults);
-  }
   return m;
 }
 
