@@ -79,6 +79,11 @@ Vec3 corner(const Level& l, IntVec3 c) {
           l.anchor.z + c.z * l.spacing.z};
 }
 
+// For reading; --json has all digits.
+std::string short_text(Vec3 v) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z);
+}
+
 Json steps_json(const std::vector<StepEntry>& entries) {
   Json list = Json::array();
   for (const StepEntry& e : entries) list.push_back({{"step", e.step}, {"time", e.time}});
@@ -142,7 +147,7 @@ void print_steps(const char* title, const std::vector<StepEntry>& entries) {
       fmt::print("  ...\n");
       n = entries.size() - ends;
     }
-    fmt::print("  #{:<5} step {:<8} time {:.17g}\n", n, entries[n].step, entries[n].time);
+    fmt::print("  #{:<5} step {:<8} time {:.10g}\n", n, entries[n].step, entries[n].time);
   }
 }
 
@@ -187,8 +192,8 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
       fmt::print(
           "level {}      {} cells in {} boxes, {} to {}, spacing {}, active {}, periodic {}\n",
           l.index, human_count(l.cell_count()), l.boxes.size(),
-          triple_text(corner(l, l.domain.lower)), triple_text(corner(l, l.domain.upper)),
-          triple_text(l.spacing), axes(l.active), axes(l.periodic));
+          short_text(corner(l, l.domain.lower)), short_text(corner(l, l.domain.upper)),
+          short_text(l.spacing), axes(l.active), axes(l.periodic));
     print_labels(*step);
   }
   for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);

@@ -21,7 +21,10 @@ namespace fs = std::filesystem;
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "sluice_archive_XXXXXX").string();
+    // Memory where there is some: flushing thousands of files to a disk takes long.
+    const fs::path parent =
+        ::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : fs::temp_directory_path();
+    std::string name = (parent / "sluice_archive_XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
     path_ = name;
   }
