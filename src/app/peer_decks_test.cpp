@@ -125,6 +125,7 @@ TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
     const std::string xml = to_xml(*deck.root);
     const Deck again = load_deck_text(xml, file, {}, schema);
     ASSERT_TRUE(again.good()) << file << to_string(again.faults.front());
+    EXPECT_EQ(again.faults.size(), deck.faults.size()) << file;
     EXPECT_EQ(to_xml(*again.root), xml) << file;
   }
 }

@@ -125,6 +125,11 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
     if (work != nullptr && work->text == "false") {
       not_built(faults, *work, "<includeFlowWork> false", "write true");
     }
+    const auto conductivity = real_of(material, "thermal_conductivity");
+    if (conductivity && *conductivity > 0) {
+      not_built(faults, *material->child("thermal_conductivity"), "heat conduction",
+                "write 0 to run without it");
+    }
   }
   const auto names = material_names(root);
   const auto count = static_cast<int>(materials.size());

@@ -96,9 +96,18 @@ class LabelResolver {
       return;
     }
     copy_children(piece, reference);
+    forget_label(reference);
     ++depth_;
     resolve(reference);  // the piece may itself hold references
     --depth_;
+  }
+
+  // A copy has no label: that stays with the piece itself.
+  static void forget_label(DeckNode& node) {
+    if (!is_geometry_piece(node.name)) return;
+    std::erase_if(node.attributes, [](const auto& attribute) {
+      return attribute.first == "label" || attribute.first == "name";
+    });
   }
 
   void copy_children(const DeckNode& from, DeckNode& to) {
@@ -110,6 +119,7 @@ class LabelResolver {
       copy->attributes = child->attributes;
       ++copied_;
       if (copied_ <= most_copied_) copy_children(*child, *copy);
+      if (!is_empty(*copy)) forget_label(*copy);
       to.children.push_back(std::move(copy));
     }
   }
