@@ -61,6 +61,11 @@ std::vector<IndexBox> forced(const LevelSettings& settings, IntVec3 pieces) {
             "a split into {},{},{} boxes was asked for, but the level has {} x {} x {} cells; each "
             "number must be between 1 and the cells of its direction",
             pieces.x, pieces.y, pieces.z, n.x, n.y, n.z));
+    if (static_cast<double>(pieces.x) * pieces.y * pieces.z > 1e6)
+      throw InputError(
+          fmt::format("a split into {},{},{} boxes was asked for; at most a million "
+                      "boxes are made",
+                      pieces.x, pieces.y, pieces.z));
     append(boxes, b.cells, pieces);
   }
   return boxes;

@@ -19,6 +19,7 @@ constexpr double on_node = 1e-6;            // cells
 constexpr double integral_ratio = 1e-5;     // of refinement ratios
 constexpr double largest_extent = 1 << 30;  // cells a direction
 constexpr double largest_level = 1e11;      // cells
+constexpr double most_patches = 1e6;        // of one box
 
 constexpr const char* axis = "xyz";
 
@@ -96,6 +97,11 @@ void read_patches(const DeckNode& node, BoxSettings& box, std::vector<Fault>& fa
       add_error(faults, node.where,
                 fmt::format("box: {} patches in direction {}; there must be at least 1",
                             box.patches[d], axis[d]));
+  const double count = 1.0 * box.patches.x * box.patches.y * box.patches.z;
+  if (count > most_patches || box.auto_patch > most_patches)
+    add_error(faults, node.where,
+              fmt::format("box: {:.3g} patches; more than {:.0e} are refused",
+                          std::max(count, 1.0 * box.auto_patch), most_patches));
 }
 
 struct RawBox {

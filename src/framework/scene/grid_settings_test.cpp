@@ -117,6 +117,11 @@ TEST(GridSettings, Faults) {
        "2 patches but only 1 cells in direction y"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", one + "<patches>[0,1,1]</patches>") + "</Level>",
        "0 patches"},
+      {"<Level>" +
+           box("[0,0,0]", "[1,1,1]",
+               resolution("[2000,2000,2000]") + "<patches>[2000,2000,2000]</patches>") +
+           "</Level>",
+       "8e+09 patches"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", one) +
            box("[1,0,0]", "[2,1,1]", resolution("[9,1,1]")) + "</Level>",
        "share one spacing"},
@@ -190,6 +195,9 @@ TEST(BuildGrid, AForcedSplitOverridesTheDeck) {
   const Level level = build_grid(settings, options).levels[0];
   EXPECT_EQ(level.boxes.size(), 6u);
   expect_partition(level);
+  options.boxes = {2000, 2000, 1};
+  EXPECT_THAT([&] { build_grid(plain("[2000,2000,1]", ""), options); },
+              ThrowsMessage<InputError>(HasSubstr("at most a million boxes")));
   options.boxes = {1, 1, 2};
   EXPECT_THAT([&] { build_grid(settings, options); },
               ThrowsMessage<InputError>(HasSubstr("8 x 8 x 1 cells")));
