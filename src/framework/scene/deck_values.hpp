@@ -1,4 +1,4 @@
-// Small helpers to read a deck's values and to collect what is wrong with them.
+// Short ways to read a deck's values and to collect what is wrong with them.
 #pragma once
 #include <optional>
 #include <string>
