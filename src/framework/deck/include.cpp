@@ -64,7 +64,9 @@ class IncludeResolver {
     for (const auto& candidate : candidates) {
       if (fs::is_regular_file(candidate, problem)) return candidate.lexically_normal();
     }
-    if (fs::exists(candidates.back(), problem)) {
+    const bool exists = std::any_of(candidates.begin(), candidates.end(),
+                                    [&](const auto& path) { return fs::exists(path, problem); });
+    if (exists) {
       fault(include, fmt::format("included {} is not a regular file", in_quotes(href)));
       return std::nullopt;
     }

@@ -57,6 +57,7 @@ class LabelResolver {
   }
 
   void resolve(DeckNode& node) {
+    within_.push_back(&node);
     for (const auto& child : node.children) {
       const bool reference = is_geometry_piece(child->name) && is_empty(*child) &&
                              child->name != "null" && !label_of(*child).empty();
@@ -66,6 +67,7 @@ class LabelResolver {
         resolve(*child);
       }
     }
+    within_.pop_back();
   }
 
  private:
@@ -91,15 +93,17 @@ class LabelResolver {
             fmt::format("write <{} label=\"{}\"/>", piece.name, label));
       return;
     }
-    if (depth_ > deepest_ || copied_ > most_copied_) {
-      fault(reference, fmt::format("label {} repeats pieces without end", in_quotes(label)), "");
+    const bool inside_itself = std::find(within_.begin(), within_.end(), &piece) != within_.end();
+    if (inside_itself || copied_ > most_copied_) {
+      fault(reference, fmt::format("label {} repeats pieces without end", in_quotes(label)),
+            "a piece cannot hold itself");
       return;
     }
     copy_children(piece, reference);
     forget_label(reference);
-    ++depth_;
+    within_.push_back(&piece);
     resolve(reference);  // the piece may itself hold references
-    --depth_;
+    within_.pop_back();
   }
 
   // A copy has no label: that stays with the piece itself.
@@ -124,11 +128,10 @@ class LabelResolver {
     }
   }
 
-  static constexpr int deepest_ = 32;
   static constexpr int most_copied_ = 100'000;
   std::vector<Fault>& faults_;
   std::map<std::string, const DeckNode*> pieces_;
-  int depth_ = 0;
+  std::vector<const DeckNode*> within_;  // what is being resolved, outermost first
   int copied_ = 0;
 };
 

@@ -147,14 +147,16 @@ ParsedValue<double> parse_real(std::string_view text) {
     return bad<double>(fmt::format("{} is not a number", in_quotes(text)));
   }
   std::string_view digits = text;
-  if (digits.front() == '+') digits.remove_prefix(1);
+  const bool plus = digits.front() == '+';
+  if (plus) digits.remove_prefix(1);
   double value = 0.0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (result.ec == std::errc::result_out_of_range) {
     return bad<double>(fmt::format("{} is outside the range of a double", in_quotes(text)));
   }
   const bool whole = result.ptr == digits.data() + digits.size();
-  if (result.ec != std::errc() || !whole || !std::isfinite(value) || digits.front() == '+') {
+  const bool two_signs = plus && (digits.empty() || digits.front() == '-');
+  if (result.ec != std::errc() || !whole || !std::isfinite(value) || two_signs) {
     return bad<double>(fmt::format("{} is not a number", in_quotes(text)));
   }
   return good(value);
