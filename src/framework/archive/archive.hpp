@@ -72,6 +72,7 @@ class ArchiveStep {
   std::vector<std::string> verify(std::int64_t& good_values) const;
 
  private:
+  void open_file(const std::filesystem::path& path);
   void gather_fields();
   template <class F>
   void visit_boxes(const FieldInfo& field, const IndexBox& cells, F&& f) const;

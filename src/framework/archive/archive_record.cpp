@@ -168,6 +168,10 @@ DataFileRecord parse_data_file(const XmlElement& root, const std::string& contex
     v.gzip = e.attribute("compression").value_or("") == "gzip";
     v.offset = parse_integer(e.need_attribute("offset", context), context);
     v.bytes = parse_integer(e.need_attribute("bytes", context), context);
+    const bool inside =
+        v.offset >= 0 && v.offset <= record.bytes && v.bytes <= record.bytes - v.offset;
+    if (v.bytes < 0 || (!v.gzip && !inside))
+      throw DamageError(fmt::format("{}: {} lies outside the data file", context, v.group()));
     record.variables.push_back(std::move(v));
   }
   return record;

@@ -97,6 +97,9 @@ ArchiveIndex parse_index(const XmlElement&, const std::string& context);
 StepRecord parse_step(const XmlElement&, const std::string& context);
 DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
 
+// A box of indices as read from a file: not empty, and small enough to compute with.
+IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context);
+
 std::string step_folder_name(int step);  // t00012
 std::string_view name_of(StoredType);
 std::size_t size_of(StoredType);

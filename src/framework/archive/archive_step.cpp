@@ -13,7 +13,7 @@ ArchiveStep::ArchiveStep(const fs::path& timestep_xml) : folder_(timestep_xml.pa
   record_ = parse_step(read_sealed(timestep_xml), timestep_xml.string());
   for (const std::string& href : record_.data_files) {
     try {
-      files_.push_back(std::make_unique<FieldFileReader>(folder_ / fs::path(href).filename()));
+      open_file(folder_ / fs::path(href).filename());
     } catch (const Error& e) {
       damage_.push_back(e.what());
     }
@@ -24,6 +24,15 @@ ArchiveStep::ArchiveStep(const fs::path& timestep_xml) : folder_(timestep_xml.pa
 ArchiveStep::ArchiveStep(ArchiveStep&&) noexcept = default;
 ArchiveStep& ArchiveStep::operator=(ArchiveStep&&) noexcept = default;
 ArchiveStep::~ArchiveStep() = default;
+
+void ArchiveStep::open_file(const fs::path& path) {
+  auto file = std::make_unique<FieldFileReader>(path);
+  for (const StoredVariable& v : file->variables())
+    if (v.level < 0 || static_cast<std::size_t>(v.level) >= grid().levels.size())
+      throw DamageError(fmt::format("{}: {} is on level {}, which the grid does not have",
+                                    path.string(), v.name, v.level));
+  files_.push_back(std::move(file));
+}
 
 void ArchiveStep::gather_fields() {
   auto key = [](const FieldInfo& f) { return std::tie(f.name, f.material, f.level); };

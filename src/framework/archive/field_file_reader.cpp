@@ -84,7 +84,7 @@ FieldFileReader::Table FieldFileReader::read_table(const StoredVariable& variabl
   std::int64_t total = 0;
   for (std::size_t n = 0; n + 6 <= numbers.size(); n += 6) {
     const std::int32_t* b = numbers.data() + n;
-    t.boxes.push_back({{b[0], b[1], b[2]}, {b[3], b[4], b[5]}});
+    t.boxes.push_back(checked_box({b[0], b[1], b[2]}, {b[3], b[4], b[5]}, file));
     t.starts.push_back(total);
     total += t.boxes.back().volume() * components;
   }

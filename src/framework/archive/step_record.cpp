@@ -29,15 +29,6 @@ XmlElement level_xml(const Level& level) {
   return e;
 }
 
-IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context) {
-  constexpr int limit = 1 << 30;  // sums and differences of indices stay within an int
-  for (int d = 0; d < 3; ++d)
-    if (lower[d] < -limit || upper[d] > limit || lower[d] >= upper[d])
-      throw DamageError(fmt::format("{}: {} to {} is not a box of cells", context,
-                                    triple_text(lower), triple_text(upper)));
-  return {lower, upper};
-}
-
 Level parse_level(const XmlElement& e, const std::string& context) {
   auto ints = [&](const char* name) {
     return parse_int_triple(e.need(name, context).text, context);
@@ -74,6 +65,15 @@ Level parse_level(const XmlElement& e, const std::string& context) {
 }
 
 }  // namespace
+
+IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context) {
+  constexpr int limit = 1 << 30;  // sums and differences of indices stay within an int
+  for (int d = 0; d < 3; ++d)
+    if (lower[d] < -limit || upper[d] > limit || lower[d] >= upper[d])
+      throw DamageError(fmt::format("{}: {} to {} is not a box of cells", context,
+                                    triple_text(lower), triple_text(upper)));
+  return {lower, upper};
+}
 
 XmlElement to_xml(const StepRecord& record) {
   XmlElement root("Uintah_timestep");
