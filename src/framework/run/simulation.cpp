@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -67,6 +68,7 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       time_(scene.time, scene.output, options_.limits),
       solver_(component, scene.grid.levels.front(), communicator,
               {options_.threads, options_.force_all, 61, options_.block}),
+      analysis_(scene, solver_, communicator),
       conservation_(conserved_names(component)) {}
 
 Simulation::~Simulation() = default;
@@ -122,6 +124,8 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   set_totals(true);
   conservation_.restore(nlohmann::json::parse(kept.at("conservation")));
   ledger_ = EventLedger::from_json(nlohmann::json::parse(kept.at("events")));
+  if (const auto sampled = kept.find("analysis"); sampled != kept.end())
+    analysis_.restore(sampled->second);
   limit_.dt = time_.state().physics_dt;
   limit_.reason = "checkpoint";
 }
@@ -141,13 +145,15 @@ void Simulation::start() {
     time_.remember_physics_dt(limit_.dt);
   }
   sort_saves(scene_.output, solver_);  // bad labels are found also when nothing is written
-  const bool writes = scene_.output.any() || scene_.output.checkpoint.any();
+  const bool writes = scene_.output.any() || scene_.output.checkpoint.any() || analysis_.any();
   if (options_.output && writes) {
     ArchiveWriter archive =
         ArchiveWriter::create(archive_setup(scene_, options_), writer_ranks(communicator_));
     if (restarting)
       archive.adopt(options_.restart, restart_step,
                     options_.copy_earlier ? Earlier::copy : Earlier::refer);
+    analysis_.open(archive.folder());
+    if (restarting) analysis_.adopt(options_.restart, time_.state().time);
     output_ = std::make_unique<OutputWriter>(scene_, component_, solver_, std::move(archive));
     if (!restarting && time_.outputs_initial_state()) output_->write_output(step_info(), true);
   }
@@ -160,6 +166,8 @@ void Simulation::start() {
   p.cells = scene_.grid.cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
+  if (communicator_.is_root() && output_ != nullptr)
+    for (const std::string& warning : analysis_.warnings()) progress_->note(warning);
   progress_->begin(time_.state().step, time_.state().time, start_seconds_);
 }
 
@@ -173,6 +181,7 @@ StepInfo Simulation::step_info() const {
   info.state["time"] = to_json_text(t);
   info.state["conservation"] = conservation_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
+  if (analysis_.any()) info.state["analysis"] = analysis_.state();
   return info;
 }
 
@@ -188,15 +197,23 @@ void Simulation::fail(const StepPlan& plan) {
       f.cell.z, f.level, f.material, component_.describe_fault(f.kind), f.value));
 }
 
+// Labels that exist only inside the step and are saved or analysed at its end.
+std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
+  if (output_ == nullptr) return {};
+  std::vector<Label> labels = analysis_.step_labels(plan.end);
+  if (plan.output)
+    for (Label l : output_->step_labels())
+      if (std::find(labels.begin(), labels.end(), l) == labels.end()) labels.push_back(l);
+  return labels;
+}
+
 // Attempts the step until it is admissible: first with slopes taken away where it failed, then with
 // smaller steps. Nothing of the old state is touched.
 StepPlan Simulation::advance(StepPlan plan) {
-  static const std::vector<Label> nothing;
   for (int smaller = 0;; ++smaller) {
+    const std::vector<Label> stored = labels_to_store(plan);
     for (int masked = 0; masked <= masked_attempts; ++masked) {
-      const bool stores = plan.output && output_ != nullptr;
-      const StepAttempt& a =
-          solver_.attempt(plan.start, plan.dt, stores ? output_->step_labels() : nothing, control_);
+      const StepAttempt& a = solver_.attempt(plan.start, plan.dt, stored, control_);
       if (a.faults == 0) {
         ledger_.accept_step();
         return plan;
@@ -242,6 +259,8 @@ void Simulation::book(const StepPlan& plan) {
 
 void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
+  if (analysis_.sample(plan.step, plan.end)) ghosts_filled_ = true;
+  if (plan.output || end.checkpoint) analysis_.flush();
   if (!output_->saved().histories.empty()) output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) {
     output_->write_output(step_info(), false);
@@ -285,6 +304,7 @@ bool Simulation::step() {
 
 void Simulation::write_last_good_checkpoint() {
   if (output_ == nullptr || last_checkpoint_step_ == time_.state().step || steps_ == 0) return;
+  analysis_.flush();
   output_->write_checkpoint(step_info());
 }
 
@@ -301,6 +321,7 @@ RunReport Simulation::run() {
   progress_->end();
   if (status_ != RunStatus::failed) set_totals(false);
   RunReport r = report();
+  if (output_ != nullptr) analysis_.flush();
   if (output_ != nullptr) output_->finish(to_json(r).dump(2) + "\n");
   return r;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "framework/run/analysis_recorder.hpp"
 #include "framework/run/event_ledger.hpp"
 #include "framework/run/output_writer.hpp"
 #include "framework/run/progress.hpp"
@@ -45,6 +46,7 @@ class Simulation {
   void start();
   void restart_from(const ArchiveStep& checkpoint);
   bool step();  // false when the run has ended
+  std::vector<Label> labels_to_store(const StepPlan& plan) const;
   StepPlan advance(StepPlan plan);
   void book(const StepPlan& plan);
   void keep(const StepPlan& plan, const StepEnd& end);
@@ -62,6 +64,7 @@ class Simulation {
   RunControl control_;
   TimeControl time_;
   LevelSolver solver_;
+  AnalysisRecorder analysis_;
   std::unique_ptr<OutputWriter> output_;
   std::unique_ptr<Progress> progress_;
   EventLedger ledger_;
