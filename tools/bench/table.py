@@ -23,7 +23,7 @@ def rows(cases, mine, other, calibration):
         before = other["figures"].get(name)
         change = (value / before - 1) if before else None
         limit = getattr(case, "limit", None)
-        is_time = getattr(case, "unit", "ns") != "ratio"
+        is_time = getattr(case, "unit", "ns").startswith("ns")
         yield [name, f"{value:.2f}", f"{value / calibration:.0f}" if is_time else "",
                f"{before:.2f}" if before else "-",
                f"{100 * change:+.1f} %" if change is not None else "-",
@@ -33,7 +33,7 @@ def rows(cases, mine, other, calibration):
 
 def print_table(cases, mine, other, calibration):
     """Prints the table; returns the names of figures outside their limit."""
-    head = ["case", "ns or ratio", "in loops", "other", "change", "", "limit", ""]
+    head = ["case", "ns, ms, ratio", "in loops", "other", "change", "", "limit", ""]
     body = list(rows(cases, mine, other, calibration))
     widths = [max(len(row[i]) for row in [head] + body) for i in range(len(head))]
     print(f"against: {other.get('commit', 'nothing recorded')} {other.get('date', '')} "

@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 
-SETTINGS = ["Grid/Level/Box/resolution=[160,160,1]", "Time/max_Timesteps=400",
+SETTINGS = ["Grid/Level/Box/resolution=[128,128,1]", "Time/max_Timesteps=300",
             "DataArchiver/outputInterval=", "DataArchiver/outputTimestepInterval=20",
             "DataArchiver/checkpoint/@cycle=2", "DataArchiver/checkpoint/@timestepInterval=15"]
 
@@ -25,29 +25,28 @@ class Runner:
         self.sluice, self.deck, self.folder = given.sluice, given.deck, given.folder
 
     def command(self, name, restart=None):
-        words = [self.sluice, "run", self.deck, "-o", str(self.folder / name), "--progress", "none",
+        words = [self.sluice, "run", "-o", str(self.folder / name), "--progress", "none",
                  "--json", str(self.folder / f"{name}.json")]
         if restart:
-            words += ["--restart", str(restart)]
-        for setting in SETTINGS if not restart else []:
+            return words + ["--restart", str(restart)]  # with the deck that the archive keeps
+        for setting in SETTINGS:
             words += ["--set", setting]
-        return words
+        return words + [self.deck]
 
     def start(self, name, restart=None):
         log = open(self.folder / f"{name}.log", "ab")
         return subprocess.Popen(self.command(name, restart), stdout=log, stderr=log)
 
-    def newest(self, name):
-        found = sorted((self.folder / name).glob("*.uda.[0-9]*"))
-        return found[-1] if found else None
+    def archives(self, name):
+        return sorted((self.folder / name).glob("*.uda.[0-9]*"))
 
     def told(self, *words):
         return subprocess.run([self.sluice, *map(str, words)], capture_output=True, text=True)
 
 
 def has_checkpoint(archive):
-    return archive is not None and (archive / "checkpoints/index.xml").exists() and \
-        "<timestep " in (archive / "checkpoints/index.xml").read_text()
+    index = archive / "checkpoints/index.xml"
+    return index.exists() and "<timestep " in index.read_text()
 
 
 def fail(text):
@@ -56,7 +55,7 @@ def fail(text):
 
 
 def check_archive(runner, archive):
-    if archive is None or not (archive / "index.xml").exists():
+    if not (archive / "index.xml").exists():
         return  # killed before there was anything to index
     told = runner.told("info", archive, "--verify")
     if told.returncode != 0:
@@ -75,9 +74,11 @@ def compare(runner, reference, archive):
 def one_sequence(runner, name, wall, budget):
     """Kills until a run finishes or the budget is used up; the number of kills."""
     (runner.folder / name).mkdir()
-    kills, archive = 0, None
+    kills = 0
     while True:
-        process = runner.start(name, archive if has_checkpoint(archive) else None)
+        # Each restart writes an archive of its own; the newest with a checkpoint goes furthest.
+        good = [archive for archive in runner.archives(name) if has_checkpoint(archive)]
+        process = runner.start(name, good[-1] if good else None)
         if kills < budget:
             try:
                 process.wait(timeout=random.uniform(0.01, 0.9 * wall))
@@ -85,12 +86,12 @@ def one_sequence(runner, name, wall, budget):
                 process.send_signal(signal.SIGKILL)
                 process.wait()
                 kills += 1
-                archive = runner.newest(name)
-                check_archive(runner, archive)
+                for archive in runner.archives(name):
+                    check_archive(runner, archive)
                 continue
         if process.wait() != 0:
             fail(f"a restarted run ended with {process.returncode}; see {name}.log")
-        return kills, runner.newest(name)
+        return kills, runner.archives(name)[-1]
 
 
 def main():
@@ -110,7 +111,7 @@ def main():
     if runner.start("reference").wait() != 0:
         fail("the uninterrupted run failed; see reference.log")
     wall = time.monotonic() - begin
-    reference = runner.newest("reference")
+    reference = runner.archives("reference")[-1]
     steps = json.loads((given.folder / "reference.json").read_text())["steps"]
 
     kills = sequences = 0
