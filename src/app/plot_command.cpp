@@ -63,7 +63,7 @@ class TemporaryFile {
 // The folder that holds the package sluice_tools.
 fs::path tools_folder() {
   const fs::path beside = own_executable().parent_path() / version::kDataFromBin / "tools";
-  const fs::path tools = beside.lexically_normal();
+  fs::path tools = beside.lexically_normal();
   if (!fs::exists(tools / "sluice_tools" / "__main__.py"))
     throw SystemError(
         fmt::format("the Python tools are not beside this executable: looked for {}; "
