@@ -71,6 +71,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.gravity_on = !(o.gravity == Vec3{});
   o.viscosity = m.viscosity;
   o.viscous = m.viscosity > 0;
+  o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
   o.domain = level.domain;
@@ -192,6 +193,15 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
       rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
       rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
       rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
+      if (!options_.viscous) return;
+      double inverse_dx2 = 0;
+      for (int a = 0; a < options_.axes.count; ++a) {
+        const double dx = state.level().spacing[options_.axes.direction[a]];
+        inverse_dx2 += 1.0 / (dx * dx);
+      }
+      rates.maximum(
+          StepSlots::diffusion_rate,
+          ordered_bits(2.0 * options_.diffusion_knob * options_.viscosity * inverse_dx2 / rho));
     });
   }
 }
@@ -206,6 +216,8 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
   at_most(sound_share / maxima[StepSlots::sound_rate], "scheme: 0.8 dx/(|u| + c)");
+  at_most(options_.cfl / maxima[StepSlots::diffusion_rate],
+          "deck: cfl rho/(2 knob mu sum 1/dx^2)");
   return limit;
 }
 

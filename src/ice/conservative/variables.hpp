@@ -23,6 +23,7 @@ struct SchemeOptions {
   bool gravity_on = false;
   double viscosity = 0;  // dynamic, Pa s; 0: no stress
   bool viscous = false;
+  double diffusion_knob = 1;    // weight of the viscous time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;
   IndexBox domain;  // cells of the physical domain
@@ -53,7 +54,8 @@ struct StepSlots {
   static constexpr int deck_rate = 0;   // max of sum or max of (|u| + knob c)/dx: 1/s
   static constexpr int flow_rate = 1;   // max of sum |u|/dx
   static constexpr int sound_rate = 2;  // max of (|u| + c)/dx
-  static constexpr int maxima = 3;
+  static constexpr int diffusion_rate = 3; // max of 2 knob mu/rho sum 1/dx^2
+  static constexpr int maxima = 4;
   // Exact sums: what came in through the boundary in this step.
   static constexpr int mass = 0;
   static constexpr int momentum = 1;  // three
