@@ -15,7 +15,11 @@ add_library(sluice_options INTERFACE)
 target_compile_options(sluice_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   -Woverloaded-virtual -Werror
-  -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized  # GCC 12: false at -O3
+  # GCC 12: false at -O3
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>  # GCC ivdep
   # No result may depend on whether a cell falls into the vector body or the remainder.
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${SLUICE_ARCH}>:-march=${SLUICE_ARCH}>
