@@ -1,26 +1,29 @@
 #!/usr/bin/env bash
 # libFuzzer on decks and archives with sanitizers, FUZZ_SECONDS (600) for each target
 install_packages verify
-build_preset fuzz
-mapfile -t targets < <(find "$SLUICE_ROOT/build/fuzz/bin" -name '*_fuzz' -type f | sort)
-((${#targets[@]} > 0)) || { echo "RESULT: no fuzz target was built"; exit 1; }
-seconds=${FUZZ_SECONDS:-$((1200 / ${#targets[@]} > 600 ? 600 : 1200 / ${#targets[@]}))}
+configure_preset fuzz
+mapfile -t targets < <(ninja -C "$SLUICE_ROOT/build/fuzz" -t targets all |
+  sed -n 's/^\([a-z_]*_fuzz\): phony$/\1/p' | sort -u)
+((${#targets[@]} > 0)) || { echo "RESULT: no fuzz target is declared"; exit 1; }
+build_preset fuzz "${targets[@]}"
+seconds=${FUZZ_SECONDS:-600}
+((seconds * ${#targets[@]} <= 1200)) || seconds=$((1200 / ${#targets[@]}))
 status=0 told=()
-for target in "${targets[@]}"; do
-  name=$(basename "$target")
+for name in "${targets[@]}"; do
   mkdir -p "$name.corpus"
-  seeds=$SLUICE_ROOT/regression/fuzz/$name
-  options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -print_final_stats=1)
+  seeds=()
+  [[ $name == deck_fuzz ]] &&
+    seeds=("$SLUICE_ROOT/src/framework/deck/bad_decks" "$SLUICE_ROOT/inputs/ice")
   say "$name: $seconds s"
-  if "$target" "${options[@]}" "$name.corpus" $([[ -d $seeds ]] && echo "$seeds") >"$name.log" 2>&1
-  then
-    told+=("$name: $(sed -n 's/.*number_of_executed_units: *//p' "$name.log") inputs, no crash")
+  if "$SLUICE_ROOT/build/fuzz/bin/$name" -max_total_time="$seconds" -timeout=10 -max_len=16384 \
+    -rss_limit_mb=4096 -print_final_stats=1 "$name.corpus" "${seeds[@]}" >"$name.log" 2>&1; then
+    inputs=$(sed -n 's/.*number_of_executed_units: *//p' "$name.log")
+    told+=("$name: $inputs inputs in $seconds s, no fault")
   else
     status=1
-    told+=("$name: CRASHED, input kept in ${PART_DIR#"$SLUICE_ROOT/"}")
+    told+=("$name: FAILED, the input is kept in ${PART_DIR#"$SLUICE_ROOT/"}")
     tail -40 "$name.log"
   fi
 done
-IFS=';'
-echo "RESULT: ${told[*]}"
+echo "RESULT: $(IFS=';'; echo "${told[*]}")"
 exit "$status"
