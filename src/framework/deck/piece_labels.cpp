@@ -93,10 +93,12 @@ class LabelResolver {
             fmt::format("write <{} label=\"{}\"/>", piece.name, label));
       return;
     }
+    if (gave_up_) return;
     const bool inside_itself = std::find(within_.begin(), within_.end(), &piece) != within_.end();
     if (inside_itself || copied_ > most_copied_) {
       fault(reference, fmt::format("label {} repeats pieces without end", in_quotes(label)),
             "a piece cannot hold itself");
+      gave_up_ = copied_ > most_copied_;
       return;
     }
     copy_children(piece, reference);
@@ -133,6 +135,7 @@ class LabelResolver {
   std::map<std::string, const DeckNode*> pieces_;
   std::vector<const DeckNode*> within_;  // what is being resolved, outermost first
   int copied_ = 0;
+  bool gave_up_ = false;
 };
 
 }  // namespace
