@@ -10,51 +10,28 @@
 // adds its own defect, sum_d l_d [t_f+ . (u_f+ - ub) - t_f- . (u_f- - ub)] with t_f the stress
 // vector on the face and u_f the mean of the two cells: friction becomes heat, exactly.
 #include "ice/conservative/variables.hpp"
+#include "ice/impulse.hpp"
 #include "ice/limiters.hpp"
 
 namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In rho, inverse_rho, velocity, energy;
-  std::array<In, 3> face_velocity, face_pressure, stress;
-  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, impulse;
-};
-
-struct Steps {
-  double l[3] = {0, 0, 0};     // dt/dx by axis
-  double kick[3] = {0, 0, 0};  // dt g by component
+  In inverse_rho, velocity, energy;
+  std::array<In, 3> face_velocity;
+  ImpulseHandles forces;
+  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
 };
 
 template <int D, int C>
-void momentum_rows(const Row& row, const Handles& h, const Steps& s, bool viscous) {
+void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bool viscous) {
+  impulse_rows<D, C>(row, h.forces, s, viscous);
   const int n = row.count();
-  const double* __restrict r = row(h.rho);
   const double* __restrict w = row(h.inverse_rho);
   for (int c = 0; c < C; ++c) {
     const double* __restrict u = row(h.velocity, c);
-    double* __restrict dp = row(h.impulse, c);
+    const double* __restrict dp = row(h.forces.impulse, c);
     double* __restrict v = row(h.velocity_L, c);
-    if (c < D) {
-      const auto axis = static_cast<std::size_t>(c);
-      const double* __restrict pm = row(h.face_pressure[axis]);
-      const double* __restrict pp = row(h.face_pressure[axis], 0, c, 1);
-      const double l = s.l[c], kick = s.kick[c];
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = l * (pp[i] - pm[i]) - kick * r[i];
-    } else {
-      const double kick = s.kick[c];
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = -kick * r[i];
-    }
-    if (viscous)
-      for (int d = 0; d < D; ++d) {
-        const double* __restrict tm = row(h.stress[static_cast<std::size_t>(d)], c);
-        const double* __restrict tp = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
-        const double l = s.l[d];
-#pragma GCC ivdep
-        for (int i = 0; i < n; ++i) dp[i] -= l * (tp[i] - tm[i]);
-      }
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) v[i] = u[i] - dp[i] * w[i];
   }
@@ -62,17 +39,18 @@ void momentum_rows(const Row& row, const Handles& h, const Steps& s, bool viscou
 
 // E* += work of the viscous stress, its kinetic part taken away.
 template <int D, int C>
-void viscous_work_rows(const Row& row, const Handles& h, const Steps& s, double* __restrict Es) {
+void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                       double* __restrict Es) {
   const int n = row.count();
   const double* __restrict w = row(h.inverse_rho);
   for (int d = 0; d < D; ++d)
     for (int c = 0; c < C; ++c) {
-      const double* __restrict tm = row(h.stress[static_cast<std::size_t>(d)], c);
-      const double* __restrict tp = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
+      const double* __restrict tm = row(h.forces.stress[static_cast<std::size_t>(d)], c);
+      const double* __restrict tp = row(h.forces.stress[static_cast<std::size_t>(d)], c, d, 1);
       const double* __restrict um = row(h.velocity, c, d, -1);
       const double* __restrict u = row(h.velocity, c);
       const double* __restrict up = row(h.velocity, c, d, 1);
-      const double* __restrict dp = row(h.impulse, c);
+      const double* __restrict dp = row(h.forces.impulse, c);
       const double l = s.l[d];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
@@ -83,9 +61,9 @@ void viscous_work_rows(const Row& row, const Handles& h, const Steps& s, double*
 }
 
 template <int D, int C>
-void energy_rows(const Row& row, const Handles& h, const Steps& s, bool viscous) {
+void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bool viscous) {
   const int n = row.count();
-  const double* __restrict r = row(h.rho);
+  const double* __restrict r = row(h.forces.rho);
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict E = row(h.energy);
   const double* um[3];
@@ -98,10 +76,10 @@ void energy_rows(const Row& row, const Handles& h, const Steps& s, bool viscous)
     const auto axis = static_cast<std::size_t>(d);
     um[d] = row(h.face_velocity[axis]);
     up[d] = row(h.face_velocity[axis], 0, d, 1);
-    pm[d] = row(h.face_pressure[axis]);
-    pp[d] = row(h.face_pressure[axis], 0, d, 1);
+    pm[d] = row(h.forces.face_pressure[axis]);
+    pp[d] = row(h.forces.face_pressure[axis], 0, d, 1);
     u[d] = row(h.velocity, d);
-    dp[d] = row(h.impulse, d);
+    dp[d] = row(h.forces.impulse, d);
   }
   double* __restrict iJ = row(h.inverse_J);
   double* __restrict rL = row(h.rho_L);
@@ -134,7 +112,7 @@ void energy_rows(const Row& row, const Handles& h, const Steps& s, bool viscous)
 void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase", effect);
   Handles h;
-  h.rho = task.read(v.rho);
+  h.forces.rho = task.read(v.rho);
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
@@ -142,8 +120,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
     h.face_velocity[a] = task.read(v.face_velocity[a], both);
-    h.face_pressure[a] = task.read(v.face_pressure[a], both);
-    if (o.viscous) h.stress[a] = task.read(v.stress[a], both);
+    h.forces.face_pressure[a] = task.read(v.face_pressure[a], both);
+    if (o.viscous) h.forces.stress[a] = task.read(v.stress[a], both);
   }
   h.inverse_J = task.write(v.inverse_J);
   h.rho_L = task.write(v.rho_L);
@@ -152,15 +130,10 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.energy_star = task.write(v.energy_star);
   h.courant = task.write(v.courant);
   h.inverse_courant = task.write(v.inverse_courant);
-  h.impulse = task.write(v.impulse);
+  h.forces.impulse = task.write(v.impulse);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      Steps s;
-      for (int d = 0; d < D; ++d) s.l[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
-      for (int c = 0; c < C; ++c)
-        s.kick[c] = o.gravity_on
-                        ? row.step().dt * o.gravity[o.direction[static_cast<std::size_t>(c)]]
-                        : 0.0;
+      const ImpulseConstants s = impulse_constants(o, row.step());
       momentum_rows<D, C>(row, h, s, o.viscous);
       energy_rows<D, C>(row, h, s, o.viscous);
     });

@@ -1,0 +1,169 @@
+// How a step of either scheme ends: is the new state admissible, and what may the next step be.
+//
+// Rates: the deck's rule max_d (|u_d| + knob c)/dx_d (aggressive) or the outflow rule with face
+// velocities (conservative); with viscosity 2 knob mu/rho sum_d 1/dx_d^2; the scheme's own
+// sum_d |u_d|/dx_d and max_d (|u_d| + c)/dx_d.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "framework/task/reductions.hpp"
+#include "ice/conservative/variables.hpp"
+#include "ice/limiters.hpp"
+
+namespace sluice::ice {
+
+// A row that must be above zero everywhere, and what a fault of it is called.
+struct PositiveRow {
+  const double* values = nullptr;
+  FaultKind kind = fault_density;
+  double (*told)(double) = nullptr;  // what the message shows; null: the value itself
+};
+
+// Counts cells that are not admissible; NaN fails every comparison. The first row of `rows` that
+// fails names the fault.
+template <std::size_t N>
+void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveRow, N>& rows) {
+  const int n = row.count();
+  std::array<const double*, N> q;
+  for (std::size_t k = 0; k < N; ++k) q[k] = rows[k].values;
+  int bad = 0;
+  for (int i = 0; i < n; ++i) {
+    bool good = true;
+    for (std::size_t k = 0; k < N; ++k) good = good & (q[k][i] > 0.0);
+    bad += !good;
+  }
+  if (bad == 0) return;
+  for (int i = 0; i < n; ++i)
+    for (const PositiveRow& r : rows) {
+      if (r.values[i] > 0.0) continue;
+      CellFault f;
+      f.cell = row.cell();
+      f.cell[axes.direction[0]] += i;
+      f.level = row.step().level;
+      f.kind = r.kind;
+      f.value = r.told != nullptr ? r.told(r.values[i]) : r.values[i];
+      row.reductions().fault(f);
+      break;
+    }
+}
+
+// What the rates of the new state are made of.
+struct RateHandles {
+  Out rho, momentum, energy;        // new state
+  In sound;                         // conservative rule only
+  std::array<In, 3> face_velocity;  // conservative rule only
+};
+
+struct RateConstants {
+  double inverse_dx[3] = {0, 0, 0};
+  double knob = 1;
+  double gravity_speed = 0;  // sqrt(sum dx |g|), conservative rule only
+  bool conservative = false;
+};
+
+inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants& step) {
+  RateConstants x;
+  x.knob = o.sound_speed_knob;
+  x.conservative = o.conservative_time_step;
+  double dx_g = 0;
+  for (int a = 0; a < o.axes.count; ++a) {
+    const double dx = step.spacing[o.axes.direction[a]];
+    x.inverse_dx[a] = 1.0 / dx;
+    dx_g += dx * std::fabs(o.gravity[o.axes.direction[a]]);
+  }
+  x.gravity_speed = std::sqrt(dx_g);
+  return x;
+}
+
+template <int D>
+void rate_row(const Row& row, const RateHandles& h, const RateConstants& x,
+              const eos::IdealGas& gas) {
+  const int n = row.count();
+  const double* __restrict r = row(h.rho);
+  const double* __restrict E = row(h.energy);
+  const double* m[3];
+  for (int d = 0; d < D; ++d) m[d] = row(h.momentum, d);
+  std::int64_t deck = 0, flow = 0, sound = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const double w = 1.0 / r[i];
+    const double c = std::sqrt(gas.gamma * gas.pressure(r[i], E[i]) * w);
+    double deck_rate = 0, flow_rate = 0, sound_rate = 0;
+    for (int d = 0; d < D; ++d) {
+      const double speed = std::fabs(m[d][i]) * w;
+      deck_rate = larger(deck_rate, (speed + x.knob * c) * x.inverse_dx[d]);
+      sound_rate = larger(sound_rate, (speed + c) * x.inverse_dx[d]);
+      flow_rate += speed * x.inverse_dx[d];
+    }
+    const std::int64_t a = ordered_bits(deck_rate), b = ordered_bits(flow_rate),
+                       s = ordered_bits(sound_rate);
+    deck = a > deck ? a : deck;
+    flow = b > flow ? b : flow;
+    sound = s > sound ? s : sound;
+  }
+  if (!x.conservative) row.reductions().maximum(StepSlots::deck_rate, deck);
+  row.reductions().maximum(StepSlots::flow_rate, flow);
+  row.reductions().maximum(StepSlots::sound_rate, sound);
+}
+
+// Sum over directions of the outflow of a cell, each side widened by sound, shear and gravity:
+// what the deck's conservative rule bounds by V cfl / dt.
+template <int D>
+void outflow_rate_row(const Row& row, const RateHandles& h, const RateConstants& x) {
+  const int n = row.count();
+  const double* um[3];
+  const double* up[3];
+  const double* cm[3];
+  const double* cp[3];
+  const double* c = row(h.sound);
+  for (int d = 0; d < D; ++d) {
+    const In faces = h.face_velocity[static_cast<std::size_t>(d)];
+    um[d] = row(faces);
+    up[d] = row(faces, 0, d, 1);
+    cm[d] = row(h.sound, 0, d, -1);
+    cp[d] = row(h.sound, 0, d, 1);
+  }
+  std::int64_t most = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double rate = 0;
+    for (int d = 0; d < D; ++d) {
+      const double margin = std::fabs(up[d][i] - um[d][i]) + x.gravity_speed;
+      const double right = up[d][i] + x.knob * larger(c[i], cp[d][i]) + margin;
+      const double left = um[d][i] - x.knob * larger(c[i], cm[d][i]) - margin;
+      rate += (larger(0.0, right) + larger(0.0, -left)) * x.inverse_dx[d];
+    }
+    const std::int64_t a = ordered_bits(rate);
+    most = a > most ? a : most;
+  }
+  row.reductions().maximum(StepSlots::deck_rate, most);
+}
+
+// The viscous rule: 2 mu/rho sum 1/dx^2, mu weighted by the deck's knob.
+inline void diffusion_rate_row(const Row& row, const RateHandles& h, double weighted_mu,
+                               double inverse_dx2) {
+  const int n = row.count();
+  const double* __restrict r = row(h.rho);
+  const double rate = 2.0 * weighted_mu * inverse_dx2;
+  std::int64_t most = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const std::int64_t a = ordered_bits(rate / r[i]);
+    most = a > most ? a : most;
+  }
+  row.reductions().maximum(StepSlots::diffusion_rate, most);
+}
+
+template <int D>
+void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
+  const RateConstants x = rate_constants(o, row.step());
+  rate_row<D>(row, h, x, o.gas);
+  if (x.conservative) outflow_rate_row<D>(row, h, x);
+  if (!o.viscous) return;
+  double inverse_dx2 = 0;
+  for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
+  diffusion_rate_row(row, h, o.diffusion_knob * o.viscosity, inverse_dx2);
+}
+
+}  // namespace sluice::ice

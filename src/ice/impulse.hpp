@@ -1,0 +1,60 @@
+// What pressure, gravity and viscous stress take from the momentum of a cell in a step.
+//
+//   dp_c = l_c (p_f+ - p_f-) - dt g_c rho - sum_d l_d (t_f+ - t_f-)_c,   l_d = dt/dx_d
+#pragma once
+#include <array>
+
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice {
+
+struct ImpulseHandles {
+  In rho;
+  std::array<In, 3> face_pressure, stress;  // by axis; stress only when viscous
+  Out impulse;
+};
+
+struct ImpulseConstants {
+  double l[3] = {0, 0, 0};     // dt/dx by axis
+  double kick[3] = {0, 0, 0};  // dt g by component
+};
+
+inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {
+  ImpulseConstants s;
+  for (int a = 0; a < o.axes.count; ++a) s.l[a] = step.dt / step.spacing[o.axes.direction[a]];
+  for (int c = 0; c < o.components; ++c)
+    s.kick[c] = o.gravity_on ? step.dt * o.gravity[o.direction[static_cast<std::size_t>(c)]] : 0.0;
+  return s;
+}
+
+template <int D, int C>
+void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstants& s,
+                  bool viscous) {
+  const int n = row.count();
+  const double* __restrict r = row(h.rho);
+  for (int c = 0; c < C; ++c) {
+    double* __restrict dp = row(h.impulse, c);
+    if (c < D) {
+      const auto axis = static_cast<std::size_t>(c);
+      const double* __restrict pm = row(h.face_pressure[axis]);
+      const double* __restrict pp = row(h.face_pressure[axis], 0, c, 1);
+      const double l = s.l[c], kick = s.kick[c];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) dp[i] = l * (pp[i] - pm[i]) - kick * r[i];
+    } else {
+      const double kick = s.kick[c];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) dp[i] = -kick * r[i];
+    }
+    if (!viscous) continue;
+    for (int d = 0; d < D; ++d) {
+      const double* __restrict tm = row(h.stress[static_cast<std::size_t>(d)], c);
+      const double* __restrict tp = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
+      const double l = s.l[d];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) dp[i] -= l * (tp[i] - tm[i]);
+    }
+  }
+}
+
+}  // namespace sluice::ice
