@@ -115,6 +115,9 @@ TEST_F(ArchiveCommands, CompareExits) {
   EXPECT_EQ(run("compare " + a_ + " " + b_ + " --checkpoints").status, 1);
   EXPECT_EQ(run("compare " + a_ + " " + b_ + " --vars nothing").status, 2);
   EXPECT_EQ(run("compare " + a_ + " " + b_ + " --quiet").output, "");
+  EXPECT_EQ(run("compare " + a_ + " " + a_ + " --histories").status, 0);
+  std::ofstream(fs::path(b_) / "TotalMass.dat", std::ios::app) << "0.3\t1\n";
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --abs 1 --histories").status, 2);
   EXPECT_EQ(run("compare " + a_).status, 2);
   EXPECT_EQ(run("compare " + a_ + " " + b_ + " --abs -1").status, 2);
   EXPECT_EQ(run("compare " + a_ + " " + folder_.path().string()).status, 2);

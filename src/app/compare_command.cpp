@@ -14,7 +14,7 @@ namespace {
 struct CompareRequest {
   std::string first, second, only, ignore;
   CompareOptions options;
-  bool quiet = false;
+  bool quiet = false, histories = false;
 };
 
 constexpr std::size_t listed_fields = 20;
@@ -38,11 +38,23 @@ void print_result(const CompareRequest& r, const CompareResult& result) {
              human_count(result.differing), r.options.absolute, r.options.relative);
 }
 
+void print_result(const HistoryComparison& result) {
+  for (const std::string& why : result.not_comparable) fmt::print("not comparable: {}\n", why);
+  for (std::size_t n = 0; n < std::min(result.differences.size(), listed_fields); ++n)
+    fmt::print("{}\n", result.differences[n]);
+  fmt::print("histories: {} numbers compared, {} differ\n", human_count(result.values),
+             human_count(result.differing));
+}
+
 int compare_archives(CompareRequest& r) {
   r.options.labels = {split_names(r.only), split_names(r.ignore)};
-  const CompareResult result = compare(Archive::open(r.first), Archive::open(r.second), r.options);
+  const Archive a = Archive::open(r.first), b = Archive::open(r.second);
+  const CompareResult result = compare(a, b, r.options);
   if (!r.quiet) print_result(r, result);
-  return result.exit_status();
+  if (!r.histories) return result.exit_status();
+  const HistoryComparison histories = compare_histories(a, b, r.options);
+  if (!r.quiet) print_result(histories);
+  return std::max(result.exit_status(), histories.exit_status());
 }
 
 }  // namespace
@@ -60,6 +72,7 @@ void add_compare_command(CLI::App& app, int& exit_status) {
   command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
   command->add_flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
   command->add_flag("--common-times", r->options.common_times, "Only times that both have");
+  command->add_flag("--histories", r->histories, "Compare the .dat files as well");
   command->add_flag("--quiet", r->quiet, "Say it by the exit status alone");
   command->callback([r, &exit_status] { exit_status = compare_archives(*r); });
 }

@@ -106,6 +106,30 @@ TEST(ArchiveFailure, FolderThatCannotBeWritten) {
   EXPECT_THAT(message_of(folder.path() / "ro"), HasSubstr("-o DIR"));
 }
 
+// As an ordinary user, whom permissions bind, in a folder of somebody else.
+TEST(ArchiveFailure, FolderOfSomebodyElse) {
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(2);
+    try {
+      ArchiveWriter::create(setup_in(folder.path()));
+    } catch (const SystemError& e) {
+      const std::string message = e.what();
+      const bool good = message.find("Permission denied") != message.npos &&
+                        message.find("-o DIR") != message.npos;
+      ::_exit(good ? 0 : 1);
+    }
+    ::_exit(1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  fs::permissions(folder.path(), fs::perms::owner_all);
+}
+
 TEST(ArchiveFailure, RunsStartedAtOnceGetTheirOwnFolders) {
   const TemporaryFolder folder;
   constexpr int runs = 12;

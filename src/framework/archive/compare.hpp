@@ -52,6 +52,15 @@ struct CompareResult {
 bool numbers_differ(double a, double b, double absolute, double relative);
 CompareResult compare(const Archive& a, const Archive& b, const CompareOptions& options);
 
+// The .dat files that both indexes name, with the same rule for numbers.
+struct HistoryComparison {
+  std::vector<std::string> not_comparable, differences;
+  std::int64_t values = 0, differing = 0;
+  int exit_status() const { return !not_comparable.empty() ? 2 : differing > 0 ? 1 : 0; }
+};
+HistoryComparison compare_histories(const Archive& a, const Archive& b,
+                                    const CompareOptions& options);
+
 // Why two levels cannot be compared index by index, or "".
 std::string grid_mismatch(const Level& a, const Level& b);
 

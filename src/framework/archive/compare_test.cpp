@@ -131,6 +131,29 @@ TEST(Compare, WhatIsNotComparable) {
   EXPECT_EQ(compare_paths(a, more_labels, only).exit_status(), 2);
 }
 
+TEST(Compare, HistoriesNumberByNumber) {
+  const TemporaryFolder folder;
+  auto write = [&](double last, int lines, const char* name) {
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+    for (int n = 1; n <= lines; ++n)
+      writer.history(name, -1, n, 0.1 * n, n == lines ? last : 1.0 / n);
+    writer.history("Momentum", 0, 1, 0.1, Vec3{1, 2, 3});
+    writer.finish();
+    return Archive::open(writer.folder());
+  };
+  const Archive a = write(5, 4, "TotalMass");
+  EXPECT_EQ(compare_histories(a, write(5, 4, "TotalMass"), {}).exit_status(), 0);
+  const HistoryComparison r = compare_histories(a, write(5.5, 4, "TotalMass"), {});
+  EXPECT_EQ(r.exit_status(), 1);
+  EXPECT_EQ(r.values, 12);
+  EXPECT_THAT(r.differences, ::testing::ElementsAre("TotalMass.dat: line 4, column 2: 5 and 5.5"));
+  CompareOptions loose;
+  loose.relative = 0.1;
+  EXPECT_EQ(compare_histories(a, write(5.5, 4, "TotalMass"), loose).exit_status(), 0);
+  EXPECT_EQ(compare_histories(a, write(5, 3, "TotalMass"), {}).exit_status(), 2);
+  EXPECT_EQ(compare_histories(a, write(5, 4, "Other"), {}).exit_status(), 2);
+}
+
 TEST(Norms, OverTheFirstArchivesPoints) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({8, 1, 1}, {2, 1, 1});
