@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace sluice {
@@ -66,6 +67,39 @@ TEST(CommandLine, FolderInPlaceOfADeckIsBadInput) {
   const Outcome outcome = run("check /usr");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.text, HasSubstr("not a regular file"));
+}
+
+TEST(CommandLine, CheckReportsAsJson) {
+  const Outcome outcome =
+      run("check --json nosuch.ups " SLUICE_SOURCE_DIR "/src/framework/deck/bad_decks/good.ups");
+  EXPECT_EQ(outcome.status, 2);
+  const auto report = nlohmann::json::parse(outcome.text);
+  EXPECT_EQ(report.at("good"), false);
+  ASSERT_EQ(report.at("decks").size(), 2u);
+  const auto& missing = report["decks"][0];
+  EXPECT_EQ(missing.at("good"), false);
+  ASSERT_EQ(missing.at("faults").size(), 1u);
+  EXPECT_EQ(missing["faults"][0].at("kind"), "error");
+  EXPECT_EQ(missing["faults"][0].at("file"), "nosuch.ups");
+  EXPECT_EQ(report["decks"][1].at("good"), true);
+  EXPECT_TRUE(report["decks"][1].at("faults").empty());
+}
+
+TEST(CommandLine, HelpExplainsTagsAndRefusesUnknownOnes) {
+  const Outcome known = run("help CFD/ICE/scheme");
+  EXPECT_EQ(known.status, 0);
+  EXPECT_THAT(known.text, HasSubstr("conservative"));
+  EXPECT_EQ(run("help").status, 0);
+  const Outcome unknown = run("help gama");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.text, HasSubstr("did you mean 'gamma'?"));
+}
+
+TEST(CommandLine, OverridesReachTheCheck) {
+  const std::string deck = SLUICE_SOURCE_DIR "/src/framework/deck/bad_decks/good.ups";
+  EXPECT_EQ(run("check " + deck + " --set Grid/Level/Box/resolution=[500,1,1]").status, 0);
+  EXPECT_EQ(run("check --set CFD/cfl=0.1 --set CFD/ICE/scheme=classic " + deck).status, 0);
+  EXPECT_EQ(run("check --set CFD/cfl= " + deck).status, 2);
 }
 
 }  // namespace

@@ -115,6 +115,19 @@ TEST_F(PeerDecks, ThatMustRunAreGood) {
   }
 }
 
+TEST(OwnDecks, AreGoodWithoutAWarning) {
+  const Schema schema = sluice_schema();
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(SLUICE_SOURCE_DIR "/inputs")) {
+    if (entry.path().extension() != ".ups") continue;
+    ++count;
+    const Deck deck = load_deck(entry.path().string(), {}, schema);
+    EXPECT_TRUE(deck.good()) << entry.path();
+    for (const Fault& fault : deck.faults) ADD_FAILURE() << to_string(fault);
+  }
+  EXPECT_GT(count, 0u);
+}
+
 // What is read back from the XML of a checked deck is the same deck.
 TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
   const Schema schema = sluice_schema();

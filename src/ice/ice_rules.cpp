@@ -44,6 +44,31 @@ std::vector<std::string> material_names(const DeckNode& root) {
   return names;
 }
 
+// Materials named by index in <save> and <analyze>.
+void check_material_indices(const DeckNode& root, int count, std::vector<Fault>& faults) {
+  if (count == 0) return;
+  const auto check = [&](const DeckNode& node, const char* name) {
+    const auto set = parse_index_set(node.attribute(name).value_or(""));
+    if (!set) return;
+    for (const IndexInterval& interval : *set.value) {
+      if (interval.low >= 0 && interval.high < count) continue;
+      fault(faults, node,
+            fmt::format("<{} {}>: there is no material {}: the deck has {}, counted from 0",
+                        node.name, name, interval.low < 0 ? interval.low : interval.high, count));
+    }
+  };
+  if (const DeckNode* archiver = root.child("DataArchiver")) {
+    for (const DeckNode* save : archiver->all("save")) check(*save, "material");
+  }
+  const DeckNode* analysis = root.child("DataAnalysis");
+  if (analysis == nullptr) return;
+  for (const DeckNode* module : analysis->all("Module")) {
+    const DeckNode* variables = module->child("Variables");
+    if (variables == nullptr) continue;
+    for (const DeckNode* variable : variables->all("analyze")) check(*variable, "matl");
+  }
+}
+
 void check_pressure(const DeckNode& material, const DeckNode& object, std::vector<Fault>& faults) {
   const auto gamma = real_of(&material, "gamma");
   const auto cv = real_of(&material, "specific_heat");
@@ -131,6 +156,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
                 "write 0 to run without it");
     }
   }
+  check_material_indices(root, static_cast<int>(materials.size()), faults);
   const auto names = material_names(root);
   const auto count = static_cast<int>(materials.size());
   const DeckNode* analysis = root.child("DataAnalysis");

@@ -1,0 +1,163 @@
+// What ICE decks may say: defaults, rules that pass, rules that fire.
+#include "ice/ice_schema.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "framework/deck/load_deck.hpp"
+
+namespace sluice {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A periodic box of gas, with places to add things.
+struct Sample {
+  std::string ice, material, object_pressure = "<pressure>0.4</pressure>", faces, level, more;
+  std::string periodic = "<periodic>[1,1,1]</periodic>";
+
+  Deck load() const {
+    Schema schema;
+    add_framework_tags(schema);
+    add_ice_tags(schema);
+    return load_deck_text(text(), "gas.ups", {}, schema);
+  }
+  std::string text() const {
+    return "<Uintah_specification><SimulationComponent type='ICE'/>"
+           "<Time><maxTime>1</maxTime><initTime>0</initTime><delt_min>0</delt_min>"
+           "<delt_max>1</delt_max><timestep_multiplier>1</timestep_multiplier></Time>"
+           "<Grid>" +
+           faces +
+           "<Level><Box><lower>[0,0,0]</lower><upper>[1,1,1]</upper>"
+           "<resolution>[4,4,4]</resolution></Box>" +
+           periodic +
+           "</Level></Grid>"
+           "<DataArchiver><filebase>gas.uda</filebase><outputInterval>1</outputInterval>"
+           "</DataArchiver>"
+           "<CFD><cfl>0.4</cfl><ICE><advection type='FirstOrder' compatibleFluxes='false'/>" +
+           ice +
+           "</ICE></CFD>"
+           "<PhysicalConstants><gravity>[0,0,0]</gravity><reference_pressure>1"
+           "</reference_pressure></PhysicalConstants>"
+           "<MaterialProperties><ICE><material name='gas'><EOS type='ideal_gas'/>"
+           "<dynamic_viscosity>0</dynamic_viscosity><thermal_conductivity>0"
+           "</thermal_conductivity><specific_heat>1</specific_heat><gamma>1.4</gamma>" +
+           material +
+           "<geom_object><null/><velocity>[0,0,0]</velocity><density>1</density>"
+           "<temperature>1</temperature>" +
+           object_pressure + "</geom_object></material></ICE></MaterialProperties>" + more +
+           "</Uintah_specification>";
+  }
+};
+
+std::string messages(const Deck& deck) {
+  std::string text;
+  for (const Fault& fault : deck.faults) text += to_string(fault) + '\n';
+  return text;
+}
+
+TEST(IceSchema, FillsInTheDefaultsOfIce) {
+  const Deck deck = Sample{}.load();
+  ASSERT_TRUE(deck.good()) << messages(deck);
+  const DeckNode& ice = *deck.root->find("CFD/ICE");
+  EXPECT_EQ(ice.string("scheme"), "conservative");
+  EXPECT_EQ(ice.need("TimeStepControl").string("Scheme_for_delT_calc"), "aggressive");
+  EXPECT_EQ(ice.need("TimeStepControl").real("knob_for_speedSound"), 1.0);
+  EXPECT_TRUE(ice.boolean("applyHydrostaticPressure"));
+  EXPECT_EQ(ice.need("advection").attribute("useCompatibleFluxes"), "false");
+  EXPECT_EQ(ice.child("customInitialization"), nullptr);
+  const DeckNode& material = *deck.root->find("MaterialProperties/ICE/material");
+  EXPECT_FALSE(material.boolean("isSurroundingMatl"));
+  EXPECT_EQ(material.need("geom_object").int_vector("res"), (IntVec3{2, 2, 2}));
+  EXPECT_EQ(deck.root->child("SimulationComponent")->attribute("type"), "ice");
+}
+
+TEST(IceSchema, ReadsFormulasAndTheClassicScheme) {
+  Sample sample;
+  sample.ice =
+      "<scheme>classic</scheme><customInitialization><formula><density>1 + 0.1*sin(x)</density>"
+      "<velocity_x>y</velocity_x></formula></customInitialization>";
+  const Deck deck = sample.load();
+  ASSERT_TRUE(deck.good()) << messages(deck);
+  EXPECT_EQ(deck.root->find("CFD/ICE/customInitialization/formula/density")->text,
+            "1 + 0.1*sin(x)");
+  EXPECT_EQ(deck.root->find("CFD/ICE/scheme")->text, "classic");
+}
+
+TEST(IceSchema, NeedsNoConditionsWherePeriodic) {
+  Sample sample;
+  EXPECT_EQ(messages(sample.load()), "");
+  sample.periodic = "<periodic>[1,0,1]</periodic>";
+  const std::string said = messages(sample.load());
+  EXPECT_THAT(said, HasSubstr("side y- has no boundary conditions"));
+  EXPECT_THAT(said, HasSubstr("side y+ has no boundary conditions"));
+  EXPECT_EQ(said.find("side x"), std::string::npos);
+}
+
+TEST(IceSchema, JoinsFacesOfOneSide) {
+  const auto condition = [](const std::string& label, const std::string& value) {
+    return "<BCType id='0' label='" + label + "' var='Neumann' value='" + value + "'/>";
+  };
+  Sample sample;
+  sample.periodic = "<periodic>[1,0,1]</periodic>";
+  sample.faces = "<BoundaryConditions><Face side='y-'>" + condition("Pressure", "0") +
+                 condition("Velocity", "[0,0,0]") + "</Face><Face side='y-'>" +
+                 condition("Density", "0") + condition("Temperature", "0") +
+                 "</Face><Face side='y+'><BCType id='all' label='Symmetric' var='symmetry'/></Face>"
+                 "<Face circle='y-' origin='0 0 0' radius='0.2'>" +
+                 condition("Pressure", "0") + "</Face></BoundaryConditions>";
+  const Deck deck = sample.load();
+  EXPECT_THAT(messages(deck),
+              HasSubstr("circle y- has no condition for Velocity, Temperature, Density"));
+  EXPECT_EQ(messages(deck).find("side y"), std::string::npos) << messages(deck);
+}
+
+TEST(IceSchema, WarnsOfAPressureThatContradicts) {
+  Sample sample;
+  sample.object_pressure = "<pressure>0.4003</pressure>";  // 0.075 % from 0.4
+  EXPECT_EQ(messages(sample.load()), "");
+  sample.object_pressure = "<pressure>0.4005</pressure>";  // 0.125 %
+  const Deck deck = sample.load();
+  EXPECT_TRUE(deck.good());
+  EXPECT_THAT(messages(deck), HasSubstr("warning: <pressure> 0.4005 contradicts"));
+  sample.object_pressure = "";
+  EXPECT_EQ(messages(sample.load()), "");
+}
+
+TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
+  Sample sample;
+  sample.more =
+      "<DataAnalysis><Module name='vorticity'><material>gas</material></Module>"
+      "</DataAnalysis>";
+  EXPECT_EQ(messages(sample.load()), "");
+  const SaveLabels labels = ice_save_labels();
+  EXPECT_THAT(labels.built, ::testing::IsSupersetOf({"rho_CC", "vel_CC", "uvel_FCME", "TotalMass",
+                                                     "refineFlag", "delP_Dilatate"}));
+  for (const std::string& label : labels.not_built) {
+    EXPECT_EQ(std::count(labels.built.begin(), labels.built.end(), label), 0) << label;
+  }
+}
+
+TEST(IceSchema, NamesWhatIsNotBuilt) {
+  const auto said = [](auto change) {
+    Sample sample;
+    change(sample);
+    const Deck deck = sample.load();
+    EXPECT_FALSE(deck.good());
+    for (const Fault& fault : deck.faults) {
+      EXPECT_TRUE(fault.not_built || fault.severity != Severity::error) << to_string(fault);
+    }
+    return messages(deck);
+  };
+  EXPECT_THAT(said([](Sample& s) { s.ice = "<ImplicitSolver/>"; }), HasSubstr("<ImplicitSolver>"));
+  EXPECT_THAT(said([](Sample& s) { s.ice = "<ADD_HEAT/>"; }), HasSubstr("<ADD_HEAT>"));
+  EXPECT_THAT(said([](Sample& s) { s.material = "<includeFlowWork>false</includeFlowWork>"; }),
+              HasSubstr("<includeFlowWork> false"));
+  EXPECT_THAT(said([](Sample& s) { s.material = "<SpecificHeatModel type='Debye'/>"; }),
+              HasSubstr("<SpecificHeatModel>"));
+  EXPECT_THAT(said([](Sample& s) { s.object_pressure = "<volumeFraction>1</volumeFraction>"; }),
+              HasSubstr("<volumeFraction>"));
+}
+
+}  // namespace
+}  // namespace sluice
