@@ -1,0 +1,166 @@
+// Random graphs swept over blocks give the bits of a cell-by-cell reference, whatever the blocks.
+#include "framework/task/block_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include "framework/task/sweep_executor.hpp"
+#include "framework/task/sweep_test_support.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace sweep_test;
+
+// Old state with ghosts as wide as the graph reads, filled everywhere.
+Warehouse filled_state(const Level& level, int ghosts) {
+  Warehouse state(level, 0);
+  for (int s = 0; s < 2; ++s) {
+    const int components = s == 0 ? 2 : 1;
+    const int slot = state.add({test_label(s), 0, components, ghosts});
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+      for (int c = 0; c < components; ++c) {
+        const RealView v = state.view(slot, c, b);
+        for_each_cell(v.box, [&](IntVec3 cell) { v(cell) = RandomGraph::initial(s, c, cell); });
+      }
+  }
+  return state;
+}
+
+Warehouse empty_state(const Level& level) {
+  Warehouse state(level, 0);
+  state.add({test_label(0), 0, 2, 0});
+  state.add({test_label(1), 0, 1, 0});
+  return state;
+}
+
+void expect_reference(RandomGraph& graph, const Warehouse& now, const std::string& what) {
+  for (int s = 0; s < 2; ++s)
+    for (int b = 0; b < static_cast<int>(now.local_boxes().size()); ++b)
+      for (int c = 0; c < (s == 0 ? 2 : 1); ++c) {
+        const RealView v = now.view(s, c, b);
+        for_each_cell(now.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+          ASSERT_EQ(v(cell), graph.reference(graph.news[static_cast<std::size_t>(s)], c, cell))
+              << what << ", state " << s << '.' << c << " at " << cell.x << ' ' << cell.y << ' '
+              << cell.z;
+        });
+      }
+}
+
+struct Shape {
+  IntVec3 cells, pieces;
+  std::vector<IntVec3> blocks;
+};
+
+class BlockSweepOnShapes : public testing::TestWithParam<Shape> {};
+
+TEST_P(BlockSweepOnShapes, GivesTheBitsOfTheReference) {
+  const Shape& shape = GetParam();
+  const Level level = level_of(shape.cells, shape.pieces, {-3, 2, 5});
+  const Axes axes = axes_of(level);
+  EffectList effects;
+  effects.add({"test", true, "", {}});
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    RandomGraph graph(seed, axes);
+    const SweepPlan plan = compile(graph.list, effects, graph.news, axes);
+    const int ghosts = std::max({plan.halo.x, plan.halo.y, plan.halo.z});
+    const Warehouse old = filled_state(level, ghosts);
+    for (const IntVec3 block : shape.blocks) {
+      Warehouse now = empty_state(level);
+      SweepOptions options;
+      options.block = block;
+      SweepExecutor executor(graph.list, plan, level, options);
+      executor.bind(old, now, nullptr);
+      executor.run({});
+      expect_reference(graph, now, "seed " + std::to_string(seed));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, BlockSweepOnShapes,
+    testing::Values(Shape{{23, 1, 1}, {1, 1, 1}, {{23, 1, 1}, {5, 1, 1}, {1, 1, 1}}},
+                    Shape{{1, 17, 1}, {1, 3, 1}, {{1, 17, 1}, {1, 4, 1}}},
+                    Shape{{1, 1, 9}, {1, 1, 2}, {{1, 1, 3}}},
+                    Shape{{9, 7, 1}, {2, 1, 1}, {{9, 7, 1}, {3, 2, 1}, {1, 1, 1}}},
+                    Shape{{7, 1, 8}, {1, 1, 3}, {{7, 1, 8}, {2, 1, 5}}},
+                    Shape{{1, 6, 7}, {1, 2, 1}, {{1, 6, 7}, {1, 1, 2}}},
+                    Shape{{6, 5, 7}, {1, 2, 1}, {{6, 5, 7}, {4, 3, 2}, {1, 2, 1}}}),
+    [](const auto& test) {
+      const IntVec3 n = test.param.cells;
+      return std::to_string(n.x) + "x" + std::to_string(n.y) + "x" + std::to_string(n.z);
+    });
+
+// A kernel is told where its row lies, on which level and in which step.
+TEST(BlockSweep, RowsKnowTheirPlace) {
+  const Level level = level_of({4, 3, 2}, {1, 1, 1}, {10, 20, 30});
+  TaskList list;
+  const VariableId now = list.new_state(test_label(1), 0, 1);
+  std::vector<IntVec3> rows;
+  TaskBuilder task = list.task("where", 0);
+  const Out out = task.write(now);
+  task.kernel([&rows, out](const Row& row) {
+    rows.push_back(row.cell());
+    EXPECT_EQ(row.count(), 4);
+    EXPECT_EQ(row.block_low(), (IntVec3{10, 20, 30}));
+    EXPECT_EQ(row.block_high(), (IntVec3{14, 23, 32}));
+    EXPECT_EQ(row.step().dt, 0.25);
+    for (int i = 0; i < row.count(); ++i) row(out)[i] = 1;
+  });
+  const Axes axes = axes_of(level);
+  Warehouse old(level, 0), next(level, 0);
+  next.add({test_label(1), 0, 1, 0});
+  SweepExecutor executor(list, plan_sweep(list, {0}, axes), level, {});
+  executor.bind(old, next, nullptr);
+  StepConstants step;
+  step.dt = 0.25;
+  executor.run(step);
+  EXPECT_EQ(
+      rows,
+      (std::vector<IntVec3>{
+          {10, 20, 30}, {10, 21, 30}, {10, 22, 30}, {10, 20, 31}, {10, 21, 31}, {10, 22, 31}}));
+}
+
+TEST(BlockSweep, ScratchIsAFewPlanesOnly) {
+  const Level flat = level_of({64, 1000, 1});
+  const Axes axes = axes_of(flat);
+  TaskList list;
+  const VariableId old = list.old_state(test_label(1), 0, 1),
+                   now = list.new_state(test_label(1), 0, 1);
+  const VariableId slope = list.temporary("slope");
+  TaskBuilder slopes = list.task("slopes", 0);
+  slopes.read(old, Stencil::box(1));
+  slopes.write(slope);
+  slopes.kernel([](const Row&) {});
+  TaskBuilder update = list.task("update", 0);
+  update.read(slope, Stencil::along(1, 1, 1));
+  update.write(now);
+  update.kernel([](const Row&) {});
+  const SweepPlan plan = plan_sweep(list, {0, 1}, axes);
+  const StateBinding binding;
+  const BlockSweep sweep(list, plan, flat, binding, {64, 1000, 1});
+  EXPECT_EQ(sweep.scratch_bytes(), 4u * 64u * sizeof(double));  // three planes, in a ring of four
+}
+
+TEST(BlockSweep, StorageThatIsMissingIsNamed) {
+  const Level level = level_of({4, 1, 1});
+  TaskList list;
+  TaskBuilder task = list.task("update", 0);
+  task.write(list.new_state(test_label(1), 0, 1));
+  task.kernel([](const Row&) {});
+  Warehouse old(level, 0), next(level, 0);
+  SweepExecutor executor(list, plan_sweep(list, {0}, axes_of(level)), level, {});
+  EXPECT_THROW(
+      {
+        try {
+          executor.bind(old, next, nullptr);
+        } catch (const std::logic_error& e) {
+          EXPECT_STREQ(e.what(), "no storage for 'test_state_1 (new)'");
+          throw;
+        }
+      },
+      std::logic_error);
+}
+
+}  // namespace
+}  // namespace sluice
