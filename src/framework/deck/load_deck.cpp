@@ -1,10 +1,25 @@
 // The passes that make a checked deck out of a file.
 #include "framework/deck/load_deck.hpp"
 
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 #include "framework/deck/schema_check.hpp"
 
 namespace sluice {
 namespace {
+
+// Document order, file by file, so that the first fault shown is the first in the deck.
+void sort_by_place(std::vector<Fault>& faults) {
+  std::map<std::string, std::size_t> file_order;
+  for (const Fault& fault : faults) file_order.try_emplace(fault.where.file, file_order.size());
+  const auto place = [&](const Fault& fault) {
+    return std::tuple(file_order.at(fault.where.file), fault.where.line, fault.where.column);
+  };
+  std::stable_sort(faults.begin(), faults.end(),
+                   [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
+}
 
 Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
@@ -17,6 +32,7 @@ Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& 
   resolve_piece_labels(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) rule(*deck.root, deck.faults);
+  sort_by_place(deck.faults);
   return deck;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
@@ -39,9 +38,12 @@ class Checker {
   void check(DeckNode& node, const TagSpec& spec, const std::string& path) {
     // A word that is not built (another component, another equation of state) changes what may
     // stand inside, so nothing below it can be judged.
+    const std::size_t before = faults_.size();
     if (!check_attributes(node, spec)) return;
+    // A misspelt word leaves open which of the dependent tags belong here.
+    const bool clear = faults_.size() == before;
     check_text(node, spec);
-    check_children(node, spec, path);
+    check_children(node, spec, path, clear);
     check_choices(node, spec);
     fill_in(node, spec, path);
   }
@@ -101,7 +103,7 @@ class Checker {
     faults_.back().not_built = verdict.not_built;
   }
 
-  void check_children(DeckNode& node, const TagSpec& spec, const std::string& path) {
+  void check_children(DeckNode& node, const TagSpec& spec, const std::string& path, bool clear) {
     std::map<std::string, const DeckNode*> seen;
     for (const auto& child : node.children) {
       const TagSpec* known = schema_.child(spec, child->name);
@@ -110,6 +112,7 @@ class Checker {
         continue;
       }
       if (!applies(*known, node)) {
+        if (!clear) continue;
         fault(*child, fmt::format("<{}> belongs to <{}> with {}={} only", child->name, node.name,
                                   known->applies.first, fmt::join(known->applies.second, " or ")));
         continue;
@@ -232,16 +235,7 @@ void normalise_names(DeckNode& root, const Schema& schema) {
 }
 
 void check_structure(DeckNode& root, const Schema& schema, std::vector<Fault>& faults) {
-  const std::size_t before = faults.size();
   Checker(schema, faults).check(root, schema.root, "");
-  // Document order, file by file, so that the first fault shown is the first in the deck.
-  std::map<std::string, std::size_t> file_order;
-  for (const Fault& fault : faults) file_order.try_emplace(fault.where.file, file_order.size());
-  const auto place = [&](const Fault& fault) {
-    return std::tuple(file_order.at(fault.where.file), fault.where.line, fault.where.column);
-  };
-  std::stable_sort(faults.begin() + static_cast<std::ptrdiff_t>(before), faults.end(),
-                   [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
 }
 
 }  // namespace sluice

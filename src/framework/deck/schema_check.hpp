@@ -20,7 +20,7 @@ ValueVerdict judge_value(const ValueSpec& spec, std::string& text);
 // Old spellings of tags and attributes become the names of the schema.
 void normalise_names(DeckNode& root, const Schema& schema);
 
-// Checks everything below the root and fills in defaults; adds to `faults`, in document order.
+// Checks everything below the root and fills in defaults; adds to `faults`.
 void check_structure(DeckNode& root, const Schema& schema, std::vector<Fault>& faults);
 
 }  // namespace sluice
