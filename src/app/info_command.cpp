@@ -190,8 +190,8 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
   if (step) {
     for (const Level& l : step->grid().levels)
       fmt::print(
-          "level {}      {} cells in {} boxes, {} to {}, spacing {}, active {}, periodic {}\n",
-          l.index, human_count(l.cell_count()), l.boxes.size(),
+          "level {}      {} cells in {} box{}, {} to {}, spacing {}, active {}, periodic {}\n",
+          l.index, human_count(l.cell_count()), l.boxes.size(), l.boxes.size() == 1 ? "" : "es",
           short_text(corner(l, l.domain.lower)), short_text(corner(l, l.domain.upper)),
           short_text(l.spacing), axes(l.active), axes(l.periodic));
     print_labels(*step);

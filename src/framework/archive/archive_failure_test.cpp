@@ -85,6 +85,16 @@ TEST(ArchiveFailure, FullDiskLeavesTheArchiveGood) {
   }
 }
 
+TEST(ArchiveFailure, ADiskFullFromTheStartIsLeftClean) {
+  const TemporaryFolder folder;
+  const fs::path place = folder.path() / "disk";
+  const TinyDisk disk(place, "size=64k");
+  if (!disk.mounted()) GTEST_SKIP() << "mounting a memory disk is not permitted here";
+  std::ofstream(place / "filler") << std::string(64 * 1024, 'x');
+  EXPECT_THROW(ArchiveWriter::create(setup_in(place)), SystemError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(place), fs::directory_iterator()), 1);
+}
+
 TEST(ArchiveFailure, FolderThatCannotBeWritten) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";

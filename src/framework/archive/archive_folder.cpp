@@ -98,8 +98,14 @@ ArchiveWriter ArchiveWriter::create(const ArchiveSetup& setup, WriterRanks ranks
     store->index.created = utc_now();
   }
   writer.on_root([&] {
-    write_text_atomically(writer.folder_ / "input.xml", setup.deck_xml);
-    writer.write_index(writer.outputs_);
+    try {
+      write_text_atomically(writer.folder_ / "input.xml", setup.deck_xml);
+      writer.write_index(writer.outputs_);
+    } catch (...) {
+      std::error_code ignored;  // an archive that cannot even begin leaves nothing behind
+      fs::remove_all(writer.folder_, ignored);
+      throw;
+    }
     writer.link_newest(setup.parent / setup.filebase);
   });
   return writer;

@@ -124,6 +124,8 @@ TEST(ArchiveRoundTrip, FloatsInOutputsNeverInCheckpoints) {
   ArchiveWriter writer = ArchiveWriter::create(setup);
   EXPECT_EQ(writer.write_output({1, 0, 0, 0, {}}, grid, fields.pieces()).float_overflows, 4);
   EXPECT_EQ(writer.write_checkpoint({1, 0, 0, 0, {}}, grid, fields.pieces()).float_overflows, 0);
+  ASSERT_EQ(writer.warnings().size(), 1u);
+  EXPECT_NE(writer.warnings()[0].find("4 values of step 1"), std::string::npos);
   const Archive archive = Archive::open(writer.folder());
   expect_field(
       archive.read_output(archive.select_output("first")), "press_CC", 0, 1,

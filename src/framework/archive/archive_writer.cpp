@@ -96,6 +96,7 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
       const FieldFileResult r = write_field_file(partial, ranks_.rank, pieces, options);
       report = {r.record.bytes, r.float_overflows};
     });
+    warn_of_overflows(info.step, report.float_overflows);
     // 3. The step gets its name, then its line in the index.
     on_root([&] { publish(store, info, grid); });
   } catch (const Error& e) {
@@ -109,6 +110,16 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
                       folder_.string()));
   }
   return report;
+}
+
+// Said once: what is too large for a float stays so.
+void ArchiveWriter::warn_of_overflows(int step, std::int64_t count) {
+  if (count == 0 || overflow_warned_) return;
+  overflow_warned_ = true;
+  warnings_.push_back(fmt::format(
+      "outputDoubleAsFloat: {} values of step {} are too large for a float and are stored as "
+      "infinite; leave the tag out of the deck to keep them",
+      count, step));
 }
 
 void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid) {
@@ -188,7 +199,7 @@ void ArchiveWriter::flush_histories() {
 }
 
 void ArchiveWriter::write_text(const std::string& name, const std::string& text) {
-  if (ranks_.rank == 0) write_text_atomically(folder_ / name, text);
+  on_root([&] { write_text_atomically(folder_ / name, text); });
 }
 
 void ArchiveWriter::finish() {

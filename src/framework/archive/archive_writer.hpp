@@ -83,7 +83,8 @@ class ArchiveWriter {
   void finish();
 
   const std::filesystem::path& folder() const { return folder_; }
-  // What a user should know although the run goes on (rank 0).
+  // What a user should know although the run goes on: a link that could not be made (rank 0),
+  // values too large for a float (the rank that has them).
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -106,6 +107,7 @@ class ArchiveWriter {
                          std::span<const FieldPiece> pieces, const StorageOptions& options);
   void publish(Store& store, const StepInfo& info, const Grid& grid);
   std::vector<std::filesystem::path> retire(Store& store) const;
+  void warn_of_overflows(int step, std::int64_t count);
   void write_index(const Store& store);
   void flush_histories();
   HistoryFile& history_file(const std::string& label, int material, const char* type);
@@ -117,6 +119,7 @@ class ArchiveWriter {
   Store outputs_, checkpoints_;
   std::map<std::string, HistoryFile> histories_;
   std::vector<std::string> warnings_;
+  bool overflow_warned_ = false;
 };
 
 }  // namespace sluice

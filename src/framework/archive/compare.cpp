@@ -41,7 +41,11 @@ std::vector<StepPair> pair_steps(const std::vector<StepEntry>& a, const std::vec
       pairs.emplace_back(a[n], b[n]);
     }
   }
-  if (pairs.empty() && problems.empty()) problems.push_back("they have no time in common");
+  if (pairs.empty() && problems.empty())
+    problems.push_back(
+        a.empty() && b.empty()
+            ? fmt::format("neither has {}", o.checkpoints ? "a checkpoint" : "an output")
+            : "they have no time in common");
   return pairs;
 }
 
