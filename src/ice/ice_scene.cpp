@@ -39,10 +39,6 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.gas.specific_heat = node.real("specific_heat");
   m.viscosity = node.real("dynamic_viscosity");
   m.viscosity_where = place(node.child("dynamic_viscosity"));
-  if (const DeckNode* k = node.child("thermal_conductivity"); k != nullptr && k->as_real() > 0)
-    faults.push_back({Severity::error, k->where,
-                      "thermal_conductivity above 0: heat conduction is not built yet",
-                      "set it to 0.0 to run without conduction"});
   for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(geometry.object(*object, faults));
   return m;
