@@ -198,6 +198,8 @@ std::int64_t write_structure(const std::filesystem::path& path, std::vector<Grou
   checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "set the version",
           file);
   checked(H5Pset_alignment(access.get(), 64 * 1024, 4096), "set the alignment", file);
+  // The folder is ours alone until it is renamed; locks only fail on network file systems.
+  checked(H5Pset_file_locking(access.get(), false, true), "set the locking", file);
   // No time stamps: equal data make equal files.
   const auto creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a list", file);
   checked(H5Pset_obj_track_times(creation.get(), false), "set the times", file);

@@ -132,6 +132,8 @@ XmlElement parse_xml(std::string_view text, const std::string& context) {
     trim(why);
     throw DamageError(fmt::format("{}: not readable as XML: {}", context, why));
   }
+  // No archive has a DTD; entities are only good for bombs.
+  if (document->intSubset) throw DamageError(context + ": a document type does not belong here");
   return convert(root, 0, context);
 }
 
