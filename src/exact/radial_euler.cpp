@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "exact/symmetry.hpp"
 #include "framework/base/error.hpp"
@@ -236,21 +237,43 @@ double RadialEuler::total_energy() const {
   return sum;
 }
 
+namespace {
+
+// The run of a problem to a time, kept or new. Each starts from 0: going on from an earlier time
+// would cut the steps differently, and the answer would depend on what was asked before.
+std::shared_ptr<const RadialEuler> run_to(const RadialProblem& problem, double t) {
+  constexpr std::size_t most_kept = 16;
+  static std::mutex mutex;
+  static std::vector<std::shared_ptr<const RadialEuler>> kept;
+  const std::lock_guard lock(mutex);
+  for (const auto& run : kept) {
+    if (run->time() == t && run->problem() == problem) return run;
+  }
+  const auto run = std::make_shared<RadialEuler>(problem);
+  run->advance_to(t);
+  if (kept.size() == most_kept) kept.erase(kept.begin());
+  kept.push_back(run);
+  return run;
+}
+
+}  // namespace
+
 RadialReference::RadialReference(RadialProblem problem, Vec3 origin, Vec3 axis)
-    : problem_(problem), origin_(origin), axis_(axis), solver_(std::move(problem)) {}
+    : problem_(std::move(problem)), origin_(origin), axis_(axis) {
+  check(problem_);
+}
 
 State RadialReference::at(Vec3 x, double t) const {
-  if (t < solver_.time()) solver_ = RadialEuler(problem_);
-  solver_.advance_to(t);
+  if (!run_ || run_->time() != t) run_ = run_to(problem_, t);
   State out;
   out.gamma = problem_.gamma;
   RadialEuler::Point found{};
   if (problem_.dimension == 1) {
-    found = solver_.at(dot(x - origin_, axis_));
+    found = run_->at(dot(x - origin_, axis_));
     out.velocity = axis_ * found.velocity;
   } else {
     const RadialPoint point = radial_point(x - origin_, problem_.dimension, axis_);
-    found = solver_.at(point.r);
+    found = run_->at(point.r);
     out.velocity = point.outward * found.velocity;
   }
   out.density = found.density;

@@ -9,6 +9,7 @@
 // P. Woodward and P. Colella, J. Comput. Phys. 54 (1984) 115-173, section IV (blast waves).
 // Limit: one ideal gas; second order in smooth flow, first at shocks, as any such scheme.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "exact/exact_solution.hpp"
@@ -27,8 +28,10 @@ struct RadialProblem {
   struct Piece {
     double end = 0;  // its upper radius; the last reaches to high
     double density = 0, velocity = 0, pressure = 0;
+    friend bool operator==(const Piece&, const Piece&) = default;
   };
   std::vector<Piece> pieces;
+  friend bool operator==(const RadialProblem&, const RadialProblem&) = default;
 };
 
 class RadialEuler {
@@ -37,6 +40,7 @@ class RadialEuler {
 
   void advance_to(double t);  // from the present time on
   double time() const { return time_; }
+  const RadialProblem& problem() const { return problem_; }
   int steps() const { return steps_; }
 
   struct Point {
@@ -68,7 +72,8 @@ class RadialEuler {
   std::vector<double> flux_rho_, flux_mom_, flux_ene_;               // faces
 };
 
-// As an exact solution in space; times may be asked in any order (going back starts over).
+// As an exact solution in space and time. Runs are kept in memory for the whole process, so that
+// many who ask for the same problem at the same time cost one run.
 class RadialReference final : public ExactSolution {
  public:
   RadialReference(RadialProblem problem, Vec3 origin, Vec3 axis);
@@ -77,7 +82,7 @@ class RadialReference final : public ExactSolution {
  private:
   RadialProblem problem_;
   Vec3 origin_, axis_;
-  mutable RadialEuler solver_;
+  mutable std::shared_ptr<const RadialEuler> run_;  // the last that was asked for
 };
 
 }  // namespace sluice::exact
