@@ -1,0 +1,133 @@
+// Storage of fields: layout, slots, alignment, swapping; labels as handles.
+#include "framework/field/warehouse.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace sluice {
+namespace {
+
+Label label(int n) {
+  return declare_label(
+      {"test_warehouse_" + std::to_string(n), ValueType::real, Centring::cell, "1", "for tests"});
+}
+
+Level level_of(IntVec3 cells, IntVec3 pieces) {
+  Level level;
+  level.domain = {{0, 0, 0}, cells};
+  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  for (const IndexBox& b : split(level.domain, pieces))
+    level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
+  return level;
+}
+
+TEST(Warehouse, HoldsInteriorAndGhostsZeroedAndAligned) {
+  const Level level = level_of({8, 1, 6}, {2, 1, 1});
+  Warehouse w(level, 0);
+  const int slot = w.add({label(0), 0, 2, 3});
+  ASSERT_EQ(w.local_boxes().size(), 2u);
+  for (int b = 0; b < 2; ++b)
+    for (int c = 0; c < 2; ++c) {
+      const RealView v = w.view(slot, c, b);
+      EXPECT_EQ(v.box, w.local_boxes()[static_cast<std::size_t>(b)].cells.grown({3, 0, 3}));
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(v.data) % 64, 0u);
+      for_each_cell(v.box, [&](IntVec3 cell) { EXPECT_EQ(v(cell), 0); });
+    }
+  EXPECT_EQ(w.bytes(), 2u * 2u * 10u * 12u * sizeof(double));
+}
+
+TEST(Warehouse, RowsRunAlongTheFirstActiveDirectionAndInactiveOnesHaveNoStride) {
+  const Level level = level_of({1, 5, 4}, {1, 1, 1});
+  Warehouse w(level, 0);
+  const RealView v = w.view(w.add({label(0), 0, 1, 2}), 0, 0);
+  EXPECT_EQ(v.stride[0], 0);
+  EXPECT_EQ(v.stride[1], 1);
+  EXPECT_EQ(v.stride[2], 9);
+  v(0, 3, 2) = 4;
+  EXPECT_EQ(v(-5, 3, 2), 4);  // across an inactive direction there is only one layer
+}
+
+TEST(Warehouse, ASlotIsOneLabelOfOneMaterial) {
+  const Level level = level_of({8, 1, 1}, {1, 1, 1});
+  Warehouse w(level, 0);
+  const int a = w.add({label(0), 0, 1, 2}), b = w.add({label(0), 1, 1, 2}),
+            c = w.add({label(1), 0, 1, 2});
+  EXPECT_EQ(w.slot_count(), 3);
+  EXPECT_EQ(w.find(label(0), 0), a);
+  EXPECT_EQ(w.find(label(0), 1), b);
+  EXPECT_EQ(w.find(label(1), 0), c);
+  EXPECT_EQ(w.find(label(1), 1), -1);
+  EXPECT_EQ(w.add({label(0), 0, 1, 1}), a);  // narrower ghosts are there already
+  EXPECT_THROW(w.add({label(0), 0, 1, 3}), std::logic_error);
+  EXPECT_THROW(w.add({label(0), 0, 2, 2}), std::logic_error);
+}
+
+TEST(Warehouse, ViewsStayWhenSlotsAreAddedLater) {
+  const Level level = level_of({8, 1, 1}, {1, 1, 1});
+  Warehouse w(level, 0);
+  const int slot = w.add({label(0), 0, 1, 2});
+  double* const data = w.view(slot, 0, 0).data;
+  for (int n = 1; n < 40; ++n) w.add({label(n), 0, 1, 2});
+  EXPECT_EQ(w.view(slot, 0, 0).data, data);
+}
+
+TEST(Warehouse, ARankHoldsItsBoxesOnlyAndMayHoldNone) {
+  Level level = level_of({8, 1, 1}, {4, 1, 1});
+  level.boxes[1].owner = level.boxes[3].owner = 1;
+  const Warehouse first(level, 0), second(level, 1);
+  ASSERT_EQ(second.local_boxes().size(), 2u);
+  EXPECT_EQ(second.local_boxes()[0].id, 1);
+  EXPECT_EQ(second.local_boxes()[1].id, 3);
+  EXPECT_EQ(first.local_boxes()[1].cells, level.boxes[2].cells);
+  Warehouse none(level, 2);
+  const int slot = none.add({label(0), 0, 1, 2});
+  EXPECT_EQ(none.find(label(0), 0), slot);
+  EXPECT_EQ(none.bytes(), 0u);
+}
+
+TEST(Warehouse, SwapExchangesOldAndNewWithoutCopying) {
+  const Level level = level_of({8, 1, 1}, {1, 1, 1});
+  Warehouse old(level, 0), now(level, 0);
+  const int slot = old.add({label(0), 0, 1, 2});
+  now.add({label(0), 0, 1, 2});
+  now.view(slot, 0, 0)(3, 0, 0) = 5;
+  double* const data = now.view(slot, 0, 0).data;
+  old.swap(now);
+  EXPECT_EQ(old.view(slot, 0, 0).data, data);
+  EXPECT_EQ(old.view(slot, 0, 0)(3, 0, 0), 5);
+  EXPECT_EQ(now.view(slot, 0, 0)(3, 0, 0), 0);
+}
+
+TEST(Label, IsOneHandleAName) {
+  const Label a = label(0);
+  EXPECT_EQ(declare_label(a.info()), a);
+  EXPECT_EQ(find_label(a.name()), a);
+  EXPECT_FALSE(find_label("no such label"));
+  EXPECT_NE(a, label(1));
+  EXPECT_FALSE(Label().valid());
+  EXPECT_THROW(Label().info(), std::logic_error);
+}
+
+TEST(Label, RefusesASecondMeaning) {
+  LabelInfo other = label(0).info();
+  other.centring = Centring::x_face;
+  try {
+    declare_label(other);
+    FAIL() << "accepted";
+  } catch (const std::logic_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("test_warehouse_0"));
+  }
+}
+
+TEST(Label, AllLabelsAreSortedByName) {
+  label(2);
+  const std::vector<Label> all = all_labels();
+  EXPECT_EQ(static_cast<int>(all.size()), label_count());
+  for (std::size_t n = 1; n < all.size(); ++n) EXPECT_LT(all[n - 1].name(), all[n].name());
+}
+
+}  // namespace
+}  // namespace sluice

@@ -1,0 +1,127 @@
+// Ghost cells are copies of the cells they stand for: every box, edge and corner, every rank.
+//
+// Registered once more on three ranks (CMakeLists.txt).
+#include "framework/task/halo.hpp"
+
+#include <gtest/gtest.h>
+
+#include "framework/task/sweep_test_support.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace sweep_test;
+
+// MPI must be closed before the test executable ends.
+class CloseRanks : public testing::Environment {
+ public:
+  void TearDown() override { world().finalize(); }
+};
+const testing::Environment* const close_ranks =
+    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
+
+constexpr double untouched = -7;
+
+double value_of(int slot, int component, IntVec3 c) {
+  return slot * 1e7 + component * 1e6 + c.x + 100.0 * c.y + 10000.0 * c.z;
+}
+
+// The cell that a ghost stands for, or nothing where it lies outside a domain that ends.
+bool wrapped(const Level& level, IntVec3& c) {
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    const int size = level.domain.size()[d], low = level.domain.lower[d];
+    if (c[d] >= low && c[d] < low + size) continue;
+    if (!level.periodic[n]) return false;
+    c[d] = low + ((c[d] - low) % size + size) % size;
+  }
+  return true;
+}
+
+void expect_filled(Level level, int width) {
+  Communicator& ranks = world();
+  assign_owners(level.boxes, ranks.size());
+  Warehouse state(level, ranks.rank());
+  const std::vector<int> slots = {state.add({test_label(0), 0, 2, width}),
+                                  state.add({test_label(1), 0, 1, width})};
+  const auto each = [&](auto&& f) {
+    for (int s : slots)
+      for (int c = 0; c < state.info(s).components; ++c)
+        for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+          f(s, c, state.view(s, c, b), state.local_boxes()[static_cast<std::size_t>(b)].cells);
+  };
+  each([&](int s, int c, const RealView& v, const IndexBox& cells) {
+    for_each_cell(v.box, [&](IntVec3 cell) {
+      v(cell) = cells.contains(cell) ? value_of(s, c, cell) : untouched;
+    });
+  });
+  HaloExchange halo(level, width, ranks.rank());
+  for (int again = 0; again < 2; ++again) halo.run(state, slots);
+  each([&](int s, int c, const RealView& v, const IndexBox&) {
+    for_each_cell(v.box, [&](IntVec3 cell) {
+      IntVec3 source = cell;
+      const double wanted = wrapped(level, source) ? value_of(s, c, source) : untouched;
+      ASSERT_EQ(v(cell), wanted) << "slot " << s << " at " << cell.x << ' ' << cell.y << ' '
+                                 << cell.z;
+    });
+  });
+}
+
+struct Case {
+  IntVec3 cells, pieces;
+  std::array<bool, 3> periodic;
+  int width;
+};
+
+class HaloOnShapes : public testing::TestWithParam<Case> {};
+
+TEST_P(HaloOnShapes, FillsFacesEdgesAndCorners) {
+  const Case& c = GetParam();
+  Level level = level_of(c.cells, c.pieces, {-4, 3, 1});
+  level.periodic = c.periodic;
+  expect_filled(level, c.width);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Halo, HaloOnShapes,
+    testing::Values(Case{{20, 1, 1}, {1, 1, 1}, {true, false, false}, 3},
+                    Case{{20, 1, 1}, {5, 1, 1}, {false, false, false}, 3},
+                    Case{{20, 1, 1}, {5, 1, 1}, {true, true, true}, 3},
+                    Case{{9, 12, 1}, {2, 3, 1}, {true, true, false}, 3},
+                    Case{{9, 12, 1}, {2, 3, 1}, {false, true, false}, 2},
+                    Case{{1, 12, 9}, {1, 4, 2}, {false, true, true}, 3},
+                    Case{{8, 7, 9}, {2, 2, 3}, {true, true, true}, 3},
+                    Case{{8, 7, 9}, {2, 2, 3}, {false, false, false}, 1},
+                    // boxes narrower than the halo: a ghost comes from the box beyond the next
+                    Case{{12, 4, 1}, {12, 1, 1}, {true, false, false}, 3},
+                    Case{{6, 6, 6}, {3, 3, 3}, {true, false, true}, 3},
+                    // the whole domain is as wide as the halo
+                    Case{{3, 8, 1}, {1, 2, 1}, {true, true, false}, 3}));
+
+TEST(Halo, CopiesAreTheSameListOnEveryRankAndCoverEachGhostOnce) {
+  Level level = level_of({9, 12, 1}, {2, 3, 1});
+  level.periodic = {true, true, false};
+  const std::vector<HaloCopy> copies = halo_copies(level, 3);
+  for (const GridBox& box : level.boxes) {
+    std::int64_t ghosts = 0;
+    for (const HaloCopy& c : copies) {
+      if (c.to != box.id) continue;
+      EXPECT_TRUE(
+          level.boxes[static_cast<std::size_t>(c.from)].cells.contains(c.region.shifted(c.shift)));
+      EXPECT_TRUE(intersection(c.region, box.cells).empty());
+      ghosts += c.region.volume();
+    }
+    EXPECT_EQ(ghosts, box.cells.grown({3, 3, 0}).volume() - box.cells.volume());
+  }
+}
+
+TEST(Halo, OneMessageANeighbourRankAndItsSize) {
+  Level level = level_of({40, 4, 1}, {4, 1, 1});
+  for (std::size_t b = 0; b < 4; ++b) level.boxes[b].owner = static_cast<int>(b) % 2;
+  const HaloExchange halo(level, 3, 0);  // boxes 0 and 2 here, 1 and 3 elsewhere
+  EXPECT_EQ(halo.neighbour_ranks(), 1);
+  EXPECT_EQ(halo.message_bytes(5), 3u * 3u * 4u * 5u * sizeof(double));
+}
+
+}  // namespace
+}  // namespace sluice

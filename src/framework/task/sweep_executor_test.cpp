@@ -1,0 +1,239 @@
+// Placement on blocks and threads, sleeping blocks, sampling: none may change a bit.
+#include "framework/task/sweep_executor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "framework/task/sweep_test_support.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace sweep_test;
+
+TEST(PlaceBlocks, CoverEveryBoxOnceAndStayWithinTheExtents) {
+  const Level level = level_of({37, 11, 5}, {3, 2, 1});
+  const IntVec3 extents{8, 4, 5};
+  std::vector<int> seen(static_cast<std::size_t>(level.domain.volume()), 0);
+  for (const Block& b : place_blocks(level.boxes, extents)) {
+    EXPECT_EQ(max(b.cells.size(), extents), extents);
+    EXPECT_TRUE(level.boxes[static_cast<std::size_t>(b.box)].cells.contains(b.cells));
+    for_each_cell(
+        b.cells, [&](IntVec3 c) { ++seen[static_cast<std::size_t>(c.x + 37 * (c.y + 11 * c.z))]; });
+  }
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+}
+
+TEST(PlaceBlocks, TheDefaultFitsTheLevel) {
+  for (const IntVec3 cells : {IntVec3{4096, 1, 1}, {1, 300, 200}, {100, 20, 300}, {3, 1, 1}}) {
+    const IntVec3 block = default_block(level_of(cells));
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_GE(block[d], 1);
+      EXPECT_LE(block[d], cells[d]);
+    }
+  }
+}
+
+// Diffusion with an upwind part; keeps uniform states as they are. Reduces the largest value, the
+// sum of what crosses the low x boundary, and a fault wherever a value exceeds 2.5.
+struct Diffusion {
+  TaskList list;
+  VariableId old, now, slope, saved;
+  std::atomic<int> rows = 0;
+
+  explicit Diffusion(const Level& level) {
+    old = list.old_state(test_label(1), 0, 1);
+    now = list.new_state(test_label(1), 0, 1);
+    slope = list.temporary("slope");
+    const int low = level.domain.lower.x;
+    const Axes axes = axes_of(level);
+    TaskBuilder slopes = list.task("slopes", 0);
+    const In q = slopes.read(old, Stencil::box(1));
+    const Out s = slopes.write(slope);
+    slopes.kernel([=, this](const Row& row) {
+      ++rows;
+      for (int i = 0; i < row.count(); ++i) {
+        double sum = 0;
+        for (int a = 0; a < axes.count; ++a) sum += row(q, 0, a, 1)[i] - row(q, 0, a, -1)[i];
+        row(s)[i] = sum;
+      }
+    });
+    TaskBuilder update = list.task("update", 0);
+    const In in = update.read(old), ds = update.read(slope, Stencil::box(1));
+    const Out out = update.write(now);
+    update.kernel([=](const Row& row) {
+      for (int i = 0; i < row.count(); ++i) {
+        const double value = row(in)[i] +
+                             0.01 * (row(ds, 0, 0, 1)[i] - 1.25 * row(ds, 0, 0, -1)[i]) +
+                             0.003 * row(ds, 0, axes.count - 1, 1)[i];
+        row(out)[i] = value;
+        row.reductions().maximum(0, ordered_bits(value));
+        IntVec3 cell = row.cell();
+        cell.x += i;
+        if (cell.x == low) row.reductions().sum(0).add(value);
+        if (value > 2.5) row.reductions().fault({cell, 0, 0, 1, value});
+      }
+    });
+  }
+};
+
+// Uniform left and right of a bump.
+Warehouse bump(const Level& level) {
+  Warehouse state(level, 0);
+  const int slot = state.add({test_label(1), 0, 1, 2});
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView v = state.view(slot, 0, b);
+    for_each_cell(v.box, [&](IntVec3 c) {
+      v(c) = c.x < 40 ? 1.0 : c.x > 60 ? 0.5 : 1.0 + 0.1 * ((c.x * 7 + c.y * 3 + c.z) % 17);
+    });
+  }
+  return state;
+}
+
+struct Outcome {
+  std::vector<double> values;
+  double maximum = 0, sum = 0;
+  std::int64_t faults = 0, run = 0, asleep = 0;
+  CellFault lowest;
+  int rows = 0;
+
+  // What must not depend on the way.
+  void expect_equal(const Outcome& o) const {
+    EXPECT_EQ(values, o.values);
+    EXPECT_EQ(maximum, o.maximum);
+    EXPECT_EQ(sum, o.sum);
+    EXPECT_EQ(faults, o.faults);
+    EXPECT_EQ(lowest.cell, o.lowest.cell);
+  }
+};
+
+Outcome outcome(const Level& level, const SweepOptions& given, int passes = 1) {
+  Diffusion graph(level);
+  const Axes axes = axes_of(level);
+  SweepOptions options = given;
+  options.maxima = 1;
+  options.sums = 1;
+  SweepExecutor executor(graph.list, plan_sweep(graph.list, {0, 1}, axes), level, options);
+  const Warehouse old = bump(level);
+  Warehouse now(level, 0);
+  const int slot = now.add({test_label(1), 0, 1, 2});
+  executor.bind(old, now, nullptr);
+  Outcome o;
+  for (int n = 0; n < passes; ++n) {
+    const Reductions& r = executor.run({});
+    o.maximum = r.maximum(0);
+    o.sum = r.sum(0).value();
+    o.faults = r.fault_count();
+    for (const CellFault& f : r.faults())
+      if (&f == &r.faults().front() || before(f, o.lowest)) o.lowest = f;
+  }
+  o.run = executor.blocks_run();
+  o.asleep = executor.blocks_asleep();
+  o.rows = graph.rows;
+  o.values.resize(static_cast<std::size_t>(level.domain.volume()));
+  const IntVec3 n = level.domain.size();
+  for (int b = 0; b < static_cast<int>(now.local_boxes().size()); ++b)
+    for_each_cell(now.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+      o.values[static_cast<std::size_t>(c.x + n.x * (c.y + n.y * c.z))] = now.view(slot, 0, b)(c);
+    });
+  return o;
+}
+
+class ExecutorOnShapes : public testing::TestWithParam<IntVec3> {};
+
+TEST_P(ExecutorOnShapes, ThreadsBlocksAndSleepChangeNothing) {
+  const IntVec3 cells = GetParam();
+  const Level level = level_of(cells);
+  const Outcome plain = outcome(level, {});
+  EXPECT_GT(plain.faults, 0);  // so that faults are compared, too
+  EXPECT_GT(plain.sum, 0);
+  EXPECT_EQ(plain.asleep, 0);
+  SweepOptions o;
+  o.threads = 2;
+  o.block = {8, 2, 2};
+  plain.expect_equal(outcome(level, o));
+  o.quiet_blocks = true;
+  const Outcome threads_asleep = outcome(level, o);
+  plain.expect_equal(threads_asleep);
+  o.threads = 1;
+  const Outcome asleep = outcome(level, o);
+  plain.expect_equal(asleep);
+  EXPECT_GT(asleep.asleep, asleep.run);  // most of the level is quiet
+  EXPECT_EQ(asleep.asleep, threads_asleep.asleep);
+  plain.expect_equal(outcome(level_of(cells, {3, cells.y > 1 ? 2 : 1, cells.z > 1 ? 2 : 1}), o));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ExecutorOnShapes,
+                         testing::Values(IntVec3{130, 1, 1}, IntVec3{130, 6, 1}, IntVec3{130, 1, 5},
+                                         IntVec3{130, 4, 5}));
+
+TEST(SweepExecutor, ASleepingBlockIsCheap) {
+  SweepOptions o;
+  o.block = {50, 50, 1};
+  const Level level = level_of({250, 50, 1});
+  const int awake = outcome(level, o).rows;
+  o.quiet_blocks = true;
+  const Outcome asleep = outcome(level, o);
+  EXPECT_EQ(asleep.asleep, 3);  // of five: the bump lies in [40, 60] and two cells around
+  EXPECT_LT(asleep.rows, 2 * awake);
+  EXPECT_EQ(asleep.run, 2);
+}
+
+TEST(SweepExecutor, ANanIsNotQuiet) {
+  const Level level = level_of({64, 1, 1});
+  Diffusion graph(level);
+  SweepOptions o;
+  o.quiet_blocks = true;
+  o.maxima = o.sums = 1;
+  SweepExecutor executor(graph.list, plan_sweep(graph.list, {0, 1}, axes_of(level)), level, o);
+  Warehouse old(level, 0), now(level, 0);
+  const int slot = old.add({test_label(1), 0, 1, 2});
+  now.add({test_label(1), 0, 1, 0});
+  const RealView v = old.view(slot, 0, 0);
+  for_each_cell(v.box, [&](IntVec3 c) { v(c) = std::numeric_limits<double>::quiet_NaN(); });
+  executor.bind(old, now, nullptr);
+  const Reductions& r = executor.run({});
+  EXPECT_EQ(executor.blocks_asleep(), 0);
+  EXPECT_TRUE(std::isnan(r.maximum(0)));  // NaN is the largest of all
+}
+
+TEST(SweepExecutor, SamplesEveryNthBlockAndScalesUp) {
+  const Level level = level_of({130, 6, 1});
+  Diffusion graph(level);
+  SweepOptions o;
+  o.block = {10, 6, 1};
+  o.sample_every = 5;
+  o.maxima = o.sums = 1;
+  SweepExecutor executor(graph.list, plan_sweep(graph.list, {0, 1}, axes_of(level)), level, o);
+  const Warehouse old = bump(level);
+  Warehouse now(level, 0);
+  now.add({test_label(1), 0, 1, 0});
+  executor.bind(old, now, nullptr);
+  for (int pass = 0; pass < 10; ++pass) executor.run({});
+  EXPECT_EQ(executor.blocks_run(), 130);
+  const std::vector<double> seconds = executor.task_seconds();
+  ASSERT_EQ(seconds.size(), 2u);
+  for (double s : seconds) {
+    EXPECT_GT(s, 0);
+    EXPECT_LT(s, 10);
+  }
+  EXPECT_GT(executor.scratch_bytes(), 0u);
+}
+
+TEST(SweepExecutor, WithoutSamplingNoTimeIsTold) {
+  const Level level = level_of({20, 1, 1});
+  Diffusion graph(level);
+  SweepOptions o;
+  o.maxima = o.sums = 1;
+  SweepExecutor executor(graph.list, plan_sweep(graph.list, {0, 1}, axes_of(level)), level, o);
+  const Warehouse old = bump(level);
+  Warehouse now(level, 0);
+  now.add({test_label(1), 0, 1, 0});
+  executor.bind(old, now, nullptr);
+  executor.run({});
+  EXPECT_EQ(executor.task_seconds(), (std::vector<double>{0, 0}));
+}
+
+}  // namespace
+}  // namespace sluice
