@@ -37,6 +37,8 @@ class OutputWriter {
   void finish(const std::string& run_json);
 
   std::string archive_folder() const { return archive_.folder().string(); }
+  // What a user should know although the run goes on.
+  const std::vector<std::string>& warnings() const { return archive_.warnings(); }
   double seconds() const { return seconds_; }
 
  private:

@@ -318,6 +318,8 @@ RunReport Simulation::run() {
     message_ = e.what();
     if (!options_.plant_nan) write_last_good_checkpoint();
   }
+  if (output_ != nullptr)
+    for (const std::string& warning : output_->warnings()) progress_->note("warning: " + warning);
   progress_->end();
   if (status_ != RunStatus::failed) set_totals(false);
   RunReport r = report();
