@@ -24,7 +24,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   const Level& level = scene.grid.levels.front();
   for (std::size_t d = 0; d < 3; ++d) open = open || (level.active[d] && !level.periodic[d]);
   e.add({"boundary account",
-         open && !ice.classic,
+         open,
          !open ? "every active direction is periodic"
                : "what passes through the boundary is counted for the conservation report",
          {}});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/classic/classic.hpp"
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
 
@@ -65,7 +66,9 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
       o.direction[static_cast<std::size_t>(o.components++)] = d;
   const IceMaterial& m = ice.materials.front();
   o.gas = m.gas;
+  o.classic = ice.classic;
   o.second_order = ice.second_order;
+  o.compatible_fluxes = ice.compatible_fluxes;
   o.sound_speed_knob = ice.sound_speed_knob;
   o.gravity = scene.constants.gravity;
   o.gravity_on = !(o.gravity == Vec3{});
@@ -114,7 +117,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
 }
 
 std::vector<SlotInfo> Ice::state_slots() const {
-  constexpr int ghosts = 3;
+  const int ghosts = options_.classic ? classic_ghost_layers(options_) : 3;
   return {{labels().mass, 0, 1, ghosts},
           {labels().momentum, 0, options_.components, ghosts},
           {labels().energy, 0, 1, ghosts}};
@@ -160,7 +163,10 @@ void Ice::fill_boundary(Warehouse& state, double /*time*/) const {
 void Ice::declare_step(TaskList& list, bool masked) const {
   SchemeOptions o = options_;
   o.masked = masked;
-  declare_conservative(list, o);
+  if (o.classic)
+    declare_classic(list, o, effects_);
+  else
+    declare_conservative(list, o);
 }
 
 void Ice::declare_diagnostics(TaskList& list) const {
@@ -277,6 +283,8 @@ std::string Ice::describe_fault(int kind) const {
       return "internal energy per volume (J/m^3, must be above 0)";
     case fault_volume:
       return "relative volume after the Lagrangian phase (must be above 0)";
+    case fault_outflow:
+      return "share of a cell's volume that flows out in the step (must be below 1)";
     default:
       return "value";
   }

@@ -75,7 +75,10 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
 void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
   const Labels& l = labels();
   copy_task(list, v.pressure, l.equilibrium_pressure);
-  pressure_change_task(list, v, o);
+  if (o.classic)
+    copy_task(list, v.pressure_change, l.pressure_change);
+  else
+    pressure_change_task(list, v, o);
   lagrangian_momentum_task(list, v, o);
   for (int d = 0; d < 3; ++d) {
     int axis = -1;

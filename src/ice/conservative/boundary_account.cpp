@@ -29,10 +29,13 @@ void account_face(const Row& row, const Handles& h, const SchemeOptions& o, cons
   const double uf = face(h.face_velocity), pf = face(h.face_pressure);
   Reductions& sums = row.reductions();
   sums.sum(StepSlots::mass).add(sign * F * volume);
-  double U2 = 0, friction = 0;
+  double FU2 = 0, friction = 0;
   for (int c = 0; c < o.components; ++c) {
-    const double U = face(h.flux, 2 + c);
-    U2 += U * U;
+    // The flux holds U, or F U in the classic form.
+    const double carried = face(h.flux, 2 + c);
+    const double FU = o.classic ? carried : F * carried;
+    const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
+    FU2 += FU * U;
     double impulse = c == s.axis ? l * pf : 0.0;
     if (o.viscous) {
       const double t = face(h.stress, c);
@@ -42,10 +45,10 @@ void account_face(const Row& row, const Handles& h, const SchemeOptions& o, cons
           (row(h.velocity, c, s.axis, s.shift - 1)[i] + row(h.velocity, c, s.axis, s.shift)[i]);
     }
     const int direction = o.direction[static_cast<std::size_t>(c)];
-    sums.sum(StepSlots::momentum + direction).add(sign * (F * U + impulse) * volume);
+    sums.sum(StepSlots::momentum + direction).add(sign * (FU + impulse) * volume);
     sums.sum(StepSlots::pressure_impulse + direction).add(sign * impulse * volume);
   }
-  sums.sum(StepSlots::energy).add(sign * (l * pf * uf + 0.5 * F * U2 + G - friction) * volume);
+  sums.sum(StepSlots::energy).add(sign * (l * pf * uf + 0.5 * FU2 + G - friction) * volume);
 }
 
 // The faces of this row that lie on one side of the domain.

@@ -16,7 +16,9 @@ struct SchemeOptions {
   int components = 1;                     // of momentum, axes.count <= components <= 3
   std::array<int, 3> direction{0, 1, 2};  // level direction of each component
   eos::IdealGas gas;
+  bool classic = false;  // the classic form, see classic/
   bool second_order = true;
+  bool compatible_fluxes = true;  // of the classic form
   bool masked = false;          // a redo: slopes vanish where the mask says so
   double sound_speed_knob = 1;  // weight of c in the deck's time-step rule
   Vec3 gravity{};               // m/s^2
@@ -45,6 +47,7 @@ struct SchemeVariables {
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
+  VariableId pressure_change;  // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
 };
@@ -64,7 +67,7 @@ struct StepSlots {
   static constexpr int sums = 8;
 };
 
-enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2 };
+enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2, fault_outflow = 3 };
 
 // Calls f.operator()<D, C>() for D active axes and C momentum components.
 template <class F>

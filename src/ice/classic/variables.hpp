@@ -1,0 +1,43 @@
+// The variables of one step of the classic form, and its tasks.
+//
+// Step numbers in this folder are those of the section "The classic form" of docs/theory_ice.md.
+// Lengths are in cells: a slope is the difference across one cell, l = dt/dx.
+#pragma once
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice::classic {
+
+struct Variables {
+  SchemeVariables common;  // state, primitives, faces, stress, impulse, E* (energy after work)
+  VariableId pressure;     // p + dp, that acts in this step
+  VariableId energy;       // advected: specific (or per volume, as the fluxes are)
+  VariableId momentum;     // advected alike
+  VariableId slope;        // limited: D of density, D of energy, D of each momentum component
+  VariableId shift;        // by axis: how far the rest of a cell lies from its centre
+  VariableId rest;         // share of a cell that does not flow out
+};
+
+// The fluxes of energy and momentum are mass flux times specific value: "compatible" fluxes.
+inline bool specific(const SchemeOptions& o) {
+  return !o.second_order || o.compatible_fluxes;
+}
+
+// Place of the slope of quantity q (0 density, 1 energy, 2 + c momentum) along an axis.
+inline int slope_index(int quantity, int axis, int axes) {
+  return quantity * axes + axis;
+}
+
+void add_face_velocity(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_pressure_change(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_face_pressure(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_slopes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+
+// Ghost layers of state that the step needs so that nothing is exchanged inside it.
+inline int ghost_layers(const SchemeOptions& o) {
+  return o.second_order ? 4 : 3;
+}
+
+}  // namespace sluice::ice::classic
