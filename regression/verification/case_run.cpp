@@ -1,6 +1,7 @@
 #include "verification/case_run.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -133,6 +134,10 @@ long CaseRun::events() const {
     if (event.is_number()) count += event.get<long>();
   }
   return count;
+}
+
+void record(const std::string& name, double value) {
+  testing::Test::RecordProperty(name, fmt::format("{:.4g}", value));
 }
 
 std::string resolution(int nx, int ny, int nz) {

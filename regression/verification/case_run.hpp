@@ -70,6 +70,9 @@ class CaseRun {
   nlohmann::json record_;
 };
 
+// Keeps a measured number in the test's report, to stand beside its limit.
+void record(const std::string& name, double value);
+
 // "Grid/Level/Box/resolution=[nx,ny,nz]"
 std::string resolution(int nx, int ny = 1, int nz = 1);
 

@@ -12,7 +12,9 @@ namespace {
 constexpr double allowed_drift = 1e-13;
 
 double drift_per_thousand(const CaseRun& run) {
-  return run.worst_drift() / std::max(1., run.steps() / 1000.);
+  const double drift = run.worst_drift() / std::max(1., run.steps() / 1000.);
+  record("drift", drift);
+  return drift;
 }
 
 TEST(Conservation, ClosedTube) {

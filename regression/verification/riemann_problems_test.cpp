@@ -36,8 +36,8 @@ TEST_P(RiemannProblem, ErrorIsThatOfAGoodGodunovCode) {
   const Limits& limits = GetParam();
   const double coarse = density_error(CaseRun(limits.deck, {resolution(200)}));
   const double fine = density_error(CaseRun(limits.deck, {resolution(800)}));
-  RecordProperty("n200", std::to_string(coarse / limits.godunov_200));
-  RecordProperty("n800", std::to_string(fine / limits.godunov_800));
+  record("n200", coarse / limits.godunov_200);
+  record("n800", fine / limits.godunov_800);
   EXPECT_LE(coarse, allowed_share * limits.godunov_200) << coarse / limits.godunov_200;
   EXPECT_LE(fine, allowed_share * limits.godunov_800) << fine / limits.godunov_800;
 }
@@ -46,7 +46,7 @@ TEST_P(RiemannProblem, SmallStepsDoNotCostAccuracy) {
   const Limits& limits = GetParam();
   const double usual = density_error(CaseRun(limits.deck, {resolution(200), "CFD/cfl=0.4"}));
   const double small = density_error(CaseRun(limits.deck, {resolution(200), "CFD/cfl=0.05"}));
-  RecordProperty("ratio", std::to_string(small / usual));
+  record("ratio", small / usual);
   EXPECT_LE(small, allowed_small_cfl_ratio * usual) << small / usual;
 }
 

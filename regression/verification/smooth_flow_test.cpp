@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/base/exact_sum.hpp"
@@ -27,7 +28,7 @@ TEST_P(SmoothWave, DensityErrorFallsWithTheSquareOfTheSpacing) {
   const CaseRun coarse(wave.deck, {resolution(wave.coarse)});
   const CaseRun fine(wave.deck, {resolution(wave.fine)});
   const double observed = order(coarse.error("rho_CC").l1, fine.error("rho_CC").l1);
-  RecordProperty("order", std::to_string(observed));
+  record("order", observed);
   EXPECT_GE(observed, lowest_order);
   EXPECT_EQ(coarse.events() + fine.events(), 0);
 }
@@ -57,7 +58,7 @@ TEST(SmoothFlow, IsentropicVortexConvergesAtSecondOrder) {
   const CaseRun coarse("vortex", {resolution(64, 64)});
   const CaseRun fine("vortex", {resolution(128, 128)});
   const double observed = order(coarse.error("rho_CC").l1, fine.error("rho_CC").l1);
-  RecordProperty("order", std::to_string(observed));
+  record("order", observed);
   EXPECT_GE(observed, lowest_order);
   EXPECT_EQ(coarse.events() + fine.events(), 0);
 }
@@ -90,7 +91,7 @@ TEST_P(Gresho, VortexKeepsItsKineticEnergyAtAnyMachNumber) {
   const CaseRun run("gresho", {"CFD/ICE/customInitialization/formula/pressure=" + pressure,
                                fmt::format("Meta/exact_solution/mach={}", turn.mach)});
   const double share = kinetic_energy(run, "last") / kinetic_energy(run, "first");
-  RecordProperty("share", std::to_string(share));
+  record("share", share);
   EXPECT_GE(share, turn.least_share);
   EXPECT_LE(share, 1);
 }
@@ -105,21 +106,28 @@ INSTANTIATE_TEST_SUITE_P(AllSpeeds, Gresho,
 TEST(SmoothFlow, UniformFlowStaysUniform) {
   constexpr double limit = 1e-12;
   const CaseRun run("uniform_flow");
-  EXPECT_LE(farthest_from(run.field("rho_CC"), 1.3), limit);
-  EXPECT_LE(farthest_from(run.field("press_CC"), .9), limit);
-  EXPECT_LE(farthest_from(run.field("vel_CC", 0), .7), limit);
-  EXPECT_LE(farthest_from(run.field("vel_CC", 1), -.4), limit);
-  EXPECT_LE(farthest_from(run.field("vel_CC", 2), .2), limit);
+  double worst =
+      std::max(farthest_from(run.field("rho_CC"), 1.3), farthest_from(run.field("press_CC"), .9));
+  const double velocity[] = {.7, -.4, .2};
+  for (const int d : {0, 1, 2}) {
+    worst = std::max(worst, farthest_from(run.field("vel_CC", d), velocity[d]));
+  }
+  record("worst", worst);
+  EXPECT_LE(worst, limit);
 }
 
 TEST(SmoothFlow, ContactKeepsPressureAndVelocityUniform) {
   constexpr double limit = 1e-10;
   for (const std::string velocity : {"1", "-0.3", "0"}) {
-    const std::string u = "=[" + velocity + ",0,0]";
+    const std::string setting = "/velocity=[" + velocity + ",0,0]";
     const std::string object = "MaterialProperties/ICE/material/geom_object";
-    const CaseRun run("contact", {object + "[1]/velocity" + u, object + "[2]/velocity" + u});
-    EXPECT_LE(farthest_from(run.field("press_CC"), 1), limit) << velocity;
-    EXPECT_LE(farthest_from(run.field("vel_CC"), std::stod(velocity)), limit) << velocity;
+    const CaseRun run("contact", {object + "[1]" + setting, object + "[2]" + setting});
+    const double p = farthest_from(run.field("press_CC"), 1);
+    const double u = farthest_from(run.field("vel_CC"), std::stod(velocity));
+    record("pressure", p);
+    record("velocity", u);
+    EXPECT_LE(p, limit) << velocity;
+    EXPECT_LE(u, limit) << velocity;
     EXPECT_GT(highest(run.field("rho_CC")) / lowest(run.field("rho_CC")), 9e4);
   }
 }
@@ -130,7 +138,9 @@ TEST(SmoothFlow, ColumnStaysAtRestInGravity) {
   const CaseRun run("hydrostatic_column", {"Time/maxTime=1000", "DataArchiver/outputInterval=1000"},
                     {"--max-steps", "100000"});
   EXPECT_EQ(run.steps(), 100000);
-  EXPECT_LE(farthest_from(run.field("vel_CC", 1), 0), limit * sound_speed);
+  const double share = farthest_from(run.field("vel_CC", 1), 0) / sound_speed;
+  record("share", share);
+  EXPECT_LE(share, limit);
   const CellValues p = run.field("press_CC");
   EXPECT_NEAR(p.at(0, 0) - p.at(0, p.size.y - 1), 1.2 * 9.81 * 63. / 64, 1e-6);
 }

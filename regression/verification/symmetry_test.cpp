@@ -113,7 +113,7 @@ TEST(Symmetry, CubesWithPermutedAxesAgree) {
       }
     }
   }
-  RecordProperty("worst", std::to_string(worst));
+  record("worst", worst);
   EXPECT_LE(worst, allowed_3d * highest(a));
 }
 

@@ -1,6 +1,6 @@
-// sluice accuracy STUDY: error against wall time over ladders of resolution and settings.
+// sluice accuracy STUDY: error against time over ladders of resolution and settings.
 //
-// Each run is a process of `sluice run` of its own, so that its time is what a user would see.
+// Each run is a process of `sluice run` of its own; its time is that of the steps.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -127,7 +127,7 @@ int accuracy(const AccuracyRequest& request) {
 
 void add_accuracy_command(CLI::App& app, int& exit_status) {
   CLI::App* command =
-      app.add_subcommand("accuracy", "What accuracy costs: error against wall time of a study");
+      app.add_subcommand("accuracy", "What accuracy costs: error against time of a study");
   auto request = std::make_shared<AccuracyRequest>();
   command->add_option("STUDY", request->study, "Study file (.study)")->required();
   command->add_option("-o", request->folder, "Folder for the results (STUDY.accuracy)");

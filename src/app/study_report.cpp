@@ -163,19 +163,19 @@ std::string targets_table(const StudyReport& report) {
 }
 
 void write_csv(std::ostream& out, const StudyReport& report) {
-  out << "setting,default,cells,nx,ny,nz,steps,error,l1,l2,linf,relative_l1,order,seconds,spread,"
-         "repeats,pareto,status\n";
+  out << "setting,default,cells,nx,ny,nz,steps,error,l1,l2,linf,relative_l1,order,seconds,wall_s,"
+         "spread,repeats,pareto,status\n";
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const StudyResult& r = report.results[i];
     const auto order = report.observed_order(i);
     const auto number = [&](double value) { return r.done() ? exact_text(value) : ""; };
-    out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                       csv_text(r.point.setting), r.point.is_default ? 1 : 0, r.point.cells(),
-                       r.point.resolution.x, r.point.resolution.y, r.point.resolution.z, r.steps,
-                       number(r.error), number(r.norms.l1), number(r.norms.l2),
-                       number(r.norms.linf), number(r.norms.relative_l1),
-                       order ? exact_text(*order) : "", exact_text(r.seconds), exact_text(r.spread),
-                       r.repeats, report.on_front(i) ? 1 : 0, r.status);
+    out << fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(r.point.setting),
+        r.point.is_default ? 1 : 0, r.point.cells(), r.point.resolution.x, r.point.resolution.y,
+        r.point.resolution.z, r.steps, number(r.error), number(r.norms.l1), number(r.norms.l2),
+        number(r.norms.linf), number(r.norms.relative_l1), order ? exact_text(*order) : "",
+        exact_text(r.seconds), exact_text(r.wall_seconds), exact_text(r.spread), r.repeats,
+        report.on_front(i) ? 1 : 0, r.status);
   }
 }
 
@@ -197,12 +197,13 @@ std::string json_text(const StudyReport& report) {
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const StudyResult& r = report.results[i];
     const IntVec3 n = r.point.resolution;
-    Json row = {{"setting", r.point.setting},   {"default", r.point.is_default},
-                {"cells", r.point.cells()},     {"resolution", {n.x, n.y, n.z}},
-                {"status", r.status},           {"steps", r.steps},
-                {"seconds", r.seconds},         {"spread", r.spread},
-                {"repeats", r.repeats},         {"noisy", r.noisy()},
-                {"pareto", report.on_front(i)}, {"command", r.command}};
+    Json row = {{"setting", r.point.setting}, {"default", r.point.is_default},
+                {"cells", r.point.cells()},   {"resolution", {n.x, n.y, n.z}},
+                {"status", r.status},         {"steps", r.steps},
+                {"seconds", r.seconds},       {"wall_s", r.wall_seconds},
+                {"spread", r.spread},         {"repeats", r.repeats},
+                {"noisy", r.noisy()},         {"pareto", report.on_front(i)},
+                {"command", r.command}};
     const auto order = report.observed_order(i);
     row["error"] = r.done() ? Json(r.error) : Json();
     row["order"] = order ? Json(*order) : Json();

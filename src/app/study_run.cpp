@@ -66,7 +66,7 @@ exact::ErrorNorms measure(const Study& study, const std::string& path) {
 struct StudyRunner::Once {
   std::string status = "failed", message;
   int steps = 0;
-  double seconds = 0;
+  double seconds = 0, wall_seconds = 0;
   exact::ErrorNorms norms;
 };
 
@@ -110,7 +110,8 @@ StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& po
   }
   once.status = told.value("status", "failed");
   once.steps = told.value("steps", 0);
-  once.seconds = told.value("wall_s", 0.0);
+  once.wall_seconds = told.value("wall_s", 0.0);
+  once.seconds = told.value("stepping_s", once.wall_seconds);
   if (once.status != "done") once.message = last_lines(log, 5);
   if (measure_error && once.status == "done") {
     const auto archive = told.find("archive");
@@ -126,7 +127,7 @@ StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const 
   StudyResult result;
   result.point = point;
   result.command = shell_text(run_words(*this, study, point));
-  std::vector<double> seconds;
+  std::vector<double> seconds, wall_seconds;
   double spent = 0;
   Timing timing;
   for (int repeat = 0; repeat < std::max(1, repeats); ++repeat) {
@@ -139,12 +140,14 @@ StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const 
       result.error = in_norm(once.norms, study.norm);
     }
     seconds.push_back(once.seconds);
-    spent += once.seconds;
+    wall_seconds.push_back(once.wall_seconds);
+    spent += once.wall_seconds;
     timing = timing_of(seconds);
     if (!result.done() || spent > patience) break;
     if (repeat >= 2 && timing.spread <= 0.05) break;
   }
   result.seconds = timing.median;
+  result.wall_seconds = timing_of(wall_seconds).median;
   result.spread = timing.spread;
   result.repeats = static_cast<int>(seconds.size());
   fs::remove_all(folder / "run");

@@ -1,4 +1,7 @@
-// One run of a study: `sluice run` as a process of its own, its error and its wall time.
+// One run of a study: `sluice run` as a process of its own, its error and its time.
+//
+// The time that counts is that of the steps: start-up and writing the archive (which waits for the
+// disk) do not depend on the setting and would hide what small runs cost.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -16,8 +19,9 @@ struct StudyResult {
   std::string message;            // why it is not done
   std::string command;            // repeats the run
   int steps = 0;
-  double seconds = 0;  // median of the repeats
-  double spread = 0;   // of the repeats, relative; 0 of a single one
+  double seconds = 0;       // of the steps alone, median of the repeats
+  double wall_seconds = 0;  // with start and output, median of the repeats
+  double spread = 0;        // of the repeats, relative; 0 of a single one
   int repeats = 0;
   exact::ErrorNorms norms;
   double error = 0;  // in the study's norm

@@ -160,7 +160,7 @@ TEST(StudyReport, FailedRunsAreShownAndCountForNothing) {
   EXPECT_EQ(json["rows"][1]["order"], 1.0);
   std::ostringstream csv;
   write_csv(csv, report);
-  EXPECT_THAT(csv.str(), HasSubstr("\nB,1,200,200,1,1,0,,,,,,,2,0,3,0,failed\n"));
+  EXPECT_THAT(csv.str(), HasSubstr("\nB,1,200,200,1,1,0,,,,,,,2,0,0,3,0,failed\n"));
 }
 
 TEST(StudyRun, TimingIsTheMedianAndItsQuartiles) {
