@@ -61,6 +61,18 @@ struct StateViews {
   std::vector<RealView> momentum;
 };
 
+// data = sign * data of the layer `source` of direction d, for every cell of one ghost layer.
+void copy_layer(const RealView& v, const IndexBox& layer, int d, int source, double sign) {
+  const std::ptrdiff_t back = (source - layer.lower[d]) * v.stride[d];
+  const IntVec3 n = layer.size();
+  double* plane = v.data + v.offset(layer.lower);
+  for (int k = 0; k < n.z; ++k, plane += v.stride[2]) {
+    double* row = plane;
+    for (int j = 0; j < n.y; ++j, row += v.stride[1])
+      for (int i = 0; i < n.x; ++i) row[i * v.stride[0]] = sign * row[i * v.stride[0] + back];
+  }
+}
+
 }  // namespace
 
 struct BoundaryFill::SideRules {
@@ -166,11 +178,22 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
   };
   // From the boundary outward, so that hydrostatic sums find the nearer ghosts filled.
   const int layers = ghosts.size()[d];
+  const GhostRule& first = rules_[n].front();
+  const bool plain = regions_[n]->uniform() && first.plain() && gravity_[d] == 0;
   for (int layer = 0; layer < layers; ++layer) {
     IndexBox slice = ghosts;
     slice.lower[d] = plus ? ghosts.lower[d] + layer : ghosts.upper[d] - 1 - layer;
     slice.upper[d] = slice.lower[d] + 1;
-    for_each_cell(slice, one);
+    if (!plain) {
+      for_each_cell(slice, one);
+      continue;
+    }
+    const int source = source_cell(slice.lower, d, plus, first.mirrored(), level_->domain)[d];
+    copy_layer(v.mass, slice, d, source, 1.0);
+    copy_layer(v.energy, slice, d, source, 1.0);
+    for (std::size_t c = 0; c < v.momentum.size(); ++c)
+      copy_layer(v.momentum[c], slice, d, source,
+                 first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
   }
 }
 

@@ -46,6 +46,19 @@ IntVec3 default_block(const Level& level) {
   return b;
 }
 
+// Cuts the second axis (the only one in 1-D) so that every thread gets as many blocks.
+IntVec3 even_blocks(IntVec3 extents, const std::vector<GridBox>& boxes, const Axes& axes,
+                    int threads) {
+  constexpr int fewest_cells = 8;  // a thinner block recomputes more ghosts than cells
+  if (threads == 1 || boxes.empty()) return extents;
+  const int d = axes.direction[axes.count > 1 ? 1 : 0];
+  const int n = boxes.front().cells.size()[d];
+  int pieces = (n + extents[d] - 1) / extents[d];
+  pieces = (pieces + threads - 1) / threads * threads;
+  if (n / pieces >= fewest_cells) extents[d] = (n + pieces - 1) / pieces;
+  return extents;
+}
+
 std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents) {
   std::vector<Block> blocks;
   for (std::size_t n = 0; n < boxes.size(); ++n) {
@@ -85,7 +98,10 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
     if (slot < 0) throw std::logic_error("no storage for '" + variable.name + "'");
     binding_.slot[v] = slot;
   }
-  const IntVec3 extents = options_.block == IntVec3{} ? default_block(*level_) : options_.block;
+  IntVec3 extents = options_.block;
+  if (extents == IntVec3{})
+    extents =
+        even_blocks(default_block(*level_), old_state.local_boxes(), plan_.axes, options_.threads);
   blocks_ = place_blocks(old_state.local_boxes(), extents);
   IntVec3 largest{1, 1, 1};
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());

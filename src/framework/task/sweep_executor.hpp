@@ -28,6 +28,8 @@ struct Block {
 // Cuts the local boxes of a level into blocks no larger than `extents`.
 std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
 IntVec3 default_block(const Level& level);
+IntVec3 even_blocks(IntVec3 extents, const std::vector<GridBox>& boxes, const Axes& axes,
+                    int threads);
 
 class SweepExecutor {
  public:
