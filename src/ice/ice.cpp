@@ -213,7 +213,8 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
-  constexpr double flow_share = 0.9, sound_share = 0.8;
+  constexpr double flow_share = 0.9;
+  const double sound_share = options_.classic ? classic_sound_share(options_.axes.count) : 0.8;
   StepLimit limit{options_.cfl / maxima[StepSlots::deck_rate], options_.conservative_time_step
                                                                    ? "deck: conservative rule"
                                                                    : "deck: cfl dx/(|u| + knob c)"};
@@ -221,7 +222,9 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
     if (dt < limit.dt) limit = {dt, reason};
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
-  at_most(sound_share / maxima[StepSlots::sound_rate], "scheme: 0.8 dx/(|u| + c)");
+  at_most(sound_share / maxima[StepSlots::sound_rate],
+          options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
+                           : "scheme: 0.8 dx/(|u| + c)");
   at_most(options_.cfl / maxima[StepSlots::diffusion_rate],
           "deck: cfl rho/(2 knob mu sum 1/dx^2)");
   return limit;
@@ -232,18 +235,35 @@ void Ice::add_totals(const Warehouse& state, Totals& totals) const {
             energy = state.find(labels().energy, 0);
   totals.mass.resize(1);
   const double V = state.level().cell_volume();
+  const int along = options_.axes.direction[0];
+  std::vector<double> values, kinetic;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-      totals.mass[0].add(r(cell) * V);
-      totals.internal_energy.add(E(cell) * V);
-      double m2 = 0;
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const auto n = static_cast<std::size_t>(cells.size()[along]);
+    values.resize(n);
+    kinetic.resize(n);
+    IndexBox starts = cells;  // the first cell of every row
+    starts.upper[along] = starts.lower[along] + 1;
+    auto row = [&](int slot, int c, IntVec3 start) {
+      const RealView v = state.view(slot, c, b);
+      return v.data + v.offset(start);
+    };
+    auto add = [&](ConservedTotal& total, const double* q) {
+      for (std::size_t i = 0; i < n; ++i) values[i] = q[i] * V;
+      total.add(values.data(), n);
+    };
+    for_each_cell(starts, [&](IntVec3 start) {
+      const double* rho = row(mass, 0, start);
+      add(totals.mass[0], rho);
+      add(totals.internal_energy, row(energy, 0, start));
+      std::fill(kinetic.begin(), kinetic.end(), 0.0);
       for (int c = 0; c < options_.components; ++c) {
-        const double m = state.view(momentum, c, b)(cell);
-        totals.momentum[options_.direction[static_cast<std::size_t>(c)]].add(m * V);
-        m2 += m * m;
+        const double* m = row(momentum, c, start);
+        add(totals.momentum[options_.direction[static_cast<std::size_t>(c)]], m);
+        for (std::size_t i = 0; i < n; ++i) kinetic[i] += m[i] * m[i];
       }
-      totals.kinetic_energy.add(0.5 * m2 / r(cell) * V);
+      for (std::size_t i = 0; i < n; ++i) kinetic[i] = 0.5 * kinetic[i] / rho[i];
+      add(totals.kinetic_energy, kinetic.data());
     });
   }
 }
