@@ -58,8 +58,7 @@ void write_json(const std::string& file, const RunReport& report) {
     throw SystemError(fmt::format("cannot write {}; is its folder there and writable?", file));
 }
 
-int run(const Options& o) {
-  Communicator& ranks = world();
+int run_on(Communicator& ranks, const Options& o) {
   if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
   SceneOptions scene_options;
   scene_options.ranks = ranks.size();
@@ -89,6 +88,20 @@ int run(const Options& o) {
     if (options.progress != ProgressMode::none) fmt::print("{}", summary(report));
   }
   return report.status == RunStatus::failed ? 1 : 0;
+}
+
+// Several ranks end together, whether well, in a failure that all know of, or in one that a single
+// rank met while the others wait for its messages.
+int run(const Options& o) {
+  Communicator& ranks = world();
+  if (!ranks.uses_mpi()) return run_on(ranks, o);
+  try {
+    ranks.exit_together(static_cast<ExitStatus>(run_on(ranks, o)));
+  } catch (const Error& e) {
+    ranks.abort(e.status(), fmt::format("sluice: error: {}", e.what()));
+  } catch (const std::exception& e) {
+    ranks.abort(ExitStatus::system, fmt::format("sluice: error: {}", e.what()));
+  }
 }
 
 }  // namespace

@@ -289,12 +289,12 @@ bool Simulation::step() {
   plan = advance(plan);
   solver_.accept();
   limit_ = component_.step_limit(solver_.attempt_result().maxima);
-  time_.remember_physics_dt(limit_.dt);
   book(plan);
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunControl::Answer& answer = solver_.attempt_result().control;
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
+  time_.remember_physics_dt(limit_.dt);
   ++steps_;
   keep(plan, end);
   status_ = end.status;
