@@ -8,6 +8,7 @@ namespace sluice::verification {
 namespace {
 
 constexpr double allowed_share = .05;
+// Measured here: 5.444e-3, 3.262, 455.9.
 constexpr double density_error = 5.445e-3, velocity_error = 3.267, pressure_error = 454.7;
 
 TEST(ClassicForm, HasTheErrorsOfTheOriginal) {

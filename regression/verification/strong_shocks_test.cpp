@@ -12,7 +12,8 @@ namespace sluice::verification {
 namespace {
 
 TEST(StrongShocks, NohPlateauAtMachTenThousand) {
-  constexpr double plateau = 4, allowed = .02, allowed_drift = 1e-12;
+  constexpr double plateau = 4, allowed = .02;  // mean 3.989
+  constexpr double allowed_drift = 1e-12;       // 1.6e-16
   const CaseRun run("noh_1d");
   const CellValues rho = run.field("rho_CC");
   ExactSum sum;
@@ -54,7 +55,7 @@ double crossing_from_left(const CellValues& field, double level) {
 }
 
 TEST(StrongShocks, SedovShockStandsWhereItShould) {
-  constexpr double least_order = .8;
+  constexpr double least_order = .8;  // 0.85; the front is 0.59 cells ahead
   const CaseRun coarse("sedov", {resolution(64, 64)}), fine("sedov", {resolution(128, 128)});
   exact::Sedov::Blast blast;
   blast.dimension = 2;
@@ -79,7 +80,7 @@ TEST(StrongShocks, SedovShockStandsWhereItShould) {
 }
 
 TEST(StrongShocks, ExplosionFollowsTheRadialReference) {
-  constexpr double least_order = .8;
+  constexpr double least_order = .8;  // 0.94; the front is 0.08 cells ahead
   const CaseRun coarse("explosion_2d", {resolution(64, 64)});
   const CaseRun fine("explosion_2d", {resolution(128, 128)});
   const double observed = std::log2(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1);
@@ -93,7 +94,7 @@ TEST(StrongShocks, ExplosionFollowsTheRadialReference) {
 }
 
 TEST(StrongShocks, InteractingBlastsFollowTheReference) {
-  constexpr double least_order = .8;
+  constexpr double least_order = .8;  // 0.94; fronts 0.57 cells behind, 0.26 ahead
   const CaseRun coarse("woodward_colella", {resolution(200)});
   const CaseRun fine("woodward_colella", {resolution(800)});
   const double observed = .5 * std::log2(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1);

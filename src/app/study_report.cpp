@@ -113,7 +113,7 @@ std::string runs_table(const StudyReport& report) {
                    {"error", Align::right},
                    {"relative", Align::right},
                    {"order", Align::right},
-                   {"seconds", Align::right},
+                   {"time", Align::right},
                    {"spread", Align::right},
                    {"best", Align::left}});
   for (std::size_t i = 0; i < report.results.size(); ++i) {
@@ -121,14 +121,14 @@ std::string runs_table(const StudyReport& report) {
     const std::string setting = r.point.setting + (r.point.is_default ? " (default)" : "");
     if (!r.done()) {
       table.row({setting, std::to_string(r.point.cells()), std::to_string(r.steps), r.status, "",
-                 "", human_number(r.seconds), "", ""});
+                 "", human_duration(r.seconds), "", ""});
       continue;
     }
     const auto order = report.observed_order(i);
     const std::string spread = r.repeats < 2 ? "one run" : percent(r.spread);
     table.row({setting, std::to_string(r.point.cells()), std::to_string(r.steps),
                fmt::format("{:.3e}", r.error), percent(r.norms.relative_l1),
-               order ? fmt::format("{:.2f}", *order) : "", human_number(r.seconds),
+               order ? fmt::format("{:.2f}", *order) : "", human_duration(r.seconds),
                spread + (r.repeats >= 2 && r.noisy() ? " noisy" : ""),
                report.on_front(i) ? "*" : ""});
   }
@@ -140,7 +140,7 @@ std::string targets_table(const StudyReport& report) {
   TextTable table({{"error", Align::right},
                    {"cheapest setting"},
                    {"N", Align::right},
-                   {"seconds", Align::right},
+                   {"time", Align::right},
                    {"default takes", Align::right}});
   for (const double target : report.study.targets) {
     const auto costs = costs_of_target(report, target);
@@ -148,16 +148,16 @@ std::string targets_table(const StudyReport& report) {
       table.row({percent(target), "not reached by any run", "", "", ""});
       continue;
     }
-    const auto text = [](const Cost& c, double value) {
-      return (c.measured ? "<= " : "") + human_number(value);
+    const auto text = [](const Cost& c, const std::string& value) {
+      return (c.measured ? "<= " : "") + value;
     };
     const Cost& best = costs.front();
     std::string by_default = "not reached";
     for (const Cost& cost : costs) {
-      if (cost.is_default) by_default = text(cost, cost.seconds);
+      if (cost.is_default) by_default = text(cost, human_duration(cost.seconds));
     }
-    table.row({percent(target), best.setting, text(best, std::round(best.cells)),
-               text(best, best.seconds), by_default});
+    table.row({percent(target), best.setting, text(best, fmt::format("{:.0f}", best.cells)),
+               text(best, human_duration(best.seconds)), by_default});
   }
   return table.text();
 }

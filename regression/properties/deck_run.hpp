@@ -1,0 +1,61 @@
+// One run of a deck inside this process, on all its ranks, with its archive.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "framework/deck/deck.hpp"
+#include "framework/run/simulation.hpp"
+#include "properties/property_decks.hpp"
+
+namespace sluice::properties {
+
+// How a deck is run; none of it may change a bit of the result.
+struct DeckRun {
+  std::string deck;              // name of a PropertyDeck
+  std::filesystem::path folder;  // parent of the archive
+  IntVec3 split{};               // boxes asked for, at most one a cell; 0: as the deck says
+  IntVec3 block{};
+  int threads = 1;
+  int max_steps = 0;
+  bool force_all = false;
+  bool more_saves = false;        // step labels and diagnostics that the deck does not ask for
+  std::filesystem::path restart;  // an archive to go on from
+  int restart_step = -1;
+};
+nlohmann::json to_json(const DeckRun& run);
+DeckRun deck_run_from_json(const nlohmann::json& json);
+
+// Collective. The archive is report.archive. Throws what a run throws.
+RunReport carry_out(const DeckRun& run);
+
+// A deck that is not in the table, without an archive unless a folder is given.
+RunReport carry_out(const Deck& deck, const std::filesystem::path& folder,
+                    const std::function<void(RunOptions&)>& change = {});
+Deck load_property_deck(const std::string& name);
+
+// Runs all of `runs` by `ranks` processes started once (this executable under the launcher).
+// Returns the words of the first failure, or "".
+std::string carry_out_on_ranks(const std::vector<DeckRun>& runs, int ranks);
+// The other end of it: the process was started with --runs FILE.
+int serve_runs(const std::filesystem::path& file);
+
+// "" when outputs (or checkpoints) of both archives are equal bit for bit, else what differs.
+std::string difference(const std::filesystem::path& a, const std::filesystem::path& b,
+                       bool checkpoints, bool common_times = false);
+
+// A folder that goes away with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const;  // makes the folder
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace sluice::properties

@@ -1,0 +1,98 @@
+// The table of decks.
+#include "properties/property_decks.hpp"
+
+#include <cstdlib>
+
+namespace sluice::properties {
+namespace {
+
+const char* const grid = "Grid/Level/Box/resolution=";
+const char* const gravity = "PhysicalConstants/gravity=[0.4,-0.7,0.2]";
+const char* const viscous = "MaterialProperties/ICE/material/dynamic_viscosity=0.003";
+const char* const first_order = "CFD/ICE/advection/@type=FirstOrder";
+const char* const coarsest = "AMR/Regridder/max_levels=1";
+
+struct Entry {
+  const char* name;
+  const char* deck;
+  std::vector<std::string> overrides;
+};
+
+std::string cells(const char* triple) {
+  return grid + std::string(triple);
+}
+
+// Shocks, walls, periodic and open faces, uniform parts, each effect alone and together.
+std::vector<Entry> own() {
+  return {
+      {"sod", "riemann_sod", {cells("[120,1,1]")}},
+      {"left_blast", "riemann_left_blast", {cells("[90,1,1]")}},
+      {"rarefactions", "riemann_123", {cells("[64,1,1]")}},
+      {"slow_contact", "riemann_slow_contact", {cells("[70,1,1]")}},
+      {"two_blasts", "woodward_colella", {cells("[150,1,1]")}},
+      {"periodic_shocks", "periodic_shocks", {cells("[96,1,1]")}},
+      {"sound", "sound_wave", {cells("[50,1,1]")}},
+      {"shock_tube", "shock_tube", {cells("[100,1,1]")}},
+      {"shock_tube_first_order", "shock_tube", {cells("[100,1,1]"), first_order}},
+      {"shock_tube_classic", "shock_tube_classic", {cells("[100,1,1]")}},
+      {"explosion", "explosion_2d", {cells("[33,29,1]")}},
+      {"explosion_first_order", "explosion_2d", {cells("[33,29,1]"), first_order}},
+      {"explosion_viscous", "explosion_2d", {cells("[33,29,1]"), viscous}},
+      {"explosion_deck_rule",
+       "explosion_2d",
+       {cells("[33,29,1]"), "CFD/ICE/Scheme_for_delT_calc=conservative"}},
+      {"blast", "blast_2d", {cells("[32,24,1]")}},
+      {"vortex", "vortex", {cells("[24,20,1]")}},
+      {"vortex_viscous", "vortex", {cells("[24,20,1]"), viscous}},
+      {"gresho", "gresho", {cells("[20,20,1]")}},
+      {"column", "hydrostatic_column", {}},
+      {"cube", "blast_3d", {cells("[14,12,13]")}},
+      {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity}},
+      {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, viscous}},
+  };
+}
+
+std::vector<Entry> collection() {
+  return {
+      {"peer_riemann_sm", "ICE/riemann_sm", {cells("[100,1,1]")}},
+      {"peer_riemann3D", "ICE/riemann3D", {cells("[16,14,12]")}},
+      {"peer_advect", "ICE/advect", {cells("[30,12,1]")}},
+      {"peer_advect_periodic", "ICE/advect_periodic", {cells("[16,14,1]")}},
+      {"peer_test2", "ICE/test2", {}},
+      {"peer_test3", "ICE/test3", {}},
+      {"peer_test4", "ICE/test4", {}},
+      {"peer_shockTube", "UintahRelease/ICE/shockTube", {cells("[100,1,1]")}},
+      {"peer_explosion", "ICE/explosion", {cells("[28,28,1]"), coarsest}},
+      {"peer_riemann2D_AMR", "ICE/riemann2D_AMR", {coarsest}},
+  };
+}
+
+// Outputs and checkpoints by steps, whatever the deck says.
+std::vector<std::string> with_control(std::vector<std::string> overrides) {
+  const std::string every = std::to_string(interval);
+  for (const std::string& one : {"Time/max_Timesteps=" + std::to_string(steps),
+                                 "DataArchiver/outputTimestepInterval=" + every,
+                                 "DataArchiver/checkpoint/@timestepInterval=" + every,
+                                 std::string("DataArchiver/checkpoint/@cycle=0")})
+    overrides.push_back(one);
+  return overrides;
+}
+
+}  // namespace
+
+const std::vector<PropertyDeck>& property_decks() {
+  static const std::vector<PropertyDeck> decks = [] {
+    std::vector<PropertyDeck> all;
+    for (const Entry& e : own())
+      all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
+                     with_control(e.overrides)});
+    if (const char* folder = std::getenv("SLUICE_DECKS"))
+      for (const Entry& e : collection())
+        all.push_back({e.name, std::string(folder) + "/inputs/" + e.deck + ".ups",
+                       with_control(e.overrides)});
+    return all;
+  }();
+  return decks;
+}
+
+}  // namespace sluice::properties

@@ -1,0 +1,110 @@
+// Same bits on threads, boxes, blocks and ranks, with all savings off, with other saves, after a
+// restart: outputs and checkpoints (the whole conserved state) of every deck are equal bit for bit.
+#include <gtest/gtest.h>
+
+#include "properties/deck_run.hpp"
+
+namespace sluice::properties {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SameBitsOfDecks : public testing::TestWithParam<PropertyDeck> {
+ protected:
+  DeckRun run_into(const std::string& folder) const {
+    DeckRun run;
+    run.deck = GetParam().name;
+    run.folder = scratch_ / folder;
+    return run;
+  }
+  static fs::path archive_of(const RunReport& report) { return report.archive.value(); }
+  static void expect_equal(const fs::path& a, const fs::path& b) {
+    EXPECT_EQ(difference(a, b, false), "") << "in the outputs";
+    EXPECT_EQ(difference(a, b, true), "") << "in the checkpoints";
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_P(SameBitsOfDecks, HoweverTheyAreRun) {
+  const RunReport plain = carry_out(run_into("plain"));
+  ASSERT_EQ(plain.message, "");
+  ASSERT_EQ(plain.steps, steps);
+  const fs::path reference = archive_of(plain);
+  DeckRun run = run_into("boxes");
+  run.split = {5, 3, 2};
+  expect_equal(reference, archive_of(carry_out(run)));
+  run = run_into("blocks and threads");
+  run.block = {7, 3, 5};
+  run.threads = 2;
+  expect_equal(reference, archive_of(carry_out(run)));
+  run = run_into("all of it");
+  run.force_all = true;
+  run.split = {2, 3, 1};
+  run.threads = 2;
+  run.block = {16, 1, 2};
+  expect_equal(reference, archive_of(carry_out(run)));
+  run = run_into("more saves");
+  run.more_saves = true;
+  EXPECT_EQ(difference(reference, archive_of(carry_out(run)), true), "") << "with more saves";
+}
+
+TEST_P(SameBitsOfDecks, AfterARestart) {
+  const fs::path reference = archive_of(carry_out(run_into("whole")));
+  DeckRun first = run_into("first half");
+  first.max_steps = interval + 4;  // steps after the checkpoint are lost
+  const RunReport half = carry_out(first);
+  ASSERT_EQ(half.last_step, interval + 4);
+  DeckRun second = run_into("second half");
+  second.restart = archive_of(half);
+  second.restart_step = interval;
+  second.split = {3, 2, 2};
+  second.threads = 2;
+  const RunReport rest = carry_out(second);
+  EXPECT_EQ(rest.steps, steps - interval);
+  EXPECT_EQ(rest.last_step, steps);
+  EXPECT_EQ(difference(reference, archive_of(rest), false, true), "") << "in the outputs";
+  EXPECT_EQ(difference(reference, archive_of(rest), true, true), "") << "in the checkpoints";
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, SameBitsOfDecks, testing::ValuesIn(property_decks()),
+                         [](const auto& test) { return test.param.name; });
+
+// All decks by processes that are started once for each number of ranks.
+class SameBitsOnRanks : public testing::TestWithParam<int> {};
+
+TEST_P(SameBitsOnRanks, WholeRunsAndRestartsOfARunOnOneRank) {
+  const int ranks = GetParam();
+  ScratchFolder scratch;
+  std::vector<DeckRun> runs;
+  std::vector<std::pair<std::string, fs::path>> references;
+  for (const PropertyDeck& deck : property_decks()) {
+    DeckRun run;
+    run.deck = deck.name;
+    run.folder = scratch / ("one rank " + deck.name);
+    const fs::path reference = carry_out(run).archive.value();
+    references.emplace_back(deck.name, reference);
+    run.folder = scratch / ("ranks " + deck.name);
+    runs.push_back(run);
+    run.folder = scratch / ("restart " + deck.name);
+    run.restart = reference;
+    run.restart_step = 2 * interval;
+    runs.push_back(run);
+  }
+  ASSERT_EQ(carry_out_on_ranks(runs, ranks), "");
+  for (const auto& [name, reference] : references) {
+    for (const char* kind : {"ranks ", "restart "}) {
+      fs::path archive;
+      for (const auto& entry : fs::directory_iterator(scratch / (kind + name)))
+        if (entry.is_symlink()) archive = entry.path();
+      ASSERT_FALSE(archive.empty()) << kind << name;
+      EXPECT_EQ(difference(reference, archive, false, true), "") << kind << name;
+      EXPECT_EQ(difference(reference, archive, true, true), "") << kind << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, SameBitsOnRanks, testing::Values(2, 4),
+                         [](const auto& test) { return "on_" + std::to_string(test.param); });
+
+}  // namespace
+}  // namespace sluice::properties

@@ -1,0 +1,156 @@
+// Writing the decks.
+#include "properties/skew_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sluice::properties {
+namespace {
+
+constexpr double thickness = 0.0625;  // of a domain along an inactive direction
+
+std::string text(Vec3 v) {
+  return fmt::format("[{},{},{}]", v.x, v.y, v.z);
+}
+
+// Two corners, put in order again after a mirror.
+std::string corners(const char* low, const char* high, Vec3 a, Vec3 b, const Orientation& o) {
+  const Vec3 p = o.turn(a), q = o.turn(b);
+  Vec3 least, most;
+  for (int d = 0; d < 3; ++d) {
+    least[d] = std::min(p[d], q[d]);
+    most[d] = std::max(p[d], q[d]);
+  }
+  return fmt::format("<{0}>{1}</{0}> <{2}>{3}</{2}>\n", low, text(least), high, text(most));
+}
+
+std::string condition(const char* label, const char* kind, const std::string& value) {
+  return fmt::format("    <BCType id=\"0\" label=\"{}\" var=\"{}\"> <value>{}</value> </BCType>\n",
+                     label, kind, value);
+}
+
+// Conditions of one side whose normal is axis `normal` of the case.
+std::string conditions(SideKind kind, int normal, bool plus, const Orientation& o) {
+  if (kind == SideKind::symmetry)
+    return "    <BCType id=\"0\" label=\"Symmetric\" var=\"symmetry\"/>\n";
+  std::string all = condition("Pressure", "Neumann", "0");
+  const bool inflow = kind == SideKind::inflow;
+  all += condition("Density", inflow ? "Dirichlet" : "Neumann", inflow ? "1.25" : "0");
+  all += condition("Temperature", inflow ? "Dirichlet" : "Neumann", inflow ? "0.9" : "0");
+  if (kind == SideKind::open) return all + condition("Velocity", "Neumann", "[0,0,0]");
+  Vec3 u{};
+  if (kind == SideKind::moving_wall) u = {0.3, -0.2, 0.15};
+  if (kind == SideKind::moving_wall) u[normal] = 0;
+  if (inflow) u[normal] = plus ? -0.25 : 0.25;
+  return all + condition("Velocity", "Dirichlet", text(o.turn(u)));
+}
+
+std::string boundary(const SkewCase& c, const Orientation& o) {
+  std::string faces;
+  for (int d = 0; d < 3; ++d)
+    for (const bool plus : {false, true}) {
+      const int normal = o.shows[static_cast<std::size_t>(d)];
+      const bool there = plus != o.mirrored[static_cast<std::size_t>(d)];
+      const SideKind kind = c.sides[static_cast<std::size_t>(2 * normal + (there ? 1 : 0))];
+      if (kind == SideKind::periodic) continue;
+      faces += fmt::format("  <Face side=\"{}{}\">\n{}  </Face>\n", "xyz"[d], plus ? '+' : '-',
+                           conditions(kind, normal, there, o));
+    }
+  return "<BoundaryConditions>\n" + faces + "</BoundaryConditions>\n";
+}
+
+std::string level(const SkewCase& c, const Orientation& o) {
+  Vec3 half{1, 1, 1}, periodic{};
+  for (int d = 0; d < 3; ++d) {
+    if (c.cells[d] == 1) half[d] = thickness / 2;
+    periodic[d] = c.sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic ? 1 : 0;
+  }
+  const IntVec3 cells = o.turn_extents(c.cells);
+  Vec3 turned;
+  for (int d = 0; d < 3; ++d) turned[d] = periodic[o.shows[static_cast<std::size_t>(d)]];
+  return "<Level> <Box label=\"domain\">\n" + corners("lower", "upper", Vec3{} - half, half, o) +
+         fmt::format(
+             "<extraCells>[1,1,1]</extraCells> <patches>[1,1,1]</patches>\n"
+             "<resolution>[{},{},{}]</resolution> </Box>\n",
+             cells.x, cells.y, cells.z) +
+         "<periodic>" + text(turned) + "</periodic> </Level>\n";
+}
+
+// Density, temperature and velocity in a box of the case.
+std::string object(const SkewCase& c, const Orientation& o, const char* label, Vec3 low, Vec3 high,
+                   double density, double temperature, Vec3 velocity) {
+  Vec3 u = velocity;
+  for (int d = 0; d < 3; ++d) {
+    if (c.cells[d] > 1) continue;
+    low[d] = -1;
+    high[d] = 1;
+    if (!c.cross_flow) u[d] = 0;
+  }
+  // gamma - 1 = 0.4, cv = 1
+  return fmt::format("<geom_object> <box label=\"{}\"> {} </box> <res>[2,2,2]</res>\n", label,
+                     corners("min", "max", low, high, o)) +
+         fmt::format(
+             "<velocity>{}</velocity> <density>{}</density> <pressure>{}</pressure>\n"
+             "<temperature>{}</temperature> </geom_object>\n",
+             text(o.turn(u)), density, 0.4 * density * temperature, temperature);
+}
+
+}  // namespace
+
+Vec3 Orientation::turn(Vec3 v) const {
+  Vec3 r;
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    r[d] = mirrored[n] ? 0.0 - v[shows[n]] : v[shows[n]];
+  }
+  return r;
+}
+
+IntVec3 Orientation::turn_extents(IntVec3 cells) const {
+  return {cells[shows[0]], cells[shows[1]], cells[shows[2]]};
+}
+
+IntVec3 Orientation::turn_cell(IntVec3 cell, IntVec3 cells) const {
+  IntVec3 r;
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    r[d] = mirrored[n] ? cells[shows[n]] - 1 - cell[shows[n]] : cell[shows[n]];
+  }
+  return r;
+}
+
+std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
+  std::string deck =
+      "<Uintah_specification>\n<Meta><title>skew</title></Meta>\n"
+      "<SimulationComponent type=\"ice\"/>\n";
+  deck += fmt::format(
+      "<Time><maxTime>10</maxTime><initTime>0</initTime><delt_min>0</delt_min>\n"
+      "<delt_max>1</delt_max><timestep_multiplier>1</timestep_multiplier>\n"
+      "<max_Timesteps>{}</max_Timesteps></Time>\n",
+      steps);
+  deck += "<Grid>\n" + boundary(c, o) + level(c, o) + "</Grid>\n";
+  deck += fmt::format(
+      "<DataArchiver><filebase>skew.uda</filebase>\n"
+      "<outputTimestepInterval>{}</outputTimestepInterval>\n"
+      "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>\n"
+      "</DataArchiver>\n",
+      steps);
+  deck += fmt::format("<CFD><cfl>0.4</cfl><ICE><advection type=\"{}\"/></ICE></CFD>\n",
+                      c.second_order ? "SecondOrder" : "FirstOrder");
+  deck += fmt::format(
+      "<PhysicalConstants><gravity>{}</gravity>\n"
+      "<reference_pressure>0.4</reference_pressure></PhysicalConstants>\n",
+      text(o.turn(c.gravity)));
+  deck += fmt::format(
+      "<MaterialProperties><ICE><material name=\"gas\"><EOS type=\"ideal_gas\"/>\n"
+      "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>0</thermal_conductivity>\n"
+      "<specific_heat>1</specific_heat><gamma>1.4</gamma>\n",
+      c.viscosity);
+  deck += object(c, o, "everywhere", {-2, -2, -2}, {2, 2, 2}, 1, 1, {0.1, -0.2, 0.3});
+  deck += object(c, o, "dense", {-0.6, -0.3, -0.7}, {0.2, 0.5, 0.1}, 4, 2, {0.5, 0.4, -0.3});
+  deck += object(c, o, "thin", {0.3, -0.8, 0.2}, {0.7, -0.1, 0.9}, 0.2, 1.5, {-0.7, 0.2, 0.6});
+  return deck + "</material></ICE></MaterialProperties>\n</Uintah_specification>\n";
+}
+
+}  // namespace sluice::properties

@@ -1,0 +1,39 @@
+// Decks without any symmetry of their own, written along any axes: permuted and mirrored.
+//
+// A case is written in its own axes; an Orientation says which of them each axis of the deck shows
+// and which way round. Domains are centred at 0 with spacings that are powers of two, so that the
+// start is the same to the bit.
+#pragma once
+#include <array>
+#include <string>
+
+#include "framework/base/vec3.hpp"
+
+namespace sluice::properties {
+
+struct Orientation {
+  std::array<int, 3> shows{0, 1, 2};  // axis d of the deck shows axis shows[d] of the case
+  std::array<bool, 3> mirrored{};     // by axis of the deck
+
+  Vec3 turn(Vec3 v) const;
+  // Of a cell of the case in the deck, when the case has `cells` cells.
+  IntVec3 turn_cell(IntVec3 cell, IntVec3 cells) const;
+  IntVec3 turn_extents(IntVec3 cells) const;
+};
+
+enum class SideKind { open, wall, moving_wall, inflow, symmetry, periodic };
+
+struct SkewCase {
+  std::string name;
+  IntVec3 cells;                  // one: inactive
+  std::array<SideKind, 6> sides;  // x-, x+, y-, y+, z-, z+ of the case
+  Vec3 gravity{};
+  double viscosity = 0;
+  bool second_order = true;
+  bool cross_flow = false;  // the start moves along inactive directions as well
+};
+
+// The deck as XML; outputs and checkpoints at the end of `steps` steps.
+std::string skew_deck(const SkewCase& c, const Orientation& o, int steps);
+
+}  // namespace sluice::properties
