@@ -1,6 +1,7 @@
 // The classic ICE step as a table of tasks.
 #include "ice/classic/classic.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "ice/classic/variables.hpp"
@@ -71,6 +72,11 @@ void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& e
 
 int classic_ghost_layers(const SchemeOptions& o) {
   return classic::ghost_layers(o);
+}
+
+double classic_sound_share(int axes) {
+  constexpr double margin = 0.98;
+  return margin / std::sqrt(2.0 * axes);
 }
 
 }  // namespace sluice::ice
