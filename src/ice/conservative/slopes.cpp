@@ -128,10 +128,11 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       double half_courant[3] = {0, 0, 0};
+      for (int d = 0; d < D; ++d)
+        half_courant[d] = 0.5 * row.step().dt / row.step().spacing[o.axes.direction[d]];
       for (int d = 0; d < D; ++d) {
         const int direction = o.axes.direction[d];
         const double dx = row.step().spacing[direction];
-        half_courant[d] = 0.5 * row.step().dt / dx;
         slope_row(row.count(), row(h.velocity, d, d, -1), row(h.velocity, d),
                   row(h.velocity, d, d, 1), row(h.velocity_slope, d));
         pressure_slope_row<D>(row, h, d, o.gravity[direction] * dx, o.gravity_on);
