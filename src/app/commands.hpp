@@ -20,6 +20,8 @@ void add_extract_command(CLI::App& app, int& exit_status);
 void add_help_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_norms_command(CLI::App& app, int& exit_status);
+void add_plan_command(CLI::App& app, int& exit_status);
 void add_plot_command(CLI::App& app, int& exit_status);
+void add_regress_command(CLI::App& app, int& exit_status);
 
 }  // namespace sluice

@@ -51,7 +51,9 @@ int main(int argument_count, char** arguments) {
   sluice::add_help_command(app, exit_status);
   sluice::add_info_command(app, exit_status);
   sluice::add_norms_command(app, exit_status);
+  sluice::add_plan_command(app, exit_status);
   sluice::add_plot_command(app, exit_status);
+  sluice::add_regress_command(app, exit_status);
 
   try {
     const bool has_word = argument_count > 1 && arguments[1][0] != '-';

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/effect_table.hpp"
+#include "app/option_values.hpp"
+#include "app/run_ending.hpp"
 #include "app/scene_loader.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/run/simulation.hpp"
@@ -23,18 +26,8 @@ struct Options {
   int threads = 1, step = -1, max_steps = 0;
   double wall_limit = 0;
   bool force_all = false, force_directions = false, no_output = false, copy = false, quiet = false;
+  bool costs = false, plot = false;
 };
-
-IntVec3 triple(const std::string& text, const char* option) {
-  if (text.empty()) return {};
-  IntVec3 v;
-  char end = 0;
-  const int read = std::sscanf(text.c_str(), "%d,%d,%d%c", &v.x, &v.y, &v.z, &end);
-  if (read != 3 || v.x < 1 || v.y < 1 || v.z < 1)
-    throw InputError(
-        fmt::format("{} takes three positive numbers I,J,K; found '{}'", option, text));
-  return v;
-}
 
 // The deck of the run: as named, or the one that the archive keeps.
 std::string deck_file(const Options& o) {
@@ -58,11 +51,26 @@ void write_json(const std::string& file, const RunReport& report) {
     throw SystemError(fmt::format("cannot write {}; is its folder there and writable?", file));
 }
 
+// Rank 0, the archive complete.
+void tell_end(const Options& o, const RunReport& report, ProgressMode progress) {
+  if (progress != ProgressMode::none) {
+    fmt::print("{}", summary(report));
+    if (report.archive && report.status != RunStatus::failed)
+      fmt::print("{}", error_lines(*report.archive));
+  }
+  if (o.costs) fmt::print("{}", effect_table(report.effects, true));
+  if (!o.plot) return;
+  if (!report.archive)
+    fmt::print("no archive was written: there is nothing to draw\n");
+  else if (report.status != RunStatus::failed)
+    fmt::print("picture: {}\n", draw_picture(*report.archive).string());
+}
+
 int run_on(Communicator& ranks, const Options& o) {
   if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
   SceneOptions scene_options;
   scene_options.ranks = ranks.size();
-  scene_options.boxes = triple(o.boxes, "--boxes");
+  scene_options.boxes = positive_triple(o.boxes, "--boxes");
   scene_options.force_directions = o.force_directions;
   const std::unique_ptr<LoadedScene> loaded =
       load_scene(deck_file(o), o.overrides, scene_options, o.quiet);
@@ -79,13 +87,13 @@ int run_on(Communicator& ranks, const Options& o) {
   options.restart = o.restart;
   options.restart_step = o.step;
   options.copy_earlier = o.copy;
-  options.block = triple(o.block, "--block");
+  options.block = positive_triple(o.block, "--block");
   Simulation simulation(loaded->scene, *loaded->component, ranks, options);
   const RunReport report = simulation.run();
   if (ranks.is_root()) {
     if (!o.json.empty()) write_json(o.json, report);
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
-    if (options.progress != ProgressMode::none) fmt::print("{}", summary(report));
+    tell_end(o, report, options.progress);
   }
   return report.status == RunStatus::failed ? 1 : 0;
 }
@@ -131,6 +139,8 @@ void add_run_command(CLI::App& app, int& exit_status) {
   command->add_flag("--force-directions", o->force_directions,
                     "Treat every direction as a dimension of the run");
   command->add_flag("--no-output", o->no_output, "Write no archive");
+  command->add_flag("--costs", o->costs, "Print the measured share of time of each effect");
+  command->add_flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
   command->add_flag("--quiet", o->quiet, "Drop warnings");
   command->callback([o, &exit_status] { exit_status = run(*o); });
 }

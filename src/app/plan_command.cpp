@@ -1,0 +1,101 @@
+// sluice plan DECK: what a run will do and cost, before it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/option_values.hpp"
+#include "app/run_plan.hpp"
+#include "app/study_process.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string deck, graph, boxes, block;
+  std::vector<std::string> overrides;
+  int ranks = 1, threads = 1;
+  bool json = false, force_all = false, force_directions = false, quiet = false;
+};
+
+void write_file(const fs::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush())
+    throw SystemError(
+        fmt::format("cannot write {}; is its folder there and writable?", path.string()));
+}
+
+void write_graph(const std::string& file, const std::string& dot) {
+  const fs::path path = file;
+  if (path.extension() == ".dot") {
+    write_file(path, dot);
+    return;
+  }
+  if (path.extension() != ".svg")
+    throw InputError(fmt::format("--graph {}: the name must end in .dot or .svg", file));
+  constexpr const char* program = "/usr/bin/dot";
+  if (::access(program, X_OK) != 0)
+    throw SystemError(
+        fmt::format("--graph {}: an SVG needs Graphviz ({}; on Debian: apt-get "
+                    "install graphviz); a .dot file does not",
+                    file, program));
+  const fs::path source = path.string() + ".dot";
+  write_file(source, dot);
+  ProcessRequest request;
+  request.words = {program, "-Tsvg", "-o", path.string(), source.string()};
+  const int status = run_process(request);
+  fs::remove(source);
+  if (status != 0) throw SystemError(fmt::format("{} ended with status {}", program, status));
+}
+
+int plan(const Options& o) {
+  if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
+  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  SceneOptions scene_options;
+  scene_options.ranks = o.ranks;
+  scene_options.boxes = positive_triple(o.boxes, "--boxes");
+  scene_options.force_directions = o.force_directions;
+  const auto loaded = load_scene(o.deck, o.overrides, scene_options, o.quiet);
+  PlanOptions options;
+  options.ranks = o.ranks;
+  options.threads = o.threads;
+  options.force_all = o.force_all;
+  options.block = positive_triple(o.block, "--block");
+  const RunPlan plan = plan_run(*loaded, options);
+  if (!o.graph.empty()) write_graph(o.graph, plan.dot);
+  fmt::print("{}", o.json ? plan_json(plan) : plan_text(plan));
+  return 0;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_status) {
+  CLI::App* command =
+      app.add_subcommand("plan", "Show what a run will do and cost, without running");
+  auto o = std::make_shared<Options>();
+  command->add_option("DECK", o->deck, "Deck (.ups)")->required();
+  command->add_flag("--json", o->json, "As JSON, for scripts");
+  command->add_option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
+  command->add_option("--set", o->overrides, "Override PATH=VALUE (may be repeated)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
+  command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
+  command->add_option("--ranks", o->ranks, "Plan for so many ranks");
+  command->add_option("--threads", o->threads, "Plan for so many threads a rank");
+  command->add_flag("--force-all", o->force_all, "As sluice run --force-all");
+  command->add_flag("--force-directions", o->force_directions,
+                    "Treat every direction as a dimension of the run");
+  command->add_flag("--quiet", o->quiet, "Drop warnings");
+  command->callback([o, &exit_status] { exit_status = plan(*o); });
+}
+
+}  // namespace sluice

@@ -1,0 +1,196 @@
+// A plan as tables for people and as JSON for scripts.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/effect_table.hpp"
+#include "app/run_plan.hpp"
+#include "framework/base/console.hpp"
+
+namespace sluice {
+namespace {
+
+using Align = TextTable::Align;
+using Json = nlohmann::ordered_json;
+
+const char* velocity_text(VelocityComponent v) {
+  return v == VelocityComponent::solved    ? "solved"
+         : v == VelocityComponent::carried ? "carried along"
+                                           : "zero, dropped";
+}
+
+std::string place(const Location& where) {
+  return where.file.empty() ? std::string() : to_string(where);
+}
+
+std::string directions_text(const RunPlan& p) {
+  TextTable table({{"direction"}, {"active"}, {"velocity"}, {"because"}, {"deck line"}});
+  for (std::size_t d = 0; d < 3; ++d)
+    table.row({std::string(1, "xyz"[d]), p.directions[d].active ? "yes" : "no",
+               velocity_text(p.directions[d].velocity), p.directions[d].reason,
+               place(p.directions[d].where)});
+  return table.text("  ");
+}
+
+std::string outputs_text(const RunPlan& p) {
+  if (p.outputs.empty()) return "  nothing is saved\n";
+  TextTable table(
+      {{"saved"}, {"made"}, {"bytes/cell", Align::right}, {"each", Align::right}, {"deck line"}});
+  for (const PlannedOutput& o : p.outputs) {
+    const bool field = o.bytes_per_cell > 0;
+    const double each = o.bytes_per_cell * static_cast<double>(p.cell_count);
+    table.row({o.label, o.made, field ? fmt::format("{:g}", o.bytes_per_cell) : "",
+               field ? human_bytes(each) : "", place(o.where)});
+  }
+  return table.text("  ") + fmt::format("  outputs {}: {} each; checkpoints {}: {} each\n",
+                                        p.output_times, human_bytes(p.output_bytes),
+                                        p.checkpoint_times, human_bytes(p.checkpoint_bytes));
+}
+
+std::string limits_text(const RunPlan& p) {
+  TextTable table({{"rule"}, {"value"}, {""}});
+  for (const PlannedLimit& l : p.limits) table.row({l.rule, l.value, l.acts});
+  std::string text = table.text("  ");
+  if (p.first_dt)
+    text += fmt::format("  first step {:.6g}; about {} steps at this size\n", *p.first_dt,
+                        human_count(static_cast<std::int64_t>(p.estimated_steps)));
+  return text;
+}
+
+std::string memory_text(const RunPlan& p) {
+  const PlannedMemory& m = p.memory;
+  TextTable table({{"memory of a rank"}, {"bytes", Align::right}, {"of what"}});
+  table.row({"program", human_bytes(m.base), ""});
+  table.row({"states", human_bytes(m.states),
+             fmt::format("old and new, {:g} doubles a cell each, with ghost cells",
+                         m.state_doubles_per_cell)});
+  table.row({"outputs", human_bytes(m.outputs),
+             fmt::format("{:g} doubles a cell, from the first step that stores them",
+                         m.output_doubles_per_cell)});
+  table.row({"scratch", human_bytes(m.scratch), "temporaries of one block, shared by all"});
+  table.row({"initial fill", human_bytes(m.initial_fill), "while the first state is set"});
+  if (m.messages > 0) table.row({"messages", human_bytes(m.messages), "sent and received"});
+  return table.text("  ") +
+         fmt::format("  peak {} a rank; fields {:g} doubles a cell (budget 40)\n",
+                     human_bytes(m.peak()), m.field_doubles_per_cell());
+}
+
+Json json_location(const Location& where) {
+  if (where.file.empty()) return nullptr;
+  return to_string(where);
+}
+
+Json directions_json(const RunPlan& p) {
+  Json list = Json::array();
+  for (std::size_t d = 0; d < 3; ++d)
+    list.push_back({{"direction", std::string(1, "xyz"[d])},
+                    {"active", p.directions[d].active},
+                    {"velocity", velocity_text(p.directions[d].velocity)},
+                    {"reason", p.directions[d].reason},
+                    {"line", json_location(p.directions[d].where)}});
+  return list;
+}
+
+Json effects_json(const RunPlan& p) {
+  Json list = Json::array();
+  for (std::size_t e = 0; e < p.effects.size(); ++e) {
+    const EffectCost& c = p.effects[e];
+    list.push_back({{"name", c.effect.name},
+                    {"on", c.effect.on},
+                    {"reason", c.effect.reason},
+                    {"line", json_location(c.effect.line)},
+                    {"tasks", c.tasks},
+                    {"fields", p.effect_fields[e]},
+                    {"bytes_per_cell", c.bytes_per_cell}});
+  }
+  return list;
+}
+
+Json outputs_json(const RunPlan& p) {
+  Json list = Json::array();
+  for (const PlannedOutput& o : p.outputs)
+    list.push_back({{"label", o.label},
+                    {"made", o.made},
+                    {"bytes_per_cell", o.bytes_per_cell},
+                    {"line", json_location(o.where)}});
+  return {{"times", p.output_times},
+          {"bytes_each", p.output_bytes},
+          {"saves", list},
+          {"checkpoint_times", p.checkpoint_times},
+          {"checkpoint_bytes_each", p.checkpoint_bytes}};
+}
+
+Json limits_json(const RunPlan& p) {
+  Json rules = Json::array();
+  for (const PlannedLimit& l : p.limits)
+    rules.push_back({{"rule", l.rule}, {"value", l.value}, {"acts", !l.acts.empty()}});
+  Json first = nullptr;
+  if (p.first_dt) first = *p.first_dt;
+  return {{"rules", rules}, {"first_step", first}, {"estimated_steps", p.estimated_steps}};
+}
+
+Json memory_json(const RunPlan& p) {
+  const PlannedMemory& m = p.memory;
+  return {{"program", m.base},
+          {"states", m.states},
+          {"outputs", m.outputs},
+          {"scratch", m.scratch},
+          {"initial_fill", m.initial_fill},
+          {"messages", m.messages},
+          {"peak_bytes", m.peak()},
+          {"field_doubles_per_cell", m.field_doubles_per_cell()}};
+}
+
+}  // namespace
+
+std::string plan_text(const RunPlan& p) {
+  std::string text = fmt::format(
+      "{}{}\n{} on {} x {} x {} = {} cells in {} box{} and {} block{}; {} rank{}, {} thread{} "
+      "each\n\n",
+      p.deck, p.title.empty() ? "" : ": " + p.title, p.component, p.cells.x, p.cells.y, p.cells.z,
+      human_count(p.cell_count), p.boxes, p.boxes == 1 ? "" : "es", p.blocks,
+      p.blocks == 1 ? "" : "s", p.ranks, p.ranks == 1 ? "" : "s", p.threads,
+      p.threads == 1 ? "" : "s");
+  text += directions_text(p) + "\n";
+  text += effect_table(p.effects, false) + "\n";
+  text += fmt::format("  messages: one halo point of {},{},{} layers a step, ", p.halo.x, p.halo.y,
+                      p.halo.z);
+  text += p.ranks == 1 ? "copied within this rank\n"
+                       : fmt::format("{} to {} neighbour rank{}, and one reduction\n",
+                                     human_bytes(static_cast<double>(p.message_bytes)),
+                                     p.neighbour_ranks, p.neighbour_ranks == 1 ? "" : "s");
+  text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
+                      p.quiet_reason,
+                      p.quiet_where.file.empty() ? "" : " (" + to_string(p.quiet_where) + ")");
+  text += outputs_text(p) + "\n";
+  text += limits_text(p) + "\n";
+  return text + memory_text(p);
+}
+
+std::string plan_json(const RunPlan& p) {
+  const Json json = {{"deck", p.deck},
+                     {"title", p.title},
+                     {"component", p.component},
+                     {"resolution", {p.cells.x, p.cells.y, p.cells.z}},
+                     {"cells", p.cell_count},
+                     {"boxes", p.boxes},
+                     {"blocks", p.blocks},
+                     {"ranks", p.ranks},
+                     {"threads", p.threads},
+                     {"directions", directions_json(p)},
+                     {"effects", effects_json(p)},
+                     {"messages",
+                      {{"halo", {p.halo.x, p.halo.y, p.halo.z}},
+                       {"bytes_per_step", p.message_bytes},
+                       {"neighbour_ranks", p.neighbour_ranks}}},
+                     {"quiet",
+                      {{"allowed", p.quiet_allowed},
+                       {"reason", p.quiet_reason},
+                       {"line", json_location(p.quiet_where)}}},
+                     {"outputs", outputs_json(p)},
+                     {"time_step", limits_json(p)},
+                     {"memory", memory_json(p)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace sluice

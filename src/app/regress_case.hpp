@@ -1,0 +1,62 @@
+// Regression cases: which decks, how they are run, what must hold.
+//
+// cases.json, JSON with // comments:
+//   {"cases": [{"name": "sod", "deck": "../../inputs/ice/riemann_sod.ups",   from the file's folder
+//               "set": ["Time/maxTime=0.1"],
+//               "variables": ["rho_CC", "vel_CC"], "tolerance": 1e-9,        against NAME.csv
+//               "restart": 10,       stop after this step, restart: the same bits
+//               "boxes": "3,1,1",    another split: the same bits
+//               "ranks": 2}]}        more ranks, on that split: the same bits
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sluice {
+
+struct RegressCase {
+  std::string name;
+  std::filesystem::path deck, golden;
+  std::vector<std::string> overrides, variables;
+  double tolerance = 1e-9;
+  int restart = 0, ranks = 0;  // 0: not checked
+  std::string boxes;           // empty: not checked
+};
+
+// InputError with file and place on what is not JSON, unknown, missing or out of range.
+std::vector<RegressCase> read_regress_cases(const std::filesystem::path& file);
+
+enum class Verdict { same, different, blessed, skipped };
+const char* to_string(Verdict);
+
+struct RegressCheck {
+  std::string name;  // golden, restart, boxes, ranks
+  Verdict verdict = Verdict::skipped;
+  std::string message;  // what differs
+};
+
+struct RegressResult {
+  std::string name;
+  std::vector<RegressCheck> checks;
+  double seconds = 0;
+  bool good() const;
+};
+
+struct RegressRunner {
+  std::filesystem::path executable;  // sluice
+  std::filesystem::path folder;      // for archives
+  std::string mpiexec = "mpiexec";   // a path, or found on the PATH
+  bool bless = false;                // writes golden files
+
+  RegressResult run(const RegressCase& c) const;
+
+ private:
+  struct Run;
+  Run run_deck(const RegressCase& c, const std::string& name,
+               const std::vector<std::string>& options, int ranks) const;
+  RegressCheck check_golden(const RegressCase& c, const Run& plain) const;
+  RegressCheck check_restart(const RegressCase& c, const Run& plain) const;
+  RegressCheck check_split(const RegressCase& c, const Run& plain, int ranks) const;
+};
+
+}  // namespace sluice

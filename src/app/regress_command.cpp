@@ -1,0 +1,144 @@
+// sluice regress: short runs against golden results, restarts, splits and ranks.
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/regress_case.hpp"
+#include "app/study_process.hpp"
+#include "framework/base/console.hpp"
+#include "framework/base/error.hpp"
+#include "framework/deck/nearest_name.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string file = "regression/golden/cases.json";
+  std::string mpiexec = "mpiexec", folder;
+  std::vector<std::string> names;
+  bool bless = false, json = false, list = false;
+};
+
+// A folder that goes away with this object, unless the user named it.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const std::string& wanted) : path_(wanted), keep_(!wanted.empty()) {
+    if (keep_) return;
+    std::string name = (fs::temp_directory_path() / "sluice_regress_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw SystemError(
+          fmt::format("cannot create a temporary folder {}: {}; name one with "
+                      "--folder",
+                      name, std::strerror(errno)));
+    path_ = name;
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code ignored;
+    if (!keep_) fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  bool keep_;
+};
+
+std::vector<RegressCase> select(std::vector<RegressCase> all,
+                                const std::vector<std::string>& names) {
+  if (names.empty()) return all;
+  std::vector<RegressCase> chosen;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == name; });
+    if (found != all.end()) {
+      chosen.push_back(*found);
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const RegressCase& c : all) known.push_back(c.name);
+    throw InputError(fmt::format("there is no case '{}' ({})", name, suggest_name(name, known)));
+  }
+  return chosen;
+}
+
+void print_table(const std::vector<RegressResult>& results) {
+  TextTable table(
+      {{"case"}, {"golden"}, {"restart"}, {"boxes"}, {"ranks"}, {"time", TextTable::Align::right}});
+  std::string messages;
+  for (const RegressResult& r : results) {
+    std::vector<std::string> row = {r.name};
+    for (const RegressCheck& c : r.checks) {
+      row.emplace_back(to_string(c.verdict));
+      if (!c.message.empty()) messages += fmt::format("{}, {}: {}\n", r.name, c.name, c.message);
+    }
+    row.resize(5, "-");
+    row.push_back(human_duration(r.seconds));
+    table.row(std::move(row));
+  }
+  fmt::print("{}{}", table.text(), messages);
+}
+
+void print_json(const std::vector<RegressResult>& results) {
+  Json list = Json::array();
+  for (const RegressResult& r : results) {
+    Json checks = Json::object();
+    for (const RegressCheck& c : r.checks)
+      checks[c.name] = {{"verdict", to_string(c.verdict)}, {"message", c.message}};
+    list.push_back(
+        {{"name", r.name}, {"good", r.good()}, {"seconds", r.seconds}, {"checks", checks}});
+  }
+  fmt::print("{}\n", Json{{"cases", list}}.dump(2));
+}
+
+int regress(const Options& o) {
+  const std::vector<RegressCase> cases = select(read_regress_cases(o.file), o.names);
+  if (o.list) {
+    for (const RegressCase& c : cases) fmt::print("{}\n", c.name);
+    return 0;
+  }
+  const WorkFolder folder(o.folder);
+  RegressRunner runner;
+  runner.executable = own_executable();
+  runner.folder = folder.path();
+  runner.mpiexec = o.mpiexec;
+  runner.bless = o.bless;
+  std::vector<RegressResult> results;
+  for (const RegressCase& c : cases) results.push_back(runner.run(c));
+  if (o.json)
+    print_json(results);
+  else
+    print_table(results);
+  const bool good =
+      std::all_of(results.begin(), results.end(), [](const auto& r) { return r.good(); });
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+void add_regress_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand(
+      "regress", "Compare short runs with golden results, restarts, splits and ranks");
+  auto o = std::make_shared<Options>();
+  command->add_option("CASES", o->names, "Names of cases; all when none is given");
+  command->add_option("--cases", o->file, "List of cases (JSON)")->capture_default_str();
+  command->add_option("--folder", o->folder, "Keep the archives of the runs in this folder");
+  command->add_option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
+  command->add_flag("--bless", o->bless, "Make what came out the golden results");
+  command->add_flag("--json", o->json, "As JSON, for scripts");
+  command->add_flag("--list", o->list, "Print the names of the cases");
+  command->callback([o, &exit_status] { exit_status = regress(*o); });
+}
+
+}  // namespace sluice

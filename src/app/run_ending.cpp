@@ -1,0 +1,53 @@
+// The last lines of a run.
+#include "app/run_ending.hpp"
+
+#include <fmt/format.h>
+
+#include "app/archive_error.hpp"
+#include "app/study_process.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+
+namespace fs = std::filesystem;
+
+std::string error_lines(const fs::path& folder) {
+  const Archive archive = Archive::open(folder);
+  if (archive.outputs().empty()) return {};
+  const auto reference = reference_of_archive(archive);
+  if (!reference) return {};
+  const ArchiveStep step = archive.read_output(archive.select_output("last"));
+  std::string text;
+  for (const char* variable : {"rho_CC", "press_CC", "temp_CC", "vel_CC"}) {
+    const FieldInfo* field = step.find(variable, 0, 0);
+    if (field == nullptr) continue;
+    for (int c = 0; c < field->components(); ++c) {
+      const Level& level = step.grid().levels.front();
+      if (field->components() > 1 && !level.active[static_cast<std::size_t>(c)]) continue;
+      const exact::ErrorNorms e = archive_error(step, *reference, variable, c, 0);
+      const std::string name =
+          field->components() == 1 ? variable : fmt::format("{}.{}", variable, "xyz"[c]);
+      const std::string share =
+          e.relative_l1 > 0 ? fmt::format(" ({:.2g} % of the mean)", 100 * e.relative_l1) : "";
+      text += fmt::format("  {:10} L1 {:.3e}{}, largest {:.3e}\n", name, e.l1, share, e.linf);
+    }
+  }
+  if (text.empty()) return {};
+  return fmt::format("error against the exact solution at t = {:g}:\n", step.info().time) + text;
+}
+
+fs::path draw_picture(const fs::path& archive) {
+  const fs::path picture = archive / "picture.png";
+  ProcessRequest request;
+  request.words = {own_executable().string(), "plot", archive.string(), "-o", picture.string()};
+  request.output = archive / "plot.log";
+  const int status = run_process(request);
+  if (status != 0)
+    throw SystemError(
+        fmt::format("the picture could not be drawn:\n{}", last_lines(request.output, 10)));
+  fs::remove(request.output);
+  return picture;
+}
+
+}  // namespace sluice

@@ -1,0 +1,338 @@
+// Compiling the graphs of a run without running them, and counting what they need.
+#include "app/run_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "framework/task/block_sweep.hpp"
+#include "framework/task/graph.hpp"
+#include "framework/task/halo.hpp"
+#include "framework/task/sweep_executor.hpp"
+
+namespace sluice {
+namespace {
+
+// A process that has read a deck and opened an archive, without fields; measured.
+constexpr double base_bytes = 21.0 * 1024 * 1024;
+constexpr double base_bytes_with_ranks = 34.0 * 1024 * 1024;
+constexpr double word = sizeof(double);
+// The initial fill keeps six primitives of the largest box, a count and a flag a cell.
+constexpr double fill_bytes_per_cell = 6 * word + 5;
+
+Axes axes_of(const Level& level) {
+  Axes axes;
+  axes.count = 0;
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
+  return axes;
+}
+
+// A graph with some outputs wanted.
+struct Graph {
+  TaskList list;
+  SweepPlan plan;
+};
+
+Graph compile_graph(const Component& component, const Level& level, bool diagnostic,
+                    const std::set<Label>& wanted) {
+  Graph g;
+  if (diagnostic)
+    component.declare_diagnostics(g.list);
+  else
+    component.declare_step(g.list, false);
+  std::vector<VariableId> variables;
+  for (std::size_t n = 0; n < g.list.variables().size(); ++n) {
+    const Variable& v = g.list.variables()[n];
+    if (v.storage == Storage::new_state ||
+        (v.storage == Storage::output && wanted.count(v.label) > 0))
+      variables.push_back({static_cast<int>(n)});
+  }
+  g.plan = compile(g.list, component.effects(), variables, axes_of(level));
+  return g;
+}
+
+std::set<Label> output_labels(const TaskList& list) {
+  std::set<Label> labels;
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output) labels.insert(v.label);
+  return labels;
+}
+
+double state_components(const Component& component) {
+  double n = 0;
+  for (const SlotInfo& s : component.state_slots()) n += s.components;
+  return n;
+}
+
+class Planner {
+ public:
+  Planner(const LoadedScene& loaded, const PlanOptions& options)
+      : scene_(loaded.scene),
+        component_(*loaded.component),
+        level_(loaded.scene.grid.levels.front()),
+        options_(options) {}
+
+  RunPlan plan() {
+    describe_grid();
+    const Graph all_step = compile_graph(component_, level_, false, {});
+    step_labels_ = output_labels(all_step.list);
+    TaskList diagnostics;
+    component_.declare_diagnostics(diagnostics);
+    diagnostic_labels_ = output_labels(diagnostics);
+    plain_ = compile_graph(component_, level_, false, stored_always());
+    plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
+    plan_.halo = plain_.plan.halo;
+    describe_effects();
+    describe_outputs();
+    describe_quiet();
+    find_first_step();
+    predict_memory();
+    return std::move(plan_);
+  }
+
+ private:
+  std::set<Label> stored_always() const {
+    return options_.force_all ? step_labels_ : std::set<Label>{};
+  }
+
+  void describe_grid() {
+    plan_.title = scene_.title;
+    plan_.component = component_.name();
+    plan_.cells = level_.domain.size();
+    plan_.cell_count = scene_.grid.cell_count();
+    plan_.boxes = static_cast<int>(level_.boxes.size());
+    plan_.ranks = options_.ranks;
+    plan_.threads = options_.threads;
+    plan_.directions = scene_.directions;
+    block_ = options_.block == IntVec3{} ? default_block(level_) : options_.block;
+    blocks_ = place_blocks(level_.boxes, block_);
+    plan_.blocks = static_cast<int>(blocks_.size());
+  }
+
+  void describe_effects() {
+    const auto count = static_cast<std::size_t>(component_.effects().size());
+    std::vector<int> tasks(count, 0);
+    std::vector<double> doubles(count, 0);
+    plan_.effect_fields.assign(count, 0);
+    for (const PlannedTask& p : plain_.plan.tasks) {
+      const Task& t = plain_.list.tasks()[static_cast<std::size_t>(p.task)];
+      const auto e = static_cast<std::size_t>(t.effect);
+      ++tasks[e];
+      for (VariableId v : t.writes) {
+        plan_.effect_fields[e] += plain_.list[v].components;
+        if (plain_.list[v].storage == Storage::new_state)
+          doubles[e] += 2.0 * plain_.list[v].components;  // old and new
+      }
+    }
+    for (std::size_t e = 0; e < count; ++e)
+      plan_.effects.push_back(
+          {component_.effects()[static_cast<int>(e)], tasks[e], word * doubles[e], 0.0});
+  }
+
+  void describe_outputs() {
+    const OutputSettings& o = scene_.output;
+    std::set<Label> counted;
+    for (const SaveRequest& r : o.saves) {
+      const std::optional<Label> label = find_label(r.label);
+      if (!label) continue;
+      PlannedOutput out;
+      out.label = r.label;
+      out.where = r.where;
+      const int components = component_count(label->info().type);
+      if (label->info().centring == Centring::reduction) {
+        out.made = "history, a line a step";
+      } else {
+        out.made = step_labels_.count(*label) > 0 ? "stored in the step" : "from the state";
+        const bool short_reals = o.doubles_as_floats && label->info().type == ValueType::real;
+        const double bytes = label->info().type == ValueType::integer || short_reals ? 4 : word;
+        out.bytes_per_cell = bytes * components;
+        out.memory_per_cell = word * components;
+        if (counted.insert(*label).second)
+          plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
+        (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
+      }
+      plan_.outputs.push_back(std::move(out));
+    }
+    for (const AnalysisModule& m : scene_.analysis.modules)
+      for (const AnalysedVariable& v : m.variables)
+        if (const std::optional<Label> label = find_label(v.label))
+          (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
+    plan_.output_times = o.interval > 0 ? fmt::format("every {:g} of time", o.interval)
+                         : o.timestep_interval > 0
+                             ? fmt::format("every {} steps", o.timestep_interval)
+                             : "at no interval";
+    if (o.initial_timestep) plan_.output_times += ", at the start";
+    if (o.last_timestep) plan_.output_times += ", at the end";
+    const CheckpointSettings& c = o.checkpoint;
+    plan_.checkpoint_times =
+        c.interval > 0            ? fmt::format("every {:g} of time", c.interval)
+        : c.timestep_interval > 0 ? fmt::format("every {} steps", c.timestep_interval)
+        : c.walltime_interval > 0 ? fmt::format("every {:g} s of wall time", c.walltime_interval)
+        : c.last_timestep         ? "at the end"
+                                  : "never";
+    plan_.checkpoint_bytes =
+        word * state_components(component_) * static_cast<double>(plan_.cell_count);
+  }
+
+  void describe_quiet() {
+    plan_.quiet_allowed = component_.quiet_blocks_allowed() && !options_.force_all;
+    const bool gravity = !(scene_.constants.gravity == Vec3{});
+    plan_.quiet_reason = options_.force_all    ? "--force-all"
+                         : plan_.quiet_allowed ? "nothing in the scene acts on a uniform state"
+                         : gravity             ? "gravity acts on a uniform state"
+                                               : "something in the scene acts on a uniform state";
+    if (gravity) plan_.quiet_where = scene_.constants.gravity_where;
+  }
+
+  // The initial state slab by slab: its rates give the first step.
+  void find_first_step() {
+    const TimeSettings& t = scene_.time;
+    std::optional<StepLimit> physics;
+    if (plan_.cell_count <= options_.most_cells_for_limits) physics = first_limit();
+    TimeControl control(t, scene_.output);
+    StepPlan first;
+    if (physics) first = control.plan(physics->dt);
+    auto add = [&](const std::string& rule, const std::string& value, bool acts) {
+      plan_.limits.push_back({rule, value, physics && acts ? "sets the first step" : ""});
+    };
+    const bool by_physics = first.limits == 0;
+    add("physics", physics ? physics->reason : "known when the run starts", by_physics);
+    if (t.timestep_multiplier != 1)
+      add("timestep_multiplier", fmt::format("{:g}", t.timestep_multiplier), by_physics);
+    auto bound = [&](const char* rule, double value, TimeLimit limit) {
+      if (value > 0) add(rule, fmt::format("{:g}", value), first.set_by(limit));
+    };
+    bound("max_delt_increase", t.max_delt_increase, TimeLimit::max_delt_increase);
+    bound("delt_min", t.delt_min, TimeLimit::delt_min);
+    bound("delt_max", t.delt_max, TimeLimit::delt_max);
+    bound("delt_init", t.delt_init, TimeLimit::delt_init);
+    if (t.clamp_time_to_output)
+      add("clamp_time_to_output", "steps end at outputs and checkpoints",
+          first.set_by(TimeLimit::output_time) || first.set_by(TimeLimit::checkpoint_time));
+    if (t.end_at_max_time_exactly)
+      add("end_at_max_time_exactly", fmt::format("{:g}", t.max_time),
+          first.set_by(TimeLimit::max_time));
+    if (!physics) return;
+    plan_.first_dt = first.dt;
+    plan_.first_dt_reason = by_physics ? physics->reason : "deck";
+    const double typical =
+        std::min(physics->dt * t.timestep_multiplier, t.delt_max > 0 ? t.delt_max : HUGE_VAL);
+    plan_.estimated_steps = std::ceil((t.max_time - t.initial_time) / typical);
+    if (t.max_timesteps > 0)
+      plan_.estimated_steps = std::min<double>(plan_.estimated_steps, t.max_timesteps);
+  }
+
+  StepLimit first_limit() {
+    constexpr std::int64_t slab_cells = 1'000'000;
+    Reductions rates(component_.reduction_maxima(), component_.reduction_sums());
+    int along = 2;
+    while (along > 0 && level_.domain.size()[along] == 1) --along;
+    const auto pieces = static_cast<int>(std::clamp<std::int64_t>(
+        level_.domain.volume() / slab_cells + 1, 1, level_.domain.size()[along]));
+    IntVec3 cut{1, 1, 1};
+    cut[along] = pieces;
+    for (const IndexBox& slab : split(level_.domain, cut)) {
+      Level part = level_;
+      part.boxes = {{slab, 0, 0}};
+      Warehouse state(part, 0);
+      for (SlotInfo s : component_.state_slots()) {
+        s.ghosts = 0;
+        state.add(s);
+      }
+      component_.initialise(state);
+      component_.measure_rates(state, rates);
+    }
+    std::vector<double> maxima;
+    for (int m = 0; m < rates.maxima_count(); ++m) maxima.push_back(rates.maximum(m));
+    return component_.step_limit(maxima);
+  }
+
+  double scratch_bytes(const Graph& g) const {
+    IntVec3 largest{1, 1, 1};
+    for (const Block& b : blocks_) largest = max(largest, b.cells.size());
+    const StateBinding none;
+    return options_.threads *
+           static_cast<double>(BlockSweep(g.list, g.plan, level_, none, largest).scratch_bytes());
+  }
+
+  // Bytes of one component over the local boxes of a rank with this many ghost layers.
+  double array_bytes(int rank, int ghosts) const {
+    double cells = 0;
+    for (const GridBox& b : level_.boxes)
+      if (b.owner == rank)
+        cells += static_cast<double>(b.cells.grown(level_.ghosts(ghosts)).volume());
+    return word * cells;
+  }
+
+  void predict_memory() {
+    PlannedMemory& m = plan_.memory;
+    m.base = options_.ranks > 1 ? base_bytes_with_ranks : base_bytes;
+    m.scratch = scratch_bytes(plain_);
+    std::set<Label> kept = stored_always();
+    kept.insert(stored_.begin(), stored_.end());
+    if (kept != stored_always())
+      m.scratch += scratch_bytes(compile_graph(component_, level_, false, kept));
+    if (!computed_.empty())
+      m.scratch += scratch_bytes(compile_graph(component_, level_, true, computed_));
+    kept.insert(computed_.begin(), computed_.end());
+    int components = 0;
+    for (const SlotInfo& s : component_.state_slots()) components += s.components;
+    m.state_doubles_per_cell = components;
+    for (Label l : kept) m.output_doubles_per_cell += component_count(l.info().type);
+    int width = 0;
+    for (const SlotInfo& s : component_.state_slots()) width = std::max(width, s.ghosts);
+    for (int rank = 0; rank < options_.ranks; ++rank) {
+      double states = 0, outputs = 0, fill = 0;
+      for (const SlotInfo& s : component_.state_slots())
+        states += 2 * s.components * array_bytes(rank, s.ghosts);
+      for (Label l : kept)
+        outputs += component_count(l.info().type) *
+                   array_bytes(rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
+      for (const GridBox& b : level_.boxes)
+        if (b.owner == rank)
+          fill = std::max(fill, fill_bytes_per_cell * static_cast<double>(b.cells.volume()));
+      double messages = 0;
+      if (options_.ranks > 1) {
+        const HaloExchange halo(level_, width, rank);
+        messages = static_cast<double>(halo.message_bytes(components));
+        if (messages >= static_cast<double>(plan_.message_bytes)) {
+          plan_.message_bytes = static_cast<std::int64_t>(messages);
+          plan_.neighbour_ranks = halo.neighbour_ranks();
+        }
+      }
+      if (states + outputs + fill <= m.states + m.outputs + m.initial_fill) continue;
+      m.states = states;
+      m.outputs = outputs;
+      m.initial_fill = fill;
+      m.messages = 2 * messages;  // sent and received
+    }
+  }
+
+  const Scene& scene_;
+  const Component& component_;
+  const Level& level_;
+  PlanOptions options_;
+  RunPlan plan_;
+  Graph plain_;
+  IntVec3 block_{};
+  std::vector<Block> blocks_;
+  std::set<Label> step_labels_, diagnostic_labels_;
+  std::set<Label> stored_, computed_;  // of saves and analyses
+};
+
+}  // namespace
+
+double PlannedMemory::peak() const {
+  return base + states + messages + std::max(initial_fill, outputs + scratch);
+}
+
+RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options) {
+  RunPlan plan = Planner(loaded, options).plan();
+  plan.deck = loaded.deck.file;
+  return plan;
+}
+
+}  // namespace sluice

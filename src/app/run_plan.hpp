@@ -1,0 +1,83 @@
+// What a run will do and cost, found before it from the scene and the compiled graphs alone.
+//
+// No field of the run is allocated. The memory that a rank will have resident at its peak is
+//   base + both states + max(initial fill, stored outputs + scratch) + messages,
+// where a state is all slots of all local boxes with ghosts, outputs live from the first step that
+// stores them, and the initial fill holds the primitives of the largest box while it is set.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene_loader.hpp"
+#include "framework/run/run_report.hpp"
+#include "framework/run/time_control.hpp"
+
+namespace sluice {
+
+struct PlanOptions {
+  int ranks = 1;
+  int threads = 1;
+  bool force_all = false;
+  IntVec3 block{};
+  std::int64_t most_cells_for_limits = 20'000'000;  // more: the first step is not predicted
+};
+
+struct PlannedOutput {
+  std::string label;
+  std::string made;           // how: "stored in the step", "from the state", "history"
+  double bytes_per_cell = 0;  // in the archive
+  double memory_per_cell = 0;
+  Location where;
+};
+
+struct PlannedLimit {
+  std::string rule;
+  std::string value;
+  std::string acts;  // "sets the first step", or empty
+};
+
+// Of the rank that needs most.
+struct PlannedMemory {
+  double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
+  double output_doubles_per_cell = 0, state_doubles_per_cell = 0;
+  double peak() const;
+  double field_doubles_per_cell() const {
+    return 2 * state_doubles_per_cell + output_doubles_per_cell;
+  }
+};
+
+struct RunPlan {
+  std::string deck, title, component;
+  IntVec3 cells;
+  std::int64_t cell_count = 0;
+  int boxes = 0, blocks = 0, ranks = 1, threads = 1;
+  std::array<ActiveDirection, 3> directions;
+  std::vector<EffectCost> effects;
+  std::vector<int> effect_fields;
+  IntVec3 halo{};  // ghost layers that a step reads
+  std::int64_t message_bytes = 0;
+  int neighbour_ranks = 0;  // of the rank that sends most
+  std::vector<PlannedOutput> outputs;
+  std::string output_times, checkpoint_times;
+  double output_bytes = 0, checkpoint_bytes = 0;  // of one
+  bool quiet_allowed = false;
+  std::string quiet_reason;
+  Location quiet_where;
+  std::vector<PlannedLimit> limits;
+  std::optional<double> first_dt;
+  std::string first_dt_reason;
+  double estimated_steps = 0;
+  PlannedMemory memory;
+  std::string dot;
+};
+
+RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options);
+
+// For people and for scripts.
+std::string plan_text(const RunPlan& plan);
+std::string plan_json(const RunPlan& plan);
+
+}  // namespace sluice
