@@ -59,18 +59,14 @@ class Functions(unittest.TestCase):
                               env=environment)
 
     def part(self, name, text):
-        (self.root / f"tools/verify/{name}.sh").write_text("#!/usr/bin/env bash\n# does it\n" + text)
+        script = self.root / f"tools/verify/{name}.sh"
+        script.write_text("#!/usr/bin/env bash\n# does it\n" + text)
 
     def commit(self):
         git = ["git", "-C", str(self.root), "-c", "user.name=a", "-c", "user.email=a@b"]
         (self.root / ".gitignore").write_text("/build/\n")
         for words in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "a"]):
             subprocess.run(git + words, check=True)
-
-    def test_option_value(self):
-        told = self.bash('option_value --json a --json b c; option_value --json --json=d; '
-                         'option_value --json a')
-        self.assertEqual(told.stdout.split(), ["b", "d"])
 
     def test_missing_packages_are_only_those_missing(self):
         told = self.bash("missing_packages bash nosuch-package-at-all coreutils")
