@@ -1,10 +1,12 @@
-// sluice help [TAG]: what a tag of the deck means; --markdown writes the whole reference.
+// sluice help [TAG]: what a tag of the deck means; --markdown writes the whole reference,
+// --labels the page of labels.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/label_reference.hpp"
 #include "app/sluice_schema.hpp"
 #include "framework/deck/deck_help.hpp"
 
@@ -15,11 +17,15 @@ void add_help_command(CLI::App& app, int& exit_status) {
   auto tags = std::make_shared<std::vector<std::string>>();
   auto markdown = std::make_shared<bool>(false);
   command->add_option("TAG", *tags, "Names or paths, as cfl or CFD/ICE/advection");
+  auto of_labels = std::make_shared<bool>(false);
   command->add_flag("--markdown", *markdown, "Write the reference of all tags");
-  command->callback([tags, markdown, &exit_status] {
+  command->add_flag("--labels", *of_labels, "Write the page of all labels that decks may save");
+  command->callback([tags, markdown, of_labels, &exit_status] {
     const Schema schema = sluice_schema();
     if (*markdown) {
       fmt::print("{}", markdown_reference(schema));
+    } else if (*of_labels) {
+      fmt::print("{}", label_reference());
     } else if (tags->empty()) {
       fmt::print("{}", help_overview(schema));
     }
