@@ -49,7 +49,9 @@ RegressCase read_case(const fs::path& file, const nlohmann::json& json, std::siz
     refuse(file, where, "the name cannot be that of a file");
   if (c.variables.empty()) refuse(file, where, "no variables to compare");
   if (!(c.tolerance >= 0)) refuse(file, where, "tolerance must be at least 0");
-  if (c.restart < 0 || c.ranks < 0) refuse(file, where, "restart and ranks must be at least 0");
+  if (c.restart != 0 && c.restart < 3)
+    refuse(file, where, "restart must be the number of a step, at least 3");
+  if (c.ranks < 0) refuse(file, where, "ranks must be at least 0");
   if (c.ranks > 0 && c.boxes.empty())
     refuse(file, where, "ranks needs boxes, at least as many as there are ranks");
   if (!fs::exists(c.deck)) refuse(file, where, "there is no deck " + c.deck.string());
@@ -167,11 +169,13 @@ RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain)
 
 RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain) const {
   if (c.restart == 0) return {"restart", Verdict::skipped, ""};
-  const Run stopped =
-      run_deck(c, "stopped",
-               {"--set", "DataArchiver/checkpoint/@timestepInterval=" + std::to_string(c.restart),
-                "--max-steps", std::to_string(c.restart)},
-               1);
+  // Checkpoints by steps come in steps 1 + n interval. One step more than the checkpoint is done,
+  // so that the restart has something to forget.
+  const std::string interval = std::to_string(c.restart - 1);
+  const Run stopped = run_deck(c, "stopped",
+                               {"--set", "DataArchiver/checkpoint/@timestepInterval=" + interval,
+                                "--max-steps", std::to_string(c.restart + 1)},
+                               1);
   if (!stopped.problem.empty()) return judged("restart", stopped.problem);
   const Run resumed = run_deck(c, "resumed", {"--restart", stopped.archive.string()}, 1);
   if (!resumed.problem.empty()) return judged("restart", resumed.problem);

@@ -4,7 +4,7 @@
 //   {"cases": [{"name": "sod", "deck": "../../inputs/ice/riemann_sod.ups",   from the file's folder
 //               "set": ["Time/maxTime=0.1"],
 //               "variables": ["rho_CC", "vel_CC"], "tolerance": 1e-9,        against NAME.csv
-//               "restart": 10,       stop after this step, restart: the same bits
+//               "restart": 10,       stop after this step, restart from it: the same bits
 //               "boxes": "3,1,1",    another split: the same bits
 //               "ranks": 2}]}        more ranks, on that split: the same bits
 #pragma once

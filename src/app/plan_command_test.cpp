@@ -1,0 +1,143 @@
+// sluice plan as a user meets it: what it says before a run holds when the run is done.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/study_process.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+class PlanCommand : public testing::Test {
+ protected:
+  PlanCommand() {
+    std::string name = (fs::temp_directory_path() / "sluice_plan_XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr) folder_ = name;
+  }
+  ~PlanCommand() override { fs::remove_all(folder_); }
+
+  static std::string deck(const std::string& name) {
+    return std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + name + ".ups";
+  }
+  int sluice(const std::vector<std::string>& words) {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND};
+    request.words.insert(request.words.end(), words.begin(), words.end());
+    request.output = folder_ / "said";
+    const int status = run_process(request);
+    said_ = text_of(request.output);
+    return status;
+  }
+  static std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  json plan(std::vector<std::string> words) {
+    words.insert(words.begin(), "plan");
+    words.emplace_back("--json");
+    EXPECT_EQ(sluice(words), 0) << said_;
+    return json::parse(said_);
+  }
+  static json effect(const json& of, const std::string& name) {
+    for (const json& e : of.at("effects"))
+      if (e.at("name") == name) return e;
+    return {};
+  }
+
+  fs::path folder_;
+  std::string said_;
+};
+
+TEST_F(PlanCommand, TellsDirectionsEffectsOutputsLimitsAndMemory) {
+  ASSERT_EQ(sluice({"plan", deck("shock_tube")}), 0) << said_;
+  for (const char* part : {"one cell between symmetric faces", "400 cells", "gravity",
+                           "<gravity> is zero", "shock_tube.ups:", "rho_CC", "from the state",
+                           "history, a line a step", "end_at_max_time_exactly",
+                           "sets the first step", "quiet blocks may sleep", "peak", "budget 40"})
+    EXPECT_THAT(said_, HasSubstr(part));
+}
+
+TEST_F(PlanCommand, SwitchesEffectsByTheDeckAlone) {
+  const std::string gravity = "PhysicalConstants/gravity=[0,-9.8,0]";
+  const json plain = plan({deck("shock_tube")});
+  EXPECT_FALSE(effect(plain, "gravity").at("on").get<bool>());
+  EXPECT_TRUE(plain.at("quiet").at("allowed").get<bool>());
+  EXPECT_FALSE(plain.at("directions").at(1).at("active").get<bool>());
+  const json falling = plan({deck("shock_tube"), "--set", gravity});
+  EXPECT_TRUE(effect(falling, "gravity").at("on").get<bool>());
+  EXPECT_FALSE(falling.at("quiet").at("allowed").get<bool>());
+  EXPECT_TRUE(falling.at("directions").at(1).at("active").get<bool>());
+  const json first = plan({deck("shock_tube"), "--set", "CFD/ICE/advection/@type=FirstOrder"});
+  EXPECT_GT(effect(plain, "second order").at("tasks").get<int>(), 0);
+  EXPECT_EQ(effect(first, "second order").at("tasks").get<int>(), 0);
+}
+
+TEST_F(PlanCommand, PredictsTheFirstStepToTheBit) {
+  const json planned = plan({deck("explosion_2d")});
+  const std::string report = (folder_ / "run.json").string();
+  ASSERT_EQ(sluice({"run", deck("explosion_2d"), "--max-steps", "1", "-o", folder_.string(),
+                    "--json", report}),
+            0)
+      << said_;
+  const json run = json::parse(text_of(report));
+  EXPECT_EQ(planned.at("time_step").at("first_step").get<double>(), run.at("time").get<double>());
+  EXPECT_EQ(effect(planned, "flow").at("tasks"), effect(run, "flow").at("tasks"));
+  EXPECT_EQ(effect(planned, "flow").at("bytes_per_cell"), effect(run, "flow").at("bytes_per_cell"));
+}
+
+TEST_F(PlanCommand, CountsFieldsMessagesAndOutputs) {
+  const json p = plan({deck("blast_3d"), "--boxes", "2,1,1", "--ranks", "2"});
+  EXPECT_LE(p.at("memory").at("field_doubles_per_cell").get<double>(), 40);
+  EXPECT_GT(p.at("messages").at("bytes_per_step").get<double>(), 0);
+  EXPECT_EQ(p.at("messages").at("neighbour_ranks").get<int>(), 1);
+  const double cells = p.at("cells").get<double>();
+  double per_cell = 0;
+  for (const json& s : p.at("outputs").at("saves"))
+    per_cell += s.at("bytes_per_cell").get<double>();
+  EXPECT_EQ(p.at("outputs").at("bytes_each").get<double>(), per_cell * cells);
+  EXPECT_EQ(p.at("outputs").at("checkpoint_bytes_each").get<double>(), 5 * 8 * cells);
+}
+
+TEST_F(PlanCommand, PlansWhatNoMemoryCouldHold) {
+  const json p = plan({deck("blast_3d"), "--set", "Grid/Level/Box/resolution=[2000,2000,2000]"});
+  EXPECT_GT(p.at("memory").at("peak_bytes").get<double>(), 8e9 * 80);
+  EXPECT_TRUE(p.at("time_step").at("first_step").is_null());
+}
+
+TEST_F(PlanCommand, WritesTheGraph) {
+  const std::string file = (folder_ / "graph.dot").string();
+  ASSERT_EQ(sluice({"plan", deck("shock_tube"), "--graph", file}), 0) << said_;
+  const std::string dot = text_of(file);
+  EXPECT_THAT(dot, HasSubstr("digraph"));
+  EXPECT_THAT(dot, HasSubstr("primitives"));
+  EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--graph", "graph.txt"}), 2);
+  EXPECT_THAT(said_, HasSubstr(".dot or .svg"));
+}
+
+TEST_F(PlanCommand, RefusesWhatIsNoDeckOrNoNumber) {
+  EXPECT_EQ(sluice({"plan", "nowhere.ups"}), 2);
+  EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--ranks", "0"}), 2);
+  EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--boxes", "2,2"}), 2);
+  EXPECT_THAT(said_, HasSubstr("--boxes"));
+}
+
+TEST_F(PlanCommand, ARunTellsItsCostsAndItsError) {
+  ASSERT_EQ(sluice({"run", deck("shock_tube"), "--costs", "-o", folder_.string()}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("error against the exact solution at t = 0.2"));
+  EXPECT_THAT(said_, HasSubstr("rho_CC"));
+  EXPECT_THAT(said_, HasSubstr(" %  conservative scheme"));
+}
+
+}  // namespace
+}  // namespace sluice

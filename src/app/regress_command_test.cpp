@@ -1,0 +1,162 @@
+// sluice regress fails when it should: changed, missing and spoilt golden files, bad lists.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/golden.hpp"
+#include "app/study_process.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class RegressCommand : public testing::Test {
+ protected:
+  RegressCommand() {
+    std::string name = (fs::temp_directory_path() / "sluice_regress_test_XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr) folder_ = name;
+    list(R"("set": ["Grid/Level/Box/resolution=[20,1,1]"], "variables": ["rho_CC", "vel_CC"],
+            "restart": 5, "boxes": "3,1,1")");
+  }
+  ~RegressCommand() override { fs::remove_all(folder_); }
+
+  void list(const std::string& entries) {
+    std::ofstream(folder_ / "cases.json")
+        << "// a comment\n{\"cases\": [{\"name\": \"tube\", \"deck\": \"" << SLUICE_SOURCE_DIR
+        << "/inputs/ice/riemann_sod.ups\", " << entries << "}]}\n";
+  }
+  int regress(const std::vector<std::string>& words = {}) {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND, "regress", "--cases", (folder_ / "cases.json").string()};
+    request.words.insert(request.words.end(), words.begin(), words.end());
+    request.output = folder_ / "said";
+    const int status = run_process(request);
+    said_ = text_of(request.output);
+    return status;
+  }
+  static std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  fs::path golden() const { return folder_ / "tube.csv"; }
+
+  fs::path folder_;
+  std::string said_;
+};
+
+TEST_F(RegressCommand, AGoldenIsMissedThenBlessedThenMet) {
+  EXPECT_EQ(regress(), 1);
+  EXPECT_THAT(said_, HasSubstr("--bless writes it"));
+  EXPECT_FALSE(fs::exists(golden())) << "only --bless may write it";
+  EXPECT_EQ(regress({"--bless"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("blessed"));
+  const std::string blessed = text_of(golden());
+  EXPECT_EQ(regress(), 0) << said_;
+  EXPECT_EQ(text_of(golden()), blessed);
+}
+
+TEST_F(RegressCommand, OneChangedValueOrStepFails) {
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  const Golden good = read_golden(golden());
+  Golden changed = good;
+  changed.rows[7].values[0] *= 1 + 1e-8;
+  write_golden(changed, golden());
+  EXPECT_EQ(regress(), 1);
+  EXPECT_THAT(said_, HasSubstr("rho_CC differs in 1 of 20 cells, most in [7,0,0]"));
+  changed = good;
+  changed.rows[7].values[0] *= 1 + 1e-11;  // round-off of another processor
+  write_golden(changed, golden());
+  EXPECT_EQ(regress(), 0) << said_;
+  changed = good;
+  changed.steps += 1;
+  write_golden(changed, golden());
+  EXPECT_EQ(regress(), 1);
+  EXPECT_THAT(said_, HasSubstr("the golden run has"));
+}
+
+TEST_F(RegressCommand, AChangedDeckFails) {
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  list(R"("set": ["Grid/Level/Box/resolution=[20,1,1]", "CFD/cfl=0.3"],
+          "variables": ["rho_CC", "vel_CC"])");
+  EXPECT_EQ(regress(), 1);
+}
+
+TEST_F(RegressCommand, ARunThatFailsFails) {
+  list(R"("set": ["CFD/cfl=-1"], "variables": ["rho_CC"])");
+  EXPECT_EQ(regress({"--bless"}), 1);
+  EXPECT_THAT(said_, HasSubstr("ended with status 2"));
+  EXPECT_FALSE(fs::exists(golden()));
+}
+
+TEST_F(RegressCommand, AsJson) {
+  ASSERT_EQ(regress({"--bless", "--json"}), 0) << said_;
+  const auto report = nlohmann::json::parse(said_);
+  const auto& checks = report.at("cases").at(0).at("checks");
+  EXPECT_EQ(checks.at("golden").at("verdict"), "blessed");
+  EXPECT_EQ(checks.at("restart").at("verdict"), "same");
+  EXPECT_EQ(checks.at("boxes").at("verdict"), "same");
+  EXPECT_EQ(checks.at("ranks").at("verdict"), "-");
+}
+
+TEST_F(RegressCommand, BadListsAndFilesAreRefused) {
+  EXPECT_EQ(regress({"tub"}), 2);
+  EXPECT_THAT(said_, HasSubstr("did you mean 'tube'"));
+  list(R"("variables": ["rho_CC"], "tolerence": 1)");
+  EXPECT_EQ(regress(), 2);
+  EXPECT_THAT(said_, HasSubstr("tolerence"));
+  list(R"("variables": [])");
+  EXPECT_EQ(regress(), 2);
+  list(R"("variables": ["rho_CC"], "ranks": 2)");
+  EXPECT_EQ(regress(), 2);
+  EXPECT_THAT(said_, HasSubstr("ranks needs boxes"));
+  list(R"("variables": ["rho_CC"], "restart": 1)");
+  EXPECT_EQ(regress(), 2);
+  std::ofstream(folder_ / "cases.json") << "{";
+  EXPECT_EQ(regress(), 2);
+  fs::remove(folder_ / "cases.json");
+  EXPECT_EQ(regress(), 2);
+  EXPECT_THAT(said_, HasSubstr("no such file"));
+}
+
+TEST_F(RegressCommand, SpoiltGoldenFilesAreRefused) {
+  const auto message = [&](const std::string& text) {
+    std::ofstream(golden()) << text;
+    try {
+      read_golden(golden());
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string("it was read");
+  };
+  const std::string head = "# sluice golden: steps 3, time 0.5\nlevel,i,j,k,rho_CC\n";
+  EXPECT_EQ(message(head + "0,0,0,0,1\n"), "it was read");
+  EXPECT_THAT(message("level,i\n"), HasSubstr("first line"));
+  EXPECT_THAT(message(head), HasSubstr("no rows"));
+  EXPECT_THAT(message(head + "0,0,0,0\n"), HasSubstr(":3: 4 values instead of 5"));
+  EXPECT_THAT(message(head + "0,0,0,0,1\n0,1,0,0,x\n"), HasSubstr(":4: 'x' is no number"));
+}
+
+TEST(GoldenDifference, NaNIsADifference) {
+  Golden a;
+  a.steps = 1;
+  a.columns = {"rho_CC"};
+  a.rows = {{0, {0, 0, 0}, {1.0}}, {0, {1, 0, 0}, {2.0}}};
+  Golden b = a;
+  EXPECT_EQ(golden_difference(a, b, 1e-9), "");
+  b.rows[1].values[0] = std::nan("");
+  EXPECT_THAT(golden_difference(a, b, 1e-9), HasSubstr("differs in 1 of 2 cells"));
+}
+
+}  // namespace
+}  // namespace sluice
