@@ -234,6 +234,32 @@ TEST(ClassicForm, RedoesMaskedCellsAtFirstOrder) {
   });
 }
 
+TEST(ClassicForm, LeavesAColumnAtRest) {
+  GasBox box;
+  box.cells = {1, 32, 1};
+  box.periodic = false;
+  box.walls = true;
+  box.gravity = "[0,-0.3,0]";
+  box.density = "1.17";
+  Stepper run(box);  // the start is the discrete balance, from p = 1 in cell (0,0,0)
+  EXPECT_NEAR(run.pressure(at(0, 31)), 1 - 0.3 * 1.17 * 31 / 32, 1e-12);
+  for (int n = 0; n < 1000; ++n) run.step(0.01);
+  for (int j = 0; j < 32; ++j) EXPECT_LT(std::fabs(run.velocity(at(0, j))), 1e-13);  // 3e-15
+}
+
+TEST(ClassicForm, DampsAShearWaveByItsViscosity) {
+  constexpr double mu = 0.01, pi = 3.14159265358979323846;
+  GasBox box;
+  box.cells = {32, 32, 1};
+  box.viscosity = mu;
+  box.velocity[1] = "0.01*sin(2*pi*x)";
+  Stepper run(box);
+  const double start = run.velocity(at(8, 5), 1);
+  for (int n = 0; n < 200; ++n) run.step(0.01);
+  const double exact = std::exp(-4 * pi * pi * mu * run.time());
+  EXPECT_NEAR(run.velocity(at(8, 5), 1) / start, exact, 0.01 * exact);  // measured 0.00098
+}
+
 TEST(ClassicForm, StaysStableUpToItsOwnLimit) {
   const GasBox box = [] {
     GasBox b;
