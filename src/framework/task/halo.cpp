@@ -8,11 +8,16 @@
 namespace sluice {
 namespace {
 
-// Shifts by whole periods under which a box may be its own or another's neighbour.
-std::vector<IntVec3> periodic_shifts(const Level& level) {
+// Shifts by whole periods under which a box may be its own or another's neighbour: several where
+// the ghost layers are wider than the domain.
+std::vector<IntVec3> periodic_shifts(const Level& level, IntVec3 ghosts) {
   std::vector<IntVec3> shifts;
   const IntVec3 n = level.domain.size();
-  auto reach = [&](std::size_t d) { return level.periodic[d] && level.active[d] ? 1 : 0; };
+  auto reach = [&](int d) {
+    const auto direction = static_cast<std::size_t>(d);
+    const bool wraps = level.periodic[direction] && level.active[direction];
+    return wraps ? (ghosts[d] + n[d] - 1) / n[d] : 0;
+  };
   for (int k = -reach(2); k <= reach(2); ++k)
     for (int j = -reach(1); j <= reach(1); ++j)
       for (int i = -reach(0); i <= reach(0); ++i) shifts.push_back({i * n.x, j * n.y, k * n.z});
@@ -44,8 +49,8 @@ void copy_region(const RealView& to, const IndexBox& region, const RealView& fro
 
 std::vector<HaloCopy> halo_copies(const Level& level, int width) {
   std::vector<HaloCopy> copies;
-  const std::vector<IntVec3> shifts = periodic_shifts(level);
   const IntVec3 ghosts = level.ghosts(width);
+  const std::vector<IntVec3> shifts = periodic_shifts(level, ghosts);
   for (const GridBox& to : level.boxes) {
     const IndexBox grown = to.cells.grown(ghosts);
     for (const GridBox& from : level.boxes)

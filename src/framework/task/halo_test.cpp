@@ -96,7 +96,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{{12, 4, 1}, {12, 1, 1}, {true, false, false}, 3},
                     Case{{6, 6, 6}, {3, 3, 3}, {true, false, true}, 3},
                     // the whole domain is as wide as the halo
-                    Case{{3, 8, 1}, {1, 2, 1}, {true, true, false}, 3}));
+                    Case{{3, 8, 1}, {1, 2, 1}, {true, true, false}, 3},
+                    // the halo is wider than the domain, which goes round more than once
+                    Case{{2, 3, 4}, {1, 1, 2}, {true, true, true}, 3},
+                    Case{{2, 6, 1}, {2, 3, 1}, {true, true, false}, 4}));
 
 TEST(Halo, CopiesAreTheSameListOnEveryRankAndCoverEachGhostOnce) {
   Level level = level_of({9, 12, 1}, {2, 3, 1});

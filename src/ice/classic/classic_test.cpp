@@ -64,13 +64,13 @@ TEST(ClassicForm, KeepsUniformFlowToTheBit) {
   for (const char* advection :
        {"type='SecondOrder'", "type='FirstOrder'", "type='SecondOrder' compatibleFluxes='false'"}) {
     GasBox box;
-    box.cells = {6, 7, 5};
+    box.cells = {6, 3, 2};  // narrower than the ghost layers
     box.advection = advection;
     box.velocity[0] = "0.7";
     box.velocity[1] = "-0.4";
     box.velocity[2] = "0.2";
     Stepper run(box);
-    const double mass = run.mass(at(1, 2, 3)), energy = run.energy(at(1, 2, 3));
+    const double mass = run.mass(at(1, 2, 1)), energy = run.energy(at(1, 2, 1));
     for (int n = 0; n < 10; ++n) run.step(0.02);
     for_each_cell(run.domain(), [&](IntVec3 c) {
       EXPECT_EQ(run.mass(c), mass);
