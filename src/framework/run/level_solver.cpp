@@ -2,6 +2,7 @@
 #include "framework/run/level_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "framework/base/reduction.hpp"
 
@@ -160,21 +161,46 @@ void LevelSolver::reduce(const Reductions& local, const RunControl* control) {
   }
   attempt_.faults = reduction_.count(faults);
   if (control != nullptr) attempt_.control = control->read(reduction_, question);
-  if (attempt_.faults > 0 && communicator_->size() > 1) agree_on_fault(local, lowest);
+  if (attempt_.faults > 0 && communicator_->size() > 1)
+    attempt_.first_fault = lowest_of_ranks(local.fault_count() > 0, lowest);
 }
 
-// Rare: the lowest faulty cell of all ranks.
-void LevelSolver::agree_on_fault(const Reductions& local, const CellFault& lowest) {
+// Rare: the lowest of the cells that ranks have found.
+CellFault LevelSolver::lowest_of_ranks(bool found, const CellFault& lowest) {
   std::string mine;
-  if (local.fault_count() > 0) mine.assign(reinterpret_cast<const char*>(&lowest), sizeof lowest);
+  if (found) mine.assign(reinterpret_cast<const char*>(&lowest), sizeof lowest);
   bool first = true;
+  CellFault lowest_of_all = lowest;
   for (const std::string& text : communicator_->gather_to_all(mine)) {
     if (text.size() != sizeof(CellFault)) continue;
     CellFault f;
     std::copy(text.begin(), text.end(), reinterpret_cast<char*>(&f));
-    if (first || before(f, attempt_.first_fault)) attempt_.first_fault = f;
+    if (first || before(f, lowest_of_all)) lowest_of_all = f;
     first = false;
   }
+  return lowest_of_all;
+}
+
+std::optional<UnsoundCell> LevelSolver::unsound_start() {
+  CellFault lowest;
+  std::int64_t found = 0;
+  for (const int slot : state_slots_)
+    for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b)
+      for (int c = 0; c < state_.info(slot).components; ++c) {
+        const RealView v = state_.view(slot, c, b);
+        for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+          if (std::isfinite(v(cell))) return;
+          const CellFault f{cell, level_->index, state_.info(slot).material, slot, v(cell)};
+          if (found == 0 || before(f, lowest)) lowest = f;
+          ++found;
+        });
+      }
+  Reduction all;
+  const auto count = all.add_count(found);
+  communicator_->reduce(all);
+  if (all.count(count) == 0) return std::nullopt;
+  lowest = lowest_of_ranks(found > 0, lowest);
+  return UnsoundCell{lowest, state_.info(lowest.kind).label};
 }
 
 void LevelSolver::accept() {

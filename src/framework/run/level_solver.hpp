@@ -6,6 +6,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct StepAttempt {
   RunControl::Answer control;  // clock and signals, agreed upon in the same message
 };
 
+// A cell of the state that is not a number.
+struct UnsoundCell {
+  CellFault where;  // kind: the slot
+  Label label;
+};
+
 class LevelSolver {
  public:
   LevelSolver(const Component& component, const Level& level, Communicator& communicator,
@@ -55,6 +62,10 @@ class LevelSolver {
   // Redo: slopes vanish in the cells that the last attempt found inadmissible (and in those found
   // before, within the same step). The number of cells masked now, over all ranks.
   std::int64_t mask_faults(double time);
+
+  // The lowest cell whose state at the start of the step is not a finite number, over all ranks:
+  // no smaller step can help it.
+  std::optional<UnsoundCell> unsound_start();
 
   // Stores labels that are functions of the current state in outputs(); ghosts must be filled.
   void compute_diagnostics(double time, const std::vector<Label>& wanted);
@@ -80,7 +91,7 @@ class LevelSolver {
   std::unique_ptr<Variant> compile_variant(bool masked, bool diagnostic,
                                            const std::vector<Label>& wanted);
   void reduce(const Reductions& local, const RunControl* control);
-  void agree_on_fault(const Reductions& local, const CellFault& lowest);
+  CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
   const Component* component_;
   const Level* level_;

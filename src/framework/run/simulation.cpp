@@ -197,6 +197,21 @@ void Simulation::fail(const StepPlan& plan) {
       f.cell.z, f.level, f.material, component_.describe_fault(f.kind), f.value));
 }
 
+// The state was damaged from outside (memory, a fault of the program): a smaller step cannot help.
+void Simulation::require_sound_start(const StepPlan& plan) {
+  const std::optional<UnsoundCell> found = solver_.unsound_start();
+  if (!found) return;
+  state_is_sound_ = false;
+  const CellFault& f = found->where;
+  throw PhysicsError(fmt::format(
+      "step {} at t = {:g}: task 'update' left {} cells inadmissible because {} is {:g} in cell "
+      "[{}, {}, {}] of level {}, material {}, at the start of the step. The state is damaged; go "
+      "on "
+      "from the last checkpoint with sluice run --restart",
+      plan.step, plan.start, solver_.attempt_result().faults, found->label.name(), f.value,
+      f.cell.x, f.cell.y, f.cell.z, f.level, f.material));
+}
+
 // Labels that exist only inside the step and are saved or analysed at its end.
 std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
   if (output_ == nullptr) return {};
@@ -219,6 +234,7 @@ StepPlan Simulation::advance(StepPlan plan) {
         return plan;
       }
       ledger_.reject_step();
+      if (smaller == 0 && masked == 0) require_sound_start(plan);
       EventPlace place;
       place.step = plan.step;
       place.cell = a.first_fault.cell;
@@ -316,7 +332,7 @@ RunReport Simulation::run() {
   } catch (const PhysicsError& e) {
     status_ = RunStatus::failed;
     message_ = e.what();
-    if (!options_.plant_nan) write_last_good_checkpoint();
+    if (state_is_sound_) write_last_good_checkpoint();
   }
   if (output_ != nullptr)
     for (const std::string& warning : output_->warnings()) progress_->note("warning: " + warning);

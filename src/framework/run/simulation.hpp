@@ -55,6 +55,7 @@ class Simulation {
   StepInfo step_info() const;
   RunReport report() const;
   [[noreturn]] void fail(const StepPlan& plan);
+  void require_sound_start(const StepPlan& plan);
   void write_last_good_checkpoint();
 
   const Scene& scene_;
@@ -75,7 +76,7 @@ class Simulation {
   std::string message_;
   int steps_ = 0, last_checkpoint_step_ = -1;
   double start_seconds_ = 0, stepping_seconds_ = 0;
-  bool ghosts_filled_ = false;
+  bool ghosts_filled_ = false, state_is_sound_ = true;
 };
 
 }  // namespace sluice

@@ -1,0 +1,153 @@
+// One level: variants of the graph, attempts, masks, acceptance, diagnostics.
+#include "framework/run/level_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "framework/run/mock_component.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace run_test;
+
+// One at a time in a process: shared by all that a test makes.
+class LevelSolverTest : public testing::Test {
+ protected:
+  LevelSolverTest() { control = std::make_unique<RunControl>(); }
+  ~LevelSolverTest() override { control.reset(); }
+
+ public:
+  static inline std::unique_ptr<RunControl> control;
+};
+
+struct Tube {
+  Scene scene;
+  MockComponent component;
+  LevelSolver solver;
+
+  explicit Tube(int boxes = 1, const SolverOptions& o = {}, double most = 1e300)
+      : scene(tube(boxes)),
+        component(with_most(scene.grid.levels.front(), most)),
+        solver(component, scene.grid.levels.front(), world(), o) {
+    component.initialise(solver.state());
+    solver.fill_ghosts(0);
+  }
+  static MockComponent with_most(const Level& level, double most) {
+    MockComponent c(level);
+    c.most = most;
+    return c;
+  }
+  const StepAttempt& attempt(double dt, const std::vector<Label>& wanted = {}) {
+    return solver.attempt(0, dt, wanted, *LevelSolverTest::control);
+  }
+  std::vector<double> values(const Warehouse& w, Label label) const {
+    std::vector<double> all;
+    const int slot = w.find(label, 0);
+    for (int b = 0; b < static_cast<int>(w.local_boxes().size()); ++b)
+      for_each_cell(w.local_boxes()[static_cast<std::size_t>(b)].cells,
+                    [&](IntVec3 c) { all.push_back(w.view(slot, 0, b)(c)); });
+    return all;
+  }
+  std::vector<double> state() const { return values(solver.state(), mock_labels().q); }
+};
+
+constexpr double dt = 0.0625;  // half a cell
+
+TEST_F(LevelSolverTest, AnAttemptIsAStepOnceItIsAccepted) {
+  Tube tube;
+  const auto before = tube.state();
+  EXPECT_EQ(tube.attempt(dt).faults, 0);
+  EXPECT_EQ(tube.state(), before);
+  tube.solver.accept();
+  const auto after = tube.state();
+  for (int i = 1; i < 40; ++i)
+    EXPECT_EQ(
+        after[static_cast<std::size_t>(i)],
+        MockComponent::start(i) + 0.5 * (MockComponent::start(i - 1) - MockComponent::start(i)));
+  EXPECT_EQ(tube.solver.attempt_result().maxima, std::vector<double>{8});
+  const double inflow = 0.5 * 0.125 * (MockComponent::start(0) - MockComponent::start(39));
+  EXPECT_EQ(tube.solver.attempt_result().sums, std::vector<double>{inflow});
+}
+
+TEST_F(LevelSolverTest, ARejectedAttemptNamesTheLowestCellAndChangesNothing) {
+  Tube tube(3);
+  const auto before = tube.state();
+  const StepAttempt& a = tube.attempt(3 * 0.125);
+  EXPECT_EQ(a.faults, 40);
+  EXPECT_EQ(a.first_fault.cell, (IntVec3{0, 0, 0}));
+  EXPECT_EQ(a.first_fault.value, 3);
+  EXPECT_EQ(tube.state(), before);
+}
+
+TEST_F(LevelSolverTest, MasksHoldForTheStepAndAreForgottenAfterIt) {
+  Tube tube(2, {}, 1.6);
+  const std::int64_t faults = tube.attempt(dt).faults;
+  ASSERT_GT(faults, 0);
+  EXPECT_EQ(tube.solver.mask_faults(0), faults);
+  EXPECT_EQ(tube.attempt(dt).faults, 0);
+  EXPECT_EQ(tube.solver.mask_faults(0), 0);  // nothing left to mask
+  Tube other(2, {}, 1.6);
+  other.attempt(dt);
+  other.solver.mask_faults(0);
+  EXPECT_EQ(other.solver.mask_faults(0), 0);  // the same cells again
+  tube.solver.accept();
+  tube.solver.fill_ghosts(dt);
+  EXPECT_GT(tube.attempt(0.001).faults, 0);
+}
+
+TEST_F(LevelSolverTest, WantedLabelsAreStoredAndChangeNoBit) {
+  Tube plain, wanting(4), forced(1, {2, true, 0, {7, 1, 1}});
+  EXPECT_TRUE(plain.solver.is_step_label(mock_labels().flux));
+  EXPECT_FALSE(plain.solver.is_diagnostic_label(mock_labels().flux));
+  EXPECT_TRUE(plain.solver.is_diagnostic_label(mock_labels().square));
+  plain.attempt(dt);
+  wanting.attempt(dt, {mock_labels().flux});
+  forced.attempt(dt);
+  for (Tube* t : {&plain, &wanting, &forced}) t->solver.accept();
+  EXPECT_EQ(wanting.state(), plain.state());
+  EXPECT_EQ(forced.state(), plain.state());
+  EXPECT_EQ(plain.solver.outputs().find(mock_labels().flux, 0), -1);
+  const int slot = wanting.solver.outputs().find(mock_labels().flux, 0);
+  ASSERT_GE(slot, 0);
+  EXPECT_GE(forced.solver.outputs().find(mock_labels().flux, 0), 0);  // everything is computed
+  // The face that closes the domain is stored by the last box.
+  EXPECT_EQ(wanting.solver.outputs().view(slot, 0, 3)(40, 0, 0), MockComponent::start(39));
+}
+
+TEST_F(LevelSolverTest, DiagnosticsAreFunctionsOfTheState) {
+  Tube tube(2);
+  tube.solver.compute_diagnostics(0, {mock_labels().square});
+  const auto q = tube.state(), square = tube.values(tube.solver.outputs(), mock_labels().square);
+  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_EQ(square[i], q[i] * q[i]);
+}
+
+TEST_F(LevelSolverTest, FindsACellThatIsNoNumber) {
+  Tube tube(3);
+  EXPECT_FALSE(tube.solver.unsound_start());
+  for (int i : {30, 21})
+    for (int b = 0; b < 3; ++b)
+      if (tube.solver.state().local_boxes()[static_cast<std::size_t>(b)].cells.contains(
+              IntVec3{i, 0, 0}))
+        tube.solver.state().view(0, 0, b)(i, 0, 0) = std::numeric_limits<double>::infinity();
+  const auto found = tube.solver.unsound_start();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->where.cell, (IntVec3{21, 0, 0}));
+  EXPECT_EQ(found->label, mock_labels().q);
+}
+
+TEST_F(LevelSolverTest, TellsWhatItCosts) {
+  Tube tube(1, {1, false, 1, {}});
+  EXPECT_EQ(tube.solver.initial_rates(), std::vector<double>{8});
+  tube.attempt(dt);
+  EXPECT_EQ(tube.solver.effect_tasks(), (std::vector<int>{2, 0}));  // faces, update; nothing saved
+  EXPECT_GT(tube.solver.effect_seconds()[0], 0);
+  EXPECT_EQ(tube.solver.blocks_run() + tube.solver.blocks_asleep(), 1);
+  EXPECT_GE(tube.solver.memory_bytes(), 2 * 42 * sizeof(double));
+  EXPECT_EQ(tube.solver.message_bytes(), 0u);  // one rank
+  EXPECT_NE(tube.solver.graph_as_dot().find("update"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sluice
