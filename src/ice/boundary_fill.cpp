@@ -197,14 +197,80 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
   }
 }
 
+bool BoundaryFill::commute(std::span<const Side> sides) const {
+  return std::all_of(sides.begin(), sides.end(), [&](Side side) {
+    const auto& rules = rules_[static_cast<std::size_t>(side)];
+    return gravity_[direction_of(side)] == 0 &&
+           std::all_of(rules.begin(), rules.end(), [](const GhostRule& r) { return r.plain(); });
+  });
+}
+
+void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
+                                std::span<const Side> sides) const {
+  std::vector<RealView> views;
+  for (const Label label : {slots_.mass, slots_.energy, slots_.momentum}) {
+    const int slot = state.find(label, slots_.material);
+    for (int c = 0; c < state.info(slot).components; ++c) views.push_back(state.view(slot, c, box));
+  }
+  std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * views.size(), 0.0);
+  const auto each = [&](auto&& f) {
+    std::size_t n = 0;
+    for (const RealView& v : views)
+      for_each_cell(ghosts, [&](IntVec3 cell) { f(v(cell), sums[n++]); });
+  };
+  for (const Side side : sides) {
+    fill_side(state, box, ghosts, side);
+    each([](double value, double& sum) { sum += value; });
+  }
+  const auto count = static_cast<double>(sides.size());
+  each([&](double& value, double sum) { value = sum / count; });
+}
+
+void BoundaryFill::even_out_edges(Warehouse& state, int box, int width) const {
+  const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+  const IndexBox all = cells.grown(level_->ghosts(width));
+  const auto beyond = [&](std::span<const Side> sides) {
+    IndexBox region = all;
+    for (int d = 0; d < 3; ++d) {
+      if (level_->periodic[static_cast<std::size_t>(d)]) continue;
+      region.lower[d] = std::max(region.lower[d], level_->domain.lower[d]);
+      region.upper[d] = std::min(region.upper[d], level_->domain.upper[d]);
+    }
+    for (const Side side : sides) {
+      const int d = direction_of(side);
+      region.lower[d] = is_plus(side) ? level_->domain.upper[d] : all.lower[d];
+      region.upper[d] = is_plus(side) ? all.upper[d] : level_->domain.lower[d];
+    }
+    return region;
+  };
+  const auto even_out = [&](std::initializer_list<Side> list) {
+    const std::span<const Side> sides(list.begin(), list.size());
+    for (const Side side : sides)
+      if (regions_[static_cast<std::size_t>(side)] == nullptr) return;
+    const IndexBox region = beyond(sides);
+    if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides);
+  };
+  for (const bool p : {false, true})
+    for (const bool q : {false, true}) {
+      even_out({side_of(0, p), side_of(1, q)});
+      even_out({side_of(0, p), side_of(2, q)});
+      even_out({side_of(1, p), side_of(2, q)});
+    }
+  for (const bool p : {false, true})
+    for (const bool q : {false, true})
+      for (const bool r : {false, true}) even_out({side_of(0, p), side_of(1, q), side_of(2, r)});
+}
+
 void BoundaryFill::fill(Warehouse& state) const {
   const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
-  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
+  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
     for (Side side : all_sides) {
       if (regions_[static_cast<std::size_t>(side)] == nullptr) continue;
       const IndexBox ghosts = ghost_region(state, box, width, side);
       if (!ghosts.empty()) fill_side(state, box, ghosts, side);
     }
+    even_out_edges(state, box, width);
+  }
 }
 
 void BoundaryFill::copy_outward(Warehouse& state, Label label, int material) const {

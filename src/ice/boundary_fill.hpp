@@ -12,9 +12,12 @@
 //     pressure, it follows from them; where temperature is given but not the density, the density
 //     follows from pressure and temperature; all three: pressure and density count
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
+// Ghosts beyond two or three sides hold the mean of what the sides' rules make of each other's
+// ghosts: no axis comes first.
 #pragma once
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "framework/field/warehouse.hpp"
@@ -53,8 +56,8 @@ class BoundaryFill {
  public:
   BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots);
 
-  // Ghost cells outside the domain of all local boxes, x then y then z: every value depends on
-  // cells of the domain only, whatever the boxes.
+  // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
+  // only, whatever the boxes.
   void fill(Warehouse& state) const;
   // The same for one slot that is simply copied outward (masks).
   void copy_outward(Warehouse& state, Label label, int material) const;
@@ -62,6 +65,11 @@ class BoundaryFill {
  private:
   struct SideRules;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
+  // Does the order in which these sides fill a ghost matter?
+  bool commute(std::span<const Side> sides) const;
+  void fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
+                    std::span<const Side> sides) const;
+  void even_out_edges(Warehouse& state, int box, int width) const;
   IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
 
   Vec3 gravity_;

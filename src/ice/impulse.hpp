@@ -47,12 +47,16 @@ void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstant
       for (int i = 0; i < n; ++i) dp[i] = -kick * r[i];
     }
     if (!viscous) continue;
+    const double *tm[D], *tp[D];
     for (int d = 0; d < D; ++d) {
-      const double* __restrict tm = row(h.stress[static_cast<std::size_t>(d)], c);
-      const double* __restrict tp = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
-      const double l = s.l[d];
+      tm[d] = row(h.stress[static_cast<std::size_t>(d)], c);
+      tp[d] = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
+    }
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] -= l * (tp[i] - tm[i]);
+    for (int i = 0; i < n; ++i) {
+      double pull = 0;  // of all directions first: the order of two does not show in the bits
+      for (int d = 0; d < D; ++d) pull += s.l[d] * (tp[d][i] - tm[d][i]);
+      dp[i] -= pull;
     }
   }
 }

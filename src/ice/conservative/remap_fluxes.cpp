@@ -103,14 +103,17 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
     }
     const double flow = H * rs;
     const double f = smaller(std::fabs(flow) * (left ? wb[i] : wa[i]), 0.99);
-    double d2 = 0.0;
+    // Components along axes and carried ones are summed apart: the sum of two does not depend on
+    // the order of the axes.
+    double d2 = 0.0, carried = 0.0;
     for (int c = 0; c < C; ++c) {
       const double v = left ? vb[c][i] : va[c][i];
       double u = left ? uBb[c][i] : uBa[c][i];
       if constexpr (Second) u += half_sign * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
       U[c][i] = u;
-      d2 += (u - v) * (u - v);
+      (c < D ? d2 : carried) += (u - v) * (u - v);
     }
+    if constexpr (C > D) d2 += carried;
     // K = -(1/2) d2^2 rho_L / ((1-f)(d2 rho_L + E_L/4))
     const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * EL));
     F[i] = flow;

@@ -59,22 +59,28 @@ void update_row(const Row& row, const Handles& h) {
     const double w = 1.0 / rho;
     double gain = 0;
     for (int d = 0; d < D; ++d) {
-      double in = 0, out = 0;
+      // Components along axes and carried ones apart: no order of the axes shows in the bits.
+      double in = 0, out = 0, carried_in = 0, carried_out = 0;
       for (int c = 0; c < C; ++c) {
-        in += (Um[d][c][i] - v[c][i]) * (Um[d][c][i] - v[c][i]);
-        out += (Up[d][c][i] - v[c][i]) * (Up[d][c][i] - v[c][i]);
+        (c < D ? in : carried_in) += (Um[d][c][i] - v[c][i]) * (Um[d][c][i] - v[c][i]);
+        (c < D ? out : carried_out) += (Up[d][c][i] - v[c][i]) * (Up[d][c][i] - v[c][i]);
+      }
+      if constexpr (C > D) {
+        in += carried_in;
+        out += carried_out;
       }
       gain += (Gm[d][i] - Gp[d][i]) + 0.5 * (Fm[d][i] * in - Fp[d][i] * out);
     }
-    double defect = 0;
+    double defect = 0, carried_defect = 0;
     for (int c = 0; c < C; ++c) {
       double momentum = 0;
       for (int d = 0; d < D; ++d) momentum += Fm[d][i] * Um[d][c][i] - Fp[d][i] * Up[d][c][i];
       const double now = (m[c][i] - dp[c][i]) + momentum;
       mn[c][i] = now;
       const double change = now * w - v[c][i];
-      defect += change * change;
+      (c < D ? defect : carried_defect) += change * change;
     }
+    if constexpr (C > D) defect += carried_defect;
     rn[i] = rho;
     En[i] = Es[i] + (gain - 0.5 * rho * defect);
   }
