@@ -23,6 +23,7 @@ struct Options {
   std::vector<std::string> overrides;
   int ranks = 1, threads = 1;
   bool json = false, force_all = false, force_directions = false, quiet = false;
+  bool no_output = false;
 };
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -68,6 +69,7 @@ int plan(const Options& o) {
   options.ranks = o.ranks;
   options.threads = o.threads;
   options.force_all = o.force_all;
+  options.output = !o.no_output;
   options.block = positive_triple(o.block, "--block");
   const RunPlan plan = plan_run(*loaded, options);
   if (!o.graph.empty()) write_graph(o.graph, plan.dot);
@@ -94,6 +96,7 @@ void add_plan_command(CLI::App& app, int& exit_status) {
   command->add_flag("--force-all", o->force_all, "As sluice run --force-all");
   command->add_flag("--force-directions", o->force_directions,
                     "Treat every direction as a dimension of the run");
+  command->add_flag("--no-output", o->no_output, "As sluice run --no-output");
   command->add_flag("--quiet", o->quiet, "Drop warnings");
   command->callback([o, &exit_status] { exit_status = plan(*o); });
 }

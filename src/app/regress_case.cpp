@@ -184,7 +184,7 @@ RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain
 }
 
 RegressCheck RegressRunner::check_split(const RegressCase& c, const Run& plain, int ranks) const {
-  const char* name = ranks > 1 ? "ranks" : "boxes";
+  const char* name = ranks == 1 ? "boxes" : "ranks";
   if (c.boxes.empty() || ranks == 0) return {name, Verdict::skipped, ""};
   const Run other = run_deck(c, name, {"--boxes", c.boxes}, ranks);
   if (!other.problem.empty()) return judged(name, other.problem);

@@ -86,7 +86,7 @@ class Planner {
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
     describe_effects();
-    describe_outputs();
+    if (options_.output) describe_outputs();
     describe_quiet();
     find_first_step();
     predict_memory();
@@ -267,6 +267,16 @@ class Planner {
     return word * cells;
   }
 
+  // Under gravity the fill reaches down to the low end of the domain and is cut afterwards.
+  double initial_fill_bytes(const IndexBox& cells) const {
+    IndexBox filled = cells;
+    for (int d = 0; d < 3; ++d)
+      if (scene_.constants.gravity[d] != 0) filled.lower[d] = level_.domain.lower[d];
+    const double whole = fill_bytes_per_cell * static_cast<double>(filled.volume());
+    if (filled == cells) return whole;
+    return std::max(whole, 6 * word * static_cast<double>(filled.volume() + cells.volume()));
+  }
+
   void predict_memory() {
     PlannedMemory& m = plan_.memory;
     m.base = options_.ranks > 1 ? base_bytes_with_ranks : base_bytes;
@@ -292,8 +302,7 @@ class Planner {
         outputs += component_count(l.info().type) *
                    array_bytes(rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
       for (const GridBox& b : level_.boxes)
-        if (b.owner == rank)
-          fill = std::max(fill, fill_bytes_per_cell * static_cast<double>(b.cells.volume()));
+        if (b.owner == rank) fill = std::max(fill, initial_fill_bytes(b.cells));
       double messages = 0;
       if (options_.ranks > 1) {
         const HaloExchange halo(level_, width, rank);

@@ -21,6 +21,7 @@ struct PlanOptions {
   int ranks = 1;
   int threads = 1;
   bool force_all = false;
+  bool output = true;  // --no-output
   IntVec3 block{};
   std::int64_t most_cells_for_limits = 20'000'000;  // more: the first step is not predicted
 };

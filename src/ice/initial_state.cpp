@@ -122,7 +122,8 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
   if (scene.formula) apply_formula(*scene.formula, material, level, fill);
   if (hydrostatic) apply_hydrostatics(constants, level, fill);
   check_admissible(material, fill);
-  return fill.cells == cells ? fill : cut(fill, cells);
+  if (fill.cells == cells) return fill;  // moved, not copied
+  return cut(fill, cells);
 }
 
 }  // namespace sluice::ice
