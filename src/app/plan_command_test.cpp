@@ -132,6 +132,20 @@ TEST_F(PlanCommand, RefusesWhatIsNoDeckOrNoNumber) {
   EXPECT_THAT(said_, HasSubstr("--boxes"));
 }
 
+TEST_F(PlanCommand, RefusesALabelThatTheRunCannotMake) {
+  EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--set", "DataArchiver/save[1]/@label=rho_C"}), 2);
+  EXPECT_THAT(said_, HasSubstr("did you mean 'rho_CC'"));
+}
+
+TEST_F(PlanCommand, ARunDrawsItsPictureAndNamesItLast) {
+  ASSERT_EQ(sluice({"run", deck("shock_tube"), "--plot", "-o", folder_.string()}), 0) << said_;
+  const std::string picture = (folder_ / "shock_tube.uda.000" / "picture.png").string();
+  EXPECT_TRUE(fs::exists(picture));
+  EXPECT_THAT(said_, testing::EndsWith("picture: " + picture + "\n"));
+  EXPECT_EQ(sluice({"run", deck("shock_tube"), "--plot", "--no-output"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("nothing to draw"));
+}
+
 TEST_F(PlanCommand, ARunTellsItsCostsAndItsError) {
   ASSERT_EQ(sluice({"run", deck("shock_tube"), "--costs", "-o", folder_.string()}), 0) << said_;
   EXPECT_THAT(said_, HasSubstr("error against the exact solution at t = 0.2"));

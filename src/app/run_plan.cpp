@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "framework/deck/nearest_name.hpp"
 #include "framework/task/block_sweep.hpp"
 #include "framework/task/graph.hpp"
 #include "framework/task/halo.hpp"
@@ -132,12 +133,45 @@ class Planner {
           {component_.effects()[static_cast<int>(e)], tasks[e], word * doubles[e], 0.0});
   }
 
+  // A label that this run can make.
+  std::optional<Label> find_known(const std::string& name, bool histories) const {
+    const std::optional<Label> label = find_label(name);
+    if (!label) return {};
+    const bool history = histories && label->info().centring == Centring::reduction;
+    const bool field = step_labels_.count(*label) > 0 || diagnostic_labels_.count(*label) > 0;
+    return history || field ? label : std::nullopt;
+  }
+
+  [[noreturn]] void refuse_label(const Location& where, const char* tag, const std::string& name,
+                                 bool histories) const {
+    std::vector<std::string> names;
+    for (Label l : all_labels())
+      if (find_known(l.name(), histories)) names.push_back(l.name());
+    throw InputError(fmt::format("{}: <{} label=\"{}\"> names no label of this run ({})",
+                                 to_string(where), tag, name, suggest_name(name, names)));
+  }
+
+  void describe_analyses() {
+    for (const AnalysisModule& m : scene_.analysis.modules)
+      for (const AnalysedVariable& v : m.variables) {
+        const std::optional<Label> label = find_known(v.label, false);
+        if (!label) refuse_label(v.where, "analyze", v.label, false);
+        const bool in_step = step_labels_.count(*label) > 0;
+        (in_step ? stored_ : computed_).insert(*label);
+        PlannedOutput out;
+        out.label = v.label;
+        out.made = fmt::format("{}, {}", m.name, in_step ? "stored in the step" : "from the state");
+        out.where = v.where;
+        plan_.outputs.push_back(std::move(out));
+      }
+  }
+
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
     std::set<Label> counted;
     for (const SaveRequest& r : o.saves) {
-      const std::optional<Label> label = find_label(r.label);
-      if (!label) continue;
+      const std::optional<Label> label = find_known(r.label, true);
+      if (!label) refuse_label(r.where, "save", r.label, true);
       PlannedOutput out;
       out.label = r.label;
       out.where = r.where;
@@ -156,10 +190,7 @@ class Planner {
       }
       plan_.outputs.push_back(std::move(out));
     }
-    for (const AnalysisModule& m : scene_.analysis.modules)
-      for (const AnalysedVariable& v : m.variables)
-        if (const std::optional<Label> label = find_label(v.label))
-          (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
+    describe_analyses();
     plan_.output_times = o.interval > 0 ? fmt::format("every {:g} of time", o.interval)
                          : o.timestep_interval > 0
                              ? fmt::format("every {} steps", o.timestep_interval)
