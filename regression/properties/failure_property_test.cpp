@@ -37,20 +37,20 @@ class PlantedNan : public testing::TestWithParam<const char*> {};
 TEST_P(PlantedNan, IsNamedAndTheLastCheckpointStaysGood) {
   ScratchFolder scratch;
   const Deck deck = load_property_deck(GetParam());
-  constexpr int planted = interval + 4;
+  constexpr int kept = 1 + interval, planted = kept + 4;
   const IntVec3 cell{7, 0, 0};
   const RunReport report = carry_out(deck, scratch / "run", [&](RunOptions& o) {
     o.plant_nan = {planted, cell};
     o.block = {5, 3, 2};
   });
-  EXPECT_EQ(report.status, RunStatus::failed);
+  ASSERT_EQ(report.status, RunStatus::failed);
   EXPECT_EQ(report.last_step, planted - 1);
   EXPECT_THAT(report.message,
-              AllOf(HasSubstr("step 13"), HasSubstr("cell [7, 0, 0]"), HasSubstr("nan"),
+              AllOf(HasSubstr("step 14"), HasSubstr("cell [7, 0, 0]"), HasSubstr("nan"),
                     HasSubstr("state.mass"), HasSubstr("task 'update'")));
   const fs::path archive = report.archive.value();
   expect_undamaged(archive);
-  ASSERT_EQ(Archive::open(archive).checkpoints().back().step, interval);
+  ASSERT_EQ(Archive::open(archive).checkpoints().back().step, kept);
   // From that checkpoint the run goes on as if nothing had been.
   DeckRun rest;
   rest.deck = GetParam();

@@ -7,7 +7,8 @@ namespace sluice::properties {
 namespace {
 
 const char* const grid = "Grid/Level/Box/resolution=";
-const char* const gravity = "PhysicalConstants/gravity=[0.4,-0.7,0.2]";
+const char* const gravity = "PhysicalConstants/gravity=[0.02,-0.03,0.01]";
+const char* const pressure = "PhysicalConstants/reference_pressure=1";
 const char* const viscous = "MaterialProperties/ICE/material/dynamic_viscosity=0.003";
 const char* const first_order = "CFD/ICE/advection/@type=FirstOrder";
 const char* const coarsest = "AMR/Regridder/max_levels=1";
@@ -40,15 +41,15 @@ std::vector<Entry> own() {
       {"explosion_viscous", "explosion_2d", {cells("[33,29,1]"), viscous}},
       {"explosion_deck_rule",
        "explosion_2d",
-       {cells("[33,29,1]"), "CFD/ICE/Scheme_for_delT_calc=conservative"}},
+       {cells("[33,29,1]"), "CFD/ICE/TimeStepControl/Scheme_for_delT_calc=conservative"}},
       {"blast", "blast_2d", {cells("[32,24,1]")}},
       {"vortex", "vortex", {cells("[24,20,1]")}},
       {"vortex_viscous", "vortex", {cells("[24,20,1]"), viscous}},
       {"gresho", "gresho", {cells("[20,20,1]")}},
       {"column", "hydrostatic_column", {}},
       {"cube", "blast_3d", {cells("[14,12,13]")}},
-      {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity}},
-      {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, viscous}},
+      {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity, pressure}},
+      {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, pressure, viscous}},
   };
 }
 
@@ -56,8 +57,10 @@ std::vector<Entry> collection() {
   return {
       {"peer_riemann_sm", "ICE/riemann_sm", {cells("[100,1,1]")}},
       {"peer_riemann3D", "ICE/riemann3D", {cells("[16,14,12]")}},
-      {"peer_advect", "ICE/advect", {cells("[30,12,1]")}},
-      {"peer_advect_periodic", "ICE/advect_periodic", {cells("[16,14,1]")}},
+      {"peer_advect", "ICE/advect", {cells("[30,12,1]"), "DataArchiver/checkpoint/@interval="}},
+      {"peer_advect_periodic",
+       "ICE/advect_periodic",
+       {cells("[12,10,8]"), "DataArchiver/checkpoint/@interval="}},
       {"peer_test2", "ICE/test2", {}},
       {"peer_test3", "ICE/test3", {}},
       {"peer_test4", "ICE/test4", {}},
@@ -70,10 +73,11 @@ std::vector<Entry> collection() {
 // Outputs and checkpoints by steps, whatever the deck says.
 std::vector<std::string> with_control(std::vector<std::string> overrides) {
   const std::string every = std::to_string(interval);
-  for (const std::string& one : {"Time/max_Timesteps=" + std::to_string(steps),
-                                 "DataArchiver/outputTimestepInterval=" + every,
-                                 "DataArchiver/checkpoint/@timestepInterval=" + every,
-                                 std::string("DataArchiver/checkpoint/@cycle=0")})
+  for (const std::string& one :
+       {"Time/max_Timesteps=" + std::to_string(steps), std::string("Time/maxTime=1000"),
+        "DataArchiver/outputTimestepInterval=" + every,
+        "DataArchiver/checkpoint/@timestepInterval=" + every,
+        std::string("DataArchiver/checkpoint/@cycle=0")})
     overrides.push_back(one);
   return overrides;
 }

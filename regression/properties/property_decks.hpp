@@ -1,5 +1,6 @@
 // The decks over which properties are tested, each made small: a fraction of a second a run.
 #pragma once
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,16 @@ struct PropertyDeck {
   std::string file;
   std::vector<std::string> overrides;
 };
+inline std::ostream& operator<<(std::ostream& out, const PropertyDeck& d) {
+  return out << d.file;
+}
 
 // Our own decks and, where the variable SLUICE_DECKS names a collection that holds inputs/, those
 // of the collection that must run unmodified.
 const std::vector<PropertyDeck>& property_decks();
 
-// Steps of a run, and steps between its outputs and between its checkpoints.
-inline constexpr int steps = 27, interval = 9;
+// Steps of a run, and steps between its outputs and between its checkpoints; both are kept at the
+// steps 1 + n interval.
+inline constexpr int interval = 9, steps = 1 + 3 * interval;
 
 }  // namespace sluice::properties

@@ -51,16 +51,17 @@ TEST_P(SameBitsOfDecks, HoweverTheyAreRun) {
 TEST_P(SameBitsOfDecks, AfterARestart) {
   const fs::path reference = archive_of(carry_out(run_into("whole")));
   DeckRun first = run_into("first half");
-  first.max_steps = interval + 4;  // steps after the checkpoint are lost
+  const int kept = 1 + interval;
+  first.max_steps = kept + 4;  // steps after the checkpoint are lost
   const RunReport half = carry_out(first);
-  ASSERT_EQ(half.last_step, interval + 4);
+  ASSERT_EQ(half.last_step, kept + 4);
   DeckRun second = run_into("second half");
   second.restart = archive_of(half);
-  second.restart_step = interval;
+  second.restart_step = kept;
   second.split = {3, 2, 2};
   second.threads = 2;
   const RunReport rest = carry_out(second);
-  EXPECT_EQ(rest.steps, steps - interval);
+  EXPECT_EQ(rest.steps, steps - kept);
   EXPECT_EQ(rest.last_step, steps);
   EXPECT_EQ(difference(reference, archive_of(rest), false, true), "") << "in the outputs";
   EXPECT_EQ(difference(reference, archive_of(rest), true, true), "") << "in the checkpoints";
@@ -87,7 +88,7 @@ TEST_P(SameBitsOnRanks, WholeRunsAndRestartsOfARunOnOneRank) {
     runs.push_back(run);
     run.folder = scratch / ("restart " + deck.name);
     run.restart = reference;
-    run.restart_step = 2 * interval;
+    run.restart_step = 1 + 2 * interval;
     runs.push_back(run);
   }
   ASSERT_EQ(carry_out_on_ranks(runs, ranks), "");

@@ -71,9 +71,9 @@ std::string level(const SkewCase& c, const Orientation& o) {
   for (int d = 0; d < 3; ++d) turned[d] = periodic[o.shows[static_cast<std::size_t>(d)]];
   return "<Level> <Box label=\"domain\">\n" + corners("lower", "upper", Vec3{} - half, half, o) +
          fmt::format(
-             "<extraCells>[1,1,1]</extraCells> <patches>[1,1,1]</patches>\n"
+             "<extraCells>{}</extraCells> <patches>[1,1,1]</patches>\n"
              "<resolution>[{},{},{}]</resolution> </Box>\n",
-             cells.x, cells.y, cells.z) +
+             text(Vec3{1, 1, 1} - turned), cells.x, cells.y, cells.z) +
          "<periodic>" + text(turned) + "</periodic> </Level>\n";
 }
 
@@ -140,7 +140,7 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
                       c.second_order ? "SecondOrder" : "FirstOrder");
   deck += fmt::format(
       "<PhysicalConstants><gravity>{}</gravity>\n"
-      "<reference_pressure>0.4</reference_pressure></PhysicalConstants>\n",
+      "<reference_pressure>1</reference_pressure></PhysicalConstants>\n",
       text(o.turn(c.gravity)));
   deck += fmt::format(
       "<MaterialProperties><ICE><material name=\"gas\"><EOS type=\"ideal_gas\"/>\n"

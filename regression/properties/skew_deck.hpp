@@ -5,6 +5,7 @@
 // start is the same to the bit.
 #pragma once
 #include <array>
+#include <ostream>
 #include <string>
 
 #include "framework/base/vec3.hpp"
@@ -32,6 +33,9 @@ struct SkewCase {
   bool second_order = true;
   bool cross_flow = false;  // the start moves along inactive directions as well
 };
+inline std::ostream& operator<<(std::ostream& out, const SkewCase& c) {
+  return out << c.name;
+}
 
 // The deck as XML; outputs and checkpoints at the end of `steps` steps.
 std::string skew_deck(const SkewCase& c, const Orientation& o, int steps);

@@ -121,6 +121,8 @@ TEST_P(Symmetry, PermutedAxesGiveTheSameFlow) {
         << "axes " << shows[0] << shows[1] << shows[2];
 }
 
+// Gravity acts along inactive directions only: a hydrostatic start has its pressure in cell
+// (0,0,0), which a mirror moves to the other end.
 using enum SideKind;
 const SkewCase cases[] = {
     {"tube", {64, 1, 1}, {wall, open, symmetry, symmetry, symmetry, symmetry}},
@@ -133,7 +135,7 @@ const SkewCase cases[] = {
     {"tube_cross_flow",
      {64, 1, 1},
      {open, wall, periodic, periodic, periodic, periodic},
-     {0.3, 0.1, -0.2},
+     {0, 0.01, -0.02},
      0.01,
      true,
      true},
@@ -141,7 +143,7 @@ const SkewCase cases[] = {
     {"square_first_order",
      {32, 32, 1},
      {wall, open, periodic, periodic, symmetry, symmetry},
-     {0.2, -0.3, 0},
+     {},
      0,
      false},
     {"square_viscous",
@@ -152,16 +154,12 @@ const SkewCase cases[] = {
     {"square_all",
      {32, 32, 1},
      {wall, moving_wall, symmetry, open, periodic, periodic},
-     {0.2, -0.3, 0.1},
+     {0, 0, 0.01},
      0.02,
      true,
      true},
     {"cube", {16, 16, 16}, {wall, open, inflow, symmetry, periodic, periodic}},
-    {"cube_all",
-     {16, 16, 16},
-     {moving_wall, wall, symmetry, open, inflow, wall},
-     {0.2, -0.3, 0.1},
-     0.02},
+    {"cube_all", {16, 16, 16}, {moving_wall, wall, symmetry, open, inflow, wall}, {}, 0.02},
 };
 
 INSTANTIATE_TEST_SUITE_P(Cases, Symmetry, testing::ValuesIn(cases),
