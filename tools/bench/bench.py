@@ -20,7 +20,8 @@ import subprocess
 import sys
 
 from cases import CASES, Ratio, Run
-from measure import Build, count_instructions, kernel_figures, median_runs, spread
+from measure import (Build, build_portable, count_instructions, kernel_figures, median_runs,
+                     spread)
 from table import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -83,14 +84,40 @@ def checkout_and_build(commit):
     return Build(folder, "release")
 
 
-def record(cases, figures, calibration):
-    old = json.loads(RECORDED.read_text()) if RECORDED.exists() else {"figures": {}}
-    old["figures"].update({name: round(value, 4) for name, value in figures.items()})
-    old.update(calibration_ns=round(calibration, 6), commit=commit_of(ROOT),
-               date=datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d"),
-               machine=processor_name())
-    RECORDED.write_text(json.dumps(old, indent=1, sort_keys=True) + "\n")
-    print(f"recorded {len(figures)} figures in {RECORDED.relative_to(ROOT)}")
+def read_recorded():
+    old = json.loads(RECORDED.read_text()) if RECORDED.exists() else {}
+    return {"figures": {}, "instructions": {}} | old
+
+
+def write_recorded(recorded, kind, figures):
+    recorded[kind].update({name: round(value, 4) for name, value in figures.items()})
+    RECORDED.write_text(json.dumps(recorded, indent=1, sort_keys=True) + "\n")
+    print(f"recorded {len(figures)} {kind} in {RECORDED.relative_to(ROOT)}")
+
+
+def record(figures, calibration):
+    recorded = read_recorded()
+    recorded.update(calibration_ns=round(calibration, 6), commit=commit_of(ROOT),
+                    date=datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d"),
+                    machine=processor_name())
+    write_recorded(recorded, "figures", figures)
+
+
+def instructions(cases, keep):
+    """Instructions per cell and step, beside the recorded ones: they do not depend on load."""
+    recorded, build, counts = read_recorded(), build_portable(ROOT), {}
+    print(f"{'instructions per cell and step':34} {'now':>10} {'recorded':>10} {'change':>9}")
+    for case in cases:
+        if case.ranks * case.threads > 1 or case.unit == "ms":
+            continue
+        now = counts[case.name] = count_instructions(build, case)
+        before = recorded["instructions"].get(case.name)
+        change = f"{100 * (now / before - 1):+.1f} %" if before else "-"
+        told = f"{before:.1f}" if before else "-"
+        print(f"{case.name:34} {now:10.1f} {told:>10} {change:>9}", flush=True)
+    if keep:
+        write_recorded(recorded, "instructions", counts)
+    return 0
 
 
 def processor_name():
@@ -104,13 +131,13 @@ def main():
     given = parse()
     cases = wanted(CASES, given.pattern)
     if given.instructions:
-        return count_instructions(ROOT, [c for c in cases if isinstance(c, Run)])
+        return instructions([c for c in cases if isinstance(c, Run)], given.record)
     build = Build(ROOT, "release")
     builds = [build] + ([checkout_and_build(given.against)] if given.against else [])
     run_cases = [case for case in cases if isinstance(case, Run)]
     runs, calibrations = median_runs(builds, run_cases, given.repeat)
     mine = figures_of(cases, runs[0]) | kernel_figures(build, given.pattern)
-    recorded = json.loads(RECORDED.read_text()) if RECORDED.exists() else {"figures": {}}
+    recorded = read_recorded()
     if given.against:
         theirs = figures_of(cases, runs[1]) | kernel_figures(builds[1], given.pattern)
         other = {"figures": theirs, "calibration_ns": calibrations[len(calibrations) // 2],
@@ -125,7 +152,7 @@ def main():
         given.json.write_text(json.dumps({"figures": mine, "against": other,
                                           "calibration_ns": calibrations}, indent=1) + "\n")
     if given.record:
-        record(cases, mine, calibration)
+        record(mine, calibration)
     if faults and noise > NOISY:
         print("limits exceeded, but the machine is noisy: repeat on a quiet one")
         return 0

@@ -102,26 +102,21 @@ def kernel_figures(build, patterns):
     return figures
 
 
-def count_instructions(root, cases):
-    """Instructions per cell and step from two runs of different length; any AVX2 machine."""
-    build = Build(root, "portable")
+def build_portable(root):
+    """The build without AVX-512, which valgrind does not know."""
     for command in (["cmake", "--preset", "portable"],
                     ["cmake", "--build", "--preset", "portable", "--target", "sluice"]):
         done = subprocess.run(command, cwd=root, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"bench: {' '.join(command)} failed:\n{done.stdout[-3000:]}")
-    print(f"{'case':34} {'instructions/cell/step':>24}")
-    for case in cases:
-        if case.ranks * case.threads > 1 or case.unit == "ms":
-            continue
-        few, many = 4, 8
-        counts, cells = [], 0
-        for steps in (few, many):
-            refs, cells = instruction_total(build, case, steps)
-            counts.append(refs)
-        per_cell_step = (counts[1] - counts[0]) / (cells * (many - few))
-        print(f"{case.name:34} {per_cell_step:24.1f}", flush=True)
-    return 0
+    return Build(root, "portable")
+
+
+def count_instructions(build, case, few=4, many=8):
+    """Instructions per cell and step: the difference of two runs of different length."""
+    first, _ = instruction_total(build, case, few)
+    second, cells = instruction_total(build, case, many)
+    return (second - first) / (cells * (many - few))
 
 
 def instruction_total(build, case, steps):

@@ -60,6 +60,7 @@ class Frame(unittest.TestCase):
             self.skipTest("nothing recorded yet")
         recorded = json.loads(file.read_text())
         self.assertLessEqual({"figures", "commit", "date", "machine"}, set(recorded))
+        self.assertLessEqual(set(recorded["figures"]), {case.name for case in CASES})
 
 
 if __name__ == "__main__":
