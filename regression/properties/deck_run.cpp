@@ -62,26 +62,6 @@ std::unique_ptr<Loaded> load(const Deck& deck, const DeckRun& run) {
   return loaded;
 }
 
-RunReport simulate(const Deck& deck, const DeckRun& run,
-                   const std::function<void(RunOptions&)>& change) {
-  const std::unique_ptr<Loaded> loaded = load(deck, run);
-  RunOptions o;
-  o.parent = run.folder;
-  o.output = !run.folder.empty();
-  o.threads = run.threads;
-  o.force_all = run.force_all;
-  o.limits.max_steps = run.max_steps;
-  o.progress = ProgressMode::none;
-  o.program = "properties";
-  o.deck_xml = to_xml(*deck.root);
-  o.restart = run.restart;
-  o.restart_step = run.restart_step;
-  o.block = run.block;
-  if (change) change(o);
-  Simulation simulation(loaded->scene, *loaded->component, world(), o);
-  return simulation.run();
-}
-
 IntVec3 triple(const nlohmann::json& j) {
   return {j.at(0).get<int>(), j.at(1).get<int>(), j.at(2).get<int>()};
 }
@@ -124,15 +104,35 @@ Deck load_property_deck(const std::string& name) {
   return load_deck(it->file, it->overrides, sluice_schema());
 }
 
+RunReport carry_out(const Deck& deck, const DeckRun& run,
+                    const std::function<void(RunOptions&)>& change) {
+  const std::unique_ptr<Loaded> loaded = load(deck, run);
+  RunOptions o;
+  o.parent = run.folder;
+  o.output = !run.folder.empty();
+  o.threads = run.threads;
+  o.force_all = run.force_all;
+  o.limits.max_steps = run.max_steps;
+  o.progress = ProgressMode::none;
+  o.program = "properties";
+  o.deck_xml = to_xml(*deck.root);
+  o.restart = run.restart;
+  o.restart_step = run.restart_step;
+  o.block = run.block;
+  if (change) change(o);
+  Simulation simulation(loaded->scene, *loaded->component, world(), o);
+  return simulation.run();
+}
+
 RunReport carry_out(const DeckRun& run) {
-  return simulate(load_property_deck(run.deck), run, {});
+  return carry_out(load_property_deck(run.deck), run);
 }
 
 RunReport carry_out(const Deck& deck, const fs::path& folder,
                     const std::function<void(RunOptions&)>& change) {
   DeckRun run;
   run.folder = folder;
-  return simulate(deck, run, change);
+  return carry_out(deck, run, change);
 }
 
 std::string carry_out_on_ranks(const std::vector<DeckRun>& runs, int ranks) {

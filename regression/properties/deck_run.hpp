@@ -30,7 +30,9 @@ DeckRun deck_run_from_json(const nlohmann::json& json);
 // Collective. The archive is report.archive. Throws what a run throws.
 RunReport carry_out(const DeckRun& run);
 
-// A deck that is not in the table, without an archive unless a folder is given.
+// A deck that is not in the table; no archive when no folder is given.
+RunReport carry_out(const Deck& deck, const DeckRun& run,
+                    const std::function<void(RunOptions&)>& change = {});
 RunReport carry_out(const Deck& deck, const std::filesystem::path& folder,
                     const std::function<void(RunOptions&)>& change = {});
 Deck load_property_deck(const std::string& name);

@@ -90,10 +90,11 @@ const std::vector<PropertyDeck>& property_decks() {
     for (const Entry& e : own())
       all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
                      with_control(e.overrides)});
-    if (const char* folder = std::getenv("SLUICE_DECKS"))
-      for (const Entry& e : collection())
-        all.push_back({e.name, std::string(folder) + "/inputs/" + e.deck + ".ups",
-                       with_control(e.overrides)});
+    const char* folder = std::getenv("SLUICE_DECKS");
+    for (const Entry& e : collection())
+      all.push_back({e.name,
+                     folder == nullptr ? "" : std::string(folder) + "/inputs/" + e.deck + ".ups",
+                     with_control(e.overrides)});
     return all;
   }();
   return decks;

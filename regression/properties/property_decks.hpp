@@ -8,15 +8,17 @@ namespace sluice::properties {
 
 struct PropertyDeck {
   std::string name;  // of the test
-  std::string file;
+  std::string file;  // empty: of a collection that is not here
   std::vector<std::string> overrides;
+
+  bool here() const { return !file.empty(); }
 };
 inline std::ostream& operator<<(std::ostream& out, const PropertyDeck& d) {
   return out << d.file;
 }
 
-// Our own decks and, where the variable SLUICE_DECKS names a collection that holds inputs/, those
-// of the collection that must run unmodified.
+// Our own decks, and those that must run unmodified of the collection that the variable
+// SLUICE_DECKS names (the folder that holds inputs/).
 const std::vector<PropertyDeck>& property_decks();
 
 // Steps of a run, and steps between its outputs and between its checkpoints; both are kept at the

@@ -136,8 +136,9 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>\n"
       "</DataArchiver>\n",
       steps);
-  deck += fmt::format("<CFD><cfl>0.4</cfl><ICE><advection type=\"{}\"/></ICE></CFD>\n",
-                      c.second_order ? "SecondOrder" : "FirstOrder");
+  deck += fmt::format(
+      "<CFD><cfl>0.4</cfl><ICE><scheme>{}</scheme><advection type=\"{}\"/></ICE></CFD>\n",
+      c.classic ? "classic" : "conservative", c.second_order ? "SecondOrder" : "FirstOrder");
   deck += fmt::format(
       "<PhysicalConstants><gravity>{}</gravity>\n"
       "<reference_pressure>1</reference_pressure></PhysicalConstants>\n",

@@ -32,6 +32,7 @@ struct SkewCase {
   double viscosity = 0;
   bool second_order = true;
   bool cross_flow = false;  // the start moves along inactive directions as well
+  bool classic = false;     // the one-stage, internal-energy scheme
 };
 inline std::ostream& operator<<(std::ostream& out, const SkewCase& c) {
   return out << c.name;

@@ -28,11 +28,15 @@ struct Tube {
   LevelSolver solver;
 
   explicit Tube(int boxes = 1, const SolverOptions& o = {}, double most = 1e300)
-      : scene(tube(boxes)),
+      : scene(dealt_out(tube(boxes))),
         component(with_most(scene.grid.levels.front(), most)),
         solver(component, scene.grid.levels.front(), world(), o) {
     component.initialise(solver.state());
     solver.fill_ghosts(0);
+  }
+  static Scene dealt_out(Scene scene) {
+    assign_owners(scene.grid.levels.front().boxes, world().size());
+    return scene;
   }
   static MockComponent with_most(const Level& level, double most) {
     MockComponent c(level);
@@ -123,14 +127,31 @@ TEST_F(LevelSolverTest, DiagnosticsAreFunctionsOfTheState) {
   for (std::size_t i = 0; i < q.size(); ++i) EXPECT_EQ(square[i], q[i] * q[i]);
 }
 
-TEST_F(LevelSolverTest, FindsACellThatIsNoNumber) {
-  Tube tube(3);
+// Serially and (see CMakeLists.txt) on three ranks: all know the same.
+class LevelSolverOnRanks : public LevelSolverTest {};
+
+TEST_F(LevelSolverOnRanks, AgreeOnFaultsMasksAndSums) {
+  Tube tube(5);
+  const StepAttempt& a = tube.attempt(3 * 0.125);
+  EXPECT_EQ(a.faults, 40);
+  EXPECT_EQ(a.first_fault.cell, (IntVec3{0, 0, 0}));
+  EXPECT_EQ(a.first_fault.value, 3);
+  EXPECT_EQ(tube.solver.mask_faults(0), 40);
+  EXPECT_EQ(tube.attempt(dt).faults, 0);
+  const double inflow = 0.5 * 0.125 * (MockComponent::start(0) - MockComponent::start(39));
+  EXPECT_EQ(tube.solver.attempt_result().sums, std::vector<double>{inflow});
+  EXPECT_EQ(tube.solver.attempt_result().maxima, std::vector<double>{8});
+}
+
+TEST_F(LevelSolverOnRanks, FindTheLowestCellThatIsNoNumber) {
+  Tube tube(4);
   EXPECT_FALSE(tube.solver.unsound_start());
+  const auto& boxes = tube.solver.state().local_boxes();
   for (int i : {30, 21})
-    for (int b = 0; b < 3; ++b)
-      if (tube.solver.state().local_boxes()[static_cast<std::size_t>(b)].cells.contains(
-              IntVec3{i, 0, 0}))
-        tube.solver.state().view(0, 0, b)(i, 0, 0) = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < boxes.size(); ++b)
+      if (boxes[b].cells.contains(IntVec3{i, 0, 0}))
+        tube.solver.state().view(0, 0, static_cast<int>(b))(i, 0, 0) =
+            std::numeric_limits<double>::infinity();
   const auto found = tube.solver.unsound_start();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->where.cell, (IntVec3{21, 0, 0}));
