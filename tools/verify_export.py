@@ -159,14 +159,14 @@ def copies_of(level, images, number):
 def check_blanking(levels, images):
     """VTK must hide exactly the coarse cells under finer boxes."""
     for number, level in enumerate(levels[:-1]):
-        hidden = sum(int(np.count_nonzero(vtk_to_numpy(image.GetCellData().GetArray("vtkGhostType"))))
-                     for l, image in images
-                     if l == number and image.GetCellData().GetArray("vtkGhostType"))
+        marks = [image.GetCellData().GetArray("vtkGhostType") for l, image in images if l == number]
+        hidden = sum(int(np.count_nonzero(vtk_to_numpy(m))) for m in marks if m)
         fine = levels[number + 1]
         expected = sum(int(np.prod((upper - lower) // fine.ratio)) for lower, upper in fine.boxes)
         expected *= copies_of(level, images, number)
         if hidden != expected:
-            raise AssertionError(f"level {number}: VTK hides {hidden} cells, {expected} are refined")
+            raise AssertionError(f"level {number}: VTK hides {hidden} cells, {expected} are "
+                                 "refined")
 
 
 def compare_step(levels, path):

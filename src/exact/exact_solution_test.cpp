@@ -1,3 +1,4 @@
+// Every kind of exact solution made from its parameters; profiles and error norms.
 #include "exact/exact_solution.hpp"
 
 #include <gmock/gmock.h>
