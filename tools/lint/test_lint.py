@@ -7,6 +7,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import check_layers  # noqa: E402
 import check_lines  # noqa: E402
+import check_links  # noqa: E402
 
 
 class Tree(unittest.TestCase):
@@ -78,6 +79,16 @@ class Lines(Tree):
         self.write("src/a.cpp", "int a;\n")
         self.write("src/picture.png", "int a;\n")
         self.assertEqual(len(check_lines.check(self.root)), 1)
+
+
+class Links(Tree):
+    def test_only_missing_files_are_told(self):
+        self.write("docs/a.md", "[b](b.md) [web](https://x.org)\n[up](../README.md#head)\n"
+                   "[gone](c.md)\n")
+        self.write("docs/b.md", "see [top](#top)\n")
+        self.write("README.md", "![p](docs/p.png)\n")
+        self.assertEqual(check_links.check(self.root), [
+            "README.md:1: 'docs/p.png' is not there", "docs/a.md:3: 'c.md' is not there"])
 
 
 if __name__ == "__main__":
