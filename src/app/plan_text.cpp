@@ -19,16 +19,12 @@ const char* velocity_text(VelocityComponent v) {
                                            : "zero, dropped";
 }
 
-std::string place(const Location& where) {
-  return where.file.empty() ? std::string() : to_string(where);
-}
-
 std::string directions_text(const RunPlan& p) {
   TextTable table({{"direction"}, {"active"}, {"velocity"}, {"because"}, {"deck line"}});
   for (std::size_t d = 0; d < 3; ++d)
     table.row({std::string(1, "xyz"[d]), p.directions[d].active ? "yes" : "no",
                velocity_text(p.directions[d].velocity), p.directions[d].reason,
-               place(p.directions[d].where)});
+               short_place(p.directions[d].where)});
   return table.text("  ");
 }
 
@@ -40,7 +36,7 @@ std::string outputs_text(const RunPlan& p) {
     const bool field = o.bytes_per_cell > 0;
     const double each = o.bytes_per_cell * static_cast<double>(p.cell_count);
     table.row({o.label, o.made, field ? fmt::format("{:g}", o.bytes_per_cell) : "",
-               field ? human_bytes(each) : "", place(o.where)});
+               field ? human_bytes(each) : "", short_place(o.where)});
   }
   return table.text("  ") + fmt::format("  outputs {}: {} each; checkpoints {}: {} each\n",
                                         p.output_times, human_bytes(p.output_bytes),
@@ -152,7 +148,7 @@ std::string plan_text(const RunPlan& p) {
       p.blocks == 1 ? "" : "s", p.ranks, p.ranks == 1 ? "" : "s", p.threads,
       p.threads == 1 ? "" : "s");
   text += directions_text(p) + "\n";
-  text += effect_table(p.effects, false) + "\n";
+  text += planned_effect_table(p.effects, p.effect_fields) + "\n";
   text += fmt::format("  messages: one halo point of {},{},{} layers a step, ", p.halo.x, p.halo.y,
                       p.halo.z);
   text += p.ranks == 1 ? "copied within this rank\n"
@@ -161,7 +157,7 @@ std::string plan_text(const RunPlan& p) {
                                      p.neighbour_ranks, p.neighbour_ranks == 1 ? "" : "s");
   text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
                       p.quiet_reason,
-                      p.quiet_where.file.empty() ? "" : " (" + to_string(p.quiet_where) + ")");
+                      p.quiet_where.file.empty() ? "" : " (" + short_place(p.quiet_where) + ")");
   text += outputs_text(p) + "\n";
   text += limits_text(p) + "\n";
   return text + memory_text(p);

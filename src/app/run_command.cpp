@@ -58,7 +58,7 @@ void tell_end(const Options& o, const RunReport& report, ProgressMode progress) 
     if (report.archive && report.status != RunStatus::failed)
       fmt::print("{}", error_lines(*report.archive));
   }
-  if (o.costs) fmt::print("{}", effect_table(report.effects, true));
+  if (o.costs) fmt::print("{}", measured_effect_table(report.effects));
   if (!o.plot) return;
   if (!report.archive)
     fmt::print("no archive was written: there is nothing to draw\n");

@@ -1,7 +1,7 @@
 // What a run will do and cost, found before it from the scene and the compiled graphs alone.
 //
 // No field of the run is allocated. The memory that a rank will have resident at its peak is
-//   base + both states + max(initial fill, stored outputs + scratch) + messages,
+//   base + both states + max(initial fill, stored outputs + scratch + messages),
 // where a state is all slots of all local boxes with ghosts, outputs live from the first step that
 // stores them, and the initial fill holds the primitives of the largest box while it is set.
 #pragma once
