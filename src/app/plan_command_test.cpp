@@ -109,6 +109,22 @@ TEST_F(PlanCommand, CountsFieldsMessagesAndOutputs) {
   EXPECT_EQ(p.at("outputs").at("checkpoint_bytes_each").get<double>(), 5 * 8 * cells);
 }
 
+TEST_F(PlanCommand, PredictsTheMemoryThatARunTakes) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has memory of its own";
+#endif
+  const std::string size = "Grid/Level/Box/resolution=[100,100,100]";
+  const json planned = plan({deck("blast_3d"), "--set", size});
+  const std::string report = (folder_ / "run.json").string();
+  ASSERT_EQ(sluice({"run", deck("blast_3d"), "--set", size, "--max-steps", "1", "-o",
+                    folder_.string(), "--json", report}),
+            0)
+      << said_;
+  const double measured = json::parse(text_of(report)).at("peak_memory_bytes").get<double>();
+  // Planned and measured: 1.703e8 and 1.695e8.
+  EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
+}
+
 TEST_F(PlanCommand, PlansWhatNoMemoryCouldHold) {
   const json p = plan({deck("blast_3d"), "--set", "Grid/Level/Box/resolution=[2000,2000,2000]"});
   EXPECT_GT(p.at("memory").at("peak_bytes").get<double>(), 8e9 * 80);
