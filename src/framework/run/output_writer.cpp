@@ -140,6 +140,13 @@ void OutputWriter::write_checkpoint(const StepInfo& info) {
   seconds_ += seconds_since(start);
 }
 
+bool OutputWriter::writes_histories(int step) const {
+  HistoryControl control;
+  control.frequency = scene_->output.reduction_frequency;
+  control.on_step = scene_->output.reduction_on_timestep;
+  return !saved_.histories.empty() && control.selects(step);
+}
+
 void OutputWriter::write_histories(int step, double time, const Totals& totals) {
   for (Label label : saved_.histories) {
     if (label.info().type == ValueType::vector)

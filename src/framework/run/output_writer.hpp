@@ -33,6 +33,7 @@ class OutputWriter {
   // The state of the solver is the one after the step; ghosts need not be filled.
   void write_output(const StepInfo& info, bool initial);
   void write_checkpoint(const StepInfo& info);
+  bool writes_histories(int step) const;  // is a line due after this step
   void write_histories(int step, double time, const Totals& totals);
   void finish(const std::string& run_json);
 

@@ -277,7 +277,8 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
   if (analysis_.sample(plan.step, plan.end)) ghosts_filled_ = true;
   if (plan.output || end.checkpoint) analysis_.flush();
-  if (!output_->saved().histories.empty()) output_->write_histories(plan.step, plan.end, totals());
+  if (output_->writes_histories(plan.step))
+    output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) {
     output_->write_output(step_info(), false);
     ghosts_filled_ = true;
