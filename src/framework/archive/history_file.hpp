@@ -20,7 +20,9 @@ struct HistoryControl {
   bool step_column = false;
   bool time_column = true;
 
-  bool selects(int step) const { return frequency <= 1 || step % frequency == on_step; }
+  bool selects(int step) const {
+    return frequency <= 1 || step % frequency == on_step % frequency;
+  }
 };
 
 class HistoryFile {
