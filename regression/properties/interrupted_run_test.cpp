@@ -105,6 +105,19 @@ TEST_F(InterruptedRun, SigtermEndsWithACheckpointAndARestartGivesTheSameBits) {
   expect_goes_on(folder, folder / "explosion_2d.uda", reference);
 }
 
+// Open MPI's launcher passes SIGUSR1 on to all ranks and leaves them their time.
+TEST_F(InterruptedRun, Sigusr1ToTheLauncherEndsAllRanksWithACheckpoint) {
+  const fs::path reference = whole(scratch_ / "whole");
+  const fs::path folder = scratch_ / "cut";
+  fs::create_directories(folder / "rest");
+  const Shell s = shell(folder, SLUICE_MPIEXEC " --oversubscribe -np 2 " + start_and_wait +
+                                    "kill -USR1 $pid; wait $pid");
+  EXPECT_EQ(s.status, 0) << s.said;
+  EXPECT_EQ(record(folder / "run.json")["status"], "terminated");
+  expect_undamaged(folder / "explosion_2d.uda");
+  expect_goes_on(folder, folder / "explosion_2d.uda", reference);
+}
+
 TEST_F(InterruptedRun, TheWallLimitEndsWithACheckpointAndARestartOnTwoRanksGivesTheSameBits) {
   const fs::path reference = whole(scratch_ / "whole");
   const fs::path folder = scratch_ / "cut";

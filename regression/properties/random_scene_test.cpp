@@ -3,6 +3,7 @@
 // and conserves what its sides let it keep. The variable SLUICE_SEED draws other scenes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -42,6 +43,12 @@ SkewCase draw(unsigned long seed) {
       c.sides[low + 1] = static_cast<SideKind>(pick(5));
     }
   }
+  // A moving wall drags the gas along an inactive direction: between symmetric faces that would be
+  // a cavity whose pressure on the faces, not its momentum, sets the round-off.
+  for (int d = 0; d < 3; ++d)
+    if (std::count(c.sides.begin(), c.sides.end(), SideKind::moving_wall) > 0 && c.cells[d] == 1)
+      c.sides[static_cast<std::size_t>(2 * d)] = c.sides[static_cast<std::size_t>(2 * d + 1)] =
+          SideKind::open;
   if (pick(3) == 0) c.gravity = {0.01 * pick(4), -0.01 * pick(4), 0.01 * pick(4)};
   if (pick(3) == 0) c.viscosity = 0.001 * (1 + pick(9));
   c.second_order = pick(4) != 0;
