@@ -9,7 +9,7 @@
 // VTK's AMR takes one refinement ratio for all directions: a direction of one cell, which is not
 // refined, is cut into thin copies of its cell on finer levels; unequal ratios are refused.
 //
-// Format: VTK's XML files, version 1.0, appended raw data, little endian (VTK file formats,
+// Format: VTK's XML files, version 1.0, base64 inline, little endian (VTK file formats,
 // vtk.org/wp-content/uploads/2015/04/file-formats.pdf).
 #pragma once
 #include <filesystem>
