@@ -63,7 +63,10 @@ TEST_P(RandomScene, GivesTheSameBitsAndConserves) {
   const SkewCase c = draw(GetParam() + (other == nullptr ? 0u : std::stoul(other)));
   const std::string xml = skew_deck(c, {}, run_steps);
   SCOPED_TRACE(xml);
-  const Deck deck = load_deck_text(xml, c.name, {}, sluice_schema());
+  // Every fourth asks for steps that are too long: they are redone, the same way everywhere.
+  std::vector<std::string> overrides;
+  if (GetParam() % 4 == 0) overrides.emplace_back("Time/timestep_multiplier=5");
+  const Deck deck = load_deck_text(xml, c.name, overrides, sluice_schema());
   ScratchFolder scratch;
   const RunReport plain = carry_out(deck, scratch / "plain");
   ASSERT_EQ(plain.message, "");
