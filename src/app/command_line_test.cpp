@@ -102,5 +102,47 @@ TEST(CommandLine, OverridesReachTheCheck) {
   EXPECT_EQ(run("check --set CFD/cfl= " + deck).status, 2);
 }
 
+// A run that would be long if it started.
+const std::string long_run =
+    "run " SLUICE_SOURCE_DIR "/inputs/ice/riemann_sod.ups --no-output --progress none ";
+
+TEST(CommandLine, LimitsThatLimitNothingAreBadInput) {
+  for (const char* steps : {"-3", "0"}) {
+    const Outcome outcome = run(long_run + "--max-steps " + steps);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.text, HasSubstr(std::string("--max-steps is ") + steps));
+    EXPECT_THAT(outcome.text, HasSubstr("at least 1"));
+  }
+  for (const char* seconds : {"-1", "0", "nan"}) {
+    const Outcome outcome = run(long_run + "--wall-limit " + seconds);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.text, HasSubstr("greater than 0"));
+  }
+  EXPECT_EQ(run(long_run + "--max-steps 1 --wall-limit 1000").status, 0);
+}
+
+TEST(CommandLine, AStepBelongsToARestart) {
+  const Outcome outcome = run(long_run + "--step 5");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("--restart"));
+}
+
+TEST(CommandLine, TheReportGoesToStandardOutputAlone) {
+  const std::string deck = SLUICE_SOURCE_DIR "/inputs/ice/riemann_sod.ups";
+  const Outcome outcome = run("run " + deck + " --no-output --max-steps 2 --json -");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(outcome.text).at("steps"), 2);
+  EXPECT_EQ(run("run " + deck + " --no-output --max-steps 2 --json - --costs").status, 2);
+}
+
+TEST(CommandLine, AReportThatCannotBeWrittenFailsBeforeTheRun) {
+  const Outcome outcome = run("run " SLUICE_SOURCE_DIR
+                              "/inputs/ice/riemann_sod.ups --no-output --progress plain --json "
+                              "/nosuch/folder/run.json");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.text, HasSubstr("/nosuch/folder/run.json"));
+  EXPECT_THAT(outcome.text, ::testing::Not(HasSubstr("Timestep")));
+}
+
 }  // namespace
 }  // namespace sluice

@@ -3,15 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/effect_table.hpp"
 #include "app/option_values.hpp"
 #include "app/run_ending.hpp"
 #include "app/scene_loader.hpp"
+#include "app/text_sink.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/run/simulation.hpp"
 #include "sluice_version.hpp"
@@ -23,8 +24,9 @@ struct Options {
   std::string deck, restart, json, progress = "auto", boxes, block;
   std::string parent = ".";
   std::vector<std::string> overrides;
-  int threads = 1, step = -1, max_steps = 0;
-  double wall_limit = 0;
+  int threads = 1;
+  std::optional<int> step, max_steps;
+  std::optional<double> wall_limit;  // seconds
   bool force_all = false, force_directions = false, no_output = false, copy = false, quiet = false;
   bool costs = false, plot = false;
 };
@@ -43,12 +45,33 @@ std::string deck_file(const Options& o) {
   return kept.string();
 }
 
-void write_json(const std::string& file, const RunReport& report) {
-  std::ofstream out(file);
-  out << to_json(report).dump(2) << "\n";
-  out.flush();
-  if (!out)
-    throw SystemError(fmt::format("cannot write {}; is its folder there and writable?", file));
+void check_numbers(const Options& o) {
+  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  if (o.max_steps && *o.max_steps < 1)
+    throw InputError(fmt::format(
+        "--max-steps is {}; it takes a step number of at least 1 (leave it out for no limit)",
+        *o.max_steps));
+  if (o.wall_limit && !(*o.wall_limit > 0))
+    throw InputError(fmt::format(
+        "--wall-limit is {:g}; it takes seconds greater than 0 (leave it out for no limit)",
+        *o.wall_limit));
+  if (o.step && o.restart.empty())
+    throw InputError("--step names a checkpoint of an archive; give that archive with --restart");
+  if (o.step && *o.step < 0)
+    throw InputError(
+        fmt::format("--step is {}; it takes the number of a checkpoint's step, which "
+                    "sluice info lists",
+                    *o.step));
+  if (o.json == "-" && (o.costs || o.plot))
+    throw InputError(
+        "--json - leaves no room on standard output for --costs and --plot; name a "
+        "file, or leave them out (the report holds the costs)");
+}
+
+// The report alone on standard output, so that a program can read it.
+ProgressMode progress_of(const Options& o) {
+  const ProgressMode asked = progress_mode_from(o.progress);
+  return o.json == "-" ? ProgressMode::none : asked;
 }
 
 // Rank 0, the archive complete.
@@ -67,7 +90,7 @@ void tell_end(const Options& o, const RunReport& report, ProgressMode progress) 
 }
 
 int run_on(Communicator& ranks, const Options& o) {
-  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  check_numbers(o);
   SceneOptions scene_options;
   scene_options.ranks = ranks.size();
   scene_options.boxes = positive_triple(o.boxes, "--boxes");
@@ -79,19 +102,25 @@ int run_on(Communicator& ranks, const Options& o) {
   options.output = !o.no_output;
   options.threads = o.threads;
   options.force_all = o.force_all;
-  options.limits.max_steps = o.max_steps;
-  options.limits.wall_seconds = o.wall_limit;
-  options.progress = progress_mode_from(o.progress);
+  options.limits.max_steps = o.max_steps.value_or(0);
+  options.limits.wall_seconds = o.wall_limit.value_or(0);
+  options.progress = progress_of(o);
   options.program = std::string("sluice ") + version::kText;
   options.deck_xml = to_xml(*loaded->deck.root);
   options.restart = o.restart;
-  options.restart_step = o.step;
+  options.restart_step = o.step.value_or(-1);
   options.copy_earlier = o.copy;
   options.block = positive_triple(o.block, "--block");
+  // Opened before the run: a path that cannot be written must not cost a run.
+  std::optional<TextSink> json;
+  if (ranks.is_root() && !o.json.empty()) json.emplace(o.json);
   Simulation simulation(loaded->scene, *loaded->component, ranks, options);
   const RunReport report = simulation.run();
   if (ranks.is_root()) {
-    if (!o.json.empty()) write_json(o.json, report);
+    if (json) {
+      json->write(to_json(report).dump(2) + "\n");
+      json->close();
+    }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
   }
@@ -130,7 +159,8 @@ void add_run_command(CLI::App& app, int& exit_status) {
   command->add_option("--step", o->step, "With --restart: from the checkpoint of this step");
   command->add_flag("--copy", o->copy,
                     "With --restart: copy earlier outputs, do not refer to them");
-  command->add_option("--json", o->json, "Write the report of the run to this file");
+  command->add_option("--json", o->json,
+                      "Write the report of the run to this file; -: to standard output");
   command->add_option("--progress", o->progress, "auto, plain or none");
   command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
