@@ -104,7 +104,28 @@ void Simulation::set_totals(bool at_start) {
   set(energy);
 }
 
+namespace {
+
+// A checkpoint continues on its own grid only.
+void check_same_grid(const Level& now, const ArchiveStep& checkpoint) {
+  const Level& then = checkpoint.grid().levels.front();
+  auto differs = [&](const char* what) {
+    throw InputError(fmt::format(
+        "{} holds a grid of [{}, {}, {}] cells with another {} than the deck's [{}, {}, {}]: a "
+        "restart goes on with the same grid; leave Grid out of --set",
+        checkpoint.folder().string(), then.domain.size().x, then.domain.size().y,
+        then.domain.size().z, what, now.domain.size().x, now.domain.size().y, now.domain.size().z));
+  };
+  if (!(then.domain == now.domain)) differs("number of cells");
+  if (!(then.anchor == now.anchor)) differs("lower corner");
+  if (!(then.spacing == now.spacing)) differs("spacing");
+  if (then.periodic != now.periodic) differs("periodicity");
+}
+
+}  // namespace
+
 void Simulation::restart_from(const ArchiveStep& checkpoint) {
+  check_same_grid(scene_.grid.levels.front(), checkpoint);
   Warehouse& state = solver_.state();
   const std::vector<SlotInfo> slots = component_.state_slots();
   const std::vector<std::vector<Label>> labels = component_.checkpoint_labels();
@@ -277,8 +298,7 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
   if (analysis_.sample(plan.step, plan.end)) ghosts_filled_ = true;
   if (plan.output || end.checkpoint) analysis_.flush();
-  if (output_->writes_histories(plan.step))
-    output_->write_histories(plan.step, plan.end, totals());
+  if (output_->writes_histories(plan.step)) output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) {
     output_->write_output(step_info(), false);
     ghosts_filled_ = true;
@@ -327,8 +347,9 @@ void Simulation::write_last_good_checkpoint() {
 
 RunReport Simulation::run() {
   start();
+  status_ = time_.status();
   try {
-    while (step()) {
+    while (status_ == RunStatus::running && step()) {
     }
   } catch (const PhysicsError& e) {
     status_ = RunStatus::failed;
