@@ -19,8 +19,26 @@ BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, cons
       continue;
     for (const BoundaryRegion& region : scene.boundary.side(side).regions)
       rules_[n].push_back(make_rule(region, material.index, d));
+    has_walls_[n] = std::any_of(rules_[n].begin(), rules_[n].end(),
+                                [](const GhostRule& r) { return r.mirrored(); });
     regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
   }
+}
+
+const GhostRule& BoundaryFill::rule(Side side, IntVec3 cell) const {
+  const int d = direction_of(side);
+  const IndexBox& domain = level_->domain;
+  for (int e = 0; e < 3; ++e) {
+    if (e == d) continue;
+    const int size = domain.size()[e];
+    if (level_->periodic[static_cast<std::size_t>(e)])
+      cell[e] = domain.lower[e] + ((cell[e] - domain.lower[e]) % size + size) % size;
+    else
+      cell[e] = std::clamp(cell[e], domain.lower[e], domain.upper[e] - 1);
+  }
+  const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
+  const auto n = static_cast<std::size_t>(side);
+  return rules_[n][static_cast<std::size_t>(regions_[n]->region(cell[a], cell[b]))];
 }
 
 IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_width,
@@ -163,13 +181,8 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
   v.energy = state.view(state.find(slots_.energy, slots_.material), 0, box);
   for (int c = 0; c < state.info(slot_m).components; ++c)
     v.momentum.push_back(state.view(slot_m, c, box));
-  const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
   auto one = [&](IntVec3 ghost) {
-    IntVec3 inside = ghost;
-    for (int e : {a, b})
-      inside[e] = std::clamp(ghost[e], level_->domain.lower[e], level_->domain.upper[e] - 1);
-    const int region = regions_[n]->region(inside[a], inside[b]);
-    const SideRules rules{*this, rules_[n][static_cast<std::size_t>(region)], d, plus};
+    const SideRules rules{*this, rule(side, ghost), d, plus};
     const IntVec3 source = source_cell(ghost, d, plus, rules.rule.mirrored(), level_->domain);
     if (rules.rule.plain() && gravity_[d] == 0)
       rules.plain(v, ghost, source);

@@ -5,7 +5,8 @@
 //
 //   symmetry, free-slip wall   mirror, normal velocity negated
 //   velocity Dirichlet with no normal component: a wall; the state is mirrored, the tangential
-//     velocity about the wall's (viscous) or plainly (inviscid)
+//     velocity about the wall's (viscous) or plainly (inviscid). Density and temperature of a wall
+//     act through heat conduction only: without it they change nothing
 //   velocity Dirichlet with a normal component: prescribed
 //   Neumann q: the nearest interior cell minus q times the distance (0: a copy)
 //   pressure and density: Dirichlet values; where temperature and density are given but not the
@@ -62,7 +63,14 @@ class BoundaryFill {
   // The same for one slot that is simply copied outward (masks).
   void copy_outward(Warehouse& state, Label label, int material) const;
 
+  // Walls let nothing pass: the face solver sets u_f = 0 there, whatever the ghosts hold.
+  bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
+  // `cell`: any cell with the transverse indices of the face.
+  bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
+
  private:
+  // The rule for a boundary face; beyond the domain that of its image or of the nearest face.
+  const GhostRule& rule(Side side, IntVec3 cell) const;
   struct SideRules;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
   // Does the order in which these sides fill a ghost matter?
@@ -79,6 +87,7 @@ class BoundaryFill {
   const Level* level_;
   std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
+  std::array<bool, 6> has_walls_{};
 };
 
 }  // namespace sluice::ice

@@ -44,6 +44,18 @@ void scalar(const BoundaryRegion& region, int material, const char* variable, bo
 
 }  // namespace
 
+namespace {
+
+// What a wall does to the gas does not depend on its density and temperature (no conduction yet).
+GhostRule wall(GhostRule::Velocity kind, Vec3 velocity) {
+  GhostRule rule;
+  rule.velocity_kind = kind;
+  rule.velocity = velocity;
+  return rule;
+}
+
+}  // namespace
+
 GhostRule make_rule(const BoundaryRegion& region, int material, int normal) {
   GhostRule rule;
   scalar(region, material, "Density", rule.fixed_density, rule.density, rule.density_gradient);
@@ -64,8 +76,7 @@ GhostRule make_rule(const BoundaryRegion& region, int material, int normal) {
       return rule;
     case ConditionKind::symmetry:
     case ConditionKind::free_slip_wall:
-      rule.velocity_kind = GhostRule::Velocity::mirror;
-      return rule;
+      return wall(GhostRule::Velocity::mirror, {});
     default:
       refuse(*u);
   }

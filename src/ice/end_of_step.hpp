@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "framework/task/reductions.hpp"
 #include "ice/conservative/variables.hpp"
@@ -13,7 +14,9 @@
 
 namespace sluice::ice {
 
-// A row that must be above zero everywhere, and what a fault of it is called.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A row that must be above zero and finite everywhere, and what a fault of it is called.
 struct PositiveRow {
   const double* values = nullptr;
   FaultKind kind = fault_density;
@@ -30,13 +33,13 @@ void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveR
   int bad = 0;
   for (int i = 0; i < n; ++i) {
     bool good = true;
-    for (std::size_t k = 0; k < N; ++k) good = good & (q[k][i] > 0.0);
+    for (std::size_t k = 0; k < N; ++k) good = good & (q[k][i] > 0.0) & (q[k][i] < infinity);
     bad += !good;
   }
   if (bad == 0) return;
   for (int i = 0; i < n; ++i)
     for (const PositiveRow& r : rows) {
-      if (r.values[i] > 0.0) continue;
+      if (r.values[i] > 0.0 && r.values[i] < infinity) continue;
       CellFault f;
       f.cell = row.cell();
       f.cell[axes.direction[0]] += i;

@@ -114,6 +114,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   boundary_ = std::make_unique<BoundaryFill>(scene, ice_.materials.front(), slots);
+  options_.boundary = boundary_.get();
 }
 
 std::vector<SlotInfo> Ice::state_slots() const {
@@ -180,22 +181,29 @@ bool Ice::quiet_blocks_allowed() const {
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
             energy = state.find(labels().energy, 0);
+  double dx_g = 0;
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const int d = options_.axes.direction[a];
+    dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
+  }
+  const double gravity_speed = std::sqrt(dx_g);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const double rho = r(cell);
       const double c = options_.gas.sound_speed(rho, options_.gas.pressure(rho, E(cell)));
-      double deck = 0, deck_sum = 0, flow = 0, sound = 0;
+      double deck = 0, outflow = 0, flow = 0, sound = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];
         const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho;
+        const double margin = options_.sound_speed_knob * c + gravity_speed;
+        outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx;
         const double deck_rate = (u + options_.sound_speed_knob * c) / dx;
         deck = std::max(deck, deck_rate);
-        deck_sum += deck_rate;
         flow += u / dx;
         sound = std::max(sound, (u + c) / dx);
       }
-      const double rate = options_.conservative_time_step ? deck_sum : deck;
+      const double rate = options_.conservative_time_step ? outflow : deck;
       rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
       rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
       rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
@@ -223,10 +231,8 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
   at_most(sound_share / maxima[StepSlots::sound_rate],
-          options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
-                           : "scheme: 0.8 dx/(|u| + c)");
-  at_most(options_.cfl / maxima[StepSlots::diffusion_rate],
-          "deck: cfl rho/(2 knob mu sum 1/dx^2)");
+          options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)" : "scheme: 0.8 dx/(|u| + c)");
+  at_most(options_.cfl / maxima[StepSlots::diffusion_rate], "deck: cfl rho/(2 knob mu sum 1/dx^2)");
   return limit;
 }
 

@@ -15,15 +15,16 @@ struct ImpulseHandles {
 };
 
 struct ImpulseConstants {
-  double l[3] = {0, 0, 0};     // dt/dx by axis
+  double l[3] = {0, 0, 0};     // dt/dx by component; the first are the axes
   double kick[3] = {0, 0, 0};  // dt g by component
 };
 
 inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {
   ImpulseConstants s;
-  for (int a = 0; a < o.axes.count; ++a) s.l[a] = step.dt / step.spacing[o.axes.direction[a]];
-  for (int c = 0; c < o.components; ++c)
+  for (int c = 0; c < o.components; ++c) {
+    s.l[c] = step.dt / step.spacing[o.direction[static_cast<std::size_t>(c)]];
     s.kick[c] = o.gravity_on ? step.dt * o.gravity[o.direction[static_cast<std::size_t>(c)]] : 0.0;
+  }
   return s;
 }
 

@@ -3,8 +3,9 @@
 //   u_f = (rho_a u_a + rho_b u_b)/(rho_a + rho_b) - 2 l (p_b - p_a)/(rho_a + rho_b) + dt g
 //   p_f = (rho_a p_b + rho_b p_a)/(rho_a + rho_b)          with p the pressure after its change
 // Both means are written as the plain mean plus half the difference times a weight, so that equal
-// values give their own bits and mirrored states mirrored ones.
+// values give their own bits and mirrored states mirrored ones. On a wall u_f = 0.
 #include "ice/classic/variables.hpp"
+#include "ice/wall_faces.hpp"
 
 namespace sluice::ice::classic {
 namespace {
@@ -66,6 +67,8 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
       velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity);
+      double* uf = row(h.face_velocity);
+      for_each_wall_face(row, o, axis, [&](int i, bool) { uf[i] = 0.0; });
     });
   }
 }

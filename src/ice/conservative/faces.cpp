@@ -12,9 +12,11 @@
 // phi takes the dissipation away where the jump of velocity is neither acoustic nor a shock:
 //   phi = min(1, (2|p_b-p_a| + rbar D^2)/(rcbar D)),  D = max(|du|, |u_b-u_a|).
 // Under gravity p_L and p_R are hydrostatic extensions of the cell values, p_b - p_a the deviation
-// from hydrostatic balance.
+// from hydrostatic balance; what P took for the flow along the hydrostatic part is given back. On a
+// wall the cell inside meets its own mirror image: u_f = 0 to the bit, whatever the ghosts hold.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
+#include "ice/wall_faces.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -51,62 +53,105 @@ inline FaceState solve_face(double uL, double pL, double uR, double pR, double r
           (zR * pL + zL * pR) * w + phi * (zL * zR * du * w)};
 }
 
+struct FaceConstants {
+  double half_courant = 0;  // h = dt/(2 dx)
+  double g_dx = 0;
+  double shock_slope = 1;
+};
+
+// Rows of the two cells of each face: a on the low side, b on the high side.
 template <int D, bool Second, bool Gravity>
-void face_row(const Row& row, const Handles& h, int axis, double half_courant, double g_dx,
-              const eos::IdealGas& gas) {
-  const int n = row.count();
-  auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
-  const double* __restrict ra = a(h.rho);
-  const double* __restrict rb = row(h.rho);
-  const double* __restrict wa = a(h.inverse_rho);
-  const double* __restrict wb = row(h.inverse_rho);
-  const double* __restrict ca = a(h.sound);
-  const double* __restrict cb = row(h.sound);
-  const double* __restrict ua = a(h.velocity, axis);
-  const double* __restrict ub = row(h.velocity, axis);
-  const double* __restrict pa = a(h.pressure);
-  const double* __restrict pb = row(h.pressure);
-  const double* __restrict sua = Second ? a(h.velocity_slope, axis) : ua;
-  const double* __restrict sub = Second ? row(h.velocity_slope, axis) : ub;
-  const double* __restrict spa = Second ? a(h.pressure_slope, axis) : pa;
-  const double* __restrict spb = Second ? row(h.pressure_slope, axis) : pb;
-  const double* __restrict Pa = Second ? a(h.predicted) : pa;
-  const double* __restrict Pb = Second ? row(h.predicted) : pb;
-  const double* __restrict UTa = Second && D > 1 ? a(h.transverse, axis) : ua;
-  const double* __restrict UTb = Second && D > 1 ? row(h.transverse, axis) : ub;
+struct FaceRows {
+  const double *ra, *rb, *wa, *wb, *ca, *cb, *ua, *ub, *pa, *pb;
+  const double *sua, *sub, *spa, *spb, *Pa, *Pb, *UTa, *UTb;
+  FaceConstants k;
+
+  FaceRows(const Row& row, const Handles& h, int axis, const FaceConstants& constants)
+      : k(constants) {
+    auto both = [&](In in, int c, const double*& a, const double*& b) {
+      a = row(in, c, axis, -1);
+      b = row(in, c);
+    };
+    both(h.rho, 0, ra, rb);
+    both(h.inverse_rho, 0, wa, wb);
+    both(h.sound, 0, ca, cb);
+    both(h.velocity, axis, ua, ub);
+    both(h.pressure, 0, pa, pb);
+    if constexpr (Second) {
+      both(h.velocity_slope, axis, sua, sub);
+      both(h.pressure_slope, axis, spa, spb);
+      both(h.predicted, 0, Pa, Pb);
+      if constexpr (D > 1) both(h.transverse, axis, UTa, UTb);
+    }
+  }
+
+  FaceState left(int i) const {
+    double u = ua[i], p = pa[i];
+    if constexpr (Second) {
+      u = ua[i] + 0.5 * sua[i] - k.half_courant * wa[i] * spa[i];
+      p = Pa[i] + 0.5 * spa[i];
+      if constexpr (D > 1) {
+        u -= UTa[i];
+        p = Pa[i] + (0.5 + k.half_courant * ua[i]) * spa[i];
+        if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i]);
+      }
+      p = larger(p, 0.1 * pa[i]);
+    }
+    if constexpr (Gravity) p += 0.5 * k.g_dx * ra[i];
+    return {u, p};
+  }
+  FaceState right(int i) const {
+    double u = ub[i], p = pb[i];
+    if constexpr (Second) {
+      u = ub[i] - 0.5 * sub[i] - k.half_courant * wb[i] * spb[i];
+      p = Pb[i] - 0.5 * spb[i];
+      if constexpr (D > 1) {
+        u -= UTb[i];
+        p = Pb[i] - (0.5 - k.half_courant * ub[i]) * spb[i];
+        if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i]);
+      }
+      p = larger(p, 0.1 * pb[i]);
+    }
+    if constexpr (Gravity) p -= 0.5 * k.g_dx * rb[i];
+    return {u, p};
+  }
+  FaceState solve(int i) const {
+    const FaceState L = left(i), R = right(i);
+    double p_jump = pb[i] - pa[i];
+    if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]);
+    return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], k.shock_slope, ub[i] - ua[i],
+                      p_jump);
+  }
+  // A wall on the face: the cell inside meets its own mirror image, and nothing passes.
+  FaceState at_wall(int i, bool plus) const {
+    const FaceState in = plus ? left(i) : right(i);
+    const double towards = plus ? in.u : -in.u;
+    const double cell = plus ? ua[i] : -ub[i];
+    const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
+    const FaceState f =
+        solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, k.shock_slope, -2.0 * cell, 0.0);
+    return {0.0, f.p};
+  }
+};
+
+template <int D, bool Second, bool Gravity>
+void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k,
+              const SchemeOptions& o) {
+  const FaceRows<D, Second, Gravity> rows(row, h, axis, k);
   double* __restrict uf = row(h.face_velocity);
   double* __restrict pf = row(h.face_pressure);
-  const double slope = gas.shock_slope();
-  const double hc = half_courant;
+  const int n = row.count();
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    double uL = ua[i], uR = ub[i], pL = pa[i], pR = pb[i];
-    double p_jump = pb[i] - pa[i];
-    if constexpr (Second) {
-      uL = ua[i] + 0.5 * sua[i] - hc * wa[i] * spa[i];
-      uR = ub[i] - 0.5 * sub[i] - hc * wb[i] * spb[i];
-      if constexpr (D > 1) {
-        uL -= UTa[i];
-        uR -= UTb[i];
-        pL = Pa[i] + (0.5 + hc * ua[i]) * spa[i];
-        pR = Pb[i] - (0.5 - hc * ub[i]) * spb[i];
-      } else {
-        pL = Pa[i] + 0.5 * spa[i];
-        pR = Pb[i] - 0.5 * spb[i];
-      }
-      pL = larger(pL, 0.1 * pa[i]);
-      pR = larger(pR, 0.1 * pb[i]);
-    }
-    if constexpr (Gravity) {
-      pL += 0.5 * g_dx * ra[i];
-      pR -= 0.5 * g_dx * rb[i];
-      p_jump -= 0.5 * g_dx * (ra[i] + rb[i]);
-    }
-    const FaceState f =
-        solve_face(uL, pL, uR, pR, ra[i], rb[i], ca[i], cb[i], slope, ub[i] - ua[i], p_jump);
+    const FaceState f = rows.solve(i);
     uf[i] = f.u;
     pf[i] = f.p;
   }
+  for_each_wall_face(row, o, axis, [&](int i, bool plus) {
+    const FaceState f = rows.at_wall(i, plus);
+    uf[i] = f.u;
+    pf[i] = f.p;
+  });
 }
 
 }  // namespace
@@ -135,16 +180,18 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double dx = row.step().spacing[direction];
-        const double hc = 0.5 * row.step().dt / dx;
-        const double g_dx = o.gravity[direction] * dx;
+        FaceConstants k;
+        k.half_courant = 0.5 * row.step().dt / dx;
+        k.g_dx = o.gravity[direction] * dx;
+        k.shock_slope = o.gas.shock_slope();
         if (o.second_order && o.gravity_on)
-          face_row<D, true, true>(row, h, axis, hc, g_dx, o.gas);
+          face_row<D, true, true>(row, h, axis, k, o);
         else if (o.second_order)
-          face_row<D, true, false>(row, h, axis, hc, g_dx, o.gas);
+          face_row<D, true, false>(row, h, axis, k, o);
         else if (o.gravity_on)
-          face_row<D, false, true>(row, h, axis, hc, g_dx, o.gas);
+          face_row<D, false, true>(row, h, axis, k, o);
         else
-          face_row<D, false, false>(row, h, axis, hc, g_dx, o.gas);
+          face_row<D, false, false>(row, h, axis, k, o);
       });
     });
   }

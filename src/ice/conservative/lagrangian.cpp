@@ -94,6 +94,7 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bo
     u[d] = row(h.velocity, d);
     dp[d] = row(h.forces.impulse, d);
   }
+  for (int c = D; c < C; ++c) u[c] = row(h.velocity, c);
   double* __restrict iJ = row(h.inverse_J);
   double* __restrict rL = row(h.rho_L);
   double* __restrict EL = row(h.energy_L);
@@ -109,6 +110,10 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bo
       work += s.l[d] * (pp[d][i] * (up[d][i] - ub) - pm[d][i] * (um[d][i] - ub));
       out += s.l[d] * (larger(0.0, up[d][i]) + larger(0.0, -um[d][i]));
     }
+    // Carried components flow out too, as they would if their direction were swept.
+    double carried = 0;
+    for (int c = D; c < C; ++c) carried += s.l[c] * std::fabs(u[c][i]);
+    if constexpr (C > D) out += carried;
     iJ[i] = 1.0 / (1.0 + stretch);
     Es[i] = E[i] - work;
     rL[i] = r[i] * iJ[i];

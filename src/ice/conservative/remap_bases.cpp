@@ -1,7 +1,7 @@
 // Step 7 (2-D and 3-D): what each cell offers to the remap along axis d.
 //
 //   base_d(q) = q_L - sum_{t != d} [ h_t u_t L3_t(q) - put_t(q) ]
-//   put_t: + h rho su_t for rho; + h (E + p) su_t for E; + (h/rho) sp_t for u_t only
+//   put_t: + h rho su_t for rho; + h (E + p) su_t for E; + h (sp_t/rho + g_t dx_t) for u_t only
 // The terms put half of the transverse Lagrangian change back, so that the face value is that of
 // the middle of the step; without them the order falls to one. rho and E are floored at a tenth
 // of their Lagrangian value.
@@ -39,6 +39,7 @@ struct Context {
   int n;
   double h[3];
   const double* u[3];  // transverse velocities
+  double g_dx[3];      // of each axis
   const double* mask;  // may be null
 };
 
@@ -75,14 +76,16 @@ void write_bases(const Context& x, const double* __restrict L, double* const* ou
 }
 
 template <int D, int C, bool Masked>
-void base_rows(const Row& row, const Handles& h, const Axes& axes) {
+void base_rows(const Row& row, const Handles& h, const Axes& axes, Vec3 gravity) {
   Context x;
   x.n = row.count();
   x.mask = Masked ? row(h.mask) : nullptr;
   const double* su[3];
   const double* sp[3];
   for (int t = 0; t < D; ++t) {
-    x.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+    const double dx = row.step().spacing[axes.direction[t]];
+    x.h[t] = 0.5 * row.step().dt / dx;
+    x.g_dx[t] = gravity[axes.direction[t]] * dx;
     x.u[t] = row(h.velocity, t);
     su[t] = row(h.velocity_slope, t);
     sp[t] = row(h.pressure_slope, t);
@@ -107,7 +110,7 @@ void base_rows(const Row& row, const Handles& h, const Axes& axes) {
     outputs(2 + c, out);
     const Quantity u = quantity<D>(row, h.velocity, c);
     write_bases<D, Masked>(x, row(h.velocity_L, c), out, 0.0, [&](int t, int i) {
-      const double put = t == c ? x.h[t] * w[i] * sp[t][i] : 0.0;
+      const double put = t == c ? x.h[t] * (w[i] * sp[t][i] + x.g_dx[t]) : 0.0;
       return advected(u, x, t, i) - put;
     });
   }
@@ -132,13 +135,14 @@ void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptio
   h.velocity_L = task.read(v.velocity_L);
   for (int d = 0; d < o.axes.count; ++d)
     h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
+  const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
         if (o.masked)
-          base_rows<D, C, true>(row, h, o.axes);
+          base_rows<D, C, true>(row, h, o.axes, gravity);
         else
-          base_rows<D, C, false>(row, h, o.axes);
+          base_rows<D, C, false>(row, h, o.axes, gravity);
       });
   });
 }

@@ -5,7 +5,7 @@
 //   UT_d = sum_{t != d} h_t u_t L3_t(u_d)                           (2-D and 3-D)
 // with h = dt/(2 dx). Under gravity the pressure differences are taken from the discrete
 // hydrostatic balance p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2, so that a column at rest has
-// no slope.
+// no slope; the flow carries the whole pressure, sp_d + g dx rho.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 
@@ -66,7 +66,7 @@ void transverse_row(const Row& row, const Handles& h, int d, const double* half_
 }
 
 template <int D>
-void predict_row(const Row& row, const Handles& h, const double* half_courant) {
+void predict_row(const Row& row, const Handles& h, const double* half_courant, const double* g_dx) {
   const int n = row.count();
   const double* __restrict r = row(h.rho);
   const double* __restrict p = row(h.pressure);
@@ -88,9 +88,10 @@ void predict_row(const Row& row, const Handles& h, const double* half_courant) {
     if constexpr (D > 2) compression += half_courant[2] * su[2][i];
     double change = r[i] * (c[i] * c[i]) * compression;
     if constexpr (D > 1) {
-      double advection =
-          half_courant[0] * u[0][i] * sp[0][i] + half_courant[1] * u[1][i] * sp[1][i];
-      if constexpr (D > 2) advection += half_courant[2] * u[2][i] * sp[2][i];
+      // The whole slope: deviation and hydrostatic part.
+      double advection = half_courant[0] * u[0][i] * (sp[0][i] + g_dx[0] * r[i]) +
+                         half_courant[1] * u[1][i] * (sp[1][i] + g_dx[1] * r[i]);
+      if constexpr (D > 2) advection += half_courant[2] * u[2][i] * (sp[2][i] + g_dx[2] * r[i]);
       change += advection;
     }
     P[i] = p[i] - change;
@@ -127,19 +128,20 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      double half_courant[3] = {0, 0, 0};
-      for (int d = 0; d < D; ++d)
-        half_courant[d] = 0.5 * row.step().dt / row.step().spacing[o.axes.direction[d]];
+      double half_courant[3] = {0, 0, 0}, g_dx[3] = {0, 0, 0};
       for (int d = 0; d < D; ++d) {
-        const int direction = o.axes.direction[d];
-        const double dx = row.step().spacing[direction];
+        const double dx = row.step().spacing[o.axes.direction[d]];
+        half_courant[d] = 0.5 * row.step().dt / dx;
+        g_dx[d] = o.gravity_on ? o.gravity[o.axes.direction[d]] * dx : 0.0;
+      }
+      for (int d = 0; d < D; ++d) {
         slope_row(row.count(), row(h.velocity, d, d, -1), row(h.velocity, d),
                   row(h.velocity, d, d, 1), row(h.velocity_slope, d));
-        pressure_slope_row<D>(row, h, d, o.gravity[direction] * dx, o.gravity_on);
+        pressure_slope_row<D>(row, h, d, g_dx[d], o.gravity_on);
         if constexpr (D > 1) transverse_row<D>(row, h, d, half_courant);
       }
       if (o.masked) mask_rows<D>(row, h);
-      predict_row<D>(row, h, half_courant);
+      predict_row<D>(row, h, half_courant, g_dx);
     });
   });
 }

@@ -11,6 +11,8 @@
 
 namespace sluice::ice {
 
+class BoundaryFill;
+
 struct SchemeOptions {
   Axes axes;
   int components = 1;                     // of momentum, axes.count <= components <= 3
@@ -19,17 +21,18 @@ struct SchemeOptions {
   bool classic = false;  // the classic form, see classic/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
-  bool masked = false;          // a redo: slopes vanish where the mask says so
-  double sound_speed_knob = 1;  // weight of c in the deck's time-step rule
-  Vec3 gravity{};               // m/s^2
+  bool masked = false;            // a redo: slopes vanish where the mask says so
+  double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
+  Vec3 gravity{};                 // m/s^2
   bool gravity_on = false;
   double viscosity = 0;  // dynamic, Pa s; 0: no stress
   bool viscous = false;
-  double diffusion_knob = 1;    // weight of the viscous time-step rule
+  double diffusion_knob = 1;            // weight of the viscous time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;
   IndexBox domain;  // cells of the physical domain
   std::array<bool, 3> periodic{};
+  const BoundaryFill* boundary = nullptr;  // knows the walls
 };
 
 struct SchemeVariables {
@@ -47,17 +50,17 @@ struct SchemeVariables {
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
-  VariableId pressure_change;  // of the classic form; elsewhere that of the whole step
+  VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
 };
 
 // What the reductions of a step hold.
 struct StepSlots {
-  static constexpr int deck_rate = 0;   // max of sum or max of (|u| + knob c)/dx: 1/s
-  static constexpr int flow_rate = 1;   // max of sum |u|/dx
-  static constexpr int sound_rate = 2;  // max of (|u| + c)/dx
-  static constexpr int diffusion_rate = 3; // max of 2 knob mu/rho sum 1/dx^2
+  static constexpr int deck_rate = 0;       // max of sum or max of (|u| + knob c)/dx: 1/s
+  static constexpr int flow_rate = 1;       // max of sum |u|/dx
+  static constexpr int sound_rate = 2;      // max of (|u| + c)/dx
+  static constexpr int diffusion_rate = 3;  // max of 2 knob mu/rho sum 1/dx^2
   static constexpr int maxima = 4;
   // Exact sums: what came in through the boundary in this step.
   static constexpr int mass = 0;
