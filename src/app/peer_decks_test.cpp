@@ -25,6 +25,7 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/ICE/rayleigh.ups", "there is no variable 'press_force'"},
     {"inputs/MPM/1603grains.ups", "label '12' is already that of"},
     {"inputs/MPM/2380grains_64.1.ups", "label '1' is already that of"},
+    {"inputs/MPM/GranularMPM/Silo_empty03_ConialHopper03.ups", "leads out of the folder"},
     {"inputs/MPM/GranularMPM/Silo_empty_MPM_ConialHopper.ups", "XML: StartTag"},
     {"inputs/MPM/GranularMPM/Y_Pipe_05.ups", "does not exist"},
     {"inputs/MPM/Scripts/CylGen/TestCylGen.ups", "included file 'Test2D.xml' does not exist"},

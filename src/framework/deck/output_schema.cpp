@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/nearest_name.hpp"
@@ -84,6 +85,21 @@ void add_output_tags(Schema& schema) {
                    .by_default("false"),
                tag("simTime", "lines of .dat files hold the time").boolean().by_default("true")}));
   schema.rules.emplace_back(check_checkpoint);
+  schema.rules.emplace_back(check_filebase);
+}
+
+// An archive's folder must stay within the folder that the user chose for it.
+void check_filebase(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* node = root.find("DataArchiver/filebase");
+  if (node == nullptr) return;
+  const std::filesystem::path base = node->text;
+  const bool climbs =
+      std::any_of(base.begin(), base.end(), [](const auto& p) { return p == ".."; });
+  if (!climbs && !base.is_absolute()) return;
+  faults.push_back({Severity::error, node->where,
+                    fmt::format("<filebase> {} leads out of the folder of the run's archives",
+                                in_quotes(node->text)),
+                    "name the archive alone, as run.uda, and its parent folder with -o"});
 }
 
 void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
