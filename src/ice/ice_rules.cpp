@@ -69,6 +69,27 @@ void check_material_indices(const DeckNode& root, int count, std::vector<Fault>&
   }
 }
 
+// Levels named in <save>; -1 is the finest, -2 the next coarser one.
+void check_saved_levels(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* grid = root.child("Grid");
+  const DeckNode* archiver = root.child("DataArchiver");
+  if (grid == nullptr || archiver == nullptr) return;
+  const auto refined = integer_of(root.find("AMR/Regridder"), "max_levels");
+  const int count = std::max(static_cast<int>(grid->all("Level").size()), refined.value_or(1));
+  for (const DeckNode* save : archiver->all("save")) {
+    const auto set = parse_index_set(save->attribute("levels").value_or(""));
+    if (!set) continue;
+    for (const IndexInterval& interval : *set.value) {
+      if (interval.low >= -count && interval.high < count) continue;
+      const int missing = interval.high < count ? interval.low : interval.high;
+      warn(faults, *save,
+           fmt::format("<save levels>: there is no level {}: the deck has {}, counted from 0",
+                       missing, count),
+           "remove levels to save on all");
+    }
+  }
+}
+
 void check_pressure(const DeckNode& material, const DeckNode& object, std::vector<Fault>& faults) {
   const auto gamma = real_of(&material, "gamma");
   const auto cv = real_of(&material, "specific_heat");
@@ -157,6 +178,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
     }
   }
   check_material_indices(root, static_cast<int>(materials.size()), faults);
+  check_saved_levels(root, faults);
   const auto names = material_names(root);
   const auto count = static_cast<int>(materials.size());
   const DeckNode* analysis = root.child("DataAnalysis");
