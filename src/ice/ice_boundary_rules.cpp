@@ -32,9 +32,13 @@ std::string face_name(const DeckNode& face) {
   return "Face";
 }
 
+bool is_label(const std::string& label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
 void check_label(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
   const auto label = condition.attribute("label");
-  if (!label || std::find(labels.begin(), labels.end(), *label) != labels.end()) return;
+  if (!label || is_label(*label)) return;
   const bool of_models =
       label->rfind("scalar-", 0) == 0 || *label == "cumulativeEnergyReleased" || *label == "Phi";
   if (of_models) {
@@ -75,6 +79,7 @@ void check_value(const DeckNode& face, const DeckNode& condition, std::vector<Fa
   const std::string label = condition.attribute("label").value_or("");
   const std::string kind = condition.attribute("var").value_or("");
   if (kind != "Dirichlet" && kind != "Neumann") return;
+  if (!is_label(label)) return;  // what its value should be is not known
   const DeckNode* tag = condition.child("value");
   const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
   const DeckNode& where = tag != nullptr ? *tag : condition;

@@ -97,6 +97,8 @@ void check_pressure(const DeckNode& material, const DeckNode& object, std::vecto
   const auto temperature = real_of(&object, "temperature");
   const auto pressure = real_of(&object, "pressure");
   if (!gamma || !cv || !density || !temperature || !pressure) return;
+  // A value out of range is a fault of its own, and a pressure from it says nothing.
+  if (!(*gamma > 1) || !(*cv > 0) || !(*density > 0) || !(*temperature > 0)) return;
   const double used = (*gamma - 1.0) * *density * *cv * *temperature;
   if (std::abs(used - *pressure) <= pressure_tolerance * std::abs(used)) return;
   warn(faults, *object.child("pressure"),

@@ -124,6 +124,39 @@ TEST(IceSchema, WarnsOfAPressureThatContradicts) {
   EXPECT_EQ(messages(sample.load()), "");
 }
 
+// Counts how often `piece` stands in the text.
+int count_of(const std::string& text, const std::string& piece) {
+  int count = 0;
+  for (auto at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++count;
+  return count;
+}
+
+TEST(IceSchema, SaysNothingOfThePressureOfAGasThatCannotBe) {
+  for (const char* change : {"<gamma>1.4|<gamma>0.9", "<specific_heat>1|<specific_heat>-1",
+                             "<density>1|<density>-1", "<temperature>1|<temperature>-1"}) {
+    const std::string edit = change;
+    const auto bar = edit.find('|');
+    std::string text = Sample{}.text();
+    text.replace(text.find(edit.substr(0, bar)), bar, edit.substr(bar + 1));
+    Schema schema;
+    add_framework_tags(schema);
+    add_ice_tags(schema);
+    const Deck deck = load_deck_text(text, "gas.ups", {}, schema);
+    EXPECT_FALSE(deck.good()) << edit;
+    EXPECT_EQ(count_of(messages(deck), "contradicts"), 0) << messages(deck);
+  }
+}
+
+TEST(IceSchema, AnUnknownBoundaryVariableIsOneFault) {
+  Sample sample;
+  sample.faces =
+      "<BoundaryConditions><Face side='x-'><BCType id='0' label='Velocty' var='Dirichlet'>"
+      "<value>[0,0,0]</value></BCType></Face></BoundaryConditions>";
+  const std::string text = messages(sample.load());
+  EXPECT_EQ(count_of(text, "there is no boundary variable"), 1) << text;
+  EXPECT_EQ(count_of(text, "is not a number"), 0) << text;
+}
+
 TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
   Sample sample;
   sample.more =

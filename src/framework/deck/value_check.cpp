@@ -20,6 +20,17 @@ ValueVerdict bad(std::string problem, std::string suggestion) {
   return {std::move(problem), std::move(suggestion), false};
 }
 
+// "gzip, or empty"
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  bool empty = false;
+  for (const std::string& word : words) {
+    empty = empty || word.empty();
+    if (!word.empty()) list += (list.empty() ? "" : ", ") + word;
+  }
+  return empty ? list + ", or empty" : list;
+}
+
 ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
   for (const auto& [other, word] : spec.word_spellings) {
     if (text == other) text = word;
@@ -32,16 +43,17 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
     ValueVerdict verdict;
     verdict.not_built = true;
     verdict.problem = fmt::format("{} is known to the format, but not built yet", in_quotes(text));
-    verdict.suggestion = fmt::format("built: {}", fmt::join(spec.words, ", "));
+    verdict.suggestion = "built: " + list_of(spec.words);
     return verdict;
   }
   std::vector<std::string> all = spec.words;
   all.insert(all.end(), spec.words_not_built.begin(), spec.words_not_built.end());
+  std::erase(all, "");  // what nobody can have meant by a word
   std::string suggestion;
   if (const auto nearest = nearest_name(text, all)) {
     suggestion = fmt::format("did you mean '{}'?", *nearest);
   } else {
-    suggestion = fmt::format("valid: {}", fmt::join(spec.words, ", "));
+    suggestion = "valid: " + list_of(spec.words);
   }
   if (text.empty()) return bad("empty, expected a word", suggestion);
   return bad(fmt::format("{} is not a valid word", in_quotes(text)), suggestion);
