@@ -135,6 +135,15 @@ TEST(CommandLine, TheReportGoesToStandardOutputAlone) {
   EXPECT_EQ(run("run " + deck + " --no-output --max-steps 2 --json - --costs").status, 2);
 }
 
+TEST(CommandLine, NotesAboutTheTimeStepCanBeSilenced) {
+  const std::string command = "run " SLUICE_SOURCE_DIR
+                              "/inputs/ice/riemann_sod.ups --no-output --max-steps 2 "
+                              "--set Time/delt_init=1e-6";
+  EXPECT_THAT(run(command).text, HasSubstr("delt_init lowers"));
+  EXPECT_THAT(run(command + " --quiet").text, ::testing::Not(HasSubstr("delt_init lowers")));
+  EXPECT_EQ(run(command + " --progress none").text, "");
+}
+
 TEST(CommandLine, AReportThatCannotBeWrittenFailsBeforeTheRun) {
   const Outcome outcome = run("run " SLUICE_SOURCE_DIR
                               "/inputs/ice/riemann_sod.ups --no-output --progress plain --json "

@@ -105,6 +105,7 @@ int run_on(Communicator& ranks, const Options& o) {
   options.limits.max_steps = o.max_steps.value_or(0);
   options.limits.wall_seconds = o.wall_limit.value_or(0);
   options.progress = progress_of(o);
+  options.limits.tell = !o.quiet && options.progress != ProgressMode::none;
   options.program = std::string("sluice ") + version::kText;
   options.deck_xml = to_xml(*loaded->deck.root);
   options.restart = o.restart;
@@ -161,7 +162,7 @@ void add_run_command(CLI::App& app, int& exit_status) {
                     "With --restart: copy earlier outputs, do not refer to them");
   command->add_option("--json", o->json,
                       "Write the report of the run to this file; -: to standard output");
-  command->add_option("--progress", o->progress, "auto, plain or none");
+  command->add_option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
   command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command->add_flag("--force-all", o->force_all,
@@ -171,7 +172,7 @@ void add_run_command(CLI::App& app, int& exit_status) {
   command->add_flag("--no-output", o->no_output, "Write no archive");
   command->add_flag("--costs", o->costs, "Print the measured share of time of each effect");
   command->add_flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
-  command->add_flag("--quiet", o->quiet, "Drop warnings");
+  command->add_flag("--quiet", o->quiet, "Drop warnings of the deck and notes about the time step");
   command->callback([o, &exit_status] { exit_status = run(*o); });
 }
 

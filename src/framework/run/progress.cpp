@@ -147,8 +147,10 @@ void Progress::clear_live() {
 void Progress::note(const std::string& message) {
   const bool shown = live_line_shown_;
   clear_live();
-  std::fputs((message + "\n").c_str(), options_.stream);
-  std::fflush(options_.stream);
+  std::FILE* stream = options_.stream;
+  if (options_.mode == ProgressMode::none && stream == stdout) stream = stderr;
+  std::fputs((message + "\n").c_str(), stream);
+  std::fflush(stream);
   if (shown) print_live();
 }
 

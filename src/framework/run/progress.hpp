@@ -49,7 +49,8 @@ class Progress {
   void begin(int step, double time, double wall_seconds);
   // After each accepted step; prints when it is time to.
   void step(const StepReport& report);
-  // A message of its own line; a live line moves out of its way. Never suppressed.
+  // A message of its own line; a live line moves out of its way. Never suppressed;
+  // where no progress is told, standard output stays empty and it goes to standard error.
   void note(const std::string& message);
   // Tells the last step if it was not told; leaves the cursor on a fresh line.
   void end();

@@ -186,7 +186,7 @@ StepPlan TimeControl::plan(double physics_dt) {
     require_progress(plan, "from the physics");
   }
   apply_limits(plan, physics_dt);
-  std::string message = describe(plan, physics_dt);
+  std::string message = limits_.tell ? describe(plan, physics_dt) : std::string();
   apply_clamps(plan);
   require_progress(plan, "after all limits");
   decide_saves(plan);

@@ -46,6 +46,7 @@ const char* to_string(TimeLimit limit);
 struct RunLimits {
   int max_steps = 0;        // step number, as max_Timesteps
   double wall_seconds = 0;  // as max_wall_time
+  bool tell = true;         // a message when a limit of the deck sets the step
 };
 
 // All that a restart needs to go on with the same bits.
