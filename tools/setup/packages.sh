@@ -11,7 +11,7 @@ packages_of() {
     test) echo python3-paraview ;; # reads exports back, as users' ParaView will
     lint) echo clang-format-16 clang-tidy-16 ;;
     bench) echo libbenchmark-dev valgrind util-linux ;;
-    verify) echo clang-16 libclang-rt-16-dev xvfb xauth libgl1-mesa-dri ;;
+    verify) echo clang-16 libclang-rt-16-dev xvfb xauth libgl1-mesa-dri graphviz ;;
     all) for group in core test lint bench verify; do packages_of $group; done ;;
     *) fail 2 "setup: no package group '$1' (core, test, lint, bench, verify, all)" ;;
   esac
@@ -23,7 +23,7 @@ reason_for() {
     test) echo "ParaView, to read exports back" ;;
     lint) echo "clang-format and clang-tidy" ;;
     bench) echo "instruction counts and kernel benchmarks" ;;
-    verify) echo "clang for fuzzing, a screen for ParaView" ;;
+    verify) echo "clang for fuzzing, a screen for ParaView, dot for graphs of tasks" ;;
     *) echo "everything" ;;
   esac
 }
