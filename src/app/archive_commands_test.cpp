@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -101,6 +102,22 @@ TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
   EXPECT_EQ(run("extract " + a_).status, 2);
   EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv /proc/absent/x").status, 3);
   EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv /dev/full").status, 3);
+}
+
+TEST_F(ArchiveCommands, ArchivesInUintahsRawLayoutAreRefusedByName) {
+  const fs::path raw = folder_.path() / "raw.uda.000";
+  for (const char* format : {"<outputFormat>UDA</outputFormat>", ""}) {
+    fs::create_directories(raw);
+    std::ofstream(raw / "index.xml") << "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n"
+                                     << "<Uintah_DataArchive>\n"
+                                     << format << "<timesteps/></Uintah_DataArchive>\n";
+    for (const std::string& line : {"info " + raw.string(), "compare " + a_ + " " + raw.string(),
+                                    "extract " + raw.string() + " --var press_CC"}) {
+      const Outcome refused = run(line);
+      EXPECT_EQ(refused.status, 2) << line;
+      EXPECT_THAT(refused.error, HasSubstr("raw binary layout; reading it is not built yet"));
+    }
+  }
 }
 
 TEST_F(ArchiveCommands, CompareExits) {

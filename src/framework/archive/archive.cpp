@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace sluice {
 namespace fs = std::filesystem;
@@ -30,6 +32,22 @@ const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const
       folder.string(), time, best->time, steps.front().time, steps.back().time));
 }
 
+// Uintah's own archives have an index of the same name without a checksum, which must not be taken
+// for damage. An index of ours says HDF5, also when it is damaged elsewhere.
+void refuse_raw_layout(const fs::path& index, const fs::path& archive) {
+  std::ifstream in(index);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const bool of_archive = text.find("<Uintah_DataArchive") != std::string::npos;
+  const bool ours = text.find("crc32c") != std::string::npos;
+  const std::size_t format = text.find("<outputFormat>");
+  const bool raw = format == std::string::npos || text.compare(format + 14, 4, "UDA<") == 0;
+  if (!of_archive || ours || !raw) return;
+  throw InputError(fmt::format(
+      "{} is an archive in Uintah's raw binary layout; reading it is not built yet (archives that "
+      "sluice writes are read)",
+      archive.string()));
+}
+
 }  // namespace
 
 Archive Archive::open(const fs::path& path) {
@@ -41,6 +59,7 @@ Archive Archive::open(const fs::path& path) {
   const fs::path index = archive.folder_ / "index.xml";
   if (!fs::exists(index, error))
     throw InputError(fmt::format("{} is no archive: it has no index.xml", path.string()));
+  refuse_raw_layout(index, path);
   archive.index_ = parse_index(read_sealed(index), index.string());
   const fs::path checkpoints = archive.folder_ / "checkpoints" / "index.xml";
   if (fs::exists(checkpoints, error)) {
