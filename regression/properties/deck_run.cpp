@@ -48,6 +48,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const DeckRun& run) {
   auto loaded = std::make_unique<Loaded>();
   SceneOptions options;
   options.ranks = world().size();
+  options.force_directions = run.force_directions;
   std::vector<Fault> faults;
   loaded->scene = read_scene(deck, options, faults);
   require_good(faults);
@@ -162,10 +163,12 @@ int serve_runs(const fs::path& file) {
   return 0;
 }
 
-std::string difference(const fs::path& a, const fs::path& b, bool checkpoints, bool common_times) {
+std::string difference(const fs::path& a, const fs::path& b, bool checkpoints, bool common_times,
+                       double allowed) {
   CompareOptions options;
   options.checkpoints = checkpoints;
   options.common_times = common_times;
+  options.absolute = options.relative = allowed;
   const CompareResult result = compare(Archive::open(a), Archive::open(b), options);
   if (!result.not_comparable.empty()) return "not comparable: " + result.not_comparable.front();
   if (const auto first = result.first())

@@ -20,6 +20,7 @@ struct DeckRun {
   int threads = 1;
   int max_steps = 0;
   bool force_all = false;
+  bool force_directions = false;  // every direction active: equal to round-off only
   bool more_saves = false;        // step labels and diagnostics that the deck does not ask for
   std::filesystem::path restart;  // an archive to go on from
   int restart_step = -1;
@@ -43,9 +44,10 @@ std::string carry_out_on_ranks(const std::vector<DeckRun>& runs, int ranks);
 // The other end of it: the process was started with --runs FILE.
 int serve_runs(const std::filesystem::path& file);
 
-// "" when outputs (or checkpoints) of both archives are equal bit for bit, else what differs.
+// "" when outputs (or checkpoints) of both archives are equal, bit for bit or up to `allowed`
+// (absolute or relative), else what differs.
 std::string difference(const std::filesystem::path& a, const std::filesystem::path& b,
-                       bool checkpoints, bool common_times = false);
+                       bool checkpoints, bool common_times = false, double allowed = 0);
 
 // A folder that goes away with the object.
 class ScratchFolder {

@@ -95,6 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
                     // boxes narrower than the halo: a ghost comes from the box beyond the next
                     Case{{12, 4, 1}, {12, 1, 1}, {true, false, false}, 3},
                     Case{{6, 6, 6}, {3, 3, 3}, {true, false, true}, 3},
+                    // the domain is narrower than the halo: a ghost is the image of an image
+                    Case{{2, 8, 1}, {1, 2, 1}, {true, true, false}, 3},
+                    Case{{2, 2, 2}, {2, 1, 1}, {true, true, true}, 3},
                     // the whole domain is as wide as the halo
                     Case{{3, 8, 1}, {1, 2, 1}, {true, true, false}, 3},
                     // the halo is wider than the domain, which goes round more than once
