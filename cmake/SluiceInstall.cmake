@@ -1,4 +1,4 @@
-# cmake --install: the command, the Python tools, our decks and studies, the documentation.
+# cmake --install: the command, the Python tools, our decks, studies and golden results, the documentation.
 if(TARGET sluice)  # a build of single rooms has no command to install
   install(TARGETS sluice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
@@ -9,6 +9,9 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DATADIR
   FILES_MATCHING PATTERN "*.ups" PATTERN "*.xml")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/accuracy
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression FILES_MATCHING PATTERN "*.study")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/golden
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression
+  FILES_MATCHING PATTERN "*.json" PATTERN "*.csv")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sluice)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE
   ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sluice)

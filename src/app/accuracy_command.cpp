@@ -10,13 +10,13 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/data_folder.hpp"
 #include "app/study.hpp"
 #include "app/study_process.hpp"
 #include "app/study_report.hpp"
 #include "app/study_run.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
-#include "sluice_version.hpp"
 
 namespace sluice {
 namespace {
@@ -44,8 +44,7 @@ void write_file(const fs::path& path, Write&& write) {
 // table, CSV and JSON are complete without.
 void draw(const fs::path& json, const fs::path& picture, const StudyReport& report,
           const fs::path& log) {
-  const fs::path tools =
-      (own_executable().parent_path() / version::kDataFromBin / "tools").lexically_normal();
+  const fs::path tools = data_folder() / "tools";
   ProcessRequest request;
   request.words = {kPython,
                    "-B",
@@ -98,7 +97,7 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
 }
 
 int accuracy(const AccuracyRequest& request) {
-  const Study study = read_study(request.study);
+  const Study study = read_study(find_data(request.study, "regression/accuracy", ".study"));
   const std::string stem = fs::path(request.study).stem().string();
   const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
   std::error_code fault;
@@ -129,7 +128,9 @@ void add_accuracy_command(CLI::App& app, int& exit_status) {
   CLI::App* command =
       app.add_subcommand("accuracy", "What accuracy costs: error against time of a study");
   auto request = std::make_shared<AccuracyRequest>();
-  command->add_option("STUDY", request->study, "Study file (.study)")->required();
+  command
+      ->add_option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
+      ->required();
   command->add_option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
   command->add_option("--json", request->json, "JSON file (in the folder)");
   command->add_option("--csv", request->csv, "CSV file (in the folder)");

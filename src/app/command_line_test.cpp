@@ -18,8 +18,9 @@ struct Outcome {
   std::string text;  // standard output and error together
 };
 
-Outcome run(const std::string& arguments) {
-  const std::string command = std::string(SLUICE_COMMAND) + " " + arguments + " 2>&1";
+Outcome run_in(const std::string& folder, const std::string& arguments) {
+  const std::string command =
+      "cd " + folder + " && " + std::string(SLUICE_COMMAND) + " " + arguments + " 2>&1";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   std::array<char, 4096> buffer{};
@@ -29,6 +30,10 @@ Outcome run(const std::string& arguments) {
   const int status = pclose(pipe);
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return outcome;
+}
+
+Outcome run(const std::string& arguments) {
+  return run_in(".", arguments);
 }
 
 TEST(CommandLine, WithoutArgumentsIsBadInput) {
@@ -133,6 +138,18 @@ TEST(CommandLine, TheReportGoesToStandardOutputAlone) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.text).at("steps"), 2);
   EXPECT_EQ(run("run " + deck + " --no-output --max-steps 2 --json - --costs").status, 2);
+}
+
+TEST(CommandLine, CasesAndStudiesAreFoundFromAnyFolder) {
+  const Outcome list = run_in("/", "regress --list");
+  EXPECT_EQ(list.status, 0) << list.text;
+  EXPECT_THAT(list.text, HasSubstr("sod\n"));
+  // The study is read, and none of its runs is wanted.
+  const std::string folder = ::testing::TempDir() + "sluice_found_study";
+  const Outcome study = run_in("/", "accuracy sod --only nosuchrun -o " + folder);
+  EXPECT_EQ(study.status, 2);
+  EXPECT_THAT(study.text, HasSubstr("--only nosuchrun matches none"));
+  EXPECT_EQ(run_in("/", "accuracy nosuch").status, 2);
 }
 
 TEST(CommandLine, NotesAboutTheTimeStepCanBeSilenced) {

@@ -17,10 +17,10 @@
 
 #include "app/archive_error.hpp"
 #include "app/commands.hpp"
+#include "app/data_folder.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/error.hpp"
-#include "sluice_version.hpp"
 
 namespace sluice {
 namespace {
@@ -62,8 +62,7 @@ class TemporaryFile {
 
 // The folder that holds the package sluice_tools.
 fs::path tools_folder() {
-  const fs::path beside = own_executable().parent_path() / version::kDataFromBin / "tools";
-  fs::path tools = beside.lexically_normal();
+  fs::path tools = data_folder() / "tools";
   if (!fs::exists(tools / "sluice_tools" / "__main__.py"))
     throw SystemError(
         fmt::format("the Python tools are not beside this executable: looked for {}; "

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/data_folder.hpp"
 #include "app/regress_case.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/console.hpp"
@@ -23,8 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string file = "regression/golden/cases.json";
-  std::string mpiexec = "mpiexec", folder;
+  std::string file, mpiexec = "mpiexec", folder;
   std::vector<std::string> names;
   bool bless = false, json = false, list = false;
 };
@@ -103,7 +103,9 @@ void print_json(const std::vector<RegressResult>& results) {
 }
 
 int regress(const Options& o) {
-  const std::vector<RegressCase> cases = select(read_regress_cases(o.file), o.names);
+  const fs::path list =
+      o.file.empty() ? data_folder() / "regression" / "golden" / "cases.json" : fs::path(o.file);
+  const std::vector<RegressCase> cases = select(read_regress_cases(list), o.names);
   if (o.list) {
     for (const RegressCase& c : cases) fmt::print("{}\n", c.name);
     return 0;
@@ -132,7 +134,8 @@ void add_regress_command(CLI::App& app, int& exit_status) {
       "regress", "Compare short runs with golden results, restarts, splits and ranks");
   auto o = std::make_shared<Options>();
   command->add_option("CASES", o->names, "Names of cases; all when none is given");
-  command->add_option("--cases", o->file, "List of cases (JSON)")->capture_default_str();
+  command->add_option("--cases", o->file,
+                      "List of cases (JSON); those that come with sluice by default");
   command->add_option("--folder", o->folder, "Keep the archives of the runs in this folder");
   command->add_option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
   command->add_flag("--bless", o->bless, "Make what came out the golden results");
