@@ -1,8 +1,9 @@
 // Step 7 of the classic form: what flows through each face from the upwind cell.
 //
-//   r   = sign(H) (1 - |H|)/2 along the normal, shift_t across it;  H = l u_f     (lengths in
-//   cells) F   = H rho_s,                      rho_s = rho + s . r F_q = H (rho_s q + rho s_q . r)
-//   compatible fluxes, q per mass F_q = H (q + s_q . r)               otherwise, q per volume
+//   r   = sign(H) (1 - |H|)/2 along the normal, shift_t across it;  H = l u_f   (lengths in cells)
+//   F   = H rho_s,                      rho_s = rho + s . r
+//   F_q = H (rho_s q + rho s_q . r)     compatible fluxes, q per mass
+//   F_q = H (q + s_q . r)               otherwise, q per volume
 // First order: r = 0. r is the centroid of the slab that leaves.
 #include "ice/classic/variables.hpp"
 

@@ -1,7 +1,7 @@
 // Step 8 of the classic form: the new state, its admissibility and the rates of the next step.
 //
-//   rho' = rho + sum_d (F- - F+),  m' = (m - dp) + sum_d (F_m- - F_m+),  E' = E* + sum_d (F_E- -
-//   F_E+)
+//   rho' = rho + sum_d (F- - F+),  m' = (m - dp) + sum_d (F_m- - F_m+)
+//   E'   = E* + sum_d (F_E- - F_E+)
 // A cell must not lose more volume through its faces than it has: sum_d outflow < 1.
 #include "ice/classic/variables.hpp"
 #include "ice/end_of_step.hpp"

@@ -1,10 +1,10 @@
 // Step 8: remap through each face from the upwind cell.
 //
-//   H = l u_f, nu = |H|/J, s = sign(H), N outflow Courant number, B = 2/max(N,.05)
-//   rho_s = base + s (1-nu)/2 Q3(D rho; nu, B)/J    .1 rho_L <= rho_s <= rho_L
-//   (1-.05(1-N))/max(N,.05) e_s   = base + s (1-nu)/2 Q3(D E;   nu, 2)/J    .1 E_L   <= e_s   <=
-//   E_L   (1-.25(1-N))/max(N,.05) F = H rho_s,  f = min(|F|/rho, .99),  U = base + s (1-f)/2 Q3(D
-//   u; f, 2) d2 = |U - v|^2,  K = -(1/2) d2/(1-f) d2/(d2 + .25 E_L/rho_L),  G = H e_s + F K
+//   H = l u_f, nu = |H|/J, s = sign(H), N outflow Courant number, N_ = max(N,.05), B = 2/N_
+//   rho_s = base + s (1-nu)/2 Q3(D rho; nu, B)/J, .1 rho_L <= rho_s <= rho_L (.95+.05 N)/N_
+//   e_s   = base + s (1-nu)/2 Q3(D E;   nu, 2)/J, .1 E_L   <= e_s   <= E_L   (.75+.25 N)/N_
+//   F = H rho_s,  f = min(|F|/rho, .99),  U = base + s (1-f)/2 Q3(D u; f, 2)
+//   d2 = |U - v|^2,  K = -(1/2) d2/(1-f) d2/(d2 + .25 E_L/rho_L),  G = H e_s + F K
 // with differences D of the old state, v the donor's Lagrangian velocity. Only the density has the
 // sharp bound 2/N: it keeps contacts in slow flow two to three cells wide, while a sharp bound on
 // energy or velocity would empty cold cells of energy. K, the correction of the kinetic-energy

@@ -1,0 +1,73 @@
+// Walls, inlets and gravity: what passes a boundary, and what must not.
+#include <gtest/gtest.h>
+
+#include "verification/case_run.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double allowed_drift = 1e-13;      // of sum |q|; measured 4e-16
+constexpr double allowed_in_fall = 1e-12;    // measured 6e-16
+constexpr double allowed_by_sweeps = 1e-12;  // measured 2e-15
+
+double passed(const CaseRun& run, const char* quantity) {
+  return run.record().at("conservation").at(quantity).at("boundary").get<double>();
+}
+
+// Not by round-off: not at all.
+void expect_closed(const CaseRun& run) {
+  EXPECT_EQ(passed(run, "mass of material 0"), 0.0);
+  EXPECT_EQ(passed(run, "total energy"), 0.0);
+  EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+TEST(Boundary, NothingPassesWallsOfPrescribedTemperature) {
+  expect_closed(CaseRun("isothermal_walls"));
+  expect_closed(CaseRun("isothermal_walls", {"CFD/ICE/advection/@type=FirstOrder"}));
+}
+
+TEST(Boundary, NothingPassesWallsUnderGravity) {
+  expect_closed(CaseRun("hot_gas_under_gravity"));
+  expect_closed(CaseRun("hot_gas_under_gravity", {"CFD/ICE/advection/@type=FirstOrder"}));
+}
+
+TEST(Boundary, NoMassPassesWallsInTheClassicForm) {
+  for (const char* deck : {"isothermal_walls", "hot_gas_under_gravity"}) {
+    const CaseRun run(deck, {"CFD/ICE/scheme=classic"});
+    EXPECT_EQ(passed(run, "mass of material 0"), 0.0) << deck;
+  }
+}
+
+TEST(Boundary, AnInletMayEndAtAPeriodicEdge) {
+  const CaseRun run("inlet_at_periodic_edge");
+  EXPECT_GT(passed(run, "mass of material 0"), 0.01);
+  EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+TEST(Boundary, GravityAcrossAFlowIsExact) {
+  for (const char* order : {"FirstOrder", "SecondOrder"}) {
+    const CaseRun run("free_fall", {std::string("CFD/ICE/advection/@type=") + order});
+    EXPECT_LE(farthest_from(run.field("vel_CC", 0), 1.0), allowed_in_fall) << order;
+    EXPECT_LE(farthest_from(run.field("vel_CC", 1), -0.5), allowed_in_fall) << order;
+    EXPECT_LE(farthest_from(run.field("press_CC"), 1.0), allowed_in_fall) << order;
+  }
+}
+
+TEST(Boundary, ACarriedVelocityIsThatOfTheForcedSweep) {
+  // A forced sweep bounds the step by its direction too: equal steps for both.
+  const std::vector<std::string> steps = {"Time/delt_max=0.002"};
+  const CaseRun plain("carried_velocity", steps);
+  const CaseRun forced("carried_velocity", steps, {"--force-directions"});
+  ASSERT_EQ(plain.steps(), forced.steps());
+  for (const int component : {0, 1, 2}) {
+    const CellValues a = plain.field("vel_CC", component), b = forced.field("vel_CC", component);
+    for (std::size_t n = 0; n < a.values.size(); ++n)
+      EXPECT_NEAR(a.values[n], b.values[n], allowed_by_sweeps) << component << " " << n;
+  }
+  const CellValues a = plain.field("rho_CC"), b = forced.field("rho_CC");
+  for (std::size_t n = 0; n < a.values.size(); ++n)
+    EXPECT_NEAR(a.values[n], b.values[n], allowed_by_sweeps) << n;
+}
+
+}  // namespace
+}  // namespace sluice::verification
