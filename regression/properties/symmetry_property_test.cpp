@@ -87,6 +87,7 @@ std::string difference(const Flow& a, const Flow& b, double allowed) {
 class Symmetry : public testing::TestWithParam<SkewCase> {
  protected:
   // Gravity keeps a direction of one cell active.
+  // Gravity makes a dimension of a direction with one cell.
   static int dimensions(const SkewCase& c) {
     int count = 0;
     for (int d = 0; d < 3; ++d) count += c.cells[d] > 1 || c.gravity[d] != 0;
