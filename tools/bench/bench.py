@@ -19,9 +19,9 @@ import platform
 import subprocess
 import sys
 
-from cases import CASES, Ratio, Run
+from cases import CASES, Program, Ratio, Run
 from measure import (Build, build_portable, count_instructions, kernel_figures, median_runs,
-                     spread)
+                     program_figures, spread)
 from table import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -46,6 +46,11 @@ def wanted(cases, patterns):
     chosen = [c for c in cases if not patterns or any(p in c.name for p in patterns)]
     needed = {n for c in chosen if isinstance(c, Ratio) for n in (c.above, c.below)}
     return [c for c in cases if c in chosen or c.name in needed]
+
+
+def other_figures(build, cases, patterns):
+    programs = [case for case in cases if isinstance(case, Program)]
+    return program_figures(build, programs) | kernel_figures(build, patterns)
 
 
 def figures_of(cases, runs):
@@ -136,10 +141,10 @@ def main():
     builds = [build] + ([checkout_and_build(given.against)] if given.against else [])
     run_cases = [case for case in cases if isinstance(case, Run)]
     runs, calibrations = median_runs(builds, run_cases, given.repeat)
-    mine = figures_of(cases, runs[0]) | kernel_figures(build, given.pattern)
+    mine = figures_of(cases, runs[0]) | other_figures(build, cases, given.pattern)
     recorded = read_recorded()
     if given.against:
-        theirs = figures_of(cases, runs[1]) | kernel_figures(builds[1], given.pattern)
+        theirs = figures_of(cases, runs[1]) | other_figures(builds[1], cases, given.pattern)
         other = {"figures": theirs, "calibration_ns": calibrations[len(calibrations) // 2],
                  "commit": given.against}
     else:

@@ -10,6 +10,8 @@ import sys
 import tempfile
 import time
 
+from cases import CASES, Program
+
 TWO_CORES = "0,1"
 ONE_CORE = "0"
 
@@ -83,10 +85,23 @@ def median_runs(builds, cases, repeat):
     return medians, calibrations
 
 
+def program_figures(build, programs):
+    """The ratio that each program of a build prints, by case name."""
+    figures = {}
+    for case in programs:
+        done = subprocess.run(["taskset", "-c", ONE_CORE, str(build.bin / case.program)],
+                              capture_output=True, text=True)
+        figures[case.name] = float(re.search(r"ratio ([0-9.]+)", done.stdout).group(1))
+    return figures
+
+
 def kernel_figures(build, patterns):
     """Medians (ns) of the google-benchmark programs *_bench of a build, by their names."""
     figures = {}
+    own = {case.program for case in CASES if isinstance(case, Program)}
     for program in sorted(build.bin.glob("*_bench")):
+        if program.name in own:
+            continue
         done = subprocess.run(
             ["taskset", "-c", ONE_CORE, str(program), "--benchmark_format=json",
              "--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],

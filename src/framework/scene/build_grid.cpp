@@ -19,12 +19,13 @@ std::vector<int> prime_factors(int n) {  // largest first
   return factors;
 }
 
-// `count` pieces of a block, as cubic as its factors allow; zero when they do not fit.
+// `count` pieces of a block, as cubic as its factors allow; zero when they do not fit. The last of
+// equal directions is cut first: rows along x stay long.
 IntVec3 factorise(IntVec3 size, int count, const std::array<bool, 3>& flatten) {
   IntVec3 pieces{1, 1, 1};
   for (int f : prime_factors(count)) {
     int best = -1;
-    for (int d = 0; d < 3; ++d) {
+    for (int d = 2; d >= 0; --d) {
       if (flatten[static_cast<std::size_t>(d)] || size[d] / pieces[d] < f) continue;
       if (best < 0 || size[d] / pieces[d] > size[best] / pieces[best]) best = d;
     }

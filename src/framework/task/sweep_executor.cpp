@@ -28,21 +28,13 @@ struct SweepExecutor::Threads {
 };
 
 IntVec3 default_block(const Level& level) {
+  // Measured best: long rows, and as few recomputed ghosts as the cache allows. By active axes.
+  constexpr int extents[3][3] = {{512, 1, 1}, {256, 64, 1}, {128, 48, 128}};
   IntVec3 b = level.domain.size();
-  const int axes = level.active_count();
   int axis = 0;
-  for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
-    // 1-D: rows of 512; 2-D: 256 x 64, swept along the second; 3-D: 128 x 24 x 128, swept along the
-    // third
-    const int extent = axes == 1   ? 512
-                       : axes == 2 ? (axis == 0 ? 256 : 64)
-                                   : (axis == 0   ? 128
-                                      : axis == 1 ? 24
-                                                  : 128);
-    b[d] = std::min(b[d], extent);
-    ++axis;
-  }
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)])
+      b[d] = std::min(b[d], extents[level.active_count() - 1][axis++]);
   return b;
 }
 
