@@ -79,15 +79,27 @@ struct StateViews {
   std::vector<RealView> momentum;
 };
 
-// data = sign * data of the layer `source` of direction d, for every cell of one ghost layer.
-void copy_layer(const RealView& v, const IndexBox& layer, int d, int source, double sign) {
-  const std::ptrdiff_t back = (source - layer.lower[d]) * v.stride[d];
-  const IntVec3 n = layer.size();
-  double* plane = v.data + v.offset(layer.lower);
-  for (int k = 0; k < n.z; ++k, plane += v.stride[2]) {
-    double* row = plane;
-    for (int j = 0; j < n.y; ++j, row += v.stride[1])
-      for (int i = 0; i < n.x; ++i) row[i * v.stride[0]] = sign * row[i * v.stride[0] + back];
+// data = sign * data of the layer source[n] of direction d, for the n-th ghost layer. All layers of
+// a row together: along the row direction they share a cache line.
+void copy_layers(const RealView& v, const IndexBox& ghosts, int d, const std::vector<int>& source,
+                 double sign) {
+  const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;  // inner and outer of the other directions
+  const IntVec3 n = ghosts.size();
+  for (int outer = 0; outer < n[b]; ++outer) {
+    double* row = v.data + v.offset(ghosts.lower) + outer * v.stride[b];
+    if (v.stride[d] == 1) {
+      for (int inner = 0; inner < n[a]; ++inner, row += v.stride[a])
+        for (int layer = 0; layer < n[d]; ++layer)
+          row[layer] = sign * row[source[static_cast<std::size_t>(layer)] - ghosts.lower[d]];
+      continue;
+    }
+    for (int layer = 0; layer < n[d]; ++layer) {
+      double* to = row + layer * v.stride[d];
+      const double* from =
+          row + (source[static_cast<std::size_t>(layer)] - ghosts.lower[d]) * v.stride[d];
+      for (int inner = 0; inner < n[a]; ++inner)
+        to[inner * v.stride[a]] = sign * from[inner * v.stride[a]];
+    }
   }
 }
 
@@ -189,24 +201,26 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
     else
       rules.general(v, ghost, source);
   };
+  const GhostRule& first = rules_[n].front();
+  if (regions_[n]->uniform() && first.plain() && gravity_[d] == 0) {
+    std::vector<int> source;
+    IntVec3 ghost = ghosts.lower;
+    for (; ghost[d] < ghosts.upper[d]; ++ghost[d])
+      source.push_back(source_cell(ghost, d, plus, first.mirrored(), level_->domain)[d]);
+    copy_layers(v.mass, ghosts, d, source, 1.0);
+    copy_layers(v.energy, ghosts, d, source, 1.0);
+    for (std::size_t c = 0; c < v.momentum.size(); ++c)
+      copy_layers(v.momentum[c], ghosts, d, source,
+                  first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
+    return;
+  }
   // From the boundary outward, so that hydrostatic sums find the nearer ghosts filled.
   const int layers = ghosts.size()[d];
-  const GhostRule& first = rules_[n].front();
-  const bool plain = regions_[n]->uniform() && first.plain() && gravity_[d] == 0;
   for (int layer = 0; layer < layers; ++layer) {
     IndexBox slice = ghosts;
     slice.lower[d] = plus ? ghosts.lower[d] + layer : ghosts.upper[d] - 1 - layer;
     slice.upper[d] = slice.lower[d] + 1;
-    if (!plain) {
-      for_each_cell(slice, one);
-      continue;
-    }
-    const int source = source_cell(slice.lower, d, plus, first.mirrored(), level_->domain)[d];
-    copy_layer(v.mass, slice, d, source, 1.0);
-    copy_layer(v.energy, slice, d, source, 1.0);
-    for (std::size_t c = 0; c < v.momentum.size(); ++c)
-      copy_layer(v.momentum[c], slice, d, source,
-                 first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
+    for_each_cell(slice, one);
   }
 }
 
