@@ -11,46 +11,6 @@
 namespace sluice::ice {
 namespace {
 
-SchemeVariables declare_variables(TaskList& list, const SchemeOptions& o) {
-  const Labels& l = labels();
-  const int C = o.components, D = o.axes.count;
-  SchemeVariables v;
-  v.rho = list.old_state(l.mass, 0, 1);
-  v.momentum = list.old_state(l.momentum, 0, C);
-  v.energy = list.old_state(l.energy, 0, 1);
-  if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
-  v.rho_new = list.new_state(l.mass, 0, 1);
-  v.momentum_new = list.new_state(l.momentum, 0, C);
-  v.energy_new = list.new_state(l.energy, 0, 1);
-  v.velocity = list.temporary("velocity", C);
-  v.pressure = list.temporary("pressure");
-  v.sound = list.temporary("sound speed");
-  v.inverse_rho = list.temporary("1/rho");
-  v.velocity_slope = list.temporary("velocity slope", D);
-  v.pressure_slope = list.temporary("pressure slope", D);
-  v.predicted_pressure = list.temporary("predicted pressure");
-  v.transverse_velocity = list.temporary("transverse advection", D);
-  for (int a = 0; a < D; ++a) {
-    const auto n = static_cast<std::size_t>(a);
-    const int d = o.axes.direction[a];
-    const std::string axis = " of axis " + std::to_string(a);
-    v.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
-    v.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
-    v.stress[n] = list.temporary("stress" + axis, C, d);
-    v.base[n] = list.temporary("remap base" + axis, 2 + C);
-    v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
-  }
-  v.inverse_J = list.temporary("1/J");
-  v.rho_L = list.temporary("Lagrangian density");
-  v.energy_L = list.temporary("Lagrangian energy");
-  v.velocity_L = list.temporary("Lagrangian velocity", C);
-  v.energy_star = list.temporary("energy after work");
-  v.courant = list.temporary("outflow Courant number");
-  v.inverse_courant = list.temporary("1/outflow Courant number");
-  v.impulse = list.temporary("impulse", C);
-  return v;
-}
-
 SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   const Level& level = scene.grid.levels.front();
   SchemeOptions o;
@@ -87,7 +47,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
 // One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
 // in the file of its name under conservative/; when it is absent is said there in its first line.
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
-  const SchemeVariables v = declare_variables(list, o);
+  const SchemeVariables v = declare_conservative_variables(list, o);
   // task                    reads                              writes
   add_primitives(list, v, o, effect_flow);           // state                    u, p, c
   add_slopes(list, v, o, effect_second_order);       // u, p                     su, sp, P, UT

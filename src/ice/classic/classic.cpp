@@ -2,44 +2,19 @@
 #include "ice/classic/classic.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "ice/classic/variables.hpp"
 #include "ice/ice.hpp"
-#include "ice/labels.hpp"
 
 namespace sluice::ice {
 namespace {
 
 classic::Variables declare_variables(TaskList& list, const SchemeOptions& o) {
-  const Labels& l = labels();
   const int C = o.components, D = o.axes.count;
   classic::Variables v;
-  SchemeVariables& s = v.common;
-  s.rho = list.old_state(l.mass, 0, 1);
-  s.momentum = list.old_state(l.momentum, 0, C);
-  s.energy = list.old_state(l.energy, 0, 1);
-  if (o.masked) s.mask = list.old_state(l.mask, 0, 1);
-  s.rho_new = list.new_state(l.mass, 0, 1);
-  s.momentum_new = list.new_state(l.momentum, 0, C);
-  s.energy_new = list.new_state(l.energy, 0, 1);
-  s.velocity = list.temporary("velocity", C);
-  s.pressure = list.temporary("pressure at the start");
-  s.sound = list.temporary("sound speed");
-  s.inverse_rho = list.temporary("1/rho");
-  s.pressure_change = list.temporary("pressure change");
-  s.energy_star = list.temporary("energy after work");
-  s.impulse = list.temporary("impulse", C);
-  for (int a = 0; a < D; ++a) {
-    const auto n = static_cast<std::size_t>(a);
-    const int d = o.axes.direction[a];
-    const std::string axis = " of axis " + std::to_string(a);
-    s.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
-    s.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
-    s.stress[n] = list.temporary("stress" + axis, C, d);
-    s.flux[n] = list.temporary("flux" + axis, 2 + C, d);
-  }
-  v.pressure = list.temporary("pressure");
+  v.common = declare_common_variables(list, o);
+  v.common.pressure_change = list.temporary("pressure change");
+  v.pressure = list.temporary("pressure after its change");
   v.energy = list.temporary("advected energy");
   v.momentum = list.temporary("advected momentum", C);
   v.slope = list.temporary("limited slopes", (2 + C) * D);

@@ -55,6 +55,11 @@ struct SchemeVariables {
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
 };
 
+// The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.
+SchemeVariables declare_common_variables(TaskList&, const SchemeOptions&);
+// Those and the ones of the conservative scheme alone.
+SchemeVariables declare_conservative_variables(TaskList&, const SchemeOptions&);
+
 // What the reductions of a step hold.
 struct StepSlots {
   static constexpr int deck_rate = 0;       // max of sum or max of (|u| + knob c)/dx: 1/s

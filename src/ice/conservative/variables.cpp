@@ -1,0 +1,58 @@
+// Declaring the variables of a step.
+#include "ice/conservative/variables.hpp"
+
+#include <string>
+
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+
+SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o) {
+  const Labels& l = labels();
+  const int C = o.components;
+  SchemeVariables v;
+  v.rho = list.old_state(l.mass, 0, 1);
+  v.momentum = list.old_state(l.momentum, 0, C);
+  v.energy = list.old_state(l.energy, 0, 1);
+  if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
+  v.rho_new = list.new_state(l.mass, 0, 1);
+  v.momentum_new = list.new_state(l.momentum, 0, C);
+  v.energy_new = list.new_state(l.energy, 0, 1);
+  v.velocity = list.temporary("velocity", C);
+  v.pressure = list.temporary("pressure");
+  v.sound = list.temporary("sound speed");
+  v.inverse_rho = list.temporary("1/rho");
+  for (int a = 0; a < o.axes.count; ++a) {
+    const auto n = static_cast<std::size_t>(a);
+    const int d = o.axes.direction[a];
+    const std::string axis = " of axis " + std::to_string(a);
+    v.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
+    v.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
+    v.stress[n] = list.temporary("stress" + axis, C, d);
+    v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
+  }
+  v.energy_star = list.temporary("energy after work");
+  v.impulse = list.temporary("impulse", C);
+  return v;
+}
+
+SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptions& o) {
+  const int C = o.components, D = o.axes.count;
+  SchemeVariables v = declare_common_variables(list, o);
+  v.velocity_slope = list.temporary("velocity slope", D);
+  v.pressure_slope = list.temporary("pressure slope", D);
+  v.predicted_pressure = list.temporary("predicted pressure");
+  v.transverse_velocity = list.temporary("transverse advection", D);
+  for (int a = 0; a < D; ++a)
+    v.base[static_cast<std::size_t>(a)] =
+        list.temporary("remap base of axis " + std::to_string(a), 2 + C);
+  v.inverse_J = list.temporary("1/J");
+  v.rho_L = list.temporary("Lagrangian density");
+  v.energy_L = list.temporary("Lagrangian energy");
+  v.velocity_L = list.temporary("Lagrangian velocity", C);
+  v.courant = list.temporary("outflow Courant number");
+  v.inverse_courant = list.temporary("1/outflow Courant number");
+  return v;
+}
+
+}  // namespace sluice::ice
