@@ -1,4 +1,5 @@
-# cmake --install: the command, the Python tools, our decks, studies and golden results, the documentation.
+# cmake --install: the command, the Python tools, our decks, studies and golden results, the
+# documentation.
 if(TARGET sluice)  # a build of single rooms has no command to install
   install(TARGETS sluice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
