@@ -32,9 +32,9 @@ void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveR
   for (std::size_t k = 0; k < N; ++k) q[k] = rows[k].values;
   int bad = 0;
   for (int i = 0; i < n; ++i) {
-    bool good = true;
-    for (std::size_t k = 0; k < N; ++k) good = good & (q[k][i] > 0.0) & (q[k][i] < infinity);
-    bad += !good;
+    int good = 1;  // an integer, so that no comparison becomes a branch
+    for (std::size_t k = 0; k < N; ++k) good &= int{q[k][i] > 0.0} & int{q[k][i] < infinity};
+    bad += 1 - good;
   }
   if (bad == 0) return;
   for (int i = 0; i < n; ++i)
