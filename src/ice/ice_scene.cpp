@@ -101,8 +101,6 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
     s.exchange_where = x->where;
   }
   read_criteria(root, s);
-  for (const AnalysisModule& m : scene.analysis.modules)
-    s.vorticity_module = s.vorticity_module || m.name == "vorticity";
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

@@ -45,7 +45,6 @@ struct IceScene {
   std::vector<IceMaterial> materials;
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;
-  bool vorticity_module = false;
   bool exchange_written = false;  // the deck has coefficients (one material: nothing to exchange)
   Location advection_where, cfl_where, scheme_where, exchange_where, gravity_where;
 };
