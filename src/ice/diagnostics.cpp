@@ -196,8 +196,7 @@ void refine_flag(TaskList& list, const Primitives& p, const SchemeOptions& o, co
 
 }  // namespace
 
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice,
-                                const Level& /*level*/) {
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice) {
   const Labels& l = labels();
   const Primitives p = declare_primitives(list, o);
   const eos::IdealGas gas = o.gas;

@@ -131,7 +131,7 @@ void Ice::declare_step(TaskList& list, bool masked) const {
 }
 
 void Ice::declare_diagnostics(TaskList& list) const {
-  declare_diagnostic_outputs(list, options_, ice_, scene_->grid.levels.front());
+  declare_diagnostic_outputs(list, options_, ice_);
 }
 
 bool Ice::quiet_blocks_allowed() const {

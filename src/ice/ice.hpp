@@ -68,8 +68,7 @@ enum EffectId {
 };
 
 // Labels that are functions of a state, as tasks that read it as old state.
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,
-                                const Level& level);
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice);
 // Labels that only exist inside a step.
 void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options);
 
