@@ -125,6 +125,29 @@ TEST_F(PlanCommand, PredictsTheMemoryThatARunTakes) {
   EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
 }
 
+TEST_F(PlanCommand, PredictsTheMemoryThatAllRanksTake) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has memory of its own";
+#endif
+  const std::vector<std::string> words = {
+      deck("blast_3d"), "--set", "Grid/Level/Box/resolution=[100,100,100]", "--boxes", "4,1,1"};
+  std::vector<std::string> planning = words;
+  planning.insert(planning.end(), {"--ranks", "2"});
+  const json planned = plan(planning);
+  ProcessRequest request;
+  const std::string report = (folder_ / "run.json").string();
+  request.words = {
+      SLUICE_MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-np", "2", SLUICE_COMMAND, "run"};
+  request.words.insert(request.words.end(), words.begin(), words.end());
+  request.words.insert(request.words.end(),
+                       {"--max-steps", "1", "-o", folder_.string(), "--json", report});
+  request.output = folder_ / "said";
+  ASSERT_EQ(run_process(request), 0) << text_of(request.output);
+  const double measured = json::parse(text_of(report)).at("peak_memory_bytes").get<double>();
+  // Planned and measured: 2.279e8 and 2.279e8.
+  EXPECT_NEAR(planned.at("memory").at("all_ranks_bytes").get<double>(), measured, 0.1 * measured);
+}
+
 TEST_F(PlanCommand, PlansWhatNoMemoryCouldHold) {
   const json p = plan({deck("blast_3d"), "--set", "Grid/Level/Box/resolution=[2000,2000,2000]"});
   EXPECT_GT(p.at("memory").at("peak_bytes").get<double>(), 8e9 * 80);

@@ -67,8 +67,10 @@ std::string memory_text(const RunPlan& p) {
   table.row({"initial fill", human_bytes(m.initial_fill), "while the first state is set"});
   if (m.messages > 0) table.row({"messages", human_bytes(m.messages), "sent and received"});
   return table.text("  ") +
-         fmt::format("  peak {} a rank; fields {:g} doubles a cell (budget 40)\n",
-                     human_bytes(m.peak()), m.field_doubles_per_cell());
+         fmt::format("  peak {} a rank{}; fields {:g} doubles a cell (budget 40)\n",
+                     human_bytes(m.peak()),
+                     p.ranks == 1 ? "" : ", all together " + human_bytes(m.all_ranks),
+                     m.field_doubles_per_cell());
 }
 
 Json json_location(const Location& where) {
@@ -134,6 +136,7 @@ Json memory_json(const RunPlan& p) {
           {"initial_fill", m.initial_fill},
           {"messages", m.messages},
           {"peak_bytes", m.peak()},
+          {"all_ranks_bytes", m.all_ranks},
           {"field_doubles_per_cell", m.field_doubles_per_cell()}};
 }
 

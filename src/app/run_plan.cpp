@@ -319,36 +319,44 @@ class Planner {
     if (!computed_.empty())
       m.scratch += scratch_bytes(compile_graph(component_, level_, true, computed_));
     kept.insert(computed_.begin(), computed_.end());
-    int components = 0;
-    for (const SlotInfo& s : component_.state_slots()) components += s.components;
-    m.state_doubles_per_cell = components;
+    m.state_doubles_per_cell = state_components(component_);
     for (Label l : kept) m.output_doubles_per_cell += component_count(l.info().type);
-    int width = 0;
-    for (const SlotInfo& s : component_.state_slots()) width = std::max(width, s.ghosts);
+    const PlannedMemory alike = m;  // on all ranks; the rest depends on their boxes
+    double sum = 0;
     for (int rank = 0; rank < options_.ranks; ++rank) {
-      double states = 0, outputs = 0, fill = 0;
-      for (const SlotInfo& s : component_.state_slots())
-        states += 2 * s.components * array_bytes(rank, s.ghosts);
-      for (Label l : kept)
-        outputs += component_count(l.info().type) *
-                   array_bytes(rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
-      for (const GridBox& b : level_.boxes)
-        if (b.owner == rank) fill = std::max(fill, initial_fill_bytes(b.cells));
-      double messages = 0;
-      if (options_.ranks > 1) {
-        const HaloExchange halo(level_, width, rank);
-        messages = static_cast<double>(halo.message_bytes(components));
-        if (messages >= static_cast<double>(plan_.message_bytes)) {
-          plan_.message_bytes = static_cast<std::int64_t>(messages);
-          plan_.neighbour_ranks = halo.neighbour_ranks();
-        }
-      }
-      if (states + outputs + fill <= m.states + m.outputs + m.initial_fill) continue;
-      m.states = states;
-      m.outputs = outputs;
-      m.initial_fill = fill;
-      m.messages = 2 * messages;  // sent and received
+      PlannedMemory here = alike;
+      add_fields(here, rank, kept);
+      if (options_.ranks > 1) here.messages = 2 * messages_of(rank);  // sent and received
+      sum += here.peak();
+      if (rank == 0 || here.peak() > m.peak()) m = here;
     }
+    m.all_ranks = sum;
+  }
+
+  void add_fields(PlannedMemory& m, int rank, const std::set<Label>& kept) const {
+    for (const SlotInfo& s : component_.state_slots())
+      m.states += 2 * s.components * array_bytes(rank, s.ghosts);
+    for (Label l : kept)
+      m.outputs += component_count(l.info().type) *
+                   array_bytes(rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
+    for (const GridBox& b : level_.boxes)
+      if (b.owner == rank) m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(b.cells));
+  }
+
+  // What a rank sends in a step; the plan keeps that of the one that sends most.
+  double messages_of(int rank) {
+    int width = 0, components = 0;
+    for (const SlotInfo& s : component_.state_slots()) {
+      width = std::max(width, s.ghosts);
+      components += s.components;
+    }
+    const HaloExchange halo(level_, width, rank);
+    const auto bytes = static_cast<std::int64_t>(halo.message_bytes(components));
+    if (bytes > plan_.message_bytes) {
+      plan_.message_bytes = bytes;
+      plan_.neighbour_ranks = halo.neighbour_ranks();
+    }
+    return static_cast<double>(bytes);
   }
 
   const Scene& scene_;

@@ -40,9 +40,10 @@ struct PlannedLimit {
   std::string acts;  // "sets the first step", or empty
 };
 
-// Of the rank that needs most.
+// Of the rank that needs most, and the peaks of all ranks added up.
 struct PlannedMemory {
   double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
+  double all_ranks = 0;  // what run.json tells as peak_memory_bytes
   double output_doubles_per_cell = 0, state_doubles_per_cell = 0;
   double peak() const;
   double field_doubles_per_cell() const {

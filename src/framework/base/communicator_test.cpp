@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
+#include "framework/base/memory.hpp"
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
@@ -55,6 +57,21 @@ TEST(Communicator, reduces_all_kinds_in_one_call) {
   EXPECT_EQ(step.count(cells), 1000 * size + size * (size - 1) / 2);
   EXPECT_TRUE(step.any(reject));
   EXPECT_FALSE(step.any(nothing));
+}
+
+TEST(Communicator, adds_up_the_peak_memory_of_all_ranks) {
+  const auto sum_of_peaks = [] {  // by another way than a reduction
+    double sum = 0;
+    for (const std::string& own : world().gather_to_all(std::to_string(peak_resident_bytes())))
+      sum += std::stod(own);
+    return sum;
+  };
+  // The kernel counts pages in batches a core: a few may be missing.
+  const double uncertain = world().size() * 1024.0 * 1024.0;
+  const double before = sum_of_peaks();
+  const auto told = static_cast<double>(peak_resident_bytes_of_all(world()));
+  EXPECT_GE(told, before - uncertain);
+  EXPECT_LE(told, sum_of_peaks() + uncertain);
 }
 
 TEST(Communicator, sums_are_the_same_bits_on_any_number_of_ranks) {

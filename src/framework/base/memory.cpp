@@ -8,6 +8,9 @@
 #include <fstream>
 #include <string>
 
+#include "framework/base/communicator.hpp"
+#include "framework/base/reduction.hpp"
+
 namespace sluice {
 namespace {
 
@@ -28,6 +31,13 @@ std::uint64_t peak_resident_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
+}
+
+std::uint64_t peak_resident_bytes_of_all(Communicator& ranks) {
+  Reduction sum;
+  const auto total = sum.add_count(static_cast<std::int64_t>(peak_resident_bytes()));
+  ranks.reduce(sum);
+  return static_cast<std::uint64_t>(sum.count(total));
 }
 
 std::uint64_t resident_bytes() {

@@ -30,8 +30,8 @@ struct RunReport {
   double wall_seconds = 0;      // of the process's run, set-up and output included
   double stepping_seconds = 0;  // of the steps alone
   double output_seconds = 0;
-  double start_seconds = 0;  // from the start to the first step
-  std::uint64_t peak_memory_bytes = 0;
+  double start_seconds = 0;             // from the start to the first step
+  std::uint64_t peak_memory_bytes = 0;  // of all ranks together
   std::int64_t blocks_run = 0, blocks_asleep = 0;
   std::vector<EffectCost> effects;
   std::string step_limit;  // what has set the last step

@@ -381,7 +381,7 @@ RunReport Simulation::report() const {
   r.stepping_seconds = stepping_seconds_;
   r.start_seconds = start_seconds_;
   r.output_seconds = output_ != nullptr ? output_->seconds() : 0.0;
-  r.peak_memory_bytes = peak_resident_bytes();
+  r.peak_memory_bytes = peak_resident_bytes_of_all(communicator_);
   r.blocks_run = solver_.blocks_run();
   r.blocks_asleep = solver_.blocks_asleep();
   r.step_limit = limit_.reason;
