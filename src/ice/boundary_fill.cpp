@@ -288,16 +288,57 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width) const {
       for (const bool r : {false, true}) even_out({side_of(0, p), side_of(1, q), side_of(2, r)});
 }
 
-void BoundaryFill::fill(Warehouse& state) const {
-  const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
+// Ghosts depend on cells along `d` only, and those of later directions on those of earlier ones:
+// within one direction pieces cut across another may be filled in any order. Both sides of a piece
+// together: where rows run along `d`, the end of one and the start of the next share a cache line.
+void BoundaryFill::fill_direction(Warehouse& state, int width, int d,
+                                  const ThreadTeam& team) const {
+  if (regions_[static_cast<std::size_t>(side_of(d, false))] == nullptr) return;
+  constexpr std::int64_t fewest_cells = 4096;  // of a piece: worth waking a thread for
+  struct Piece {
+    int box;
+    std::array<IndexBox, 2> ghosts;
+  };
+  int across = 2;
+  while (across >= 0 && (across == d || !level_->active[static_cast<std::size_t>(across)]))
+    --across;
+  std::vector<Piece> pieces;
   for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
-    for (Side side : all_sides) {
-      if (regions_[static_cast<std::size_t>(side)] == nullptr) continue;
-      const IndexBox ghosts = ghost_region(state, box, width, side);
-      if (!ghosts.empty()) fill_side(state, box, ghosts, side);
+    Piece whole{box, {}};
+    std::int64_t cells = 0;
+    int layers = 1;
+    for (const bool plus : {false, true}) {
+      IndexBox& region = whole.ghosts[plus];
+      region = ghost_region(state, box, width, side_of(d, plus));
+      if (region.empty()) continue;
+      cells += region.volume();
+      if (across >= 0) layers = region.size()[across];
     }
-    even_out_edges(state, box, width);
+    if (cells == 0) continue;
+    const int count = static_cast<int>(std::clamp<std::int64_t>(cells / fewest_cells, 1, layers));
+    for (int n = 0; n < count; ++n) {
+      Piece piece = whole;
+      if (count > 1)
+        for (IndexBox& region : piece.ghosts) {
+          const int low = region.lower[across];
+          region.lower[across] = low + layers * n / count;
+          region.upper[across] = low + layers * (n + 1) / count;
+        }
+      pieces.push_back(piece);
+    }
   }
+  team.for_each(pieces.size(), [&](std::size_t n, int) {
+    for (const bool plus : {false, true})
+      if (const IndexBox& ghosts = pieces[n].ghosts[plus]; !ghosts.empty())
+        fill_side(state, pieces[n].box, ghosts, side_of(d, plus));
+  });
+}
+
+void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team) const {
+  const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
+  for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team);
+  team.for_each(state.local_boxes().size(),
+                [&](std::size_t box, int) { even_out_edges(state, static_cast<int>(box), width); });
 }
 
 void BoundaryFill::copy_outward(Warehouse& state, Label label, int material) const {

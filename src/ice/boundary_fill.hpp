@@ -23,6 +23,7 @@
 
 #include "framework/field/warehouse.hpp"
 #include "framework/scene/boundary.hpp"
+#include "framework/task/thread_team.hpp"
 #include "ice/ice_scene.hpp"
 
 namespace sluice::ice {
@@ -58,8 +59,8 @@ class BoundaryFill {
   BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots);
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
-  // only, whatever the boxes.
-  void fill(Warehouse& state) const;
+  // only, whatever the boxes and threads.
+  void fill(Warehouse& state, const ThreadTeam& team) const;
   // The same for one slot that is simply copied outward (masks).
   void copy_outward(Warehouse& state, Label label, int material) const;
 
@@ -73,6 +74,7 @@ class BoundaryFill {
   const GhostRule& rule(Side side, IntVec3 cell) const;
   struct SideRules;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
+  void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team) const;
   // Does the order in which these sides fill a ghost matter?
   bool commute(std::span<const Side> sides) const;
   void fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,

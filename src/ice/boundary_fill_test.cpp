@@ -59,7 +59,8 @@ class Tube {
       state_->view(1, 1, 0)(i, 0, 0) = 0.5 * (i + 1);
       state_->view(2, 0, 0)(i, 0, 0) = 10.0 / 0.4;
     }
-    BoundaryFill(scene_, material_, {l.mass, l.momentum, l.energy, 0, {0, 1}}).fill(*state_);
+    BoundaryFill(scene_, material_, {l.mass, l.momentum, l.energy, 0, {0, 1}})
+        .fill(*state_, ThreadTeam());
   }
   double rho(int i) const { return state_->view(0, 0, 0)(i, 0, 0); }
   double u(int i, int c = 0) const { return state_->view(1, c, 0)(i, 0, 0) / rho(i); }

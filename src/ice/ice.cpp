@@ -116,8 +116,8 @@ void Ice::initialise(Warehouse& state) const {
   }
 }
 
-void Ice::fill_boundary(Warehouse& state, double /*time*/) const {
-  boundary_->fill(state);
+void Ice::fill_boundary(Warehouse& state, double /*time*/, const ThreadTeam& team) const {
+  boundary_->fill(state, team);
   if (state.find(labels().mask, 0) >= 0) boundary_->copy_outward(state, labels().mask, 0);
 }
 

@@ -20,7 +20,7 @@ class Ice final : public Component {
   std::vector<SlotInfo> state_slots() const override;
   std::vector<std::vector<Label>> checkpoint_labels() const override;
   void initialise(Warehouse& state) const override;
-  void fill_boundary(Warehouse& state, double time) const override;
+  void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, bool masked) const override;
   void declare_diagnostics(TaskList& list) const override;
   Label mask_label() const override;

@@ -12,6 +12,7 @@
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
 #include "framework/task/task.hpp"
+#include "framework/task/thread_team.hpp"
 
 namespace sluice {
 
@@ -56,7 +57,7 @@ class Component {
   virtual std::vector<std::vector<Label>> checkpoint_labels() const = 0;
   virtual void initialise(Warehouse& state) const = 0;
   // Ghost cells outside the domain, after the halo point has filled the others.
-  virtual void fill_boundary(Warehouse& state, double time) const = 0;
+  virtual void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const = 0;
 
   // Tasks of a step. `masked`: slopes vanish where the mask slot is zero (a redone step).
   // Every label that can be saved from within a step is declared as an output.

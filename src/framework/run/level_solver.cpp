@@ -45,7 +45,8 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
       options_(options),
       state_(level, communicator.rank()),
       next_(level, communicator.rank()),
-      outputs_(level, communicator.rank()) {
+      outputs_(level, communicator.rank()),
+      team_(std::make_shared<const ThreadTeam>(options.threads)) {
   int width = 0;
   for (const SlotInfo& s : component.state_slots()) {
     state_slots_.push_back(state_.add(s));
@@ -89,6 +90,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::compile_variant(
   }
   SweepOptions o;
   o.threads = options_.threads;
+  o.team = team_;
   o.block = options_.block;
   o.quiet_blocks =
       !options_.force_all && !diagnostic && wanted.empty() && component_->quiet_blocks_allowed();
@@ -118,7 +120,7 @@ LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted)
 
 void LevelSolver::fill_ghosts(double time) {
   halo_->run(state_, state_slots_);
-  component_->fill_boundary(state_, time);
+  component_->fill_boundary(state_, time, *team_);
 }
 
 const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vector<Label>& wanted,
@@ -226,7 +228,7 @@ std::int64_t LevelSolver::mask_faults(double time) {
       mask = 0.0;
     }
   halo_->run(state_, {slot});
-  component_->fill_boundary(state_, time);
+  component_->fill_boundary(state_, time, *team_);
   masked_ = true;
   Reduction all;
   const auto count = all.add_count(now);

@@ -99,6 +99,7 @@ class LevelSolver {
   SolverOptions options_;
   Warehouse state_, next_, outputs_;
   std::vector<int> state_slots_;
+  std::shared_ptr<const ThreadTeam> team_;
   std::unique_ptr<HaloExchange> halo_;
   std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_, diagnostics_;
   std::vector<Label> step_labels_, diagnostic_labels_;

@@ -1,10 +1,6 @@
 // Blocks, threads, sleeping blocks.
 #include "framework/task/sweep_executor.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <cstring>
 #include <stdexcept>
 
@@ -20,11 +16,6 @@ struct SweepExecutor::Worker {
   Reductions reductions;
   TaskTimes times;
   std::int64_t run = 0, asleep = 0, sampled = 0;
-};
-
-struct SweepExecutor::Threads {
-  explicit Threads(int n) : arena(n) {}
-  tbb::task_arena arena;
 };
 
 IntVec3 default_block(const Level& level) {
@@ -69,9 +60,9 @@ SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& 
       plan_(std::move(plan)),
       level_(&level),
       options_(options),
-      total_(options.maxima, options.sums) {
-  if (options.threads > 1) threads_ = std::make_unique<Threads>(options.threads);
-}
+      team_(options.team != nullptr ? options.team
+                                    : std::make_shared<const ThreadTeam>(options.threads)),
+      total_(options.maxima, options.sums) {}
 
 SweepExecutor::~SweepExecutor() = default;
 
@@ -93,12 +84,12 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   IntVec3 extents = options_.block;
   if (extents == IntVec3{})
     extents =
-        even_blocks(default_block(*level_), old_state.local_boxes(), plan_.axes, options_.threads);
+        even_blocks(default_block(*level_), old_state.local_boxes(), plan_.axes, team_->size());
   blocks_ = place_blocks(old_state.local_boxes(), extents);
   IntVec3 largest{1, 1, 1};
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());
   workers_.clear();
-  for (int t = 0; t < options_.threads; ++t)
+  for (int t = 0; t < team_->size(); ++t)
     workers_.push_back(
         std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_));
 }
@@ -190,20 +181,9 @@ void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::si
 
 const Reductions& SweepExecutor::run(const StepConstants& step) {
   for (auto& w : workers_) w->reductions.clear();
-  if (threads_ == nullptr) {
-    for (std::size_t n = 0; n < blocks_.size(); ++n) run_block(*workers_[0], step, n);
-  } else {
-    threads_->arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, blocks_.size(), 1),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            const int t = tbb::this_task_arena::current_thread_index();
-            for (std::size_t n = range.begin(); n < range.end(); ++n)
-              run_block(*workers_[static_cast<std::size_t>(t)], step, n);
-          },
-          tbb::simple_partitioner());
-    });
-  }
+  team_->for_each(blocks_.size(), [&](std::size_t n, int thread) {
+    run_block(*workers_[static_cast<std::size_t>(thread)], step, n);
+  });
   total_.clear();
   blocks_run_ = blocks_asleep_ = 0;
   for (auto& w : workers_) {

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "framework/task/block_sweep.hpp"
+#include "framework/task/thread_team.hpp"
 
 namespace sluice {
 
 struct SweepOptions {
   int threads = 1;
+  std::shared_ptr<const ThreadTeam> team;  // of that many threads; none: an own one
   IntVec3 block{};            // extents of a block; 0: chosen from the number of active directions
   bool quiet_blocks = false;  // may uniform blocks sleep
   int maxima = 0, sums = 0;   // of the reductions
@@ -60,13 +62,12 @@ class SweepExecutor {
   SweepPlan plan_;
   const Level* level_;
   SweepOptions options_;
+  std::shared_ptr<const ThreadTeam> team_;
   StateBinding binding_;
   std::vector<Block> blocks_;
   std::vector<std::unique_ptr<Worker>> workers_;
   Reductions total_;
   std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
-  struct Threads;
-  std::unique_ptr<Threads> threads_;
 };
 
 }  // namespace sluice
