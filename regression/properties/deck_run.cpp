@@ -2,7 +2,6 @@
 #include "properties/deck_run.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <fstream>
@@ -176,21 +175,10 @@ std::string difference(const fs::path& a, const fs::path& b, bool checkpoints, b
   return result.values == 0 ? "nothing was compared" : "";
 }
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (fs::temp_directory_path() / "sluice_property_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr)
-    throw std::runtime_error("cannot make a temporary folder " + name);
-  path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 fs::path ScratchFolder::operator/(const std::string& name) const {
-  fs::create_directories(path_ / name);
-  return path_ / name;
+  const fs::path path = folder_ / name;
+  fs::create_directories(path);
+  return path;
 }
 
 }  // namespace sluice::properties

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "framework/base/temporary_folder.hpp"
 #include "framework/deck/deck.hpp"
 #include "framework/run/simulation.hpp"
 #include "properties/property_decks.hpp"
@@ -52,14 +53,10 @@ std::string difference(const std::filesystem::path& a, const std::filesystem::pa
 // A folder that goes away with the object.
 class ScratchFolder {
  public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
   std::filesystem::path operator/(const std::string& name) const;  // makes the folder
 
  private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
 }  // namespace sluice::properties

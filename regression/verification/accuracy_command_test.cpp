@@ -1,7 +1,6 @@
 // sluice accuracy on a corner of the study of Sod's tube: numbers, orders, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "app/study_process.hpp"
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice::verification {
 namespace {
@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 
 class Accuracy : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "sluice_accuracy_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   int accuracy(const std::vector<std::string>& words) const {
     ProcessRequest request;
     request.words = {SLUICE_COMMAND, "accuracy"};
@@ -34,7 +27,7 @@ class Accuracy : public testing::Test {
   std::string log() const { return last_lines(folder_ / "log", 1000); }
 
   const std::string study_ = std::string(SLUICE_SOURCE_DIR) + "/regression/accuracy/sod.study";
-  fs::path folder_;
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
 TEST_F(Accuracy, CornerOfTheSodStudy) {

@@ -2,7 +2,6 @@
 // that the archive holds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <sstream>
 
 #include "app/study_process.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "verification/case_run.hpp"
 
 namespace sluice::verification {
@@ -47,9 +47,6 @@ std::string text_of(const fs::path& file) {
 class DeckWithAnalysis {
  public:
   explicit DeckWithAnalysis(const std::string& block = analysis) {
-    std::string name = (fs::temp_directory_path() / "sluice_deck_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the deck");
-    folder_ = name;
     std::string text = text_of(fs::path(SLUICE_SOURCE_DIR) / "inputs/ice/explosion_2d.ups");
     const std::size_t end = text.rfind("</");
     text.replace(end, 2, block);
@@ -57,11 +54,10 @@ class DeckWithAnalysis {
     text.replace(text.find(saves), saves.size(), saves + "<checkpoint interval=\"0.15\"/>");
     std::ofstream(path()) << text;
   }
-  ~DeckWithAnalysis() { fs::remove_all(folder_); }
   std::string path() const { return (folder_ / "deck.ups").string(); }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 const std::vector<std::string> settings = {resolution(30, 26), "Time/maxTime=0.4",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +13,8 @@
 #include "framework/archive/archive.hpp"
 
 namespace sluice::verification {
-namespace {
 
 namespace fs = std::filesystem;
-
-fs::path fresh_folder() {
-  std::string name = (fs::temp_directory_path() / "sluice_case_XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder " + name);
-  return name;
-}
-
-}  // namespace
 
 double lowest(const CellValues& field) {
   return *std::min_element(field.values.begin(), field.values.end());
@@ -41,8 +31,7 @@ double farthest_from(const CellValues& field, double wanted) {
 }
 
 CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& options, int ranks)
-    : folder_(fresh_folder()) {
+                 const std::vector<std::string>& options, int ranks) {
   const bool is_path = deck.find('/') != std::string::npos;
   ProcessRequest request;
   if (ranks > 1) {
@@ -71,13 +60,7 @@ CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overri
   const std::string end = record_.is_object() ? record_.value("status", "unknown") : "no record";
   if (status == 0 && (end == "done" || end == "max_steps")) return;
   const std::string said = last_lines(request.output, 20);
-  fs::remove_all(folder_);
   throw std::runtime_error(fmt::format("{}: exit status {}, {}:\n{}", deck, status, end, said));
-}
-
-CaseRun::~CaseRun() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 CellValues CaseRun::field(const std::string& variable, int component,

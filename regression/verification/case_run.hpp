@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/profile.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/base/vec3.hpp"
 
 namespace sluice::verification {
@@ -41,14 +42,11 @@ class CaseRun {
   // deck: name of a deck of inputs/ice without ".ups", or a path. options: of sluice run.
   explicit CaseRun(const std::string& deck, const std::vector<std::string>& overrides = {},
                    const std::vector<std::string>& options = {}, int ranks = 1);
-  ~CaseRun();
-  CaseRun(const CaseRun&) = delete;
-  CaseRun& operator=(const CaseRun&) = delete;
 
   const nlohmann::json& record() const { return record_; }  // of --json
   int steps() const { return record_.at("steps").get<int>(); }
   std::filesystem::path archive() const { return record_.at("archive").get<std::string>(); }
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
   // which: last, first, #N or a time.
   CellValues field(const std::string& variable, int component = 0,
@@ -66,7 +64,7 @@ class CaseRun {
   long events() const;
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
   nlohmann::json record_;
 };
 

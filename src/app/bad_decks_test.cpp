@@ -11,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -21,6 +20,8 @@
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
 namespace {
@@ -66,27 +67,18 @@ Outcome check(const std::string& arguments) {
 // A folder of its own for the edited decks, with the fragments that some include.
 class Folder {
  public:
-  explicit Folder(const std::string& name)
-      : path_(fs::temp_directory_path() /
-              ("sluice_bad_decks_" + name + "_" + std::to_string(::getpid()))) {
-    fs::create_directories(path_);
-    for (const auto& entry : fs::directory_iterator(corpus)) {
-      fs::copy_file(entry.path(), path_ / entry.path().filename(),
-                    fs::copy_options::overwrite_existing);
-    }
+  Folder() {
+    for (const auto& entry : fs::directory_iterator(corpus))
+      fs::copy_file(entry.path(), folder_ / entry.path().filename());
   }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   std::string write(const std::string& name, const std::string& text) const {
-    const fs::path file = path_ / name;
+    const fs::path file = folder_ / name;
     std::ofstream(file, std::ios::binary) << text;
     return file.string();
   }
 
  private:
-  fs::path path_;
+  TemporaryFolder folder_;
 };
 
 std::string edited(const std::string& good, const BadDeck& bad) {
@@ -146,7 +138,7 @@ std::vector<BadDeck> read_rows(const fs::path& file) {
 class BadDecks : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadDecks, AreRefused) {
-  const Folder folder(GetParam());
+  const Folder folder;
   const std::string good = read_file(corpus / "good.ups");
   const auto rows = read_rows(corpus / (std::string(GetParam()) + ".rows"));
   ASSERT_GE(rows.size(), 10u);
@@ -170,7 +162,7 @@ TEST(BadDeckChecks, TheGoodOneIsGood) {
 
 // Bombs and giants, made here because they are large.
 TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
-  const Folder folder("bombs");
+  const Folder folder;
   std::string laughs = "<!DOCTYPE r [<!ENTITY a0 \"ha\">\n";
   for (int i = 1; i < 20; ++i) {
     const std::string inner = "&a" + std::to_string(i - 1) + ";";
@@ -225,7 +217,7 @@ TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
 }
 
 TEST(BadDeckChecks, AllFaultsAreFoundInOnePass) {
-  const Folder folder("many");
+  const Folder folder;
   std::string text = read_file(corpus / "good.ups");
   const auto edit = [&](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);

@@ -2,12 +2,12 @@
 #include "app/label_reference.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
 
 #include "app/study_process.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/field/label.hpp"
 
 namespace sluice {
@@ -20,11 +20,10 @@ std::string text_of(const std::filesystem::path& path) {
 
 // By the command itself: other tests of this executable declare labels of their own.
 TEST(LabelReference, PageIsUpToDate) {
-  const std::filesystem::path page =
-      std::filesystem::temp_directory_path() / ("sluice_labels_" + std::to_string(::getpid()));
+  const TemporaryFolder folder;
+  const std::filesystem::path page = folder / "labels.md";
   const int status = run_process({{SLUICE_COMMAND, "help", "--labels"}, {}, page});
   const std::string written = text_of(page);
-  std::filesystem::remove(page);
   EXPECT_EQ(status, 0);
   EXPECT_EQ(text_of(SLUICE_SOURCE_DIR "/docs/labels.md"), written)
       << "write it anew: sluice help --labels > docs/labels.md";

@@ -1,7 +1,6 @@
 // sluice plan as a user meets it: what it says before a run holds when the run is done.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <sstream>
 
 #include "app/study_process.hpp"
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
 namespace {
@@ -19,12 +19,6 @@ using testing::HasSubstr;
 
 class PlanCommand : public testing::Test {
  protected:
-  PlanCommand() {
-    std::string name = (fs::temp_directory_path() / "sluice_plan_XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) folder_ = name;
-  }
-  ~PlanCommand() override { fs::remove_all(folder_); }
-
   static std::string deck(const std::string& name) {
     return std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + name + ".ups";
   }
@@ -55,7 +49,7 @@ class PlanCommand : public testing::Test {
     return {};
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
   std::string said_;
 };
 

@@ -65,7 +65,8 @@ class Plot : public ::testing::Test {
                " " + options);
   }
 
-  archive_test::TemporaryFolder folder_;
+  // A memory folder may refuse to run programs.
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
 TEST_F(Plot, DrawsTheUsualVariablesOverTheExactSolution) {

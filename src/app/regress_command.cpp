@@ -1,13 +1,11 @@
 // sluice regress: short runs against golden results, restarts, splits and ranks.
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <CLI/CLI.hpp>
-#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
@@ -15,6 +13,7 @@
 #include "app/study_process.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/deck/nearest_name.hpp"
 
 namespace sluice {
@@ -27,32 +26,6 @@ struct Options {
   std::string file, mpiexec = "mpiexec", folder;
   std::vector<std::string> names;
   bool bless = false, json = false, list = false;
-};
-
-// A folder that goes away with this object, unless the user named it.
-class WorkFolder {
- public:
-  explicit WorkFolder(const std::string& wanted) : path_(wanted), keep_(!wanted.empty()) {
-    if (keep_) return;
-    std::string name = (fs::temp_directory_path() / "sluice_regress_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw SystemError(
-          fmt::format("cannot create a temporary folder {}: {}; name one with "
-                      "--folder",
-                      name, std::strerror(errno)));
-    path_ = name;
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (!keep_) fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  bool keep_;
 };
 
 std::vector<RegressCase> select(std::vector<RegressCase> all,
@@ -110,10 +83,11 @@ int regress(const Options& o) {
     for (const RegressCase& c : cases) fmt::print("{}\n", c.name);
     return 0;
   }
-  const WorkFolder folder(o.folder);
+  std::optional<TemporaryFolder> temporary;
+  if (o.folder.empty()) temporary.emplace(TemporaryFolder::Place::disk);
   RegressRunner runner;
   runner.executable = own_executable();
-  runner.folder = folder.path();
+  runner.folder = temporary ? temporary->path() : fs::path(o.folder);
   runner.mpiexec = o.mpiexec;
   runner.bless = o.bless;
   std::vector<RegressResult> results;

@@ -1,7 +1,6 @@
 // sluice regress fails when it should: changed, missing and spoilt golden files, bad lists.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "app/golden.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
 namespace {
@@ -22,12 +22,9 @@ using testing::HasSubstr;
 class RegressCommand : public testing::Test {
  protected:
   RegressCommand() {
-    std::string name = (fs::temp_directory_path() / "sluice_regress_test_XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) folder_ = name;
     list(R"("set": ["Grid/Level/Box/resolution=[20,1,1]"], "variables": ["rho_CC", "vel_CC"],
             "restart": 5, "boxes": "3,1,1")");
   }
-  ~RegressCommand() override { fs::remove_all(folder_); }
 
   void list(const std::string& entries) {
     std::ofstream(folder_ / "cases.json")
@@ -51,7 +48,7 @@ class RegressCommand : public testing::Test {
   }
   fs::path golden() const { return folder_ / "tube.csv"; }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
   std::string said_;
 };
 

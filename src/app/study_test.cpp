@@ -14,6 +14,7 @@
 #include "app/study_report.hpp"
 #include "app/study_run.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
 namespace {
@@ -23,12 +24,7 @@ using testing::HasSubstr;
 
 class StudyFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sluice_study_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "deck.ups") << "<Uintah_specification/>";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  StudyFolder() { std::ofstream(folder_ / "deck.ups") << "<Uintah_specification/>"; }
 
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -43,7 +39,8 @@ class StudyFolder : public testing::Test {
     return "accepted";
   }
 
-  fs::path folder_;
+  // A memory folder may refuse to run programs.
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
 const char* const two_ladders = R"({

@@ -1,7 +1,5 @@
 // Fields and folders for the tests of this room.
 #pragma once
-#include <unistd.h>
-
 #include <cmath>
 #include <deque>
 #include <filesystem>
@@ -12,31 +10,11 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/archive/archive_writer.hpp"
+#include "framework/base/temporary_folder.hpp"
 
 namespace sluice::archive_test {
 
 namespace fs = std::filesystem;
-
-// A folder that goes away with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    // Memory where there is some: flushing thousands of files to a disk takes long.
-    const fs::path parent =
-        ::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : fs::temp_directory_path();
-    std::string name = (parent / "sluice_archive_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 inline Grid make_grid(IntVec3 cells, IntVec3 pieces) {
   Level level;

@@ -8,8 +8,6 @@
 namespace sluice {
 namespace {
 
-using archive_test::TemporaryFolder;
-
 std::string written(const std::filesystem::path& path, const HistoryControl& control) {
   HistoryFile file(path, control);
   for (int step = 1; step <= 6; ++step) file.append(step, 0.1 * step, 1.0 / step);

@@ -13,7 +13,6 @@
 namespace sluice {
 namespace {
 
-using archive_test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 TEST(XmlText, RealsSurviveToTheLastBit) {

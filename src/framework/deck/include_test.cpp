@@ -1,11 +1,11 @@
 // Includes: sections, filters, look-up of files, loops.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "framework/base/temporary_folder.hpp"
 #include "framework/deck/deck.hpp"
 
 namespace sluice {
@@ -18,9 +18,8 @@ class Include : public ::testing::Test {
  protected:
   void SetUp() override {
     here_ = fs::current_path();
-    folder_ = fs::temp_directory_path() / ("sluice_include_" + std::to_string(::getpid()));
     fs::create_directories(folder_ / "decks" / "parts");
-    fs::current_path(folder_);
+    fs::current_path(folder_.path());
     write("decks/parts/steel.xml",
           "<Uintah_Include>\n"
           "  <density>7800</density>\n"
@@ -28,10 +27,7 @@ class Include : public ::testing::Test {
           "  <material name='cold'><heat>1</heat><deep><yield>5</yield></deep></material>\n"
           "</Uintah_Include>");
   }
-  void TearDown() override {
-    fs::current_path(here_);
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { fs::current_path(here_); }
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder_ / file) << text;
   }
@@ -48,7 +44,8 @@ class Include : public ::testing::Test {
   }
 
  private:
-  fs::path here_, folder_;
+  TemporaryFolder folder_;
+  fs::path here_;
 };
 
 TEST_F(Include, PutsAllChildrenInPlace) {

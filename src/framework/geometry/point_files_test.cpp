@@ -1,17 +1,16 @@
 // Pieces that come from files: triangulated surfaces, polygons, particle lists.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <random>
 
 #include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/geometry/point_file.hpp"
 #include "framework/geometry/polygon.hpp"
 #include "framework/geometry/sampling.hpp"
@@ -26,21 +25,13 @@ using testing::ThrowsMessage;
 
 class FromFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("sluice_geometry_" + std::to_string(getpid()) + "_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder / name, std::ios::binary) << text;
     return (folder / name).string();
   }
   std::string stem(const std::string& name) { return (folder / name).string(); }
 
-  std::filesystem::path folder;
+  TemporaryFolder folder;
 };
 
 // The unit cube, two triangles a face.

@@ -2,10 +2,10 @@
 #include "framework/run/analysis_file.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/run/analysis_recorder.hpp"
 
 namespace sluice {
@@ -15,12 +15,7 @@ namespace fs = std::filesystem;
 
 class AnalysisFiles : public testing::Test {
  protected:
-  AnalysisFiles() {
-    std::string name = (fs::temp_directory_path() / "sluice_analysis_XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) folder_ = name;
-  }
-  ~AnalysisFiles() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST(SampleIsDue, FromTimeStartToTimeStopNoMoreOftenThanAsked) {
@@ -40,12 +35,12 @@ TEST(SampleIsDue, FromTimeStartToTimeStopNoMoreOftenThanAsked) {
 
 TEST_F(AnalysisFiles, TheHeaderComesOnceAndLinesAreAppended) {
   AnalysisFile file("MinMax/L-0/press_CC_0", "# time min max\n", 0);
-  file.flush(folder_);
+  file.flush(folder_.path());
   EXPECT_FALSE(fs::exists(folder_ / file.name())) << "no sample, no file";
   file.append("1 2 3");
-  file.flush(folder_);
+  file.flush(folder_.path());
   file.append("2 3 4");
-  file.flush(folder_);
+  file.flush(folder_.path());
   EXPECT_EQ(file.pending_bytes(), 0u);
   EXPECT_EQ(read_text(folder_ / file.name()), "# time min max\n1 2 3\n2 3 4\n");
 }
@@ -55,13 +50,13 @@ TEST_F(AnalysisFiles, ARestartTakesOverWhatLiesBeforeIt) {
   AnalysisFile file("X/L-0/i1_j2_k3", "# X Y Z Timestep Time p\n", 4);
   for (const char* line : {"9 9 9 1 0.1 5", "9 9 9 2 0.2 6", "9 9 9 3 0.3 7"}) file.append(line);
   file.flush(folder_ / "earlier");
-  file.adopt(folder_ / "earlier", folder_, 0.2);
+  file.adopt(folder_ / "earlier", folder_.path(), 0.2);
   file.append("9 9 9 3 0.25 8");
-  file.flush(folder_);
+  file.flush(folder_.path());
   EXPECT_EQ(read_text(folder_ / file.name()),
             "# X Y Z Timestep Time p\n9 9 9 1 0.1 5\n9 9 9 2 0.2 6\n9 9 9 3 0.25 8\n");
   const AnalysisFile other("Y/L-0/i0_j0_k0", "", 4);
-  other.adopt(folder_ / "earlier", folder_, 0.2);
+  other.adopt(folder_ / "earlier", folder_.path(), 0.2);
   EXPECT_FALSE(fs::exists(folder_ / other.name()));
 }
 
@@ -76,7 +71,7 @@ TEST_F(AnalysisFiles, AFolderThatCannotBeMadeIsNamed) {
   AnalysisFile file("MinMax/L-0/press_CC_0", "", 0);
   file.append("1 2 3");
   try {
-    file.flush(folder_);
+    file.flush(folder_.path());
     FAIL() << "no error";
   } catch (const SystemError& e) {
     EXPECT_NE(std::string(e.what()).find("MinMax"), std::string::npos) << e.what();

@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include "framework/archive/archive.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/run/mock_component.hpp"
 
 namespace sluice {
@@ -14,7 +14,6 @@ namespace {
 using namespace run_test;
 using testing::ElementsAre;
 using testing::HasSubstr;
-namespace fs = std::filesystem;
 
 class OutputWriterTest : public testing::Test {
  protected:
@@ -22,12 +21,9 @@ class OutputWriterTest : public testing::Test {
       : scene_(tube(2)),
         component_(scene_.grid.levels.front()),
         solver_(component_, scene_.grid.levels.front(), world(), {}) {
-    std::string name = (fs::temp_directory_path() / "sluice_writer_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     mock_labels();
     component_.initialise(solver_.state());
   }
-  ~OutputWriterTest() override { fs::remove_all(folder_); }
 
   void save(const char* label, const char* compression = "") {
     SaveRequest request;
@@ -37,7 +33,7 @@ class OutputWriterTest : public testing::Test {
   }
   OutputWriter writer() {
     ArchiveSetup setup;
-    setup.parent = folder_;
+    setup.parent = folder_.path();
     setup.filebase = "tube.uda";
     setup.deck_xml = "<Uintah_specification/>";
     return OutputWriter(scene_, component_, solver_, ArchiveWriter::create(setup));
@@ -46,7 +42,7 @@ class OutputWriterTest : public testing::Test {
   Scene scene_;
   MockComponent component_;
   LevelSolver solver_;
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(OutputWriterTest, SortsSavesByHowTheyAreMade) {

@@ -1,11 +1,9 @@
 // Every piece from its tags, labels, geometry objects, files, and what is said about bad ones.
 #include "framework/scene/geometry_reader.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 
+#include "framework/base/temporary_folder.hpp"
 #include "framework/scene/deck_text.hpp"
 
 namespace sluice {
@@ -178,9 +176,7 @@ TEST(GeometryReader, FaultsOfPiecesAreAllReported) {
 }
 
 TEST(GeometryReader, FilesAreFoundBesideTheDeck) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("sluice_reader_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   std::ofstream(folder / "tet.pts") << "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   std::ofstream(folder / "tet.tri") << "0 1 2\n0 1 3\n0 2 3\n1 2 3\n";
   std::ofstream(folder / "line.pts") << "0 0\n1 0\n0 1\n";
@@ -194,7 +190,6 @@ TEST(GeometryReader, FilesAreFoundBesideTheDeck) {
   const GeometryReader reader(*deck.root, faults);
   std::vector<PiecePtr> pieces;
   for (const auto& child : deck.root->children) pieces.push_back(reader.piece(*child, faults));
-  std::filesystem::remove_all(folder);
   ASSERT_EQ(all_faults(faults), "");
   EXPECT_TRUE(pieces[0]->inside({0.1, 0.1, 0.1}));
   EXPECT_TRUE(pieces[1]->inside({0.3, 0.3, 7}));
