@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <nlohmann/json.hpp>
 
 #include "framework/archive/archive.hpp"
 #include "framework/archive/compare.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/run/mock_component.hpp"
 
 namespace sluice {
@@ -21,12 +21,6 @@ using testing::HasSubstr;
 
 class Runs : public testing::Test {
  protected:
-  Runs() {
-    std::string name = (fs::temp_directory_path() / "sluice_run_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Runs() override { fs::remove_all(folder_); }
-
   // A tube that saves a step label, a diagnostic and a history.
   static Scene saving_tube(int boxes = 1) {
     Scene scene = tube(boxes);
@@ -56,7 +50,7 @@ class Runs : public testing::Test {
     return Simulation(scene, component, world(), o).run();
   }
   static MockComponent mock(const Scene& scene) { return MockComponent(scene.grid.levels.front()); }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Runs, EndExactlyAtTheTimeAskedForAndKeepTheTotals) {
