@@ -16,6 +16,7 @@ RANKS = [
     ["framework/deck", "framework/geometry", "framework/grid"],
     ["framework/field", "framework/scene"],
     ["framework/task", "framework/archive", "framework/solve"],
+    ["framework/refine"],
     ["framework/run"],
     ["eos", "exact"],
     ["models"],

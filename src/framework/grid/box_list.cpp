@@ -1,0 +1,105 @@
+// Set operations on boxes, and bins to find them by.
+#include "framework/grid/box_list.hpp"
+
+#include <algorithm>
+
+namespace sluice {
+namespace {
+
+int floor_divide(int a, int b) {
+  return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+}  // namespace
+
+IntVec3 coarsen(IntVec3 c, IntVec3 ratio) {
+  return {floor_divide(c.x, ratio.x), floor_divide(c.y, ratio.y), floor_divide(c.z, ratio.z)};
+}
+
+IndexBox coarsen(const IndexBox& fine, IntVec3 ratio) {
+  const IntVec3 one = IntVec3::all(1);
+  return {coarsen(fine.lower, ratio), coarsen(fine.upper - one, ratio) + one};
+}
+
+IndexBox refine(const IndexBox& coarse, IntVec3 ratio) {
+  return {coarse.lower * ratio, coarse.upper * ratio};
+}
+
+std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole) {
+  const IndexBox common = intersection(box, hole);
+  if (common.empty()) return box.empty() ? std::vector<IndexBox>{} : std::vector<IndexBox>{box};
+  std::vector<IndexBox> pieces;
+  IndexBox rest = box;
+  // Whole slabs along z, then y, then x: pieces keep long rows.
+  for (int d = 2; d >= 0; --d) {
+    IndexBox low = rest, high = rest;
+    low.upper[d] = common.lower[d];
+    high.lower[d] = common.upper[d];
+    if (!low.empty()) pieces.push_back(low);
+    if (!high.empty()) pieces.push_back(high);
+    rest.lower[d] = common.lower[d];
+    rest.upper[d] = common.upper[d];
+  }
+  return pieces;
+}
+
+std::vector<IndexBox> subtract(std::vector<IndexBox> boxes, const std::vector<IndexBox>& holes) {
+  for (const IndexBox& hole : holes) {
+    std::vector<IndexBox> left;
+    for (const IndexBox& b : boxes)
+      for (const IndexBox& piece : subtract(b, hole)) left.push_back(piece);
+    boxes = std::move(left);
+  }
+  return boxes;
+}
+
+BoxFinder::BoxFinder(std::vector<IndexBox> boxes) : boxes_(std::move(boxes)) {
+  if (boxes_.empty()) return;
+  bounds_ = boxes_.front();
+  IntVec3 total{};
+  for (const IndexBox& b : boxes_) {
+    bounds_ = bounding(bounds_, b);
+    total = total + b.size();
+  }
+  const auto n = static_cast<int>(boxes_.size());
+  for (int d = 0; d < 3; ++d) {
+    bin_size_[d] = std::max(1, total[d] / n);
+    bins_[d] = (bounds_.size()[d] + bin_size_[d] - 1) / bin_size_[d];
+  }
+  members_.resize(static_cast<std::size_t>(bins_.x) * static_cast<std::size_t>(bins_.y) *
+                  static_cast<std::size_t>(bins_.z));
+  for (int m = 0; m < n; ++m) {
+    const IndexBox& b = boxes_[static_cast<std::size_t>(m)];
+    const IndexBox reach{bin_of(b.lower), bin_of(b.upper - IntVec3::all(1)) + IntVec3::all(1)};
+    for_each_cell(reach, [&](IntVec3 bin) {
+      members_[static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z))].push_back(m);
+    });
+  }
+}
+
+IntVec3 BoxFinder::bin_of(IntVec3 cell) const {
+  return coarsen(cell - bounds_.lower, bin_size_);
+}
+
+std::vector<int> BoxFinder::overlapping(const IndexBox& region) const {
+  const IndexBox seen = intersection(region, bounds_);
+  std::vector<int> found;
+  if (boxes_.empty() || seen.empty()) return found;
+  const IndexBox reach{bin_of(seen.lower), bin_of(seen.upper - IntVec3::all(1)) + IntVec3::all(1)};
+  for_each_cell(reach, [&](IntVec3 bin) {
+    for (const int m :
+         members_[static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z))])
+      if (!intersection(boxes_[static_cast<std::size_t>(m)], region).empty()) found.push_back(m);
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+std::vector<IndexBox> BoxFinder::uncovered(const IndexBox& region) const {
+  std::vector<IndexBox> holes;
+  for (const int m : overlapping(region)) holes.push_back(boxes_[static_cast<std::size_t>(m)]);
+  return region.empty() ? std::vector<IndexBox>{} : subtract({region}, holes);
+}
+
+}  // namespace sluice

@@ -1,0 +1,39 @@
+// Sets of cells as lists of boxes: coarsening, refining, subtracting, finding overlaps.
+#pragma once
+#include <vector>
+
+#include "framework/grid/index_box.hpp"
+
+namespace sluice {
+
+// The coarse cell that holds a fine one: division rounded down.
+IntVec3 coarsen(IntVec3 fine_cell, IntVec3 ratio);
+// The smallest box of coarse cells that holds all of `fine`; and all fine cells of `coarse`.
+IndexBox coarsen(const IndexBox& fine, IntVec3 ratio);
+IndexBox refine(const IndexBox& coarse, IntVec3 ratio);
+
+// What is left of `box` without `hole`: at most six disjoint boxes.
+std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole);
+std::vector<IndexBox> subtract(std::vector<IndexBox> boxes, const std::vector<IndexBox>& holes);
+
+// Finds the boxes that overlap a region without asking all of them (bins of the average box size).
+class BoxFinder {
+ public:
+  explicit BoxFinder(std::vector<IndexBox> boxes);
+
+  // Positions of the boxes that overlap `region`, ascending.
+  std::vector<int> overlapping(const IndexBox& region) const;
+  // `region` without all boxes.
+  std::vector<IndexBox> uncovered(const IndexBox& region) const;
+  bool covers(const IndexBox& region) const { return uncovered(region).empty(); }
+  const std::vector<IndexBox>& boxes() const { return boxes_; }
+
+ private:
+  IntVec3 bin_of(IntVec3 cell) const;
+  std::vector<IndexBox> boxes_;
+  IndexBox bounds_;
+  IntVec3 bin_size_{1, 1, 1}, bins_{1, 1, 1};
+  std::vector<std::vector<int>> members_;  // by bin
+};
+
+}  // namespace sluice
