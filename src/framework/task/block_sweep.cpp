@@ -136,6 +136,7 @@ void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
   row.axes_ = plan_->axes.count;
   row.step_ = &step;
   row.reductions_ = &reductions;
+  row.box_ = box;
   row.block_low_ = block.lower;
   row.block_high_ = block.upper;
   const Axes& axes = plan_->axes;

@@ -53,6 +53,7 @@ class Row {
  public:
   int count() const { return count_; }
   IntVec3 cell() const { return cell_; }            // level index of the first cell of the row
+  int box() const { return box_; }                  // number of the local box
   IntVec3 block_low() const { return block_low_; }  // interior cells of the block
   IntVec3 block_high() const { return block_high_; }
   const StepConstants& step() const { return *step_; }
@@ -91,7 +92,7 @@ class Row {
   const BoundArray* const* writes_ = nullptr;
   int axes_ = 1;
   int index_[3] = {0, 0, 0};  // canonical coordinates of the row's first cell
-  int count_ = 0;
+  int count_ = 0, box_ = 0;
   IntVec3 cell_{}, block_low_{}, block_high_{};
   const StepConstants* step_ = nullptr;
   Reductions* reductions_ = nullptr;
