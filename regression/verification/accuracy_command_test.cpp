@@ -19,13 +19,14 @@ class Accuracy : public testing::Test {
  protected:
   int accuracy(const std::vector<std::string>& words) const {
     ProcessRequest request;
-    request.words = {SLUICE_COMMAND, "accuracy"};
+    request.words = {command_, "accuracy"};
     request.words.insert(request.words.end(), words.begin(), words.end());
     request.output = folder_ / "log";
     return run_process(request);
   }
   std::string log() const { return last_lines(folder_ / "log", 1000); }
 
+  std::string command_ = SLUICE_COMMAND;
   const std::string study_ = std::string(SLUICE_SOURCE_DIR) + "/regression/accuracy/sod.study";
   TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
@@ -51,6 +52,20 @@ TEST_F(Accuracy, CornerOfTheSodStudy) {
   EXPECT_TRUE(fs::exists(out / "sod.csv"));
   EXPECT_TRUE(fs::exists(out / "sod.png")) << log();
   EXPECT_FALSE(fs::exists(out / "run"));  // archives are not kept
+}
+
+TEST_F(Accuracy, WithoutThePythonToolsTheNumbersAreStillThere) {
+  fs::create_directories(folder_ / "bin");
+  command_ = (folder_ / "bin" / "sluice").string();
+  fs::copy_file(SLUICE_COMMAND, command_);
+  const fs::path out = folder_ / "out";
+  ASSERT_EQ(
+      accuracy({study_, "-o", out.string(), "--repeat", "1", "--only", "order 2, CFL 0.4, N 100"}),
+      0)
+      << log();
+  EXPECT_THAT(log(), testing::HasSubstr("warning: no picture: the Python tools are not beside"));
+  EXPECT_TRUE(fs::exists(out / "sod.json"));
+  EXPECT_FALSE(fs::exists(out / "sod.png"));
 }
 
 TEST_F(Accuracy, BadStudiesAndPatternsAreRefused) {

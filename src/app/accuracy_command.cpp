@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
+#include "app/python_tool.hpp"
 #include "app/study.hpp"
 #include "app/study_process.hpp"
 #include "app/study_report.hpp"
@@ -22,8 +23,6 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kPython = "/usr/bin/python3";
 
 struct AccuracyRequest {
   std::string study, folder, json, csv, picture, only;
@@ -43,30 +42,18 @@ void write_file(const fs::path& path, Write&& write) {
 // The work-precision picture; a message instead of a failure when Python cannot draw it, because
 // table, CSV and JSON are complete without.
 void draw(const fs::path& json, const fs::path& picture, const StudyReport& report,
-          const fs::path& log) {
-  const fs::path tools = data_folder() / "tools";
-  ProcessRequest request;
-  request.words = {kPython,
-                   "-B",
-                   "-m",
-                   "sluice_tools",
-                   "workprecision",
-                   json.string(),
-                   "-o",
-                   picture.string(),
-                   "--title",
-                   report.study.title,
-                   "--error-label",
-                   fmt::format("{} error of {}", report.study.norm, report.study.variable)};
-  request.environment = {"PYTHONPATH=" + tools.string()};
-  request.output = log;
-  const int status = run_process(request);
-  if (status == 0) {
+          const fs::path& log) try {
+  const std::string label = fmt::format("{} error of {}", report.study.norm, report.study.variable);
+  const int status = run_python_tool({"workprecision", json.string(), "-o", picture.string(),
+                                      "--title", report.study.title, "--error-label", label},
+                                     log);
+  if (status == 0)
     fmt::print("picture: {}\n", picture.string());
-  } else {
+  else
     fmt::print(stderr, "sluice: warning: no picture: {}\n", last_lines(log, 3));
-  }
   fs::remove(log);
+} catch (const SystemError& missing) {
+  fmt::print(stderr, "sluice: warning: no picture: {}\n", missing.what());
 }
 
 StudyReport measure(const Study& study, const AccuracyRequest& request, const fs::path& folder) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/archive_error.hpp"
+#include "app/archive_picture.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/error.hpp"
@@ -38,16 +39,14 @@ std::string error_lines(const fs::path& folder) {
 }
 
 fs::path draw_picture(const fs::path& archive) {
-  const fs::path picture = archive / "picture.png";
-  ProcessRequest request;
-  request.words = {own_executable().string(), "plot", archive.string(), "-o", picture.string()};
-  request.output = archive / "plot.log";
-  const int status = run_process(request);
-  if (status != 0)
-    throw SystemError(
-        fmt::format("the picture could not be drawn:\n{}", last_lines(request.output, 10)));
-  fs::remove(request.output);
-  return picture;
+  const fs::path log = archive / "plot.log";
+  PictureRequest request;
+  request.archive = archive.string();
+  request.picture = (archive / "picture.png").string();
+  if (draw_archive(request, log) != 0)
+    throw SystemError(fmt::format("the picture could not be drawn:\n{}", last_lines(log, 10)));
+  fs::remove(log);
+  return request.picture;
 }
 
 }  // namespace sluice

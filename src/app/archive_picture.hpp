@@ -1,0 +1,22 @@
+// The picture of an archive: drawn by Python, over the exact solution if the deck names one.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sluice {
+
+struct PictureRequest {
+  std::string archive;
+  std::vector<std::string> variables, histories;
+  std::string material, slice, title;
+  std::string time = "last";
+  std::string exact = "auto";  // auto: what the deck names; none; or a CSV file
+  std::string picture = "picture.png";
+};
+
+// The exit status of the drawing program. Output: where it tells what it did and what is wrong;
+// empty: where this program does.
+int draw_archive(const PictureRequest& request, const std::filesystem::path& output = {});
+
+}  // namespace sluice
