@@ -41,9 +41,9 @@ Graph compile_graph(const Component& component, const Level& level, bool diagnos
                     const std::set<Label>& wanted) {
   Graph g;
   if (diagnostic)
-    component.declare_diagnostics(g.list);
+    component.declare_diagnostics(g.list, 0);
   else
-    component.declare_step(g.list, false);
+    component.declare_step(g.list, StepVariant{});
   std::vector<VariableId> variables;
   for (std::size_t n = 0; n < g.list.variables().size(); ++n) {
     const Variable& v = g.list.variables()[n];
@@ -81,7 +81,7 @@ class Planner {
     const Graph all_step = compile_graph(component_, level_, false, {});
     step_labels_ = output_labels(all_step.list);
     TaskList diagnostics;
-    component_.declare_diagnostics(diagnostics);
+    component_.declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
     plain_ = compile_graph(component_, level_, false, stored_always());
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);

@@ -121,16 +121,16 @@ void Ice::fill_boundary(Warehouse& state, double /*time*/, const ThreadTeam& tea
   if (state.find(labels().mask, 0) >= 0) boundary_->copy_outward(state, labels().mask, 0);
 }
 
-void Ice::declare_step(TaskList& list, bool masked) const {
+void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   SchemeOptions o = options_;
-  o.masked = masked;
+  o.masked = variant.masked;
   if (o.classic)
     declare_classic(list, o, effects_);
   else
     declare_conservative(list, o);
 }
 
-void Ice::declare_diagnostics(TaskList& list) const {
+void Ice::declare_diagnostics(TaskList& list, int /*level*/) const {
   declare_diagnostic_outputs(list, options_, ice_);
 }
 
@@ -196,7 +196,8 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
   return limit;
 }
 
-void Ice::add_totals(const Warehouse& state, Totals& totals) const {
+void Ice::add_totals(const Warehouse& state, const LevelCoverage& /*coverage*/,
+                     Totals& totals) const {
   const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
             energy = state.find(labels().energy, 0);
   totals.mass.resize(1);
@@ -236,15 +237,15 @@ void Ice::add_totals(const Warehouse& state, Totals& totals) const {
 
 // Gravity acts on the mass at the start of the step and works along the mean momentum of the
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
-StepBalance Ice::balance(const std::vector<double>& sums, const StepStart& start, double dt) const {
+StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
   StepBalance b;
   b.mass = {sums[StepSlots::mass]};
   for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
     const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
-    const double kick = dt * options_.gravity[d] * start.mass.front();
+    const double kick = dt * options_.gravity[d] * start->mass.front();
     b.momentum_of_forces[d] = kick;
-    b.energy_of_forces += dt * options_.gravity[d] * (start.momentum[d] + 0.5 * (impulse + kick));
+    b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
   b.energy = sums[StepSlots::energy];
   return b;

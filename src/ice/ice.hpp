@@ -21,16 +21,17 @@ class Ice final : public Component {
   std::vector<std::vector<Label>> checkpoint_labels() const override;
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
-  void declare_step(TaskList& list, bool masked) const override;
-  void declare_diagnostics(TaskList& list) const override;
+  void declare_step(TaskList& list, const StepVariant& variant) const override;
+  void declare_diagnostics(TaskList& list, int level) const override;
   Label mask_label() const override;
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override { return StepSlots::sums; }
   bool quiet_blocks_allowed() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
-  void add_totals(const Warehouse& state, Totals& totals) const override;
-  StepBalance balance(const std::vector<double>& sums, const StepStart& start,
+  void add_totals(const Warehouse& state, const LevelCoverage& coverage,
+                  Totals& totals) const override;
+  StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;

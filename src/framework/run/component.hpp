@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "framework/field/warehouse.hpp"
+#include "framework/refine/coverage.hpp"
+#include "framework/refine/flux_register.hpp"
+#include "framework/refine/transfer_operators.hpp"
 #include "framework/run/conservation.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
@@ -43,6 +46,16 @@ struct StepStart {
   Vec3 momentum{};
 };
 
+// Which of the graphs of a step is to be declared.
+struct StepVariant {
+  int level = 0;        // index; spacing, domain and boundary are that level's
+  bool masked = false;  // slopes vanish where the mask slot is zero (a redone step)
+  // With several levels: where fluxes are recorded and which cells count in sums. Both outlive the
+  // graph; what they hold changes when boxes are laid out anew. Null with one level.
+  const FluxRecorder* recorder = nullptr;
+  const LevelCoverage* coverage = nullptr;
+};
+
 class Component {
  public:
   virtual ~Component() = default;
@@ -56,14 +69,16 @@ class Component {
   // The labels under which checkpoints keep the components of each slot.
   virtual std::vector<std::vector<Label>> checkpoint_labels() const = 0;
   virtual void initialise(Warehouse& state) const = 0;
-  // Ghost cells outside the domain, after the halo point has filled the others.
+  // Ghost cells outside the domain, after the halo point has filled the others (on a finer level
+  // also those at its interface). The level is state.level().
   virtual void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const = 0;
 
-  // Tasks of a step. `masked`: slopes vanish where the mask slot is zero (a redone step).
-  // Every label that can be saved from within a step is declared as an output.
-  virtual void declare_step(TaskList& list, bool masked) const = 0;
+  // Tasks of a step. Every label that can be saved from within a step is declared as an output.
+  // With a recorder, a task marked `always` records the conserved fluxes of the faces that it
+  // names, and sums count uncovered cells only.
+  virtual void declare_step(TaskList& list, const StepVariant& variant) const = 0;
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
-  virtual void declare_diagnostics(TaskList& list) const = 0;
+  virtual void declare_diagnostics(TaskList& list, int level) const = 0;
   virtual Label mask_label() const = 0;
   virtual int reduction_maxima() const = 0;
   virtual int reduction_sums() const = 0;
@@ -75,9 +90,12 @@ class Component {
   virtual void measure_rates(const Warehouse& state, Reductions& rates) const = 0;
   virtual StepLimit step_limit(const std::vector<double>& maxima) const = 0;
 
-  virtual void add_totals(const Warehouse& state, Totals& totals) const = 0;
-  // From the reduced sums of a step of length dt that began with these totals.
-  virtual StepBalance balance(const std::vector<double>& sums, const StepStart& start,
+  // Over the uncovered cells.
+  virtual void add_totals(const Warehouse& state, const LevelCoverage& coverage,
+                          Totals& totals) const = 0;
+  // From the reduced sums of a step of length dt that began with these totals; `start` is null with
+  // several levels: then the sums hold all that forces need.
+  virtual StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                               double dt) const = 0;
   // Labels of .dat histories and their values.
   virtual double history_value(Label label, const Totals& totals) const = 0;

@@ -55,8 +55,8 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
   }
   halo_ = std::make_unique<HaloExchange>(level, width, communicator.rank());
   TaskList step, diagnostic;
-  component.declare_step(step, false);
-  component.declare_diagnostics(diagnostic);
+  component.declare_step(step, StepVariant{level.index});
+  component.declare_diagnostics(diagnostic, level.index);
   step_labels_ = output_labels(step);
   diagnostic_labels_ = output_labels(diagnostic);
 }
@@ -74,9 +74,9 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::compile_variant(
     bool masked, bool diagnostic, const std::vector<Label>& wanted) {
   auto v = std::make_unique<Variant>();
   if (diagnostic)
-    component_->declare_diagnostics(v->list);
+    component_->declare_diagnostics(v->list, level_->index);
   else
-    component_->declare_step(v->list, masked);
+    component_->declare_step(v->list, StepVariant{level_->index, masked});
   std::vector<VariableId> wanted_variables;
   for (std::size_t n = 0; n < v->list.variables().size(); ++n) {
     const Variable& variable = v->list.variables()[n];

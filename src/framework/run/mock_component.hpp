@@ -61,7 +61,8 @@ class MockComponent final : public Component {
       }
   }
 
-  void declare_step(TaskList& list, bool masked) const override {
+  void declare_step(TaskList& list, const StepVariant& variant) const override {
+    const bool masked = variant.masked;
     const MockLabels& l = mock_labels();
     const VariableId q = list.old_state(l.q, 0, 1), next = list.new_state(l.q, 0, 1);
     const VariableId flux = list.temporary("flux", 1, 0);
@@ -80,7 +81,7 @@ class MockComponent final : public Component {
     });
   }
 
-  void declare_diagnostics(TaskList& list) const override {
+  void declare_diagnostics(TaskList& list, int /*level*/) const override {
     TaskBuilder task = list.task("square", 1);
     const In q = task.read(list.old_state(mock_labels().q, 0, 1));
     const Out square = task.write(list.output(mock_labels().square, 0));
@@ -95,14 +96,15 @@ class MockComponent final : public Component {
   StepLimit step_limit(const std::vector<double>& maxima) const override {
     return {greed / maxima[0], "mock: greed dx"};
   }
-  void add_totals(const Warehouse& state, Totals& totals) const override {
+  void add_totals(const Warehouse& state, const LevelCoverage& /*coverage*/,
+                  Totals& totals) const override {
     totals.mass.resize(1);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
         totals.mass[0].add(state.view(0, 0, b)(c) * level_->cell_volume());
       });
   }
-  StepBalance balance(const std::vector<double>& sums, const StepStart&, double) const override {
+  StepBalance balance(const std::vector<double>& sums, const StepStart*, double) const override {
     StepBalance b;
     b.mass = sums;
     return b;

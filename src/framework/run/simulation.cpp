@@ -75,7 +75,7 @@ Simulation::~Simulation() = default;
 
 Totals Simulation::totals() {
   Totals t;
-  component_.add_totals(solver_.state(), t);
+  component_.add_totals(solver_.state(), LevelCoverage{}, t);
   for (ConservedTotal& m : t.mass) merge_ranks(m, communicator_);
   for (ConservedTotal& m : t.momentum) merge_ranks(m, communicator_);
   merge_ranks(t.internal_energy, communicator_);
@@ -279,7 +279,7 @@ StepPlan Simulation::advance(StepPlan plan) {
 }
 
 void Simulation::book(const StepPlan& plan) {
-  const StepBalance b = component_.balance(solver_.attempt_result().sums, step_start_, plan.dt);
+  const StepBalance b = component_.balance(solver_.attempt_result().sums, &step_start_, plan.dt);
   int q = 0;
   for (std::size_t m = 0; m < b.mass.size(); ++m) {
     conservation_.add_boundary(q++, single(b.mass[m]));
