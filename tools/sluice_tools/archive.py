@@ -51,6 +51,7 @@ class Level:
     index: int
     anchor: tuple
     spacing: tuple
+    ratio: tuple  # cells of this level along one of the next coarser
     lower: tuple  # of the domain, in cells
     upper: tuple
     active: tuple
@@ -190,18 +191,26 @@ class Step:
     def materials(self, name):
         return sorted({key[1] for key in self._stored if key[0] == name})
 
+    def stored(self):
+        """All (name, material, level) of this step."""
+        return sorted(self._stored)
+
+    def pieces(self, name, material, level):
+        """What is stored, box by box: [(lower, upper, values[component, i, j, k])]."""
+        return [part for data, group in self._stored.get((name, material, level), ())
+                for part in _read_group(data, group)]
+
     def field(self, name, material=None, level=0):
         if not self.has(name):
             raise ArchiveError(f"no variable '{name}' at step {self.number}; there are: "
                                f"{_names(self.names())}")
         if material is None:
             material = self.materials(name)[0]
-        pieces = self._stored.get((name, material, level))
-        if pieces is None:
+        parts = self.pieces(name, material, level)
+        if not parts:
             raise ArchiveError(f"'{name}' is not stored for material {material} on level {level}; "
                                f"materials: {self.materials(name)}")
         variable = self.archive.variables.get(name)
-        parts = [part for data, group in pieces for part in _read_group(data, group)]
         lower = tuple(min(p[0][d] for p in parts) for d in range(3))
         upper = tuple(max(p[1][d] for p in parts) for d in range(3))
         shape = tuple(upper[d] - lower[d] for d in range(3))
@@ -237,5 +246,6 @@ def _level(e):
     boxes = tuple((_triple(p.findtext("lowIndex"), int), _triple(p.findtext("highIndex"), int))
                   for p in e.iterfind("Patch"))
     return Level(int(e.findtext("id")), _triple(e.findtext("anchor")),
-                 _triple(e.findtext("cellspacing")), _triple(e.findtext("domainLow"), int),
-                 _triple(e.findtext("domainHigh"), int), _triple(e.findtext("active"), int), boxes)
+                 _triple(e.findtext("cellspacing")), _triple(e.findtext("refinementRatio"), int),
+                 _triple(e.findtext("domainLow"), int), _triple(e.findtext("domainHigh"), int),
+                 _triple(e.findtext("active"), int), boxes)

@@ -18,6 +18,7 @@ def level_xml(index, spacing, low, high, boxes, active=(1, 1, 0)):
                       f"<highIndex>{list(b)}</highIndex></Patch>" for n, (a, b) in enumerate(boxes))
     return (f"<Level><id>{index}</id><anchor>[1, 2, 0]</anchor>"
             f"<cellspacing>{list(spacing)}</cellspacing><active>{list(active)}</active>"
+            f"<refinementRatio>{[2, 2, 1] if index else [1, 1, 1]}</refinementRatio>"
             f"<domainLow>{list(low)}</domainLow><domainHigh>{list(high)}</domainHigh>"
             f"{patches}</Level>")
 
@@ -108,6 +109,18 @@ class Reading(OnDisk):
             np.testing.assert_allclose(field.values[:, :, 0], x[:, None] + 10 * y[None, :])
             faces = step.field("uvel_FC", level=level)
             np.testing.assert_allclose(faces.values[:, 0, 0], faces.coordinates(0))
+
+    def test_pieces_are_the_boxes_as_they_are_stored(self):
+        step = self.two_dimensional().step()
+        self.assertEqual([key for key in step.stored() if key[2] == 1],
+                         [("press_CC", 0, 1), ("uvel_FC", 0, 1), ("vel_CC", 0, 1)])
+        pieces = step.pieces("press_CC", 0, 0)
+        self.assertEqual([piece[:2] for piece in pieces],
+                         [((0, 0, 0), (3, 4, 1)), ((3, 0, 0), (8, 4, 1))])
+        whole = step.field("press_CC").values
+        np.testing.assert_array_equal(np.concatenate([p[2][0] for p in pieces]), whole)
+        self.assertEqual(step.pieces("press_CC", 1, 0), [])
+        self.assertEqual([level.ratio for level in step.levels], [(1, 1, 1), (2, 2, 1)])
 
     def test_vector_components(self):
         field = self.two_dimensional().step().field("vel_CC")

@@ -15,7 +15,7 @@ using namespace archive_test;
 // Runs tools/verify_export.py; GTEST_SKIP where Python's VTK is missing.
 int verify_export(const fs::path& archive, const fs::path& pvd) {
   const std::string command =
-      std::string("/usr/bin/python3 " SLUICE_SOURCE_DIR "/tools/verify_export.py ") +
+      std::string("/usr/bin/python3 -B " SLUICE_SOURCE_DIR "/tools/verify_export.py ") +
       archive.string() + " " + pvd.string() + " --paraview";
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
