@@ -8,7 +8,8 @@ SIDEWAYS. Tests (*_test.cpp) may also use TEST_HELPERS.
 """
 import pathlib
 import re
-import sys
+
+import report
 
 # Lowest rank first; the rooms of one line do not know each other.
 RANKS = [
@@ -97,14 +98,5 @@ def check(source):
     return faults
 
 
-def main():
-    root = pathlib.Path(__file__).resolve().parents[2]
-    faults = check(sys.argv[1] if len(sys.argv) > 1 else root / "src")
-    for fault in faults:
-        print(fault)
-    print(f"layers: {len(faults)} faults")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report.main("layers", check, "src")

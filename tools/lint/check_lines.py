@@ -6,7 +6,8 @@
 import pathlib
 import re
 import subprocess
-import sys
+
+import report
 
 LONGEST_LINE = 100
 LONGEST_FILE = 800
@@ -64,14 +65,5 @@ def check(root):
     return faults
 
 
-def main():
-    root = pathlib.Path(__file__).resolve().parents[2]
-    faults = check(sys.argv[1] if len(sys.argv) > 1 else root)
-    for fault in faults:
-        print(fault)
-    print(f"lines: {len(faults)} faults")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report.main("lines", check)

@@ -5,8 +5,8 @@
 """
 import pathlib
 import re
-import sys
 
+import report
 from check_lines import tracked
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -25,14 +25,5 @@ def check(root):
     return faults
 
 
-def main():
-    root = pathlib.Path(__file__).resolve().parents[2]
-    faults = check(sys.argv[1] if len(sys.argv) > 1 else root)
-    for fault in faults:
-        print(fault)
-    print(f"links: {len(faults)} faults")
-    return 1 if faults else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report.main("links", check)

@@ -211,19 +211,9 @@ def parse(arguments):
 
 def main(arguments=None):
     given = parse(arguments)
-    try:
-        archive = Archive(given.archive)
-        with style.pyplot() as plt:
-            draw = draw_histories if given.history else draw_fields
-            draw(archive, given, plt).savefig(given.output)
-    except ArchiveError as error:
-        print(f"sluice plot: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"sluice plot: {error}", file=sys.stderr)
-        return 3
-    print(f"picture: {given.output}")
-    return 0
+    draw = draw_histories if given.history else draw_fields
+    return style.save_picture("sluice plot", lambda plt: draw(Archive(given.archive), given, plt),
+                              given.output, ArchiveError)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """How our pictures look: colours that colour-blind readers tell apart and that print in grey."""
 import contextlib
+import sys
 
 # Okabe and Ito's palette, darkest and most distinct first.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
@@ -46,3 +47,15 @@ def pyplot():
     with plt.rc_context(SETTINGS):
         yield plt
         plt.close("all")
+
+
+def save_picture(tool, draw, output, bad_input):
+    """Saves the figure draw(pyplot) and tells so; the exit status, 2 where bad_input was raised."""
+    try:
+        with pyplot() as plt:
+            draw(plt).savefig(output)
+    except (bad_input, OSError) as error:
+        print(f"{tool}: {error}", file=sys.stderr)
+        return 2 if isinstance(error, bad_input) else 3
+    print(f"picture: {output}")
+    return 0

@@ -154,18 +154,10 @@ def main(arguments=None):
     parser.add_argument("--title", default="")
     parser.add_argument("--error-label", default="error")
     given = parser.parse_args(arguments)
-    try:
-        rows = read_rows(given.results)
-        with style.pyplot() as plt:
-            draw(rows, plt, given.title, given.error_label).savefig(given.output)
-    except StudyError as error:
-        print(f"workprecision: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"workprecision: {error}", file=sys.stderr)
-        return 3
-    print(f"picture: {given.output}")
-    return 0
+    return style.save_picture(
+        "workprecision",
+        lambda plt: draw(read_rows(given.results), plt, given.title, given.error_label),
+        given.output, StudyError)
 
 
 if __name__ == "__main__":
