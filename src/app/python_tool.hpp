@@ -6,9 +6,9 @@
 
 namespace sluice {
 
-// `python3 -m sluice_tools` with these words (a tool and its arguments); its exit status. Output: of
-// stdout and stderr together; empty: this program's. SystemError with what to install when Python or
-// the package is not there.
+// `python3 -m sluice_tools` with these words (a tool and its arguments); its exit status. Output:
+// of stdout and stderr together; empty: this program's. SystemError with what to install when
+// Python or the package is not there.
 int run_python_tool(const std::vector<std::string>& words,
                     const std::filesystem::path& output = {});
 

@@ -8,7 +8,8 @@ class Communicator;
 
 // The most that was resident at any time since the program started, in bytes.
 std::uint64_t peak_resident_bytes();
-// Collective: that of every rank, added up. Pages that ranks of one machine share count once a rank.
+// Collective: that of every rank, added up. Pages that ranks of one machine share count once a
+// rank.
 std::uint64_t peak_resident_bytes_of_all(Communicator& ranks);
 // What is resident now, in bytes.
 std::uint64_t resident_bytes();

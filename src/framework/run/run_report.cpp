@@ -54,9 +54,10 @@ nlohmann::ordered_json to_json(const RunReport& r) {
 
 std::string summary(const RunReport& r) {
   std::string text = fmt::format(
-      "{}: {} steps to t = {:g} in {}; {} cells, {:.1f} ns per cell and step, peak memory {}\n",
+      "{}: {} steps to t = {:g} in {}; {} cells, {:.1f} ns per cell and step, peak memory {}{}\n",
       to_string(r.status), r.steps, r.time, human_duration(r.wall_seconds), human_count(r.cells),
-      r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)));
+      r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
+      r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
   if (r.blocks_asleep > 0)
     text += fmt::format("quiet blocks: {:.0f} % slept\n",
                         100.0 * static_cast<double>(r.blocks_asleep) /
