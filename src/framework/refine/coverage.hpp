@@ -1,5 +1,6 @@
 // Which cells of a level lie under a finer one: they are its averages, and no total counts them.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "framework/grid/level.hpp"
@@ -18,7 +19,7 @@ class LevelCoverage {
     return uncovered_[static_cast<std::size_t>(box)];
   }
   bool is_covered(int box, IntVec3 cell) const;
-  bool any() const { return any_; }
+  bool any() const { return any_; }      // on any rank
   std::int64_t uncovered_cells() const;  // of this rank
 
  private:

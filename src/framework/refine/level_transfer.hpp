@@ -11,6 +11,7 @@
 #include "framework/base/communicator.hpp"
 #include "framework/field/warehouse.hpp"
 #include "framework/refine/transfer_operators.hpp"
+#include "framework/task/thread_team.hpp"
 
 namespace sluice {
 
@@ -18,8 +19,9 @@ namespace sluice {
 //  - ghost cells (`width` layers) of the fine boxes that no box of their level holds, not even as a
 //    periodic image, inside the domain: fill at a coarse-fine interface;
 //  - or cells of fine boxes that were not there before a regrid.
-// Needs the coarser level's ghost cells filled `coarse_ghosts` layers deep (those that its own
-// boxes do not hold: outside the domain, or its own coarse-fine ghosts).
+// Needs all ghost cells of the coarser level's boxes filled `coarse_ghosts` layers deep: copies of
+// other boxes' cells, outside the domain, and its own coarse-fine ghosts. A cell must have the same
+// value in all arrays that hold it.
 class Interpolation {
  public:
   static Interpolation of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
@@ -33,7 +35,8 @@ class Interpolation {
   // Coarse values at `share` of the way from `before` to `after` (linear; share 0 reads only
   // `before`, share 1 only `after`, and the unread one may be null).
   void run(const Warehouse* before, const Warehouse* after, double share, Warehouse& fine,
-           const std::vector<int>& slots, const TransferOperators& operators, int order);
+           const std::vector<int>& slots, const TransferOperators& operators, int order,
+           const ThreadTeam* team = nullptr);
 
   std::int64_t cells() const;  // fine cells that this rank interpolates
   std::size_t message_bytes(int components) const;

@@ -1,0 +1,166 @@
+// Carrying out an interpolation: gather or borrow coarse cells, then the component's operator.
+#include <algorithm>
+#include <stdexcept>
+
+#include "framework/refine/interpolation_plan.hpp"
+#include "framework/refine/level_transfer.hpp"
+
+namespace sluice {
+namespace {
+
+// Fewer fine cells than this are not worth another thread.
+constexpr std::int64_t cells_per_chunk = 2048;
+
+// Coarse values at a time between two states.
+class CoarseState {
+ public:
+  void view(const Warehouse* before, const Warehouse* after, double share,
+            const std::vector<int>& slots) {
+    if (!(share >= 0 && share <= 1) || (share < 1 && before == nullptr) ||
+        (share > 0 && after == nullptr))
+      throw std::logic_error("interpolation in time lacks a state, or lies outside of 0 to 1");
+    share_ = share;
+    if (share < 1) view_boxes(*before, slots, before_);
+    if (share > 0) view_boxes(*after, slots, after_);
+  }
+  bool blends() const { return share_ > 0 && share_ < 1; }
+  // Where nothing is to be blended.
+  const StateViews& of(int box) const {
+    return (share_ > 0 ? after_ : before_)[static_cast<std::size_t>(box)];
+  }
+  void write(const StateViews& to, const IndexBox& region, int box, IntVec3 shift) const {
+    const auto b = static_cast<std::size_t>(box);
+    if (blends())
+      blend_state(to, region, before_[b], after_[b], share_, shift);
+    else
+      copy_state(to, region, of(box), shift);
+  }
+
+ private:
+  double share_ = 0;
+  std::vector<StateViews> before_, after_;
+};
+
+// What one thread needs to gather the coarse cells of one target.
+struct Gather {
+  AlignedArray memory;
+  StateViews views, piece;
+};
+
+}  // namespace
+
+struct Interpolation::Plan : InterpolationPlan {
+  using InterpolationPlan::InterpolationPlan;
+
+  CoarseState state;
+  std::vector<StateViews> fine_views;
+  std::vector<Gather> gathers;  // by thread
+  StateViews packed;
+  int components = 0;
+
+  void prepare(int threads);
+  void send_parts();
+  void interpolate(std::size_t first, std::size_t last, const TransferOperators& operators,
+                   int order, const ThreadTeam* team);
+  const StateViews& coarse_cells(const Target& target, Gather& gather);
+};
+
+void Interpolation::Plan::prepare(int threads) {
+  gathers.resize(std::max(gathers.size(), static_cast<std::size_t>(threads)));
+  const auto count = static_cast<std::size_t>(most_coarse_cells * components);
+  for (Gather& g : gathers)
+    if (g.memory.size() < count) g.memory = AlignedArray(count);
+}
+
+void Interpolation::Plan::send_parts() {
+  messages.start(components);
+  for (const Send& s : sends) {
+    view_array(messages.outgoing(s.piece), s.cells, coarse, components, packed);
+    state.write(packed, s.cells, s.box, {});
+  }
+  messages.send();
+}
+
+// The coarse cells of a target, as views in its own indices.
+const StateViews& Interpolation::Plan::coarse_cells(const Target& target, Gather& gather) {
+  if (target.direct >= 0 && !state.blends()) {
+    const StateViews& box = state.of(target.direct);
+    if (target.shift == IntVec3{}) return box;
+    gather.views = box;
+    for (RealView& v : gather.views) v.box = v.box.shifted(IntVec3{} - target.shift);
+    return gather.views;
+  }
+  view_array(gather.memory.data(), target.coarse, coarse, components, gather.views);
+  if (target.direct >= 0) state.write(gather.views, target.coarse, target.direct, target.shift);
+  for (std::size_t n = target.first_source; n < target.last_source; ++n) {
+    const Source& s = sources[n];
+    if (s.box >= 0) {
+      state.write(gather.views, s.cells, s.box, s.shift);
+    } else {
+      view_array(messages.incoming(s.piece), s.cells, coarse, components, gather.piece);
+      copy_state(gather.views, s.cells, gather.piece, {});
+    }
+  }
+  return gather.views;
+}
+
+void Interpolation::Plan::interpolate(std::size_t first, std::size_t last,
+                                      const TransferOperators& operators, int order,
+                                      const ThreadTeam* team) {
+  const auto some = [&](std::size_t from, std::size_t to, int thread) {
+    Gather& gather = gathers[static_cast<std::size_t>(thread)];
+    for (std::size_t n = from; n < to; ++n) {
+      const Target& t = targets[n];
+      operators.prolong(coarse_cells(t, gather), fine_views[static_cast<std::size_t>(t.box)],
+                        t.cells, geometry, order);
+    }
+  };
+  const auto wanted = static_cast<std::size_t>(fine_cells / cells_per_chunk);
+  const std::size_t chunks = std::min(wanted, last - first);
+  if (team == nullptr || team->size() == 1 || chunks < 2) return some(first, last, 0);
+  team->for_each(chunks, [&](std::size_t n, int thread) {
+    some(first + (last - first) * n / chunks, first + (last - first) * (n + 1) / chunks, thread);
+  });
+}
+
+Interpolation::Interpolation(std::unique_ptr<Plan> plan) : plan_(std::move(plan)) {}
+Interpolation::Interpolation(Interpolation&&) noexcept = default;
+Interpolation& Interpolation::operator=(Interpolation&&) noexcept = default;
+Interpolation::~Interpolation() = default;
+
+Interpolation Interpolation::of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
+                                       int width, int rank) {
+  return Interpolation(
+      std::make_unique<Plan>(coarse, coarse_ghosts, fine, interface_ghosts(fine, width), rank));
+}
+
+Interpolation Interpolation::of_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,
+                                          const std::vector<GridBox>& earlier, int rank) {
+  return Interpolation(
+      std::make_unique<Plan>(coarse, coarse_ghosts, fine, new_cells(fine, earlier), rank));
+}
+
+void Interpolation::run(const Warehouse* before, const Warehouse* after, double share,
+                        Warehouse& fine, const std::vector<int>& slots,
+                        const TransferOperators& operators, int order, const ThreadTeam* team) {
+  Plan& p = *plan_;
+  p.components = component_count(fine, slots);
+  p.state.view(before, after, share, slots);
+  view_boxes(fine, slots, p.fine_views);
+  p.prepare(team != nullptr ? team->size() : 1);
+  p.send_parts();
+  p.interpolate(0, p.without_messages, operators, order, team);
+  p.messages.wait();
+  p.interpolate(p.without_messages, p.targets.size(), operators, order, team);
+}
+
+std::int64_t Interpolation::cells() const {
+  return plan_->fine_cells;
+}
+
+std::size_t Interpolation::message_bytes(int components) const {
+  return static_cast<std::size_t>(plan_->messages.send_cells()) *
+         static_cast<std::size_t>(components) * sizeof(double);
+}
+
+}  // namespace sluice

@@ -1,0 +1,195 @@
+// Finding the coarse cells that fine cells are interpolated from.
+#include "framework/refine/interpolation_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "framework/grid/box_list.hpp"
+#include "framework/refine/box_pieces.hpp"
+
+namespace sluice {
+namespace {
+
+using Holder = InterpolationPlan::Holder;
+
+class CoarseLevel {
+ public:
+  CoarseLevel(const Level& level, int ghosts, int rank)
+      : level_(level),
+        ghosts_(ghosts),
+        numbers_(local_numbers(level, rank)),
+        finder_(grown_boxes(level, ghosts)) {}
+
+  // Holders of `region`, by box and shift.
+  std::vector<Holder> holders(const IndexBox& region) const {
+    std::vector<Holder> found;
+    for (const IntVec3 shift : image_shifts(level_, region, ghosts_))
+      for (const int n : finder_.overlapping(region.shifted(shift))) {
+        const GridBox& box = level_.boxes[static_cast<std::size_t>(n)];
+        const IntVec3 back = IntVec3{} - shift;
+        found.push_back({n, numbers_[static_cast<std::size_t>(n)], box.owner, shift,
+                         box.cells.shifted(back),
+                         box.cells.grown(level_.ghosts(ghosts_)).shifted(back)});
+      }
+    const auto key = [](const Holder& h) {
+      return std::tuple(h.box, h.shift.z, h.shift.y, h.shift.x);
+    };
+    std::sort(found.begin(), found.end(),
+              [&](const Holder& a, const Holder& b) { return key(a) < key(b); });
+    return found;
+  }
+
+ private:
+  static std::vector<IndexBox> grown_boxes(const Level& level, int ghosts) {
+    std::vector<IndexBox> boxes = cells_of(level.boxes);
+    for (IndexBox& b : boxes) b = b.grown(level.ghosts(ghosts));
+    return boxes;
+  }
+  const Level& level_;
+  int ghosts_;
+  std::vector<int> numbers_;
+  BoxFinder finder_;
+};
+
+struct Part {
+  const Holder* holder = nullptr;
+  IndexBox cells;
+};
+
+// Takes from `missing` what one holder has.
+void take(const Holder& holder, const IndexBox& has, std::vector<IndexBox>& missing,
+          std::vector<Part>& parts) {
+  std::vector<IndexBox> left;
+  for (const IndexBox& m : missing) {
+    const IndexBox common = intersection(m, has);
+    if (common.empty()) {
+      left.push_back(m);
+      continue;
+    }
+    parts.push_back({&holder, common});
+    for (const IndexBox& piece : subtract(m, common)) left.push_back(piece);
+  }
+  missing = std::move(left);
+}
+
+// Cuts `region` into parts: from arrays of rank `owner` where they hold it (ghost cells are as good
+// as the cells they stand for), else from the box of another rank whose cells they are, else from
+// ghost cells that no box of the level holds.
+std::vector<Part> parts_of(const IndexBox& region, const std::vector<Holder>& holders, int owner,
+                           std::vector<IndexBox>& missing) {
+  std::vector<Part> parts;
+  missing = {region};
+  for (const Holder& h : holders)
+    if (h.owner == owner) take(h, h.filled, missing, parts);
+  for (const Holder& h : holders)
+    if (h.owner != owner) take(h, h.cells, missing, parts);
+  for (const Holder& h : holders)
+    if (h.owner != owner) take(h, h.filled, missing, parts);
+  return parts;
+}
+
+[[noreturn]] void fail_nesting(IntVec3 cell, const Level& coarse, const Level& fine,
+                               const IndexBox& box) {
+  throw std::logic_error(fmt::format(
+      "level {} does not nest in level {}: to interpolate around the fine box ({}, {}, {}) to "
+      "({}, {}, {}), coarse cell ({}, {}, {}) is needed, which no box of level {} holds or fills",
+      fine.index, coarse.index, box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y,
+      box.upper.z, cell.x, cell.y, cell.z, coarse.index));
+}
+
+}  // namespace
+
+FineRegions interface_ghosts(const Level& fine, int width) {
+  const BoxFinder finder(cells_of(fine.boxes));
+  IndexBox inside = fine.domain;
+  for (int d = 0; d < 3; ++d)
+    if (fine.periodic[static_cast<std::size_t>(d)])
+      inside = inside.grown(d, fine.ghosts(width)[d], fine.ghosts(width)[d]);
+  FineRegions regions;
+  for (const GridBox& b : fine.boxes)
+    regions.push_back(pieces_without_level(intersection(b.cells.grown(fine.ghosts(width)), inside),
+                                           fine, finder));
+  return regions;
+}
+
+FineRegions new_cells(const Level& fine, const std::vector<GridBox>& earlier) {
+  const BoxFinder finder(cells_of(earlier));
+  FineRegions regions;
+  for (const GridBox& b : fine.boxes) {
+    std::vector<IndexBox> holes;
+    for (const int n : finder.overlapping(b.cells))
+      holes.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+    regions.push_back(pieces_without(b.cells, holes, row_direction(fine.active)));
+  }
+  return regions;
+}
+
+InterpolationPlan::InterpolationPlan(const Level& coarse_level, int coarse_ghosts,
+                                     const Level& fine_level, const FineRegions& regions,
+                                     int this_rank)
+    : coarse(without_boxes(coarse_level)),
+      fine(without_boxes(fine_level)),
+      geometry{fine_level.ratio, fine_level.active},
+      rank(this_rank) {
+  const CoarseLevel coarse_boxes(coarse_level, coarse_ghosts, rank);
+  const std::vector<int> fine_number = local_numbers(fine_level, rank);
+  std::vector<Target> late;  // those that wait for messages
+  for (std::size_t f = 0; f < fine_level.boxes.size(); ++f) {
+    if (regions[f].empty()) continue;
+    const GridBox& box = fine_level.boxes[f];
+    IndexBox reach = regions[f].front();
+    for (const IndexBox& r : regions[f]) reach = bounding(reach, r);
+    const std::vector<Holder> holders = coarse_boxes.holders(coarse_cells_of(reach));
+    const bool sends_some =
+        std::any_of(holders.begin(), holders.end(), [](const Holder& h) { return h.number >= 0; });
+    if (box.owner != rank && !sends_some) continue;
+    for (const IndexBox& region : regions[f]) {
+      Target target{fine_number[f], region, coarse_cells_of(region), -1, {}, 0, 0};
+      const bool waits = find_sources(target, box, holders);
+      if (box.owner == rank) (waits ? late : targets).push_back(target);
+    }
+  }
+  without_messages = targets.size();
+  targets.insert(targets.end(), late.begin(), late.end());
+  for (const Target& t : targets) {
+    fine_cells += t.cells.volume();
+    most_coarse_cells = std::max(most_coarse_cells, t.coarse.volume());
+  }
+}
+
+IndexBox InterpolationPlan::coarse_cells_of(const IndexBox& cells) const {
+  return coarsen(cells, geometry.ratio).grown(coarse.ghosts(1));
+}
+
+bool InterpolationPlan::find_sources(Target& target, const GridBox& box,
+                                     const std::vector<Holder>& holders) {
+  const bool mine = box.owner == rank;
+  target.first_source = target.last_source = sources.size();
+  for (const Holder& h : holders)
+    if (h.owner == box.owner && h.filled.contains(target.coarse)) {
+      target.direct = h.number;
+      target.shift = h.shift;
+      return false;
+    }
+  std::vector<IndexBox> missing;
+  bool waits = false;
+  for (const Part& p : parts_of(target.coarse, holders, box.owner, missing)) {
+    const Holder& h = *p.holder;
+    if (mine) {
+      sources.push_back({p.cells, h.number, h.shift, {}});
+      if (h.number < 0) sources.back().piece = messages.add_receive(h.owner, p.cells.volume());
+      waits = waits || h.number < 0;
+    } else if (h.number >= 0) {
+      sends.push_back(
+          {h.number, p.cells.shifted(h.shift), messages.add_send(box.owner, p.cells.volume())});
+    }
+  }
+  if (!missing.empty()) fail_nesting(missing.front().lower, coarse, fine, box.cells);
+  target.last_source = sources.size();
+  return waits;
+}
+
+}  // namespace sluice

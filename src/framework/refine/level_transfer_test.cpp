@@ -1,0 +1,243 @@
+// Transfers against direct evaluation, cell by cell and bit by bit, whatever the boxes and ranks.
+//
+// Registered once more on three ranks (CMakeLists.txt).
+#include "framework/refine/level_transfer.hpp"
+
+#include "framework/refine/transfer_test_support.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace transfer_test;
+
+// MPI must be closed before the test executable ends.
+class CloseRanks : public testing::Environment {
+ public:
+  void TearDown() override { world().finalize(); }
+};
+const testing::Environment* const close_ranks =
+    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
+
+constexpr int coarse_ghosts = 3, fine_ghosts = 4, old_salt = 10, new_salt = 20;
+
+double coarse_number(const Level& coarse, IntVec3 cell, int component, double share) {
+  const IntVec3 c = wrapped(coarse, cell);
+  const double a = number_of(c, old_salt + component), b = number_of(c, new_salt + component);
+  return share == 0 ? a : share == 1 ? b : (1 - share) * a + share * b;
+}
+
+// What holds for one shape that is cut into boxes in one way.
+class Transfers {
+ public:
+  explicit Transfers(const Shape& shape) : levels(shape) {}
+  void fill_ghosts();
+  void fill_new_cells();
+  void restrict_covered_cells();
+  void copy_to_another_layout();
+
+ private:
+  double wanted(IntVec3 cell, int component, double share, int order) const {
+    return prolonged(cell, geometry(), order,
+                     [&](IntVec3 c) { return coarse_number(levels.coarse, c, component, share); });
+  }
+  TransferGeometry geometry() const { return {levels.fine.ratio, levels.fine.active}; }
+
+  Levels levels;
+  MockOperators operators;
+  ThreadTeam team{2};
+  int rank = world().rank();
+};
+
+void Transfers::fill_ghosts() {
+  State before(levels.coarse, coarse_ghosts + 1), after(levels.coarse, coarse_ghosts + 1);
+  before.fill_with_numbers(coarse_ghosts, old_salt);
+  after.fill_with_numbers(coarse_ghosts, new_salt);
+  State fine(levels.fine, fine_ghosts);
+  for (const int width : {1, 3}) {
+    Interpolation ghosts =
+        Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
+    const auto is_target = [&](IntVec3 c, const IndexBox& cells) {
+      const IntVec3 inside = wrapped(levels.fine, c);
+      return cells.grown(levels.fine.ghosts(width)).contains(c) &&
+             levels.fine.domain.contains(inside) && !holds(levels.fine, inside);
+    };
+    for (const double share : {0.0, 0.3, 1.0})
+      for (const int order : {0, 1}) {
+        fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+        ghosts.run(share < 1 ? &before.warehouse : nullptr, share > 0 ? &after.warehouse : nullptr,
+                   share, fine.warehouse, fine.slots, operators, order,
+                   order == 0 ? nullptr : &team);
+        std::int64_t cells = 0;
+        fine.expect([&](IntVec3 c, int component, const IndexBox& interior) {
+          if (!is_target(c, interior)) return untouched;
+          cells += component == 0;
+          return wanted(c, component, share, order);
+        });
+        EXPECT_EQ(ghosts.cells(), cells);
+      }
+  }
+}
+
+void Transfers::fill_new_cells() {
+  State before(levels.coarse, coarse_ghosts + 1);
+  before.fill_with_numbers(coarse_ghosts, old_salt);
+  State fine(levels.fine, fine_ghosts);
+  // Earlier, the level held less at one end and more at the other.
+  Level earlier = levels.fine;
+  IntVec3 shift;
+  for (int d = 0; d < 3; ++d)
+    if (levels.fine.active[static_cast<std::size_t>(d)]) shift[d] = 2 * levels.fine.ratio[d];
+  for (GridBox& b : earlier.boxes) b.cells = b.cells.shifted(shift);
+  for (const bool first : {true, false}) {
+    fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+    const std::vector<GridBox> held = first ? std::vector<GridBox>{} : earlier.boxes;
+    Interpolation made =
+        Interpolation::of_new_cells(levels.coarse, coarse_ghosts, levels.fine, held, rank);
+    made.run(&before.warehouse, nullptr, 0, fine.warehouse, fine.slots, operators, 1);
+    fine.expect([&](IntVec3 c, int component, const IndexBox& interior) {
+      const bool is_new = interior.contains(c) && (first || !holds(earlier, c));
+      return is_new ? wanted(c, component, 0, 1) : untouched;
+    });
+  }
+}
+
+void Transfers::restrict_covered_cells() {
+  State fine(levels.fine, fine_ghosts), coarse(levels.coarse, coarse_ghosts);
+  fine.fill_with_numbers(0, old_salt);
+  coarse.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+  Restriction restriction(levels.coarse, levels.fine, rank);
+  for (int again = 0; again < 2; ++again)
+    restriction.run(fine.warehouse, coarse.warehouse, fine.slots, operators);
+  coarse.expect([&](IntVec3 c, int component, const IndexBox& interior) {
+    if (!interior.contains(c) || !holds(levels.fine, c * levels.fine.ratio)) return untouched;
+    return restricted(c, geometry(), [&](IntVec3 f) { return number_of(f, old_salt + component); });
+  });
+}
+
+void Transfers::copy_to_another_layout() {
+  // Every layout of the coarse level, to boxes that are cut elsewhere and owned by other ranks.
+  Level other = levels.coarse;
+  const IndexBox whole = levels.coarse.domain;
+  IndexBox part = whole;
+  for (int d = 0; d < 3; ++d)
+    if (whole.size()[d] > 1) part.lower[d] += 3;
+  set_boxes(other, {part}, {1 + 2 * levels.coarse.active[0], 1, 1 + levels.coarse.active[2]});
+  for (GridBox& b : other.boxes) b.owner = world().size() - 1 - b.owner;
+  State from(levels.coarse, coarse_ghosts), to(other, fine_ghosts);
+  from.fill_with_numbers(0, old_salt);
+  to.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+  LevelCopy copy(levels.coarse, other, rank);
+  for (int again = 0; again < 2; ++again) copy.run(from.warehouse, to.warehouse, from.slots);
+  to.expect([&](IntVec3 c, int component, const IndexBox& interior) {
+    const bool shared = interior.contains(c) && holds(levels.coarse, c);
+    return shared ? number_of(c, old_salt + component) : untouched;
+  });
+}
+
+class Transfer : public testing::TestWithParam<Shape> {
+ protected:
+  void check(void (Transfers::*what)()) {
+    for (const Shape& shape : cuts(GetParam())) {
+      SCOPED_TRACE(testing::Message() << "coarse pieces " << shape.coarse_pieces.x << ", fine "
+                                      << shape.fine_pieces.x);
+      (Transfers(shape).*what)();
+    }
+  }
+};
+
+TEST_P(Transfer, fills_the_ghosts_that_no_box_holds) {
+  check(&Transfers::fill_ghosts);
+}
+TEST_P(Transfer, fills_new_cells) {
+  check(&Transfers::fill_new_cells);
+}
+TEST_P(Transfer, restricts_what_lies_under_fine_boxes) {
+  check(&Transfers::restrict_covered_cells);
+}
+TEST_P(Transfer, copies_between_layouts) {
+  check(&Transfers::copy_to_another_layout);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Transfer, testing::ValuesIn(whole_shapes()));
+
+TEST(TransferLimits, threads_share_the_work) {
+  Shape shape{{{0, 0, 0}, {96, 96, 1}}, {}, {2, 2, 1}, {}, {2, 2, 1}};
+  for (int j = 4; j < 90; j += 12)
+    for (int i = 4; i < 90; i += 12) shape.fine.push_back({{i, j, 0}, {i + 8, j + 8, 1}});
+  const Levels levels(shape);
+  State before(levels.coarse, coarse_ghosts), after(levels.coarse, coarse_ghosts);
+  before.fill_with_numbers(coarse_ghosts, old_salt);
+  after.fill_with_numbers(coarse_ghosts, new_salt);
+  Interpolation ghosts =
+      Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank());
+  ASSERT_GT(ghosts.cells(), 4 * 2048 / world().size() / 2);  // enough for several threads
+  State alone(levels.fine, 3), together(levels.fine, 3);
+  const ThreadTeam team(3);
+  ghosts.run(&before.warehouse, &after.warehouse, 0.7, alone.warehouse, alone.slots,
+             MockOperators(), 1);
+  ghosts.run(&before.warehouse, &after.warehouse, 0.7, together.warehouse, together.slots,
+             MockOperators(), 1, &team);
+  std::vector<RealView> views;
+  alone.each([&](const RealView& v, int, const IndexBox&) { views.push_back(v); });
+  std::size_t n = 0;
+  together.each([&](const RealView& v, int, const IndexBox&) {
+    for_each_cell(v.box, [&](IntVec3 c) { ASSERT_EQ(v(c), views[n](c)); });
+    ++n;
+  });
+}
+
+TEST(TransferLimits, linear_functions_come_through) {
+  const auto plane = [](Vec3 x, int component) {
+    return component + 2.0 * x.x - 3.0 * x.y + 0.5 * x.z;
+  };
+  for (const Shape& shape : all_shapes()) {
+    if (shape.periodic[0] || shape.periodic[1] || shape.periodic[2]) continue;
+    Levels levels(shape);
+    for (int d = 0; d < 3; ++d) levels.fine.spacing[d] = 1.0 / shape.ratio[d];
+    State before(levels.coarse, coarse_ghosts), fine(levels.fine, 3);
+    before.fill(
+        [&](IntVec3 c, int n, const IndexBox&) { return plane(levels.coarse.centre(c), n); });
+    const auto exact = [&](IntVec3 c, int n, const IndexBox&) {
+      return plane(levels.fine.centre(c), n);
+    };
+    fine.fill(exact);
+    Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank())
+        .run(&before.warehouse, nullptr, 0, fine.warehouse, fine.slots, MockOperators(), 1);
+    fine.each([&](const RealView& v, int n, const IndexBox& cells) {
+      for_each_cell(v.box, [&](IntVec3 c) { ASSERT_NEAR(v(c), exact(c, n, cells), 1e-12); });
+    });
+  }
+}
+
+TEST(TransferLimits, refuses_levels_that_do_not_nest) {
+  // The fine box reaches the end of the coarse one, whose ghost layers are too few.
+  Shape shape{{{0, 0, 0}, {24, 1, 1}},   {},        {2, 1, 1},
+              {{{6, 0, 0}, {12, 1, 1}}}, {1, 1, 1}, {1, 1, 1},
+              {{{4, 0, 0}, {12, 1, 1}}}};
+  const Levels close(shape);
+  EXPECT_NO_THROW(
+      Interpolation::of_ghosts(close.coarse, 3, close.fine, 3, close.fine.boxes[0].owner));
+  EXPECT_THROW(Interpolation::of_ghosts(close.coarse, 2, close.fine, 3, close.fine.boxes[0].owner),
+               std::logic_error);
+  EXPECT_NO_THROW(Restriction(close.coarse, close.fine, 0));
+  shape.fine[0].upper.x = 13;
+  const Levels beyond(shape);
+  EXPECT_THROW(Restriction(beyond.coarse, beyond.fine, 0), std::logic_error);
+  Levels uneven(shape);
+  uneven.fine.boxes[0].cells.upper.x -= 3;
+  EXPECT_THROW(Restriction(uneven.coarse, uneven.fine, 0), std::logic_error);
+}
+
+TEST(TransferLimits, refuses_a_time_without_its_state) {
+  const Levels levels({{{0, 0, 0}, {20, 1, 1}}, {}, {2, 1, 1}, {{{5, 0, 0}, {9, 1, 1}}}});
+  State before(levels.coarse, 3), fine(levels.fine, 3);
+  Interpolation ghosts = Interpolation::of_ghosts(levels.coarse, 3, levels.fine, 3, world().rank());
+  const MockOperators operators;
+  for (const double share : {0.5, 1.0, -0.1, 1.1})
+    EXPECT_THROW(
+        ghosts.run(&before.warehouse, nullptr, share, fine.warehouse, fine.slots, operators, 1),
+        std::logic_error);
+}
+
+}  // namespace
+}  // namespace sluice

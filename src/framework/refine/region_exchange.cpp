@@ -1,0 +1,139 @@
+// Views, row copies and packed messages.
+#include "framework/refine/region_exchange.hpp"
+
+#include <cstring>
+
+#include "framework/refine/box_pieces.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr int message_tag = 2;
+
+// Calls f(start of a row in `to`, start of the same row in a view of the cells + shift, length).
+template <class F>
+void for_each_row(const RealView& to, const IndexBox& region, F&& f) {
+  const int along = to.stride[0] == 1 ? 0 : to.stride[1] == 1 ? 1 : 2;
+  IndexBox starts = region;
+  starts.upper[along] = starts.lower[along] + 1;
+  const auto length = static_cast<std::size_t>(region.size()[along]);
+  for_each_cell(starts, [&](IntVec3 c) { f(c, length); });
+}
+
+}  // namespace
+
+int component_count(const Warehouse& warehouse, const std::vector<int>& slots) {
+  int components = 0;
+  for (const int s : slots) components += warehouse.info(s).components;
+  return components;
+}
+
+void view_boxes(const Warehouse& warehouse, const std::vector<int>& slots,
+                std::vector<StateViews>& views) {
+  views.resize(warehouse.local_boxes().size());
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    views[b].clear();
+    for (const int s : slots)
+      for (int c = 0; c < warehouse.info(s).components; ++c)
+        views[b].push_back(warehouse.view(s, c, static_cast<int>(b)));
+  }
+}
+
+void view_array(double* data, const IndexBox& cells, const Level& level, int components,
+                StateViews& views) {
+  views.clear();
+  for (int c = 0; c < components; ++c)
+    views.push_back(lay_out(data + c * cells.volume(), cells, level));
+}
+
+Level without_boxes(const Level& level) {
+  Level frame;
+  frame.index = level.index;
+  frame.domain = level.domain;
+  frame.periodic = level.periodic;
+  frame.active = level.active;
+  frame.ratio = level.ratio;
+  return frame;
+}
+
+std::vector<int> local_numbers(const Level& level, int rank) {
+  std::vector<int> numbers;
+  int count = 0;
+  for (const GridBox& b : level.boxes) numbers.push_back(b.owner == rank ? count++ : -1);
+  return numbers;
+}
+
+std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes) {
+  std::vector<IndexBox> cells;
+  for (const GridBox& b : boxes) cells.push_back(b.cells);
+  return cells;
+}
+
+void copy_state(const StateViews& to, const IndexBox& region, const StateViews& from,
+                IntVec3 shift) {
+  for (std::size_t n = 0; n < to.size(); ++n)
+    for_each_row(to[n], region, [&](IntVec3 c, std::size_t length) {
+      std::memcpy(to[n].data + to[n].offset(c), from[n].data + from[n].offset(c + shift),
+                  length * sizeof(double));
+    });
+}
+
+void blend_state(const StateViews& to, const IndexBox& region, const StateViews& a,
+                 const StateViews& b, double share, IntVec3 shift) {
+  const double rest = 1 - share;
+  for (std::size_t n = 0; n < to.size(); ++n)
+    for_each_row(to[n], region, [&](IntVec3 c, std::size_t length) {
+      double* const t = to[n].data + to[n].offset(c);
+      const double* const p = a[n].data + a[n].offset(c + shift);
+      const double* const q = b[n].data + b[n].offset(c + shift);
+#pragma GCC ivdep
+      for (std::size_t i = 0; i < length; ++i) t[i] = rest * p[i] + share * q[i];
+    });
+}
+
+PackedMessages::Piece PackedMessages::add(int rank, std::int64_t cells, std::int64_t Peer::*total) {
+  std::size_t n = 0;
+  while (n < peers_.size() && peers_[n].rank != rank) ++n;
+  if (n == peers_.size()) peers_.emplace_back().rank = rank;
+  const Piece piece{static_cast<int>(n), peers_[n].*total};
+  peers_[n].*total += cells;
+  return piece;
+}
+
+std::int64_t PackedMessages::send_cells() const {
+  std::int64_t cells = 0;
+  for (const Peer& p : peers_) cells += p.send_cells;
+  return cells;
+}
+
+void PackedMessages::start(int components) {
+  components_ = components;
+  for (Peer& p : peers_) {
+    p.send_buffer.resize(static_cast<std::size_t>(p.send_cells * components));
+    p.receive_buffer.resize(static_cast<std::size_t>(p.receive_cells * components));
+    if (p.receive_cells > 0)
+      messages_.post_receive(p.receive_buffer.data(), p.receive_buffer.size(), p.rank, message_tag);
+  }
+}
+
+double* PackedMessages::outgoing(const Piece& piece) {
+  return peers_[static_cast<std::size_t>(piece.peer)].send_buffer.data() +
+         piece.first * components_;
+}
+
+double* PackedMessages::incoming(const Piece& piece) {
+  return peers_[static_cast<std::size_t>(piece.peer)].receive_buffer.data() +
+         piece.first * components_;
+}
+
+void PackedMessages::send() {
+  for (Peer& p : peers_)
+    if (p.send_cells > 0)
+      messages_.post_send(p.send_buffer.data(), p.send_buffer.size(), p.rank, message_tag);
+}
+
+void PackedMessages::wait() {
+  messages_.wait_all();
+}
+
+}  // namespace sluice
