@@ -7,12 +7,13 @@
 
 namespace sluice::ice {
 
-BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots)
+BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
+                           int level)
     : gravity_(scene.constants.gravity),
       gas_(material.gas),
       viscous_(material.viscosity > 0),
       slots_(slots),
-      level_(&scene.grid.levels.front()) {
+      level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
   for (Side side : all_sides) {
     const int d = direction_of(side);
     const auto n = static_cast<std::size_t>(side);

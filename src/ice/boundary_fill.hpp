@@ -56,7 +56,9 @@ struct StateSlots {
 
 class BoundaryFill {
  public:
-  BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots);
+  // Of one level of the scene, whose boxes may change later.
+  BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
+               int level = 0);
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
   // only, whatever the boxes and threads.

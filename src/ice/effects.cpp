@@ -28,6 +28,11 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          !open ? "every active direction is periodic"
                : "what passes through the boundary is counted for the conservation report",
          {}});
+  const bool refined = scene.grid.levels.size() > 1;
+  e.add({"flux record",
+         refined,
+         refined ? "levels meet: what passes their faces is made equal" : "one level",
+         {}});
   e.add({"saved intermediates", true, "only in steps that save them", scene.output.where});
   e.add({"diagnostics", true, "only in steps that save or analyse", scene.output.where});
   e.add({"heat conduction", false, "thermal_conductivity is zero", {}});

@@ -59,22 +59,33 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes       sums
-  declare_step_outputs(list, v, o);                             // whatever a deck saves    outputs
+  add_gravity_account(list, v, o, effect_gravity);              // m, dp                    sums
+  add_flux_record(list, v, o, effect_flux_record);  // fluxes                   face tables
+  declare_step_outputs(list, v, o);                 // whatever a deck saves    outputs
 }
 
 Ice::Ice(const Scene& scene, IceScene ice_scene)
     : scene_(&scene),
       ice_(std::move(ice_scene)),
       effects_(find_effects(scene, ice_)),
-      options_(make_options(scene, ice_)) {
+      options_(make_options(scene, ice_)),
+      transfer_(options_.components, options_.classic) {
   StateSlots slots;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
-  boundary_ = std::make_unique<BoundaryFill>(scene, ice_.materials.front(), slots);
-  options_.boundary = boundary_.get();
+  for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
+    boundary_.push_back(
+        std::make_unique<BoundaryFill>(scene, ice_.materials.front(), slots, level));
+}
+
+SchemeOptions Ice::at_level(int level) const {
+  SchemeOptions o = options_;
+  o.domain = scene_->grid.levels[static_cast<std::size_t>(level)].domain;
+  o.boundary = boundary_[static_cast<std::size_t>(level)].get();
+  return o;
 }
 
 std::vector<SlotInfo> Ice::state_slots() const {
@@ -90,6 +101,10 @@ std::vector<std::vector<Label>> Ice::checkpoint_labels() const {
     momentum.push_back(
         labels().momentum_component[options_.direction[static_cast<std::size_t>(c)]]);
   return {{labels().mass}, momentum, {labels().energy}};
+}
+
+Label Ice::refine_flag() const {
+  return labels().refine_flag;
 }
 
 Label Ice::mask_label() const {
@@ -117,21 +132,29 @@ void Ice::initialise(Warehouse& state) const {
 }
 
 void Ice::fill_boundary(Warehouse& state, double /*time*/, const ThreadTeam& team) const {
-  boundary_->fill(state, team);
-  if (state.find(labels().mask, 0) >= 0) boundary_->copy_outward(state, labels().mask, 0);
+  const BoundaryFill& boundary = *boundary_[static_cast<std::size_t>(state.level().index)];
+  boundary.fill(state, team);
+  if (state.find(labels().mask, 0) >= 0) boundary.copy_outward(state, labels().mask, 0);
 }
 
 void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
-  SchemeOptions o = options_;
+  SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
+  o.coverage = variant.coverage;
+  o.recorder = variant.recorder;
   if (o.classic)
     declare_classic(list, o, effects_);
   else
     declare_conservative(list, o);
 }
 
-void Ice::declare_diagnostics(TaskList& list, int /*level*/) const {
-  declare_diagnostic_outputs(list, options_, ice_);
+void Ice::declare_diagnostics(TaskList& list, int level) const {
+  declare_diagnostic_outputs(list, at_level(level), ice_);
+}
+
+int Ice::reduction_sums() const {
+  return options_.gravity_on && scene_->grid.levels.size() > 1 ? StepSlots::sums_with_gravity
+                                                               : StepSlots::sums;
 }
 
 bool Ice::quiet_blocks_allowed() const {
@@ -194,72 +217,6 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
           options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)" : "scheme: 0.8 dx/(|u| + c)");
   at_most(options_.cfl / maxima[StepSlots::diffusion_rate], "deck: cfl rho/(2 knob mu sum 1/dx^2)");
   return limit;
-}
-
-void Ice::add_totals(const Warehouse& state, const LevelCoverage& /*coverage*/,
-                     Totals& totals) const {
-  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
-            energy = state.find(labels().energy, 0);
-  totals.mass.resize(1);
-  const double V = state.level().cell_volume();
-  const int along = options_.axes.direction[0];
-  std::vector<double> values, kinetic;
-  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
-    const auto n = static_cast<std::size_t>(cells.size()[along]);
-    values.resize(n);
-    kinetic.resize(n);
-    IndexBox starts = cells;  // the first cell of every row
-    starts.upper[along] = starts.lower[along] + 1;
-    auto row = [&](int slot, int c, IntVec3 start) {
-      const RealView v = state.view(slot, c, b);
-      return v.data + v.offset(start);
-    };
-    auto add = [&](ConservedTotal& total, const double* q) {
-      for (std::size_t i = 0; i < n; ++i) values[i] = q[i] * V;
-      total.add(values.data(), n);
-    };
-    for_each_cell(starts, [&](IntVec3 start) {
-      const double* rho = row(mass, 0, start);
-      add(totals.mass[0], rho);
-      add(totals.internal_energy, row(energy, 0, start));
-      std::fill(kinetic.begin(), kinetic.end(), 0.0);
-      for (int c = 0; c < options_.components; ++c) {
-        const double* m = row(momentum, c, start);
-        add(totals.momentum[options_.direction[static_cast<std::size_t>(c)]], m);
-        for (std::size_t i = 0; i < n; ++i) kinetic[i] += m[i] * m[i];
-      }
-      for (std::size_t i = 0; i < n; ++i) kinetic[i] = 0.5 * kinetic[i] / rho[i];
-      add(totals.kinetic_energy, kinetic.data());
-    });
-  }
-}
-
-// Gravity acts on the mass at the start of the step and works along the mean momentum of the
-// Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
-StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
-  StepBalance b;
-  b.mass = {sums[StepSlots::mass]};
-  for (int d = 0; d < 3; ++d) {
-    b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
-    const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
-    const double kick = dt * options_.gravity[d] * start->mass.front();
-    b.momentum_of_forces[d] = kick;
-    b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
-  }
-  b.energy = sums[StepSlots::energy];
-  return b;
-}
-
-double Ice::history_value(Label label, const Totals& totals) const {
-  if (label == labels().total_mass) return totals.mass.front().sum.value();
-  if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
-  return totals.kinetic_energy.sum.value();
-}
-
-Vec3 Ice::history_vector(Label /*label*/, const Totals& totals) const {
-  return {totals.momentum[0].sum.value(), totals.momentum[1].sum.value(),
-          totals.momentum[2].sum.value()};
 }
 
 std::string Ice::describe_fault(int kind) const {

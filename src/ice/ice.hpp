@@ -6,6 +6,7 @@
 #include "ice/boundary_fill.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/ice_scene.hpp"
+#include "ice/refine/ice_transfer.hpp"
 
 namespace sluice::ice {
 
@@ -23,9 +24,11 @@ class Ice final : public Component {
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
+  const TransferOperators& transfer() const { return transfer_; }
+  Label refine_flag() const;
   Label mask_label() const override;
   int reduction_maxima() const override { return StepSlots::maxima; }
-  int reduction_sums() const override { return StepSlots::sums; }
+  int reduction_sums() const override;
   bool quiet_blocks_allowed() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
@@ -39,12 +42,14 @@ class Ice final : public Component {
 
  private:
   void declare_conservative(TaskList& list, const SchemeOptions& options) const;
+  SchemeOptions at_level(int level) const;
 
   const Scene* scene_;
   IceScene ice_;
   EffectList effects_;
-  SchemeOptions options_;
-  std::unique_ptr<BoundaryFill> boundary_;
+  SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
+  std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
+  IceTransfer transfer_;
 };
 
 // What the scene calls for and what it does not, with the deck lines.
@@ -57,6 +62,7 @@ enum EffectId {
   effect_gravity,
   effect_viscosity,
   effect_boundary_account,
+  effect_flux_record,
   effect_saved_intermediates,
   effect_diagnostics,
   effect_conduction,

@@ -104,12 +104,13 @@ class Stepper {
   // One step that must be admissible.
   void step(double dt) {
     if (attempt(dt).faults > 0) throw PhysicsError("inadmissible step");
+    solver_->advance();
     solver_->accept();
     time_ += dt;
   }
   const StepAttempt& attempt(double dt) {
     solver_->fill_ghosts(time_);
-    return solver_->attempt(time_, dt, {}, *control_);
+    return solver_->attempt(time_, dt, {}, control_.get());
   }
 
   double mass(IntVec3 cell) const { return value(labels().mass, 0, cell); }

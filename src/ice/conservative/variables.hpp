@@ -9,6 +9,11 @@
 #include "framework/grid/index_box.hpp"
 #include "framework/task/task.hpp"
 
+namespace sluice {
+class LevelCoverage;
+struct FluxRecorder;
+}  // namespace sluice
+
 namespace sluice::ice {
 
 class BoundaryFill;
@@ -33,6 +38,9 @@ struct SchemeOptions {
   IndexBox domain;  // cells of the physical domain
   std::array<bool, 3> periodic{};
   const BoundaryFill* boundary = nullptr;  // knows the walls
+  // With several levels: which cells count in sums, where fluxes are recorded.
+  const LevelCoverage* coverage = nullptr;
+  const FluxRecorder* recorder = nullptr;
 };
 
 struct SchemeVariables {
@@ -73,6 +81,10 @@ struct StepSlots {
   static constexpr int energy = 4;
   static constexpr int pressure_impulse = 5;  // three: the part of momentum that is no advection
   static constexpr int sums = 8;
+  // With several levels under gravity also its impulse (three) and its work.
+  static constexpr int gravity_impulse = 8;
+  static constexpr int gravity_work = 11;
+  static constexpr int sums_with_gravity = 12;
 };
 
 enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2, fault_outflow = 3 };
@@ -106,5 +118,7 @@ void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, in
 void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice

@@ -1,0 +1,66 @@
+// What passes through a face in a step, of either scheme, as amounts per volume of a cell.
+//
+//   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u,
+// l = dt/dx, t the viscous stress, u the mean velocity of the two cells. Positive along the axis.
+#pragma once
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice {
+
+struct FaceFluxHandles {
+  In flux, face_velocity, face_pressure, stress, velocity;
+};
+
+// Low and high faces of the cells of a row.
+inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables& v,
+                                        const SchemeOptions& o, int axis) {
+  const auto face = static_cast<std::size_t>(axis);
+  const int direction = o.axes.direction[axis];
+  const Stencil both = Stencil::along(direction, 0, 1);
+  FaceFluxHandles h;
+  h.flux = task.read(v.flux[face], both);
+  h.face_velocity = task.read(v.face_velocity[face], both);
+  h.face_pressure = task.read(v.face_pressure[face], both);
+  if (!o.viscous) return h;
+  h.stress = task.read(v.stress[face], both);
+  h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
+  return h;
+}
+
+struct FaceFlux {
+  double mass = 0, energy = 0;
+  double momentum[3] = {0, 0, 0};  // by component
+  double impulse[3] = {0, 0, 0};   // the part of momentum that is no advection
+};
+
+// The low (shift 0) or high (shift 1) face of cell i of the row.
+inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                          int axis, int shift, int i) {
+  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
+  auto face = [&](In in, int c = 0) { return row(in, c, axis, shift)[i]; };
+  const double F = face(h.flux, 0), G = face(h.flux, 1);
+  const double uf = face(h.face_velocity), pf = face(h.face_pressure);
+  FaceFlux flux;
+  flux.mass = F;
+  double FU2 = 0, friction = 0;
+  for (int c = 0; c < o.components; ++c) {
+    // The flux holds U, or F U in the classic form.
+    const double carried = face(h.flux, 2 + c);
+    const double FU = o.classic ? carried : F * carried;
+    const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
+    FU2 += FU * U;
+    double impulse = c == axis ? l * pf : 0.0;
+    if (o.viscous) {
+      const double t = face(h.stress, c);
+      impulse -= l * t;
+      friction += l * t * 0.5 *
+                  (row(h.velocity, c, axis, shift - 1)[i] + row(h.velocity, c, axis, shift)[i]);
+    }
+    flux.impulse[c] = impulse;
+    flux.momentum[c] = FU + impulse;
+  }
+  flux.energy = l * pf * uf + 0.5 * FU2 + G - friction;
+  return flux;
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,57 @@
+// Keeps what passes through the faces where levels meet, so that both agree on it afterwards.
+//
+// Conservative scheme: mass, momentum and total energy (face_flux.hpp). Classic form: what it
+// balances itself, mass, momentum and the internal energy that is advected. Absent with one level.
+#include "framework/refine/flux_register.hpp"
+#include "ice/conservative/face_flux.hpp"
+
+namespace sluice::ice {
+namespace {
+
+void record_segment(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                    const FaceTable::Segment& s, FaceTable& table) {
+  const int start = s.first - row.cell()[o.axes.direction[0]];
+  const int shift = s.high ? 1 : 0;
+  double* values[5];
+  for (int q = 0; q < 2 + o.components; ++q) values[q] = table.values(q) + s.slot;
+  double* energy = values[1 + o.components];
+  for (int n = 0; n < s.count; ++n) {
+    const int i = start + n;
+    const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
+    values[0][n] = flux.mass;
+    for (int c = 0; c < o.components; ++c) values[1 + c][n] = flux.momentum[c];
+    energy[n] = o.classic ? row(h.flux, 1, axis, shift)[i] : flux.energy;
+  }
+}
+
+void record_row(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                FaceTable* table) {
+  if (table == nullptr || table->empty()) return;
+  for (const FaceTable::Segment& s : table->segments(row.box(), axis, row.cell())) {
+    // A row is the part of a box's row that one block holds.
+    const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
+    FaceTable::Segment here = s;
+    here.first = s.first > low ? s.first : low;
+    here.count = (s.first + s.count < high ? s.first + s.count : high) - here.first;
+    here.slot += here.first - s.first;
+    if (here.count > 0) record_segment(row, h, o, axis, here, *table);
+  }
+}
+
+}  // namespace
+
+void add_flux_record(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  if (o.recorder == nullptr) return;
+  static const char* names[] = {"flux record of axis 0", "flux record of axis 1",
+                                "flux record of axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    TaskBuilder task = list.task(names[axis], effect);
+    const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
+    task.always().kernel([=](const Row& row) {
+      record_row(row, h, o, axis, o.recorder->as_coarse);
+      record_row(row, h, o, axis, o.recorder->as_fine);
+    });
+  }
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,84 @@
+// The fine cells of a coarse one: how many, in which order they are summed, and lines of cells.
+//
+// Sums are taken in halves: the two halves of a cell along one axis, the four along two axes
+// crosswise, the eight along three axes corner to opposite corner, and these in halves again.
+// Mirrored children give the same bits, in 2-D also children with their axes exchanged.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "framework/refine/transfer_operators.hpp"
+#include "framework/task/row.hpp"
+
+namespace sluice::ice {
+
+class Children {
+ public:
+  static constexpr int most = 64;
+
+  // std::logic_error for a ratio other than 1, 2 or 4.
+  explicit Children(const TransferGeometry& geometry);
+
+  const Axes& axes() const { return axes_; }
+  int count() const { return ratio_[0] * ratio_[1] * ratio_[2]; }
+  int ratio(int axis) const { return ratio_[axis]; }
+  // Position of a child along an axis: 0 .. ratio - 1.
+  int place(int child, int axis) const {
+    if (axis == 0) return child % ratio_[0];
+    return axis == 1 ? child / ratio_[0] % ratio_[1] : child / (ratio_[0] * ratio_[1]);
+  }
+  // Of its centre from the coarse cell's, in coarse cells.
+  double offset(int child, int axis) const {
+    const int r = ratio_[axis];
+    return (2 * place(child, axis) + 1 - r) / (2.0 * r);
+  }
+
+  // rows[0] = mean of the rows of all children, over n cells; the other rows are lost.
+  template <int Width>
+  void mean(double (*rows)[Width], int n) const {
+    for (int s = 0; s < sums_; ++s) {
+      double* __restrict to = rows[sum_[static_cast<std::size_t>(s)].to];
+      const double* __restrict from = rows[sum_[static_cast<std::size_t>(s)].from];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) to[i] += from[i];
+    }
+    const double share = 1.0 / count();
+    double* to = rows[0];
+    for (int i = 0; i < n; ++i) to[i] *= share;
+  }
+
+ private:
+  struct Sum {
+    std::uint8_t to, from;
+  };
+  int child(const std::array<int, 3>& place) const {
+    return place[0] + ratio_[0] * (place[1] + ratio_[1] * place[2]);
+  }
+  void add_block(std::array<int, 3> low, std::array<int, 3> size);
+  void add(int to, int from);
+
+  Axes axes_;
+  int ratio_[3] = {1, 1, 1};  // by axis
+  int sums_ = 0;
+  std::array<Sum, most - 1> sum_{};
+};
+
+// Calls f(first cell, count) for pieces of at most `width` cells of the lines along level direction
+// `along` that fill the box.
+template <class F>
+void for_each_line(const IndexBox& cells, int along, int width, F&& f) {
+  IndexBox starts = cells;
+  starts.upper[along] = starts.lower[along] + 1;
+  for_each_cell(starts, [&](IntVec3 start) {
+    for (IntVec3 first = start; first[along] < cells.upper[along]; first[along] += width) {
+      const int left = cells.upper[along] - first[along];
+      f(first, left < width ? left : width);
+    }
+  });
+}
+
+// The level direction along which a box is longest; the first active one of equals.
+int longest_direction(const IndexBox& cells, const Axes& axes);
+
+}  // namespace sluice::ice

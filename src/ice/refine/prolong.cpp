@@ -1,0 +1,291 @@
+// Fine cells from coarse ones: a limited polynomial in each coarse cell.
+//
+//   q(x) = q + sum_d s_d x_d [+ sum_d c_d (x_d^2 - 1/12)/2 + sum_de s_de x_d x_e],  |x_d| < 1/2
+// for mass, momentum and internal energy; a fine cell gets the mean over itself. Order 1 has slopes
+// s = L3 (limiters.hpp). Order 2 adds curvature and cross terms, which fade where the data are not
+// smooth: |c_d| <= B_d, |s_de| <= min(B_d, B_e), B = 2 min(|a|,|b|) - max(|a|,|b|) or 0, a and b
+// the one-sided differences. All this is homogeneous: where velocity is uniform, momentum varies
+// with the density, and where pressure is uniform, it stays so.
+//
+// Positivity: the terms of mass and momentum are scaled alike, so that no fine density lies below a
+// quarter of the coarse one; the terms of energy for themselves.
+// Total energy: with w(x) = m(x) - U rho(x), U = m/rho, the fine cells have more kinetic energy
+// than the coarse one by K = < |w|^2/(2 rho) >: E(x) is multiplied by 1 - K/E. Where K would take
+// more than half of E, w is made smaller.
+#include <algorithm>
+#include <cmath>
+
+#include "framework/grid/box_list.hpp"
+#include "ice/conservative/variables.hpp"
+#include "ice/limiters.hpp"
+#include "ice/refine/children.hpp"
+#include "ice/refine/ice_transfer.hpp"
+
+namespace sluice::ice {
+namespace {
+
+constexpr double least_kept = 0.25;   // of density and energy, by slopes
+constexpr double most_kinetic = 0.5;  // of the internal energy
+constexpr int pair_axes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+
+// How much curvature the differences of a cell allow.
+inline double smoothness(double a, double b) {
+  const double least = smaller(std::fabs(a), std::fabs(b));
+  const double most = larger(std::fabs(a), std::fabs(b));
+  return a * b > 0.0 ? larger(0.0, 2.0 * least - most) : 0.0;
+}
+
+inline double bounded(double x, double bound) {
+  return std::copysign(smaller(std::fabs(x), bound), x);
+}
+
+// The polynomial's functions, averaged over each fine cell: D slopes, for order 2 also D curvatures
+// and D (D - 1)/2 cross terms.
+template <int D, int Order>
+struct Basis {
+  static constexpr int pairs = Order == 2 ? D * (D - 1) / 2 : 0;
+  static constexpr int curves = Order == 2 ? D : 0;
+  static constexpr int terms = D + curves + pairs;
+
+  explicit Basis(const Children& children) {
+    for (double& m : most) m = 0;
+    for (int child = 0; child < children.count(); ++child) {
+      double* f = value[child];
+      for (int a = 0; a < D; ++a) {
+        const double x = children.offset(child, a), r = children.ratio(a);
+        f[a] = x;
+        if constexpr (Order == 2) f[D + a] = 0.5 * (x * x - (1.0 - 1.0 / (r * r)) / 12.0);
+      }
+      for (int p = 0; p < pairs; ++p) f[2 * D + p] = f[pair_axes[p][0]] * f[pair_axes[p][1]];
+      for (int k = 0; k < terms; ++k) most[k] = larger(most[k], std::fabs(f[k]));
+    }
+  }
+
+  double value[Children::most][terms];
+  double most[terms];
+};
+
+template <int D, int C, int Order>
+class Prolonger {
+ public:
+  static constexpr int width = D == 3 ? 16 : 64;
+
+  Prolonger(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
+            const Children& children, int along)
+      : coarse_(coarse),
+        fine_(fine),
+        cells_(cells),
+        children_(children),
+        basis_(children),
+        along_(along) {
+    for (int a = 0; a < D; ++a)
+      if (children.axes().direction[a] == along) ratio_along_ = children.ratio(a);
+  }
+
+  // n coarse cells along the line.
+  void run(IntVec3 first, int n) {
+    for (int q = 0; q < quantities; ++q) find_terms(q, first, n);
+    keep_positive(n);
+    take_kinetic_energy(n);
+    for (int child = 0; child < children_.count(); ++child) emit(child, first, n);
+  }
+
+ private:
+  static constexpr int quantities = C + 2, energy = C + 1;
+  using Functions = Basis<D, Order>;
+
+  // Row of the coarse cells shifted by `shift`; copied where they do not lie side by side.
+  const double* coarse_row(int q, IntVec3 first, int n, double* copy) const {
+    const RealView& v = coarse_[static_cast<std::size_t>(q)];
+    const double* from = v.data + v.offset(first);
+    const std::ptrdiff_t step = v.stride[along_];
+    if (step == 1) return from;
+    for (int i = 0; i < n; ++i) copy[i] = from[i * step];
+    return copy;
+  }
+  const double* shifted_row(int q, IntVec3 first, int n, int axis, int shift, int other, int move,
+                            double* copy) const {
+    first[children_.axes().direction[axis]] += shift;
+    first[children_.axes().direction[other]] += move;
+    return coarse_row(q, first, n, copy);
+  }
+
+  void find_terms(int q, IntVec3 first, int n) {
+    double copy[4][width], smooth[D][width];
+    const double* centre = coarse_row(q, first, n, copy[0]);
+    std::copy(centre, centre + n, centre_[q]);
+    const double* __restrict m = centre_[q];
+    for (int a = 0; a < D; ++a) {
+      const double* __restrict low = shifted_row(q, first, n, a, -1, a, 0, copy[0]);
+      const double* __restrict high = shifted_row(q, first, n, a, 1, a, 0, copy[1]);
+      double* __restrict slope = term_[q][a];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) slope[i] = central_slope(m[i] - low[i], high[i] - m[i]);
+      if constexpr (Order == 2) {
+        double* __restrict curve = term_[q][D + a];
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) {
+          const double below = m[i] - low[i], above = high[i] - m[i];
+          smooth[a][i] = smoothness(below, above);
+          curve[i] = bounded(above - below, smooth[a][i]);
+        }
+      }
+    }
+    for (int p = 0; p < Functions::pairs; ++p) {
+      const int a = pair_axes[p][0], b = pair_axes[p][1];
+      const double* mm = shifted_row(q, first, n, a, -1, b, -1, copy[0]);
+      const double* mp = shifted_row(q, first, n, a, -1, b, 1, copy[1]);
+      const double* pm = shifted_row(q, first, n, a, 1, b, -1, copy[2]);
+      const double* pp = shifted_row(q, first, n, a, 1, b, 1, copy[3]);
+      double* cross = term_[q][2 * D + p];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i)
+        cross[i] = bounded(0.25 * ((pp[i] + mm[i]) - (pm[i] + mp[i])),
+                           smaller(smooth[a][i], smooth[b][i]));
+    }
+  }
+
+  // Factor for the terms of q that keeps every fine value above a share of the coarse one.
+  void find_factor(int q, int n, double* __restrict factor) const {
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      double deepest = 0;
+      for (int k = 0; k < Functions::terms; ++k)
+        deepest += std::fabs(term_[q][k][i]) * basis_.most[k];
+      const double room = (1.0 - least_kept) * centre_[q][i];
+      factor[i] = deepest > room ? larger(0.0, room) / deepest : 1.0;
+    }
+  }
+  void scale(int q, int n, const double* __restrict factor) {
+    for (int k = 0; k < Functions::terms; ++k)
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) term_[q][k][i] *= factor[i];
+  }
+  void keep_positive(int n) {
+    double factor[width];
+    find_factor(0, n, factor);
+    for (int q = 0; q <= C; ++q) scale(q, n, factor);
+    find_factor(energy, n, factor);
+    scale(energy, n, factor);
+  }
+
+  // What the polynomial adds in a child; two axes may be exchanged without a trace in the bits.
+  template <class Terms>
+  static double deviation(const Terms& term, const double* f, int i) {
+    double sum = term[0][i] * f[0];
+    for (int a = 1; a < D; ++a) sum += term[a][i] * f[a];
+    if constexpr (Order == 2) {
+      double curved = term[D][i] * f[D];
+      for (int a = 1; a < D; ++a) curved += term[D + a][i] * f[D + a];
+      sum += curved;
+    }
+    for (int p = 0; p < Functions::pairs; ++p) sum += term[2 * D + p][i] * f[2 * D + p];
+    return sum;
+  }
+
+  void take_kinetic_energy(int n) {
+    for (int c = 0; c < C; ++c) {
+      double U[width];
+      for (int i = 0; i < n; ++i) U[i] = centre_[1 + c][i] / centre_[0][i];
+      for (int k = 0; k < Functions::terms; ++k)
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) w_[c][k][i] = term_[1 + c][k][i] - U[i] * term_[0][k][i];
+    }
+    for (int child = 0; child < children_.count(); ++child) {
+      const double* f = basis_.value[child];
+      double* __restrict kinetic = rows_[child];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) {
+        double square = 0;
+        for (int c = 0; c < C; ++c) {
+          const double w = deviation(w_[c], f, i);
+          square += w * w;
+        }
+        kinetic[i] = 0.5 * square / (centre_[0][i] + deviation(term_[0], f, i));
+      }
+    }
+    children_.mean(rows_, n);
+    double less[width];
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const double K = rows_[0][i], E = centre_[energy][i];
+      const double room = larger(0.0, most_kinetic * E);
+      less[i] = K > room ? 1.0 - std::sqrt(room / K) : 0.0;
+      rest_[i] = K > 0.0 ? 1.0 - smaller(K, room) / E : 1.0;
+    }
+    for (int c = 0; c < C; ++c)
+      for (int k = 0; k < Functions::terms; ++k)
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) term_[1 + c][k][i] -= less[i] * w_[c][k][i];
+  }
+
+  // One fine cell of each coarse cell, where it is asked for.
+  void emit(int child, IntVec3 first, int n) const {
+    IntVec3 cell = first;
+    for (int a = 0; a < D; ++a) {
+      const int d = children_.axes().direction[a];
+      cell[d] = first[d] * children_.ratio(a) + children_.place(child, a);
+      if (d != along_ && (cell[d] < cells_.lower[d] || cell[d] >= cells_.upper[d])) return;
+    }
+    int begin = 0, end = n;
+    while (begin < end && cell[along_] + begin * ratio_along_ < cells_.lower[along_]) ++begin;
+    while (begin < end && cell[along_] + (end - 1) * ratio_along_ >= cells_.upper[along_]) --end;
+    if (begin == end) return;
+    cell[along_] += begin * ratio_along_;
+    const double* f = basis_.value[child];
+    for (int q = 0; q < quantities; ++q) {
+      double value[width];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) value[i] = centre_[q][i] + deviation(term_[q], f, i);
+      if (q == energy)
+        for (int i = 0; i < n; ++i) value[i] *= rest_[i];
+      const RealView& v = fine_[static_cast<std::size_t>(q)];
+      double* __restrict to = v.data + v.offset(cell);
+      const std::ptrdiff_t step = v.stride[along_] * ratio_along_;
+      for (int i = begin; i < end; ++i) to[(i - begin) * step] = value[i];
+    }
+  }
+
+  const StateViews& coarse_;
+  const StateViews& fine_;
+  const IndexBox& cells_;
+  const Children& children_;
+  Functions basis_;
+  int along_, ratio_along_ = 1;
+  double centre_[quantities][width];
+  double term_[quantities][Functions::terms][width];
+  double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
+  double rest_[width];                    // share of the internal energy that stays
+  double rows_[Children::most][width];
+};
+
+void copy_to_children(const RealView& coarse, const RealView& fine, const IndexBox& cells,
+                      IntVec3 ratio) {
+  for_each_cell(cells, [&](IntVec3 cell) { fine(cell) = coarse(coarsen(cell, ratio)); });
+}
+
+template <int Order>
+void prolong_cells(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
+                   const TransferGeometry& geometry, int components) {
+  const Children children(geometry);
+  const IndexBox parents = coarsen(cells, geometry.ratio);
+  const int along = longest_direction(parents, children.axes());
+  dispatch(children.axes().count, components, [&]<int D, int C>() {
+    using Line = Prolonger<D, C, Order>;
+    Line line(coarse, fine, cells, children, along);
+    for_each_line(parents, along, Line::width, [&](IntVec3 first, int n) { line.run(first, n); });
+  });
+}
+
+}  // namespace
+
+void IceTransfer::prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
+                          const TransferGeometry& geometry, int order) const {
+  if (cells.empty()) return;
+  if (order == 2) return prolong_cells<2>(coarse, fine, cells, geometry, components_);
+  if (order == 1) return prolong_cells<1>(coarse, fine, cells, geometry, components_);
+  for (std::size_t q = 0; q < coarse.size(); ++q)
+    copy_to_children(coarse[q], fine[q], cells, geometry.ratio);
+}
+
+}  // namespace sluice::ice

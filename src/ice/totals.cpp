@@ -1,0 +1,107 @@
+// Totals over the cells of a rank, and what a step added to them.
+#include <algorithm>
+
+#include "ice/ice.hpp"
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// Adds the cells of a state to totals, row by row.
+class TotalsOfRows {
+ public:
+  TotalsOfRows(const Warehouse& state, const SchemeOptions& options, Totals& totals)
+      : state_(state),
+        options_(options),
+        totals_(totals),
+        mass_(state.find(labels().mass, 0)),
+        momentum_(state.find(labels().momentum, 0)),
+        energy_(state.find(labels().energy, 0)),
+        volume_(state.level().cell_volume()) {}
+
+  void add(int box, const IndexBox& cells) {
+    const int along = options_.axes.direction[0];
+    values_.resize(static_cast<std::size_t>(cells.size()[along]));
+    kinetic_.resize(values_.size());
+    IndexBox starts = cells;  // the first cell of every row
+    starts.upper[along] = starts.lower[along] + 1;
+    for_each_cell(starts, [&](IntVec3 start) { add_row(box, start); });
+  }
+
+ private:
+  const double* row(int slot, int c, int box, IntVec3 start) const {
+    const RealView v = state_.view(slot, c, box);
+    return v.data + v.offset(start);
+  }
+  void add(ConservedTotal& total, const double* q) {
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = q[i] * volume_;
+    total.add(values_.data(), values_.size());
+  }
+  void add_row(int box, IntVec3 start) {
+    const double* rho = row(mass_, 0, box, start);
+    add(totals_.mass[0], rho);
+    add(totals_.internal_energy, row(energy_, 0, box, start));
+    std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
+    for (int c = 0; c < options_.components; ++c) {
+      const double* m = row(momentum_, c, box, start);
+      add(totals_.momentum[options_.direction[static_cast<std::size_t>(c)]], m);
+      for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] += m[i] * m[i];
+    }
+    for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = 0.5 * kinetic_[i] / rho[i];
+    add(totals_.kinetic_energy, kinetic_.data());
+  }
+
+  const Warehouse& state_;
+  const SchemeOptions& options_;
+  Totals& totals_;
+  int mass_, momentum_, energy_;
+  double volume_;
+  std::vector<double> values_, kinetic_;
+};
+
+}  // namespace
+
+void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Totals& totals) const {
+  totals.mass.resize(1);
+  TotalsOfRows rows(state, options_, totals);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    if (!coverage.any())
+      rows.add(b, state.local_boxes()[static_cast<std::size_t>(b)].cells);
+    else
+      for (const IndexBox& cells : coverage.uncovered(b)) rows.add(b, cells);
+  }
+}
+
+// Gravity acts on the mass at the start of the step and works along the mean momentum of the
+// Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
+StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
+  StepBalance b;
+  b.mass = {sums[StepSlots::mass]};
+  b.energy = sums[StepSlots::energy];
+  for (int d = 0; d < 3; ++d) {
+    b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
+    if (start == nullptr) continue;
+    const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
+    const double kick = dt * options_.gravity[d] * start->mass.front();
+    b.momentum_of_forces[d] = kick;
+    b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
+  }
+  if (start != nullptr || sums.size() < StepSlots::sums_with_gravity) return b;
+  for (int d = 0; d < 3; ++d)
+    b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
+  b.energy_of_forces = sums[StepSlots::gravity_work];
+  return b;
+}
+
+double Ice::history_value(Label label, const Totals& totals) const {
+  if (label == labels().total_mass) return totals.mass.front().sum.value();
+  if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
+  return totals.kinetic_energy.sum.value();
+}
+
+Vec3 Ice::history_vector(Label /*label*/, const Totals& totals) const {
+  return {totals.momentum[0].sum.value(), totals.momentum[1].sum.value(),
+          totals.momentum[2].sum.value()};
+}
+
+}  // namespace sluice::ice
