@@ -1,0 +1,109 @@
+// Building a table of faces, and asking it whether a block has any.
+#include "framework/refine/face_table.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace sluice {
+
+Axes active_axes(const Level& level) {
+  Axes axes;
+  axes.count = 0;
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
+  return axes;
+}
+
+FaceTable::FaceTable(const std::vector<GridBox>& boxes, const Axes& axes, int quantities)
+    : rows_(boxes.size() * static_cast<std::size_t>(axes.count)),
+      values_(static_cast<std::size_t>(quantities)),
+      axes_(axes) {
+  for (const GridBox& b : boxes) boxes_.push_back(b.cells);
+}
+
+std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cells) {
+  const IndexBox& whole = boxes_[static_cast<std::size_t>(box)];
+  if (cells.size()[axes_.direction[axis]] != 1 || !whole.contains(cells))
+    throw std::logic_error("faces to record must be one layer of cells of their box");
+  Rows& r = rows_[static_cast<std::size_t>(box * axes_.count + axis)];
+  const std::ptrdiff_t first_slot = faces_;
+  const int along = axes_.direction[0];
+  const int n = cells_along(whole, 1);
+  IndexBox starts = cells;
+  starts.upper[along] = starts.lower[along] + 1;
+  for_each_cell(starts, [&](IntVec3 c) {
+    const int count = cells.size()[along];
+    r.segments.push_back({c[along], count, high, faces_});
+    r.row_of.push_back(place(whole, 1, c) + n * place(whole, 2, c));
+    faces_ += count;
+  });
+  return first_slot;
+}
+
+void FaceTable::seal() {
+  for (std::size_t n = 0; n < rows_.size(); ++n) {
+    Rows& r = rows_[n];
+    if (r.segments.empty()) continue;
+    const IndexBox& box = boxes_[n / static_cast<std::size_t>(axes_.count)];
+    std::vector<std::size_t> order(r.segments.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (r.row_of[a] != r.row_of[b]) return r.row_of[a] < r.row_of[b];
+      if (r.segments[a].first != r.segments[b].first)
+        return r.segments[a].first < r.segments[b].first;
+      return r.segments[a].high < r.segments[b].high;
+    });
+    std::vector<Segment> sorted;
+    sorted.reserve(order.size());
+    r.begin.assign(static_cast<std::size_t>(cells_along(box, 1)) *
+                           static_cast<std::size_t>(cells_along(box, 2)) +
+                       1,
+                   0);
+    for (const std::size_t s : order) {
+      sorted.push_back(r.segments[s]);
+      ++r.begin[static_cast<std::size_t>(r.row_of[s]) + 1];
+    }
+    std::partial_sum(r.begin.begin(), r.begin.end(), r.begin.begin());
+    r.segments = std::move(sorted);
+    r.row_of = {};
+  }
+  for (std::vector<double>& v : values_) v.assign(static_cast<std::size_t>(faces_), 0.0);
+}
+
+bool FaceTable::touches(int box, const IndexBox& block) const {
+  const IndexBox& whole = boxes_[static_cast<std::size_t>(box)];
+  const IndexBox part = intersection(block, whole);
+  if (empty() || part.empty()) return false;
+  const int along = axes_.direction[0], n = cells_along(whole, 1);
+  const int j = place(whole, 1, part.lower), rows_in_plane = cells_along(part, 1);
+  for (int axis = 0; axis < axes_.count; ++axis) {
+    const Rows& r = rows(box, axis);
+    if (r.begin.empty()) continue;
+    for (int k = 0; k < cells_along(part, 2); ++k) {
+      // Rows of a plane follow each other, and so do their segments.
+      const std::int32_t* begin =
+          r.begin.data() + j + static_cast<std::ptrdiff_t>(n) * (place(whole, 2, part.lower) + k);
+      for (std::int32_t s = begin[0]; s < begin[rows_in_plane]; ++s) {
+        const Segment& faces = r.segments[static_cast<std::size_t>(s)];
+        if (faces.first < part.upper[along] && faces.first + faces.count > part.lower[along])
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+void FaceTable::clear() {
+  for (std::vector<double>& v : values_) std::fill(v.begin(), v.end(), 0.0);
+}
+
+std::size_t FaceTable::bytes() const {
+  std::size_t n = 0;
+  for (const Rows& r : rows_)
+    n += r.begin.capacity() * sizeof(std::int32_t) + r.segments.capacity() * sizeof(Segment);
+  for (const std::vector<double>& v : values_) n += v.capacity() * sizeof(double);
+  return n;
+}
+
+}  // namespace sluice
