@@ -89,9 +89,11 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   IntVec3 largest{1, 1, 1};
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());
   workers_.clear();
-  for (int t = 0; t < team_->size(); ++t)
-    workers_.push_back(
-        std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_));
+  workers_.resize(static_cast<std::size_t>(team_->size()));
+  // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
+  team_->for_each(workers_.size(), [&](std::size_t n, int) {
+    workers_[n] = std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_);
+  });
 }
 
 bool SweepExecutor::is_quiet(const Block& block) const {
