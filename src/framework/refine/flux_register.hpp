@@ -45,8 +45,8 @@ class FluxRegister {
   std::size_t bytes() const;
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  struct Work;
+  std::unique_ptr<Work> work_;
 };
 
 }  // namespace sluice

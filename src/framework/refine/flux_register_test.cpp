@@ -5,11 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <map>
-
 #include "framework/base/reduction.hpp"
-#include "framework/refine/flux_test_support.hpp"
+#include "framework/refine/flux_test_scenes.hpp"
 
 namespace sluice {
 namespace {
@@ -23,26 +20,6 @@ class CloseRanks : public testing::Environment {
 };
 const testing::Environment* const close_ranks =
     testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
-
-double exact_flux(int q, int d, IntVec3 cell, int level, int step) {
-  return short_number(0.25 * hashed(static_cast<std::uint64_t>(10 * q + d),
-                                    static_cast<std::uint64_t>(10 * level + step), cell));
-}
-double any_flux(int q, int d, IntVec3 cell, int level, int step) {
-  return 0.01 * hashed(static_cast<std::uint64_t>(10 * q + d),
-                       static_cast<std::uint64_t>(10 * level + step), cell);
-}
-double exact_start(int q, IntVec3 cell, int level) {
-  return 40 + short_number(hashed(static_cast<std::uint64_t>(5 + q),
-                                  static_cast<std::uint64_t>(level), cell));
-}
-double any_start(int q, IntVec3 cell, int level) {
-  return 2 + hashed(static_cast<std::uint64_t>(5 + q), static_cast<std::uint64_t>(level), cell);
-}
-// Coarse cells that bear next to nothing.
-double poor_start(int q, IntVec3 cell, int level) {
-  return level == 0 && q == 0 ? 0.0625 + 0.03125 * (cell.x % 2) : exact_start(q, cell, level);
-}
 
 // Fine fluxes that go one way, where the coarse level has none; through the first faces they go
 // the other way, so that a cell between both ends of a fine region loses on both sides.
@@ -128,69 +105,6 @@ class Reference {
       face.change[q] = (high ? -1 : 1) * (sum * fine.cell_volume() - recorded);
     }
     faces[{c.z, c.y, c.x}].push_back(face);
-  }
-};
-
-// Two levels without any correction: the state that the register changes.
-std::map<std::array<int, 4>, double> values_of(TwoLevels& t, Warehouse& w) {
-  std::map<std::array<int, 4>, double> values;
-  t.each(w, [&](int q, IntVec3 c, double& v) { values[{q, c.z, c.y, c.x}] = v; });
-  return values;
-}
-
-struct Case {
-  const char* name;
-  Scene scene;
-};
-
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {
-      {"line", {{16, 1, 1}, {2, 1, 1}, {}, {{{5, 0, 0}, {9, 1, 1}}}}},
-      {"line_along_y", {{1, 16, 1}, {1, 4, 1}, {}, {{{0, 5, 0}, {1, 9, 1}}}}},
-      {"line_ends", {{16, 1, 1}, {4, 1, 1}, {}, {{{0, 0, 0}, {4, 1, 1}}}}},
-      {"line_round", {{16, 1, 1}, {2, 1, 1}, {true, false, false}, {{{12, 0, 0}, {16, 1, 1}}}}},
-      // one coarse cell between the two ends of the same fine region
-      {"line_nearly_round", {{6, 1, 1}, {2, 1, 1}, {true, false, false}, {{{1, 0, 0}, {6, 1, 1}}}}},
-      {"plane", {{12, 10, 1}, {2, 2, 1}, {}, {{{4, 3, 0}, {8, 7, 1}}}}},
-      {"plane_four", {{12, 10, 1}, {4, 4, 1}, {}, {{{4, 3, 0}, {8, 7, 1}}}}},
-      {"plane_uneven", {{12, 10, 1}, {4, 2, 1}, {}, {{{0, 3, 0}, {8, 7, 1}}}}},
-      {"plane_xz", {{12, 1, 10}, {2, 1, 4}, {}, {{{4, 0, 3}, {8, 1, 7}}}}},
-      {"plane_yz", {{1, 12, 10}, {1, 2, 2}, {true, true, true}, {{{0, 0, 3}, {1, 8, 7}}}}},
-      // coarse cells with fine ones on two and three sides
-      {"notches",
-       {{12, 12, 1},
-        {2, 2, 1},
-        {},
-        {{{2, 2, 0}, {10, 5, 1}}, {{2, 5, 0}, {5, 9, 1}}, {{6, 5, 0}, {8, 9, 1}}}}},
-      {"plane_round",
-       {{12, 10, 1},
-        {2, 2, 1},
-        {true, true, false},
-        {{{0, 0, 0}, {3, 4, 1}}, {{9, 7, 0}, {12, 10, 1}}, {{4, 8, 0}, {6, 10, 1}}}}},
-      {"space", {{8, 8, 8}, {2, 2, 2}, {}, {{{2, 3, 2}, {6, 6, 5}}}}},
-      {"space_four", {{8, 6, 6}, {4, 4, 4}, {}, {{{2, 2, 2}, {5, 4, 4}}}}},
-      {"space_uneven", {{8, 6, 6}, {4, 2, 1}, {true, false, true}, {{{2, 2, 3}, {8, 4, 6}}}}},
-      {"space_corner",
-       {{8, 8, 8},
-        {2, 2, 2},
-        {true, true, true},
-        {{{0, 0, 0}, {6, 6, 3}}, {{0, 0, 3}, {3, 6, 6}}, {{3, 0, 3}, {6, 3, 6}}}}},
-  };
-  return all;
-}
-
-class FluxRegisters : public testing::TestWithParam<std::size_t> {
- protected:
-  const Scene& scene() const { return cases()[GetParam()].scene; }
-  // Cut in many boxes, dealt out to all ranks.
-  static Cut many(const Scene& s) {
-    Cut cut;
-    cut.all_here = false;
-    for (int d = 0; d < 3; ++d) {
-      cut.coarse[d] = s.cells[d] > 1 ? 3 : 1;
-      cut.fine[d] = s.cells[d] > 1 ? 2 : 1;
-    }
-    return cut;
   }
 };
 
@@ -308,89 +222,8 @@ TEST_P(FluxRegisters, DoNotDependOnBoxesOrRanks) {
   }
 }
 
-// A scene seen in a mirror, or with two axes exchanged.
-struct Image {
-  std::function<IntVec3(IntVec3 cell, IntVec3 cells)> cell;  // its own inverse
-  std::function<int(int)> direction;
-  int mirrored = -1;  // direction that turns round
-};
-
-IntVec3 image_of_face(const Image& image, int d, IntVec3 face, const Level& level) {
-  // The face below a cell becomes the one above its image.
-  IntVec3 cell = face;
-  if (d == image.mirrored) --cell[d];
-  return image.cell(wrapped(cell, level), level.domain.size());
-}
-
-void expect_image(const Scene& scene, const Image& image, const Start& start) {
-  Scene turned = scene;
-  turned.refined.clear();
-  for (int d = 0; d < 3; ++d) {
-    const auto from = static_cast<std::size_t>(image.direction(d));
-    turned.cells[d] = scene.cells[image.direction(d)];
-    turned.ratio[d] = scene.ratio[image.direction(d)];
-    turned.periodic[static_cast<std::size_t>(d)] = scene.periodic[from];
-  }
-  for (const IndexBox& r : scene.refined) {
-    const IntVec3 a = image.cell(r.lower, scene.cells);
-    const IntVec3 b = image.cell(r.upper - IntVec3::all(1), scene.cells);
-    turned.refined.push_back({min(a, b), max(a, b) + IntVec3::all(1)});
-  }
-  TwoLevels one(scene, Cut{}, world()), other(turned, Cut{}, world());
-  one.only_correct = other.only_correct = true;
-  const auto level = [&](int l) -> const Level& {
-    return l == 0 ? other.levels().coarse : other.levels().fine;
-  };
-  one.step(start, any_flux, 2);
-  other.step(
-      [&](int q, IntVec3 c, int l) { return start(q, image.cell(c, level(l).domain.size()), l); },
-      [&](int q, int d, IntVec3 c, int l, int step) {
-        const double sign = d == image.mirrored ? -1 : 1;
-        return sign *
-               any_flux(q, image.direction(d), image_of_face(image, d, c, level(l)), l, step);
-      },
-      2);
-  for (const int l : {0, 1}) {
-    const auto wanted = values_of(one, l == 0 ? one.coarse() : one.fine());
-    other.each(l == 0 ? other.coarse() : other.fine(), [&](int q, IntVec3 c, double& v) {
-      const IntVec3 from = image.cell(c, level(l).domain.size());
-      ASSERT_EQ(v, wanted.at({q, from.z, from.y, from.x}))
-          << "level " << l << " at " << c.x << ' ' << c.y << ' ' << c.z;
-    });
-  }
-}
-
-TEST_P(FluxRegisters, GiveMirroredBitsInMirroredScenes) {
-  for (int d = 0; d < 3; ++d)
-    for (const Start& start : {Start(any_start), Start(poor_start)}) {
-      Image image;
-      image.cell = [d](IntVec3 c, IntVec3 cells) {
-        c[d] = cells[d] - 1 - c[d];
-        return c;
-      };
-      image.direction = [](int e) { return e; };
-      image.mirrored = d;
-      expect_image(scene(), image, start);
-    }
-}
-
-TEST_P(FluxRegisters, GiveTheSameBitsWithAxesExchanged) {
-  for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
-    // Three faces of a cell are added axis by axis: only the first two commute.
-    if (b == 2 && scene().refined.size() > 1 && scene().cells.z > 1) continue;
-    Image image;
-    image.cell = [a = a, b = b](IntVec3 c, IntVec3) {
-      std::swap(c[a], c[b]);
-      return c;
-    };
-    image.direction = [a = a, b = b](int d) { return d == a ? b : d == b ? a : d; };
-    expect_image(scene(), image, any_start);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(FluxRegister, FluxRegisters,
-                         testing::Range(std::size_t{0}, cases().size()),
-                         [](const auto& which) { return cases()[which.param].name; });
+                         testing::Range(std::size_t{0}, cases().size()), name_of_case);
 
 TEST(FluxRegister, LeavesCellsAloneThatNothingChanges) {
   Scene scene{{12, 10, 1}, {2, 2, 1}, {}, {{{4, 3, 0}, {8, 7, 1}}}};

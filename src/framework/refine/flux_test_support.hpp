@@ -1,8 +1,10 @@
 // Two levels of a scalar with known fluxes, for the tests of the flux register.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
-#include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "framework/base/exact_sum.hpp"

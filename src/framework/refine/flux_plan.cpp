@@ -1,0 +1,119 @@
+// Laying out the patches of an interface: slots, cells with their faces, messages.
+#include "framework/refine/flux_plan.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace sluice {
+
+CellFaces by_cell(std::vector<CellFace>& faces) {
+  std::sort(faces.begin(), faces.end(), [](const CellFace& a, const CellFace& b) {
+    return std::tie(a.cell.z, a.cell.y, a.cell.x, a.side) <
+           std::tie(b.cell.z, b.cell.y, b.cell.x, b.side);
+  });
+  CellFaces list;
+  for (const CellFace& f : faces) {
+    if (list.cells.empty() || list.cells.back() != f.cell) {
+      list.cells.push_back(f.cell);
+      list.slots.push_back({-1, -1, -1, -1, -1, -1});
+    }
+    list.slots.back()[static_cast<std::size_t>(f.side)] = f.slot;
+  }
+  return list;
+}
+
+// The boxes of a rank, and their numbers by id.
+struct FluxPlan::LocalBoxes {
+  LocalBoxes(const Level& level, int rank) : number(level.boxes.size(), -1) {
+    for (const GridBox& b : level.boxes) {
+      if (b.owner != rank) continue;
+      number[static_cast<std::size_t>(b.id)] = static_cast<int>(boxes.size());
+      boxes.push_back(b);
+    }
+  }
+  std::vector<GridBox> boxes;
+  std::vector<int> number;
+};
+
+FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, int rank)
+    : nothing(fine.boxes.empty()),
+      quantities(static_cast<std::size_t>(quantity_count)),
+      domain(coarse.domain),
+      volume_ratio(1.0 / (static_cast<double>(fine.ratio.x) * fine.ratio.y * fine.ratio.z)) {
+  const LocalBoxes coarse_here(coarse, rank), fine_here(fine, rank);
+  const Axes axes = active_axes(coarse);
+  coarse_faces = FaceTable(coarse_here.boxes, axes, quantity_count);
+  fine_faces = FaceTable(fine_here.boxes, axes, quantity_count);
+  fine_boxes = fine_here.boxes.size();
+  for (int side = 0; side < 2 * axes.count; ++side)
+    back[static_cast<std::size_t>(side)] = fine.ratio[axes.direction[side / 2]];
+  const std::vector<InterfacePatch> found = interface_patches(coarse, fine, rank);
+  for (const InterfacePatch& f : found) {
+    IntVec3 faces_each = fine.ratio;
+    faces_each[axes.direction[f.axis]] = 1;
+    add_patch(f, coarse_here, fine_here, faces_each);
+  }
+  coarse_faces.seal();
+  fine_faces.seal();
+  for (FluxPatch& p : patches) {
+    if (p.fine_box < 0) continue;
+    p.sum_slot = static_cast<std::ptrdiff_t>(sum_count);
+    sum_count += p.faces();
+  }
+  list_cells(coarse_here.boxes.size());
+  add_peers(coarse, fine, rank, found);
+}
+
+void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
+                         const LocalBoxes& fine, IntVec3 faces_each) {
+  FluxPatch p;
+  p.side = 2 * found.axis + (found.high ? 1 : 0);
+  p.coarse_cells = found.coarse_cells;
+  p.fine_cells = found.fine_cells;
+  p.fine_box = fine.number[static_cast<std::size_t>(found.fine_box)];
+  p.coarse_box = coarse.number[static_cast<std::size_t>(found.coarse_box)];
+  if (p.fine_box >= 0) {
+    p.fine_slot = fine_faces.add(p.fine_box, found.axis, !found.high, p.fine_cells);
+    p.fold = FaceFold(p.fine_cells, faces_each);
+  }
+  if (p.coarse_box >= 0)
+    p.coarse_slot = coarse_faces.add(p.coarse_box, found.axis, found.high, p.coarse_cells);
+  patches.push_back(p);
+}
+
+void FluxPlan::list_cells(std::size_t boxes) {
+  std::vector<std::vector<CellFace>> faces(boxes);
+  for (const FluxPatch& p : patches) {
+    if (p.coarse_box < 0) continue;
+    std::ptrdiff_t slot = p.coarse_slot;
+    for_each_cell(p.coarse_cells, [&](IntVec3 c) {
+      faces[static_cast<std::size_t>(p.coarse_box)].push_back({c, p.side, slot++});
+    });
+  }
+  for (std::vector<CellFace>& f : faces) coarse_cells.push_back(by_cell(f));
+}
+
+void FluxPlan::add_peers(const Level& coarse, const Level& fine, int rank,
+                         const std::vector<InterfacePatch>& found) {
+  std::map<int, FluxPeer> by_rank;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    const int fine_rank = fine.boxes[static_cast<std::size_t>(found[n].fine_box)].owner;
+    const int coarse_rank = coarse.boxes[static_cast<std::size_t>(found[n].coarse_box)].owner;
+    if (fine_rank == coarse_rank) continue;
+    FluxPeer& peer = by_rank[fine_rank == rank ? coarse_rank : fine_rank];
+    (fine_rank == rank ? peer.fine_here : peer.coarse_here).push_back(n);
+  }
+  for (auto& [other, peer] : by_rank) {
+    std::size_t fine_values = 0, coarse_values = 0;
+    for (const std::size_t n : peer.fine_here) fine_values += patches[n].faces() * quantities;
+    for (const std::size_t n : peer.coarse_here) coarse_values += patches[n].faces() * quantities;
+    peer.rank = other;
+    peer.fine_buffer.resize(fine_values);
+    peer.coarse_buffer.resize(coarse_values);
+    peers.push_back(std::move(peer));
+  }
+}
+
+}  // namespace sluice
