@@ -7,35 +7,67 @@
 namespace sluice {
 namespace {
 
-// More holes than this are dealt out to halves of the region: every hole is cut from every piece.
-constexpr std::size_t most_holes = 12;
+// Cuts along slabs between the ends of holes, first along the directions that are not `row`: what
+// is left along the row comes as whole rows. `depth` counts directions.
+class Cutter {
+ public:
+  Cutter(int row, std::vector<IndexBox>& pieces)
+      : order_{row == 2 ? 1 : 2, row == 0 ? 1 : 0, row}, pieces_(pieces) {}
 
-int widest(const IndexBox& region, int row) {
-  int best = row;
-  for (int d = 2; d >= 0; --d) {
-    if (d == row || region.size()[d] < 2) continue;
-    if (best == row || region.size()[d] > region.size()[best]) best = d;
+  // All holes overlap the region.
+  void cut(const IndexBox& region, std::vector<IndexBox>& holes, int depth) {
+    if (holes.empty()) {
+      pieces_.push_back(region);
+      return;
+    }
+    for (const IndexBox& h : holes)
+      if (h.contains(region)) return;
+    const int d = order_[static_cast<std::size_t>(depth)];
+    std::sort(holes.begin(), holes.end(),
+              [&](const IndexBox& a, const IndexBox& b) { return a.lower[d] < b.lower[d]; });
+    if (depth == 2)
+      gaps(region, holes, d);
+    else
+      slabs(region, holes, depth);
   }
-  return best;
-}
 
-void cut(const IndexBox& region, const std::vector<IndexBox>& holes, int row,
-         std::vector<IndexBox>& pieces) {
-  std::vector<IndexBox> inside;
-  for (const IndexBox& h : holes) {
-    if (h.contains(region)) return;
-    if (!intersection(h, region).empty()) inside.push_back(h);
+ private:
+  void gaps(const IndexBox& region, const std::vector<IndexBox>& holes, int d) {
+    IndexBox gap = region;
+    for (const IndexBox& h : holes) {
+      gap.upper[d] = h.lower[d];
+      if (!gap.empty()) pieces_.push_back(gap);
+      gap.lower[d] = std::max(gap.lower[d], h.upper[d]);
+    }
+    gap.upper[d] = region.upper[d];
+    if (!gap.empty()) pieces_.push_back(gap);
   }
-  const int d = widest(region, row);  // rows are kept whole as long as possible
-  if (inside.size() <= most_holes || region.size()[d] < 2) {
-    for (const IndexBox& p : subtract({region}, inside)) pieces.push_back(p);
-    return;
+
+  void slabs(const IndexBox& region, const std::vector<IndexBox>& holes, int depth) {
+    const int d = order_[static_cast<std::size_t>(depth)];
+    std::vector<int> ends = {region.lower[d], region.upper[d]};
+    for (const IndexBox& h : holes)
+      for (const int end : {h.lower[d], h.upper[d]})
+        if (end > region.lower[d] && end < region.upper[d]) ends.push_back(end);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<IndexBox> active, inside;
+    std::size_t next = 0;
+    for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+      std::erase_if(active, [&](const IndexBox& h) { return h.upper[d] <= ends[n]; });
+      for (; next < holes.size() && holes[next].lower[d] <= ends[n]; ++next)
+        if (holes[next].upper[d] > ends[n]) active.push_back(holes[next]);
+      IndexBox slab = region;
+      slab.lower[d] = ends[n];
+      slab.upper[d] = ends[n + 1];
+      inside = active;
+      cut(slab, inside, depth + 1);
+    }
   }
-  IndexBox low = region, high = region;
-  low.upper[d] = high.lower[d] = region.lower[d] + region.size()[d] / 2;
-  cut(low, inside, row, pieces);
-  cut(high, inside, row, pieces);
-}
+
+  std::array<int, 3> order_;
+  std::vector<IndexBox>& pieces_;
+};
 
 // Joins neighbours along one direction.
 void join_along(std::vector<IndexBox>& boxes, int d) {
@@ -66,8 +98,10 @@ int row_direction(const std::array<bool, 3>& active) {
 
 std::vector<IndexBox> pieces_without(const IndexBox& region, const std::vector<IndexBox>& holes,
                                      int row) {
-  std::vector<IndexBox> pieces;
-  if (!region.empty()) cut(region, holes, row, pieces);
+  std::vector<IndexBox> pieces, inside;
+  for (const IndexBox& h : holes)
+    if (!intersection(h, region).empty()) inside.push_back(h);
+  if (!region.empty()) Cutter(row, pieces).cut(region, inside, 0);
   return joined(std::move(pieces), row);
 }
 

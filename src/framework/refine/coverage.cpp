@@ -1,37 +1,78 @@
-// The cells of each box that a finer level covers, and the rest cut into boxes.
+// The cells of each box that no finer level covers, as boxes and by row.
 #include "framework/refine/coverage.hpp"
+
+#include <algorithm>
 
 #include "framework/refine/box_pieces.hpp"
 
 namespace sluice {
 
-LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank) {
+LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank)
+    : along_(row_direction(level.active)) {
   std::vector<IndexBox> above;
   if (finer != nullptr)
     for (const GridBox& b : finer->boxes) above.push_back(coarsen(b.cells, finer->ratio));
   any_ = !above.empty();
   const BoxFinder finder(std::move(above));
-  const int row = row_direction(level.active);
   for (const GridBox& b : level.boxes) {
     if (b.owner != rank) continue;
-    std::vector<IndexBox>& covered = covered_.emplace_back();
+    std::vector<IndexBox> covered;
     for (const int n : finder.overlapping(b.cells))
-      covered.push_back(intersection(finder.boxes()[static_cast<std::size_t>(n)], b.cells));
-    covered = joined(std::move(covered), row);
-    uncovered_.push_back(pieces_without(b.cells, covered, row));
+      covered.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+    Box& box = boxes_.emplace_back();
+    box.cells = b.cells;
+    box.uncovered = pieces_without(b.cells, covered, along_);
+    list_rows(box);
   }
 }
 
+std::size_t LevelCoverage::row_number(const Box& box, IntVec3 cell) const {
+  IntVec3 place = cell - box.cells.lower, size = box.cells.size();
+  place[along_] = 0;
+  size[along_] = 1;
+  return static_cast<std::size_t>(place.x + size.x * (place.y + size.y * place.z));
+}
+
+void LevelCoverage::list_rows(Box& box) const {
+  std::vector<IndexBox> pieces = box.uncovered;
+  std::sort(pieces.begin(), pieces.end(), [&](const IndexBox& a, const IndexBox& b) {
+    return a.lower[along_] < b.lower[along_];
+  });
+  const auto each_row = [&](const IndexBox& piece, auto&& f) {
+    IndexBox starts = piece;
+    starts.upper[along_] = starts.lower[along_] + 1;
+    for_each_cell(starts, [&](IntVec3 c) { f(row_number(box, c)); });
+  };
+  box.begin.assign(row_number(box, box.cells.upper - IntVec3::all(1)) + 2, 0);
+  for (const IndexBox& p : pieces) each_row(p, [&](std::size_t row) { ++box.begin[row + 1]; });
+  for (std::size_t n = 1; n < box.begin.size(); ++n) box.begin[n] += box.begin[n - 1];
+  box.segments.resize(static_cast<std::size_t>(box.begin.back()));
+  std::vector<std::int32_t> next = box.begin;
+  for (const IndexBox& p : pieces)
+    each_row(p, [&](std::size_t row) {
+      box.segments[static_cast<std::size_t>(next[row]++)] = {p.lower[along_], p.size()[along_]};
+    });
+}
+
+std::span<const LevelCoverage::Segment> LevelCoverage::uncovered_in_row(int box,
+                                                                        IntVec3 cell) const {
+  const Box& b = boxes_[static_cast<std::size_t>(box)];
+  const std::size_t row = row_number(b, cell);
+  const auto first = static_cast<std::size_t>(b.begin[row]);
+  return {b.segments.data() + first, static_cast<std::size_t>(b.begin[row + 1]) - first};
+}
+
 bool LevelCoverage::is_covered(int box, IntVec3 cell) const {
-  for (const IndexBox& c : covered_[static_cast<std::size_t>(box)])
-    if (c.contains(cell)) return true;
-  return false;
+  if (!boxes_[static_cast<std::size_t>(box)].cells.contains(cell)) return false;
+  for (const Segment& s : uncovered_in_row(box, cell))
+    if (cell[along_] >= s.first && cell[along_] < s.first + s.count) return false;
+  return true;
 }
 
 std::int64_t LevelCoverage::uncovered_cells() const {
   std::int64_t cells = 0;
-  for (const std::vector<IndexBox>& pieces : uncovered_)
-    for (const IndexBox& p : pieces) cells += p.volume();
+  for (const Box& b : boxes_)
+    for (const IndexBox& p : b.uncovered) cells += p.volume();
   return cells;
 }
 

@@ -1,6 +1,7 @@
 // Which cells of a level lie under a finer one: they are its averages, and no total counts them.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "framework/grid/level.hpp"
@@ -9,6 +10,11 @@ namespace sluice {
 
 class LevelCoverage {
  public:
+  // Cells first, first + 1, ... of a row (index along the row's direction).
+  struct Segment {
+    int first = 0, count = 0;
+  };
+
   // `finer` may be null or without boxes: then nothing is covered. Local boxes are those of `rank`,
   // numbered as a Warehouse does.
   LevelCoverage() = default;
@@ -16,14 +22,27 @@ class LevelCoverage {
 
   // Disjoint parts of a local box that no finer level covers.
   const std::vector<IndexBox>& uncovered(int box) const {
-    return uncovered_[static_cast<std::size_t>(box)];
+    return boxes_[static_cast<std::size_t>(box)].uncovered;
   }
+  // The same of the row through `cell`, along the first active direction, ascending: no search.
+  std::span<const Segment> uncovered_in_row(int box, IntVec3 cell) const;
+  // Cells outside the box are not.
   bool is_covered(int box, IntVec3 cell) const;
   bool any() const { return any_; }      // on any rank
   std::int64_t uncovered_cells() const;  // of this rank
 
  private:
-  std::vector<std::vector<IndexBox>> covered_, uncovered_;  // by local box
+  struct Box {
+    IndexBox cells;
+    std::vector<IndexBox> uncovered;
+    std::vector<std::int32_t> begin;  // by row: its first segment; one more at the end
+    std::vector<Segment> segments;
+  };
+  std::size_t row_number(const Box& box, IntVec3 cell) const;
+  void list_rows(Box& box) const;
+
+  std::vector<Box> boxes_;  // local ones
+  int along_ = 0;           // the direction of rows
   bool any_ = false;
 };
 

@@ -14,6 +14,7 @@ using namespace transfer_test;
 void expect_partition(const Levels& levels) {
   const LevelCoverage coverage(levels.coarse, &levels.fine, world().rank());
   EXPECT_EQ(coverage.any(), !levels.fine.boxes.empty());
+  const int row = row_direction(levels.coarse.active);
   int local = 0;
   std::int64_t cells = 0;
   for (const GridBox& b : levels.coarse.boxes) {
@@ -24,12 +25,23 @@ void expect_partition(const Levels& levels) {
       for (const IndexBox& piece : coverage.uncovered(local)) pieces += piece.contains(c);
       ASSERT_EQ(pieces, covered ? 0 : 1);
       ASSERT_EQ(coverage.is_covered(local, c), covered);
+      int segments = 0, last = b.cells.lower[row];
+      for (const LevelCoverage::Segment& part : coverage.uncovered_in_row(local, c)) {
+        segments += c[row] >= part.first && c[row] < part.first + part.count;
+        ASSERT_GE(part.first, last);
+        last = part.first + part.count;
+      }
+      ASSERT_LE(last, b.cells.upper[row]);
+      ASSERT_EQ(segments, pieces);
       cells += !covered;
     });
     for (const IndexBox& piece : coverage.uncovered(local)) EXPECT_TRUE(b.cells.contains(piece));
     ++local;
   }
   EXPECT_EQ(coverage.uncovered_cells(), cells);
+  if (local > 0) {
+    EXPECT_FALSE(coverage.is_covered(0, levels.coarse.domain.upper));
+  }
 }
 
 TEST(LevelCoverage, parts_the_cells) {
