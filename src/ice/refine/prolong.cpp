@@ -184,12 +184,12 @@ class Prolonger {
   }
 
   void take_kinetic_energy(int n) {
+    double U[C][width];
     for (int c = 0; c < C; ++c) {
-      double U[width];
-      for (int i = 0; i < n; ++i) U[i] = centre_[1 + c][i] / centre_[0][i];
+      for (int i = 0; i < n; ++i) U[c][i] = centre_[1 + c][i] / centre_[0][i];
       for (int k = 0; k < Functions::terms; ++k)
 #pragma GCC ivdep
-        for (int i = 0; i < n; ++i) w_[c][k][i] = term_[1 + c][k][i] - U[i] * term_[0][k][i];
+        for (int i = 0; i < n; ++i) w_[c][k][i] = term_[1 + c][k][i] - U[c][i] * term_[0][k][i];
     }
     for (int child = 0; child < children_.count(); ++child) {
       const double* f = basis_.value[child];
@@ -205,18 +205,22 @@ class Prolonger {
       }
     }
     children_.mean(rows_, n);
-    double less[width];
+    double share[width];
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double K = rows_[0][i], E = centre_[energy][i];
       const double room = larger(0.0, most_kinetic * E);
-      less[i] = K > room ? 1.0 - std::sqrt(room / K) : 0.0;
+      share[i] = K > room ? std::sqrt(room / K) : 1.0;
       rest_[i] = K > 0.0 ? 1.0 - smaller(K, room) / E : 1.0;
     }
     for (int c = 0; c < C; ++c)
       for (int k = 0; k < Functions::terms; ++k)
 #pragma GCC ivdep
-        for (int i = 0; i < n; ++i) term_[1 + c][k][i] -= less[i] * w_[c][k][i];
+        for (int i = 0; i < n; ++i) {
+          // U rho(x) + share w(x): of a small share nothing large may be subtracted.
+          const double reduced = U[c][i] * term_[0][k][i] + share[i] * w_[c][k][i];
+          term_[1 + c][k][i] = share[i] < 1.0 ? reduced : term_[1 + c][k][i];
+        }
   }
 
   // One fine cell of each coarse cell, where it is asked for.
