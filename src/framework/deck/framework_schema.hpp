@@ -16,7 +16,6 @@ void add_analysis_tags(Schema& schema);    // DataAnalysis
 
 // Rules over several tags; each reads the tree and takes nothing for granted.
 void check_time(const DeckNode& root, std::vector<Fault>& faults);
-void check_levels(const DeckNode& root, std::vector<Fault>& faults);
 void check_boxes(const DeckNode& root, std::vector<Fault>& faults);
 void check_periodicity(const DeckNode& root, std::vector<Fault>& faults);
 void check_faces(const DeckNode& root, std::vector<Fault>& faults);

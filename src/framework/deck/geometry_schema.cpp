@@ -216,8 +216,8 @@ void add_geometry_tags(Schema& schema) {
 }
 
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults) {
-  const DeckNode* materials = root.find("MaterialProperties/ICE");
-  if (materials != nullptr) check_pieces_below(*materials, faults);
+  for (const char* path : {"MaterialProperties/ICE", "AMR"})
+    if (const DeckNode* block = root.find(path)) check_pieces_below(*block, faults);
 }
 
 }  // namespace sluice

@@ -107,18 +107,6 @@ void check_boxes(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-void check_levels(const DeckNode& root, std::vector<Fault>& faults) {
-  const DeckNode* grid = root.child("Grid");
-  if (grid == nullptr) return;
-  const auto levels = grid->all("Level");
-  if (levels.size() < 2) return;
-  Fault several{Severity::error, levels[1]->where,
-                "more than one <Level> is known to the format, but not built yet",
-                "keep the coarsest level"};
-  several.not_built = true;
-  faults.push_back(std::move(several));
-}
-
 void check_periodicity(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* grid = root.child("Grid");
   if (grid == nullptr) return;

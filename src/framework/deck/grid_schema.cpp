@@ -143,7 +143,6 @@ void add_grid_tags(Schema& schema) {
                        {tag("DefaultMaterial", "material of conditions without id: an index or all")
                             .text(),
                         face()})}));
-  schema.rules.emplace_back(check_levels);
   schema.rules.emplace_back(check_boxes);
   schema.rules.emplace_back(check_periodicity);
   schema.rules.emplace_back(check_faces);

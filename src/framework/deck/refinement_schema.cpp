@@ -1,4 +1,6 @@
-// AMR and LoadBalancer: read and checked; one level is what is built.
+// AMR and LoadBalancer: how levels come about, follow the solution and are dealt out.
+#include <fmt/format.h>
+
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -6,22 +8,27 @@ namespace sluice {
 namespace {
 
 TagSpec regridder() {
-  const std::vector<std::string> tiled = {"Tiled"};
+  // Types of older decks stand for the Tiled one; so do their tags.
+  const std::vector<std::string> tiled = {"Tiled", "Hierarchical", "BNR", "GBRv1", "GBRv2"};
   const std::vector<std::string> single = {"SingleLevel"};
   return tag("Regridder", "how finer levels follow the solution")
-      .attribute(attribute("type", "the way it is done").once().words({"Tiled", "SingleLevel"}))
+      .attribute(attribute("type", "all but SingleLevel, which has no effect, refine flagged tiles")
+                     .once()
+                     .words({"Tiled", "SingleLevel", "Hierarchical", "BNR", "GBRv1", "GBRv2"}))
       .with_children({
           tag("adaptive", "levels follow the solution").boolean().by_default("true"),
-          tag("max_levels", "most levels").once().integer().at_least(1),
+          tag("max_levels", "most levels, the coarsest included").once().integer().at_least(1),
           tag("regrid_once", "only at the start").boolean().by_default("false"),
-          tag("cell_refinement_ratio", "coarse spacing by fine spacing, per level")
+          tag("cell_refinement_ratio",
+              "coarse spacing by fine spacing (1, 2 or 4), per finer level; the last holds on")
               .int_vectors()
               .at_least(1)
               .only_for("type", tiled),
-          tag("simple_refinement_ratio", "the same ratio for every level and direction")
+          tag("simple_refinement_ratio",
+              "the same ratio (2 or 4) for every level and dimension of the run")
               .integer()
               .at_least(1),
-          tag("min_patch_size", "cells of the smallest tile, per level")
+          tag("min_patch_size", "cells of a tile, per finer level; the last holds on")
               .int_vectors()
               .at_least(1)
               .only_for("type", tiled),
@@ -30,12 +37,14 @@ TagSpec regridder() {
               .at_least(0)
               .by_default("[1,1,1]")
               .only_for("type", tiled),
-          tag("patches_per_level_per_proc", "tiles a rank should have")
+          tag("patches_per_level_per_proc",
+              "accepted without effect: boxes are cut as ranks need them")
               .real()
               .above(0)
               .by_default("4")
               .only_for("type", tiled),
-          tag("cell_stability_dilation", "flagged cells are widened by this")
+          tag("cell_stability_dilation",
+              "flagged cells are widened by this; a level is laid anew when it holds them no more")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
@@ -71,13 +80,34 @@ TagSpec regridder() {
       });
 }
 
+TagSpec refined_region() {
+  return tag("Refine", "a region that is always refined")
+      .multiple()
+      .with_attributes({attribute("name", "name of the region").text(),
+                        attribute("level", "refined up to this level; absent: the finest")
+                            .integer()
+                            .at_least(1)})
+      .child(tag("geom_object", "the region").once().group("geometry_piece"));
+}
+
+TagSpec error_estimate() {
+  return tag("ErrorEstimate", "refines where the estimated error of a variable is too large")
+      .multiple()
+      .with_attributes({attribute("variable", "a variable that can be saved").once().text(),
+                        attribute("matl", "material index").integer().at_least(0).by_default("0"),
+                        attribute("tolerance", "largest error, as a share of the variable's range")
+                            .once()
+                            .real()
+                            .above(0)});
+}
+
 TagSpec cost(const std::string& name, const std::string& doc) {
   return tag(name, "accepted without effect: " + doc).real().at_least(0);
 }
 
 TagSpec load_balancer() {
-  return tag("LoadBalancer", "accepted without effect: boxes are dealt out by measured cost")
-      .attribute(attribute("type", "the balancer of the deck's author")
+  return tag("LoadBalancer", "boxes are dealt out to ranks by measured cost")
+      .attribute(attribute("type", "accepted without effect: boxes lie along a space-filling curve")
                      .words({"Simple", "SimpleLoadBalancer", "RoundRobin", "DLB", "PLB"}))
       .with_children({
           tag("timestepInterval", "accepted without effect").integer().at_least(0),
@@ -89,7 +119,11 @@ TagSpec load_balancer() {
                       "Zoltan"}),
           tag("doSpaceCurve", "accepted without effect").boolean(),
           tag("hasParticles", "accepted without effect").boolean(),
-          tag("gainThreshold", "accepted without effect").real().at_least(0).at_most(1),
+          tag("gainThreshold", "least gain for which boxes change ranks")
+              .real()
+              .at_least(0)
+              .at_most(1)
+              .by_default("0.05"),
           tag("levelIndependent", "accepted without effect").boolean(),
           tag("outputNthProc", "accepted without effect").integer().at_least(1),
           tag("profileTimestepWindow", "accepted without effect").integer().at_least(1),
@@ -106,27 +140,63 @@ TagSpec load_balancer() {
 
 void add_refinement_tags(Schema& schema) {
   schema.add(
-      tag("AMR", "levels that follow the solution; one level is built")
-          .attribute(
-              attribute("type", "how levels come about").words({"Dynamic", "StaticGridML", ""}))
+      tag("AMR", "finer levels: those of Grid, or such as follow the solution")
+          .attribute(attribute("type", "StaticGridML, or no Regridder: the levels of Grid stay")
+                         .words({"Dynamic", "StaticGridML", ""}))
           .with_children({tag("useLockStep", "all levels take the same time step")
                               .boolean()
                               .by_default("false"),
                           tag("doMultiTaskgraphing", "accepted without effect").boolean(),
-                          regridder()}));
+                          regridder(), refined_region(), error_estimate()}));
   schema.add(load_balancer());
   schema.rules.emplace_back(check_refinement);
 }
 
-void check_refinement(const DeckNode& root, std::vector<Fault>& faults) {
-  const DeckNode* regridder = root.find("AMR/Regridder");
+namespace {
+
+// The regridder, when the deck asks it for finer levels.
+const DeckNode* asked_regridder(const DeckNode& root) {
+  const DeckNode* amr = root.child("AMR");
+  const DeckNode* regridder = amr == nullptr ? nullptr : amr->child("Regridder");
+  if (regridder == nullptr || amr->attribute("type") == "StaticGridML" ||
+      regridder->attribute("type") == "SingleLevel")
+    return nullptr;
   const auto levels = integer_of(regridder, "max_levels");
-  if (!levels || *levels <= 1) return;
-  Fault fault{Severity::error, regridder->child("max_levels")->where,
-              "<max_levels> above 1 is known to the format, but not built yet",
-              "run on the coarsest level with --set AMR/Regridder/max_levels=1"};
-  fault.not_built = true;
-  faults.push_back(std::move(fault));
+  const DeckNode* adaptive = regridder->child("adaptive");
+  const bool off = adaptive != nullptr && adaptive->text == "false";
+  return levels && *levels > 1 && !off ? regridder : nullptr;
+}
+
+void check_ratio(const DeckNode& list, int ratio, std::vector<Fault>& faults) {
+  if (ratio == 1 || ratio == 2 || ratio == 4) return;
+  faults.push_back(
+      {Severity::error, list.where,
+       fmt::format("<{}>: refinement ratio {}; it must be 1, 2 or 4", list.name, ratio),
+       ratio > 4 ? "reach it with several levels" : "use 2 or 4"});
+}
+
+}  // namespace
+
+// What can be judged without the grid; tiles and active directions are judged with the scene.
+void check_refinement(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* regridder = asked_regridder(root);
+  if (regridder == nullptr) return;
+  const DeckNode* list = regridder->child("cell_refinement_ratio");
+  const DeckNode* simple = regridder->child("simple_refinement_ratio");
+  if (list == nullptr && simple == nullptr)
+    faults.push_back({Severity::error, regridder->where,
+                      "<Regridder> has no refinement ratios for its finer levels",
+                      "give them as <cell_refinement_ratio>[[2,2,1]]</cell_refinement_ratio>"});
+  if (regridder->attribute("type") == "Tiled" && regridder->child("min_patch_size") == nullptr)
+    faults.push_back({Severity::error, regridder->where,
+                      "<Regridder> has no <min_patch_size>: the tiles that are refined",
+                      "give it as <min_patch_size>[[8,8,1]]</min_patch_size>"});
+  if (const auto ratio = integer_of(regridder, "simple_refinement_ratio"))
+    check_ratio(*simple, *ratio, faults);
+  if (const auto ratios =
+          parsed_child<std::vector<IntVec3>>(regridder, "cell_refinement_ratio", parse_int_vectors))
+    for (const IntVec3& r : *ratios)
+      for (int d = 0; d < 3; ++d) check_ratio(*list, r[d], faults);
 }
 
 }  // namespace sluice

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "framework/base/error.hpp"
+#include "framework/grid/box_list.hpp"
 #include "framework/scene/grid_settings.hpp"
 
 namespace sluice {
@@ -72,7 +73,7 @@ std::vector<IndexBox> forced(const LevelSettings& settings, IntVec3 pieces) {
   return boxes;
 }
 
-std::vector<IndexBox> boxes_of(const LevelSettings& settings, const GridOptions& options) {
+std::vector<IndexBox> boxes_of_coarsest(const LevelSettings& settings, const GridOptions& options) {
   if (options.boxes != IntVec3{}) return forced(settings, options.boxes);
   std::vector<IndexBox> boxes;
   for (const BoxSettings& b : settings.boxes)
@@ -88,8 +89,23 @@ std::vector<IndexBox> boxes_of(const LevelSettings& settings, const GridOptions&
   return more;
 }
 
-IndexBox refined(const IndexBox& coarse, IntVec3 ratio) {
-  return {coarse.lower * ratio, coarse.upper * ratio};
+// Boxes of a finer level are as large as ranks allow, whatever the deck's patches: every box has a
+// shell of ghost cells. They end between coarse cells.
+std::vector<IndexBox> boxes_of_finer(const LevelSettings& settings, const GridOptions& options) {
+  std::int64_t total = 0;
+  for (const BoxSettings& b : settings.boxes) total += b.cells.volume();
+  std::vector<IndexBox> boxes;
+  for (const BoxSettings& b : settings.boxes) {
+    const IndexBox coarse = coarsen(b.cells, settings.ratio);
+    const IntVec3 n = coarse.size();
+    const std::int64_t share = (b.cells.volume() * options.ranks + total - 1) / total;
+    const IntVec3 pieces = options.boxes != IntVec3{}
+                               ? min(max(options.boxes, IntVec3::all(1)), n)
+                               : pieces_for(n, static_cast<int>(share), b.flatten);
+    for (const IndexBox& part : split(coarse, pieces))
+      boxes.push_back(refine(part, settings.ratio));
+  }
+  return boxes;
 }
 
 }  // namespace
@@ -108,9 +124,10 @@ Grid build_grid(const GridSettings& settings, const GridOptions& options) {
       level.domain = s.boxes.front().cells;
       for (const BoxSettings& b : s.boxes) level.domain = bounding(level.domain, b.cells);
     } else {
-      level.domain = refined(grid.levels.back().domain, s.ratio);
+      level.domain = refine(grid.levels.back().domain, s.ratio);
     }
-    for (const IndexBox& b : boxes_of(s, options))
+    for (const IndexBox& b :
+         grid.levels.empty() ? boxes_of_coarsest(s, options) : boxes_of_finer(s, options))
       level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
     if (grid.levels.empty() && static_cast<int>(level.boxes.size()) < options.ranks)
       throw InputError(fmt::format(

@@ -27,7 +27,7 @@ struct BoxSettings {
 };
 
 struct LevelSettings {
-  std::vector<BoxSettings> boxes;
+  std::vector<BoxSettings> boxes;  // none: a regridder fills the level
   Vec3 spacing{1, 1, 1};
   IntVec3 ratio{1, 1, 1};
   std::array<bool, 3> periodic{};
@@ -45,12 +45,13 @@ GridSettings read_grid_settings(const DeckNode& grid, std::vector<Fault>& faults
 
 struct GridOptions {
   int ranks = 1;
-  IntVec3 boxes{};  // forced split of every level; 0: as the deck says
+  IntVec3 boxes{};  // forced split of every deck box; 0: as the deck says
   std::array<bool, 3> active{true, true, true};
 };
 
 // Cuts levels into boxes and deals them out to ranks. With fewer deck patches than ranks the level
 // is cut further (results do not depend on it); InputError when there are fewer cells than ranks.
+// Each deck box of a finer level is cut into as many boxes as ranks need, between coarse cells.
 Grid build_grid(const GridSettings& settings, const GridOptions& options);
 
 }  // namespace sluice

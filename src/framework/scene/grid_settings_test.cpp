@@ -203,6 +203,40 @@ TEST(BuildGrid, AForcedSplitOverridesTheDeck) {
               ThrowsMessage<InputError>(HasSubstr("8 x 8 x 1 cells")));
 }
 
+TEST(BuildGrid, FinerLevelsAreCutAsRanksNeedBetweenCoarseCells) {
+  const std::string coarse =
+      "<Level>" + box("[0,0,0]", "[1,1,1]", resolution("[8,8,1]")) + "</Level>";
+  const std::string fine =
+      "<Level>" +
+      box("[0,0,0]", "[0.375,0.375,1]", resolution("[12,12,1]") + "<patches>[6,6,1]</patches>") +
+      box("[0.5,0.5,0]", "[0.625,0.625,1]", resolution("[4,4,1]")) + "</Level>";
+  const Read r = read(coarse + fine);
+  ASSERT_EQ(r.faults, "");
+  for (const int ranks : {1, 2, 3, 8}) {
+    GridOptions options;
+    options.ranks = ranks;
+    const Level level = build_grid(r.settings, options).levels[1];
+    EXPECT_EQ(level.cell_count(), 160);
+    EXPECT_GE(level.boxes.size(), static_cast<std::size_t>(std::max(2, ranks)));
+    std::set<int> owners;
+    for (const GridBox& b : level.boxes) {
+      owners.insert(b.owner);
+      EXPECT_FALSE(b.cells.empty());
+      for (int d = 0; d < 2; ++d) {
+        EXPECT_EQ(b.cells.lower[d] % 4, 0);
+        EXPECT_EQ(b.cells.upper[d] % 4, 0);
+      }
+    }
+    EXPECT_EQ(owners.size(), static_cast<std::size_t>(ranks));
+    // The deck's patches are merged.
+    EXPECT_TRUE(ranks > 1 || level.boxes.size() == 2u);
+  }
+  GridOptions forced;
+  forced.boxes = {2, 5, 1};
+  const Level level = build_grid(r.settings, forced).levels[1];
+  EXPECT_EQ(level.boxes.size(), 2u * 3u + 1u);  // no more pieces than coarse cells
+}
+
 TEST(BuildGrid, MoreRanksThanCellsIsRefused) {
   GridOptions options;
   options.ranks = 9;

@@ -110,6 +110,16 @@ const DeckNode* need_block(const DeckNode& root, std::string_view name,
   return block;
 }
 
+void check_error_criteria(const Scene& scene, std::vector<Fault>& faults) {
+  const int count = static_cast<int>(scene.materials.size());
+  for (const ErrorCriterion& e : scene.refinement.errors)
+    if (e.material < 0 || e.material >= count)
+      add_error(faults, e.where,
+                fmt::format("<ErrorEstimate>: there is no material {}: the deck has {}, counted "
+                            "from 0",
+                            e.material, count));
+}
+
 void read_grid_and_boundary(const DeckNode& root, const SceneOptions& options, Scene& scene,
                             std::vector<Fault>& faults) {
   const DeckNode* grid = need_block(root, "Grid", faults);
@@ -132,7 +142,11 @@ void read_grid_and_boundary(const DeckNode& root, const SceneOptions& options, S
   cut.ranks = options.ranks;
   cut.boxes = options.boxes;
   for (std::size_t d = 0; d < 3; ++d) cut.active[d] = scene.directions[d].active;
-  scene.grid = build_grid(scene.grid_settings, cut);
+  std::vector<Fault> of_levels;
+  scene.refinement = read_refinement(root, scene.grid_settings, cut.active, of_levels);
+  check_error_criteria(scene, of_levels);
+  faults.insert(faults.end(), of_levels.begin(), of_levels.end());
+  if (!any_error(of_levels)) scene.grid = build_grid(scene.grid_settings, cut);
 }
 
 std::string joined(const std::vector<Fault>& faults) {

@@ -12,13 +12,14 @@
 #include "framework/scene/geometry_reader.hpp"
 #include "framework/scene/grid_settings.hpp"
 #include "framework/scene/output_settings.hpp"
+#include "framework/scene/refinement_settings.hpp"
 #include "framework/scene/time_settings.hpp"
 
 namespace sluice {
 
 struct SceneOptions {
   int ranks = 1;
-  IntVec3 boxes{};                // forced split of every level; 0: as the deck says
+  IntVec3 boxes{};                // forced split of every deck box; 0: as the deck says
   bool force_directions = false;  // every direction active
 };
 
@@ -40,7 +41,8 @@ struct Scene {
   std::string component;  // type of <SimulationComponent>, lower case
   TimeSettings time;
   GridSettings grid_settings;
-  Grid grid;
+  Grid grid;  // every level that may ever exist; those of a regridder have no boxes yet
+  RefinementSettings refinement;
   std::array<ActiveDirection, 3> directions;
   std::vector<MaterialEntry> materials;
   BoundaryConditions boundary;
