@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace sluice {
 
@@ -41,32 +42,30 @@ std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cell
   return first_slot;
 }
 
+// Segments in the order of their rows.
+void FaceTable::sort_rows(Rows& r, std::size_t row_count) {
+  r.begin.assign(row_count + 1, 0);
+  for (const std::int32_t row : r.row_of) ++r.begin[static_cast<std::size_t>(row) + 1];
+  std::partial_sum(r.begin.begin(), r.begin.end(), r.begin.begin());
+  std::vector<std::int32_t> next(r.begin.begin(), r.begin.end() - 1);
+  std::vector<Segment> sorted(r.segments.size());
+  for (std::size_t s = 0; s < r.segments.size(); ++s)
+    sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(r.row_of[s])]++)] = r.segments[s];
+  for (std::size_t row = 0; row < row_count; ++row)
+    std::sort(sorted.begin() + r.begin[row], sorted.begin() + r.begin[row + 1],
+              [](const Segment& a, const Segment& b) {
+                return std::pair(a.first, a.high) < std::pair(b.first, b.high);
+              });
+  r.segments = std::move(sorted);
+  r.row_of = {};
+}
+
 void FaceTable::seal() {
   for (std::size_t n = 0; n < rows_.size(); ++n) {
-    Rows& r = rows_[n];
-    if (r.segments.empty()) continue;
+    if (rows_[n].segments.empty()) continue;
     const IndexBox& box = boxes_[n / static_cast<std::size_t>(axes_.count)];
-    std::vector<std::size_t> order(r.segments.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      if (r.row_of[a] != r.row_of[b]) return r.row_of[a] < r.row_of[b];
-      if (r.segments[a].first != r.segments[b].first)
-        return r.segments[a].first < r.segments[b].first;
-      return r.segments[a].high < r.segments[b].high;
-    });
-    std::vector<Segment> sorted;
-    sorted.reserve(order.size());
-    r.begin.assign(static_cast<std::size_t>(cells_along(box, 1)) *
-                           static_cast<std::size_t>(cells_along(box, 2)) +
-                       1,
-                   0);
-    for (const std::size_t s : order) {
-      sorted.push_back(r.segments[s]);
-      ++r.begin[static_cast<std::size_t>(r.row_of[s]) + 1];
-    }
-    std::partial_sum(r.begin.begin(), r.begin.end(), r.begin.begin());
-    r.segments = std::move(sorted);
-    r.row_of = {};
+    sort_rows(rows_[n], static_cast<std::size_t>(cells_along(box, 1)) *
+                            static_cast<std::size_t>(cells_along(box, 2)));
   }
   for (std::vector<double>& v : values_) v.assign(static_cast<std::size_t>(faces_), 0.0);
 }

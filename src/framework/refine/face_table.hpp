@@ -52,6 +52,7 @@ class FaceTable {
     std::vector<Segment> segments;
     std::vector<std::int32_t> row_of;  // by segment, while building
   };
+  static void sort_rows(Rows& r, std::size_t row_count);
   const Rows& rows(int box, int axis) const {
     return rows_[static_cast<std::size_t>(box * axes_.count + axis)];
   }

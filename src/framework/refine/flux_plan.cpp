@@ -9,11 +9,18 @@
 namespace sluice {
 
 CellFaces by_cell(std::vector<CellFace>& faces) {
-  std::sort(faces.begin(), faces.end(), [](const CellFace& a, const CellFace& b) {
+  const auto before = [](const CellFace& a, const CellFace& b) {
     return std::tie(a.cell.z, a.cell.y, a.cell.x, a.side) <
            std::tie(b.cell.z, b.cell.y, b.cell.x, b.side);
-  });
+  };
+  if (!std::is_sorted(faces.begin(), faces.end(), before))
+    std::sort(faces.begin(), faces.end(), before);
+  std::size_t cells = 0;
+  for (std::size_t n = 0; n < faces.size(); ++n)
+    if (n == 0 || faces[n].cell != faces[n - 1].cell) ++cells;
   CellFaces list;
+  list.cells.reserve(cells);
+  list.slots.reserve(cells);
   for (const CellFace& f : faces) {
     if (list.cells.empty() || list.cells.back() != f.cell) {
       list.cells.push_back(f.cell);
@@ -62,7 +69,7 @@ FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, i
     p.sum_slot = static_cast<std::ptrdiff_t>(sum_count);
     sum_count += p.faces();
   }
-  list_cells(coarse_here.boxes.size());
+  list_cells(coarse_here.boxes, axes);
   add_peers(coarse, fine, rank, found);
 }
 
@@ -83,16 +90,29 @@ void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
   patches.push_back(p);
 }
 
-void FluxPlan::list_cells(std::size_t boxes) {
-  std::vector<std::vector<CellFace>> faces(boxes);
-  for (const FluxPatch& p : patches) {
-    if (p.coarse_box < 0) continue;
-    std::ptrdiff_t slot = p.coarse_slot;
-    for_each_cell(p.coarse_cells, [&](IntVec3 c) {
-      faces[static_cast<std::size_t>(p.coarse_box)].push_back({c, p.side, slot++});
+// Cells of the local coarse boxes row by row, from the table of their faces.
+void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
+  const int along = axes.direction[0];
+  std::vector<CellFace> faces;
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    faces.clear();
+    IndexBox rows = boxes[b].cells;
+    rows.upper[along] = rows.lower[along] + 1;
+    for_each_cell(rows, [&](IntVec3 row) {
+      const auto start = static_cast<std::ptrdiff_t>(faces.size());
+      for (int axis = 0; axis < axes.count; ++axis)
+        for (const FaceTable::Segment& s : coarse_faces.segments(static_cast<int>(b), axis, row))
+          for (int n = 0; n < s.count; ++n) {
+            IntVec3 cell = row;
+            cell[along] = s.first + n;
+            faces.push_back({cell, 2 * axis + (s.high ? 1 : 0), s.slot + n});
+          }
+      std::sort(faces.begin() + start, faces.end(), [=](const CellFace& a, const CellFace& c) {
+        return std::pair(a.cell[along], a.side) < std::pair(c.cell[along], c.side);
+      });
     });
+    coarse_cells.push_back(by_cell(faces));
   }
-  for (std::vector<CellFace>& f : faces) coarse_cells.push_back(by_cell(f));
 }
 
 void FluxPlan::add_peers(const Level& coarse, const Level& fine, int rank,

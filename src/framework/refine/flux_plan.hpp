@@ -37,6 +37,7 @@ struct CellFaces {
   std::vector<std::array<std::ptrdiff_t, 6>> slots;
 };
 
+// Takes faces in any order; sorts them.
 CellFaces by_cell(std::vector<CellFace>& faces);
 
 // Patches shared with one other rank: the fine cells here and the coarse ones there, and the
@@ -68,7 +69,7 @@ struct FluxPlan {
                  IntVec3 faces_each);
   void add_peers(const Level& coarse, const Level& fine, int rank,
                  const std::vector<InterfacePatch>& found);
-  void list_cells(std::size_t boxes);
+  void list_cells(const std::vector<GridBox>& boxes, const Axes& axes);
 };
 
 }  // namespace sluice
