@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/radial_euler.hpp"
 #include "exact/sedov.hpp"
 #include "framework/base/exact_sum.hpp"
 #include "verification/case_run.hpp"
@@ -54,9 +55,15 @@ double crossing_from_left(const CellValues& field, double level) {
   return HUGE_VAL;
 }
 
+// The order at which the error fell from one run to another with `ratio` times the cells in a row.
+double order(const CaseRun& coarse, const CaseRun& fine, double ratio) {
+  return std::log(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1) / std::log(ratio);
+}
+
+// The reference starts from the same deposit of energy; the shock itself is Sedov's own.
 TEST(StrongShocks, SedovShockStandsWhereItShould) {
-  constexpr double least_order = .8;  // 0.85; the front is 0.59 cells ahead
-  const CaseRun coarse("sedov", {resolution(64, 64)}), fine("sedov", {resolution(128, 128)});
+  constexpr double least_order = .9;  // 0.908; 0.74 cells ahead
+  const CaseRun coarse("sedov", {resolution(128, 128)}), fine("sedov", {resolution(256, 256)});
   exact::Sedov::Blast blast;
   blast.dimension = 2;
   const exact::Sedov solution(blast);
@@ -68,38 +75,63 @@ TEST(StrongShocks, SedovShockStandsWhereItShould) {
   const double along_axis = std::hypot(crossing_from_right(p, level), .5 * p.spacing.y);
   record("cells_off", (along_axis - radius) / p.spacing.x);
   EXPECT_NEAR(along_axis, radius, p.spacing.x);
-  const double observed = std::log2(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1);
+  const double observed = order(coarse, fine, 2);
   record("order", observed);
   EXPECT_GE(observed, least_order);
   EXPECT_GT(lowest(fine.field("rho_CC")), 0);
   EXPECT_GT(lowest(p), 0);
   const CellValues rho = fine.field("rho_CC");
-  for (int j = 0; j < 128; ++j) {
+  for (int j = 0; j < 256; ++j) {
     for (int i = 0; i < j; ++i) ASSERT_EQ(rho.at(i, j), rho.at(j, i)) << i << ' ' << j;
   }
 }
 
 TEST(StrongShocks, ExplosionFollowsTheRadialReference) {
-  constexpr double least_order = .8;  // 0.94; the front is 0.08 cells ahead
+  constexpr double least_order = .9;  // 0.928; 0.17 cells ahead
   const CaseRun coarse("explosion_2d", {resolution(64, 64)});
-  const CaseRun fine("explosion_2d", {resolution(128, 128)});
-  const double observed = std::log2(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1);
+  const CaseRun fine("explosion_2d", {resolution(256, 256)});
+  const double observed = order(coarse, fine, 4);
   record("order", observed);
   EXPECT_GE(observed, least_order);
   const CellValues p = fine.field("press_CC"), wanted = fine.exact_field(p, "press_CC");
   const double level = .17;  // 0.1 ahead of the shock, 0.243 behind it
-  const double off = crossing_from_right(p, level, 64) - crossing_from_right(wanted, level, 64);
+  const double off = crossing_from_right(p, level, 128) - crossing_from_right(wanted, level, 128);
   record("cells_off", off / p.spacing.x);
   EXPECT_LE(std::abs(off), p.spacing.x);
 }
 
+// What a second-order Godunov code that captures everything makes of the blasts on as many cells.
+double godunov_error(const CaseRun& like) {
+  exact::RadialProblem problem;
+  problem.pieces = {{.1, 1, 0, 1000}, {.9, 1, 0, .01}, {1, 1, 0, 100}};
+  const CellValues cells = like.field("rho_CC");
+  const CellValues wanted = like.exact_field(cells, "rho_CC");
+  problem.cells = cells.size.x;
+  exact::RadialEuler run(problem);
+  run.advance_to(cells.time);
+  ExactSum sum;
+  for (int i = 0; i < cells.size.x; ++i) {
+    sum.add(std::abs(run.at(cells.centre(i).x).density - wanted.at(i)));
+  }
+  return sum.value() / cells.size.x;
+}
+
+// Three captured contacts spread as N^(-2/3) to N^(-3/4), and hold the order below 1: what is asked
+// is to be better than a Godunov code, at both resolutions and in order.
 TEST(StrongShocks, InteractingBlastsFollowTheReference) {
-  constexpr double least_order = .8;  // 0.94; fronts 0.57 cells behind, 0.26 ahead
+  constexpr double least_order = .8;  // 0.848, Godunov 0.813; 0.67 cells behind, 0.35 ahead
   const CaseRun coarse("woodward_colella", {resolution(200)});
   const CaseRun fine("woodward_colella", {resolution(800)});
-  const double observed = .5 * std::log2(coarse.error("rho_CC").l1 / fine.error("rho_CC").l1);
+  const double observed = order(coarse, fine, 4);
   record("order", observed);
   EXPECT_GE(observed, least_order);
+  const double coarse_godunov = godunov_error(coarse), fine_godunov = godunov_error(fine);
+  const double godunov_order = .5 * std::log2(coarse_godunov / fine_godunov);
+  record("godunov_order", godunov_order);
+  record("share_of_godunov_error", fine.error("rho_CC").l1 / fine_godunov);
+  EXPECT_GE(observed, godunov_order);
+  EXPECT_LE(coarse.error("rho_CC").l1, coarse_godunov);
+  EXPECT_LE(fine.error("rho_CC").l1, fine_godunov);
   const CellValues p = fine.field("press_CC"), wanted = fine.exact_field(p, "press_CC");
   // The shocks that have met: pressure 115 to 411 at 0.65, 108 to 19 at 0.87.
   const double left = crossing_from_left(p, 250) - crossing_from_left(wanted, 250);

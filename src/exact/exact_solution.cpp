@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "exact/noh.hpp"
-#include "exact/radial_euler.hpp"
+#include "exact/radial_reference.hpp"
 #include "exact/riemann.hpp"
 #include "exact/sedov.hpp"
 #include "exact/vortices.hpp"
@@ -153,7 +153,10 @@ Made make_radial(const SolutionParameters& from) {
   problem.cells = from.integer("cells", 2000, 4, 100000);
   problem.cfl = from.positive("cfl", 0.8);
   problem.outflow = from.integer("outflow", 0, 0, 1) == 1;
-  const auto states = from.reals("states"), edges = from.reals("edges");
+  problem.deposit.energy = from.real("deposit_energy", 0);
+  problem.deposit.radius = from.positive("deposit_radius", 1);
+  const auto states = from.reals("states");
+  const auto edges = from.has("edges") ? from.reals("edges") : std::vector<double>{};
   if (states.size() != 3 * (edges.size() + 1)) {
     throw InputError(fmt::format(
         "exact solution 'radial': {} numbers in <states> and {} in <edges>; expected three per "
@@ -254,7 +257,7 @@ const std::vector<Kind>& kinds() {
         {{"mach", "of the peak speed"}, gamma_help, origin_help}},
        make_gresho},
       {{"radial",
-        "reference run with plane, cylindrical or spherical symmetry on a fine grid",
+        "reference run with plane, cylindrical or spherical symmetry, cells moving with the gas",
         {dimension_help,
          gamma_help,
          {"low", "lower end (0)"},
@@ -263,7 +266,12 @@ const std::vector<Kind>& kinds() {
          {"cfl", "of the reference (0.8)"},
          {"outflow", "1: open upper end, 0: wall (0)"},
          {"states", "density, velocity, pressure of each piece in turn"},
-         {"edges", "between the pieces"},
+         {"edges", "between the pieces (none)"},
+         {"deposit_energy",
+          "internal energy on top, spread as exp(-(r/deposit_radius)^2): both sides of a plane, "
+          "per "
+          "length of an axis, in all (0)"},
+         {"deposit_radius", "of the deposit (1)"},
          origin_help,
          axis_help}},
        make_radial},

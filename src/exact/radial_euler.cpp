@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
-#include "exact/symmetry.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::exact {
@@ -16,8 +14,7 @@ constexpr std::size_t ghosts = 2;
 
 // Monotonised central slope of two one-sided differences.
 inline double limited(double a, double b) {
-  const double size = std::min(0.5 * std::abs(a + b), 2 * std::min(std::abs(a), std::abs(b)));
-  return a * b > 0 ? std::copysign(size, a) : 0.0;
+  return limited_slope(a, b, 0.5 * (a + b));
 }
 
 struct Flux {
@@ -42,27 +39,6 @@ inline Flux hllc(double rl, double ul, double pl, double rr, double ur, double p
           u * (e + p) + jump * (e_star - e)};
 }
 
-void check(const RadialProblem& problem) {
-  if (problem.dimension > 1 && problem.low != 0) {
-    throw InputError(
-        fmt::format("radial reference: the low end is {}, must be 0 with an axis or "
-                    "a point of symmetry",
-                    problem.low));
-  }
-  if (!(problem.high > problem.low) || problem.cells < 4 || problem.pieces.empty()) {
-    throw InputError(fmt::format(
-        "radial reference: range {} to {} with {} cells and {} pieces; needs a rising range, 4 "
-        "cells, one piece",
-        problem.low, problem.high, problem.cells, problem.pieces.size()));
-  }
-  for (const auto& piece : problem.pieces) {
-    if (piece.density > 0 && piece.pressure > 0) continue;
-    throw InputError(
-        fmt::format("radial reference: density {} and pressure {} of a state must be above zero",
-                    piece.density, piece.pressure));
-  }
-}
-
 }  // namespace
 
 RadialEuler::RadialEuler(RadialProblem problem) : problem_(std::move(problem)) {
@@ -82,21 +58,11 @@ RadialEuler::RadialEuler(RadialProblem problem) : problem_(std::move(problem)) {
   for (std::size_t f = 0; f <= n; ++f) area_[f] = std::pow(edge(f), d - 1);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t c = i + ghosts;
-    volume_[c] = (std::pow(edge(i + 1), d) - std::pow(edge(i), d)) / d;
-    // A cell that an edge of the start cuts takes the mean of the conserved values.
-    double low = edge(i), left = volume_[c];
-    for (std::size_t k = 0; k < problem_.pieces.size() && left > 0; ++k) {
-      const auto& piece = problem_.pieces[k];
-      const bool last = k + 1 == problem_.pieces.size();
-      const double high = last ? edge(i + 1) : std::min(edge(i + 1), piece.end);
-      if (high <= low) continue;
-      const double share = (std::pow(high, d) - std::pow(low, d)) / d / volume_[c];
-      rho_[c] += share * piece.density;
-      mom_[c] += share * piece.density * piece.velocity;
-      ene_[c] += share * (piece.pressure / (problem_.gamma - 1) +
-                          0.5 * piece.density * piece.velocity * piece.velocity);
-      low = high;
-    }
+    volume_[c] = radial_volume(edge(i), edge(i + 1), d);
+    const RadialMeans mean = start_means(problem_, edge(i), edge(i + 1));
+    rho_[c] = mean.density;
+    mom_[c] = mean.momentum;
+    ene_[c] = mean.energy;
   }
   for (std::size_t c = 0; c < all; ++c) {
     centre_[c] = problem_.low + dr_ * (static_cast<double>(c) - ghosts + 0.5);
@@ -217,7 +183,7 @@ void RadialEuler::advance_to(double t) {
   }
 }
 
-RadialEuler::Point RadialEuler::at(double r) const {
+RadialState RadialEuler::at(double r) const {
   const double place = std::clamp((r - problem_.low) / dr_ - 0.5, -0.5, problem_.cells - 0.5);
   const double below = std::floor(place), part = place - below;
   const auto c = static_cast<std::size_t>(below + static_cast<double>(ghosts));
@@ -235,50 +201,6 @@ double RadialEuler::total_energy() const {
   double sum = 0;
   for (std::size_t c = 0; c < volume_.size(); ++c) sum += volume_[c] * ene_[c];
   return sum;
-}
-
-namespace {
-
-// The run of a problem to a time, kept or new. Each starts from 0: going on from an earlier time
-// would cut the steps differently, and the answer would depend on what was asked before.
-std::shared_ptr<const RadialEuler> run_to(const RadialProblem& problem, double t) {
-  constexpr std::size_t most_kept = 16;
-  static std::mutex mutex;
-  static std::vector<std::shared_ptr<const RadialEuler>> kept;
-  const std::lock_guard lock(mutex);
-  for (const auto& run : kept) {
-    if (run->time() == t && run->problem() == problem) return run;
-  }
-  const auto run = std::make_shared<RadialEuler>(problem);
-  run->advance_to(t);
-  if (kept.size() == most_kept) kept.erase(kept.begin());
-  kept.push_back(run);
-  return run;
-}
-
-}  // namespace
-
-RadialReference::RadialReference(RadialProblem problem, Vec3 origin, Vec3 axis)
-    : problem_(std::move(problem)), origin_(origin), axis_(axis) {
-  check(problem_);
-}
-
-State RadialReference::at(Vec3 x, double t) const {
-  if (!run_ || run_->time() != t) run_ = run_to(problem_, t);
-  State out;
-  out.gamma = problem_.gamma;
-  RadialEuler::Point found{};
-  if (problem_.dimension == 1) {
-    found = run_->at(dot(x - origin_, axis_));
-    out.velocity = axis_ * found.velocity;
-  } else {
-    const RadialPoint point = radial_point(x - origin_, problem_.dimension, axis_);
-    found = run_->at(point.r);
-    out.velocity = point.outward * found.velocity;
-  }
-  out.density = found.density;
-  out.pressure = found.pressure;
-  return out;
 }
 
 }  // namespace sluice::exact

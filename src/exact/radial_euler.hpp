@@ -1,5 +1,6 @@
-// One-dimensional Euler equations with planar, cylindrical or spherical symmetry on a fine grid:
-// the reference where no closed form exists (explosions, interacting blast waves).
+// One-dimensional Euler equations with planar, cylindrical or spherical symmetry on a fixed grid: a
+// plain second-order Godunov code, the yardstick of what such a code makes of a problem. Its
+// contacts spread; the reference where no closed form exists is RadialLagrangian.
 //
 // MUSCL-Hancock with limited slopes of primitive variables, HLLC fluxes, and exact cell volumes and
 // face areas, so that the pressure term alone is a source:
@@ -9,30 +10,11 @@
 // P. Woodward and P. Colella, J. Comput. Phys. 54 (1984) 115-173, section IV (blast waves).
 // Limit: one ideal gas; second order in smooth flow, first at shocks, as any such scheme.
 #pragma once
-#include <memory>
 #include <vector>
 
-#include "exact/exact_solution.hpp"
+#include "exact/radial_problem.hpp"
 
 namespace sluice::exact {
-
-struct RadialProblem {
-  int dimension = 1;  // 1 plane, 2 cylinder, 3 sphere
-  double gamma = 1.4;
-  double low = 0, high = 1;  // of the radius; low must be 0 unless dimension is 1
-  int cells = 2000;
-  double cfl = 0.8;
-  bool outflow = false;  // at the high end (a wall otherwise); the low end is a wall
-
-  // Piecewise uniform start: state i holds from edge i-1 to edge i.
-  struct Piece {
-    double end = 0;  // its upper radius; the last reaches to high
-    double density = 0, velocity = 0, pressure = 0;
-    friend bool operator==(const Piece&, const Piece&) = default;
-  };
-  std::vector<Piece> pieces;
-  friend bool operator==(const RadialProblem&, const RadialProblem&) = default;
-};
 
 class RadialEuler {
  public:
@@ -43,11 +25,8 @@ class RadialEuler {
   const RadialProblem& problem() const { return problem_; }
   int steps() const { return steps_; }
 
-  struct Point {
-    double density, velocity, pressure;
-  };
   // Linear between cell centres.
-  Point at(double r) const;
+  RadialState at(double r) const;
   // Integrals over the domain, per unit of area, angle or solid angle.
   double total_mass() const;
   double total_energy() const;
@@ -70,19 +49,6 @@ class RadialEuler {
   std::vector<double> rho_lo_, u_lo_, p_lo_, rho_hi_, u_hi_, p_hi_;  // predicted face values
   std::vector<double> p_half_;                                       // cells, half a step on
   std::vector<double> flux_rho_, flux_mom_, flux_ene_;               // faces
-};
-
-// As an exact solution in space and time. Runs are kept in memory for the whole process, so that
-// many who ask for the same problem at the same time cost one run.
-class RadialReference final : public ExactSolution {
- public:
-  RadialReference(RadialProblem problem, Vec3 origin, Vec3 axis);
-  State at(Vec3 x, double t) const override;
-
- private:
-  RadialProblem problem_;
-  Vec3 origin_, axis_;
-  mutable std::shared_ptr<const RadialEuler> run_;  // the last that was asked for
 };
 
 }  // namespace sluice::exact
