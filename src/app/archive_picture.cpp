@@ -74,6 +74,7 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
   for (const std::string& h : request.histories) option("--history", h);
   option("--material", request.material);
   option("--slice", request.slice);
+  option("--levels", request.levels);
   option("--title", request.title);
   option("--time", request.time);
   option("--exact", exact);

@@ -9,7 +9,7 @@ namespace sluice {
 struct PictureRequest {
   std::string archive;
   std::vector<std::string> variables, histories;
-  std::string material, slice, title;
+  std::string material, slice, title, levels;
   std::string time = "last";
   std::string exact = "auto";  // auto: what the deck names; none; or a CSV file
   std::string picture = "picture.png";

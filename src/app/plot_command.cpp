@@ -21,6 +21,11 @@ void add_plot_command(CLI::App& app, int& exit_status) {
   command->add_option("--material", request->material, "Material index (the first stored)");
   command->add_option("--time", request->time, "last, first, #N (N-th output) or a time");
   command->add_option("--slice", request->slice, "Plane of a 3-D run, z=0.5 (the middle)");
+  command
+      ->add_option("--levels", request->levels,
+                   "What is drawn of finer levels: boxes (usual), the regridder's tiles, only "
+                   "outer edges, or none")
+      ->check(CLI::IsMember({"boxes", "tiles", "edges", "none"}));
   command->add_option("--exact", request->exact,
                       "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
   command->add_option("--title", request->title, "Heading of the picture");

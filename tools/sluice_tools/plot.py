@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from . import style, views
+from . import levels, style, views
 from .archive import Archive, ArchiveError
 
 USUAL = ["rho_CC", "press_CC", "vel_CC", "temp_CC"]
@@ -48,25 +48,27 @@ def unit_of(archive, name):
     return archive.variables[views.split_name(name)[0]].unit
 
 
-def draw_line(ax, step, name, material, exact):
-    x, values, levels = views.line(step, name, material)
+def draw_line(ax, step, name, given, exact):
+    """All levels, the finest on top; what a finer level covers is drawn faintly."""
+    levels.draw_bands(ax, step, given.levels)
+    parts = list(views.profiles(step, name, given.material))
+    cells = [np.isfinite(values).sum() for _, _, values, _ in parts]
+    many = max(cells) > 600
+    for (level, x, values, hidden), count in zip(parts, cells):
+        text = f"{count} cells" if len(parts) == 1 else f"level {level}, {count} cells"
+        marker = style.MARKERS[level % len(style.MARKERS)]
+        look = {"color": levels.colour(level), "zorder": 2.1 + 0.1 * level}
+        look |= {"linewidth": 1.1} if many else {
+            "linestyle": "none", "marker": marker, "markersize": 2.6, "markerfacecolor": "none",
+            "markeredgewidth": 0.6}
+        ax.plot(x, np.where(hidden, np.nan, values), label=text, **look)
+        if hidden.any():
+            ax.plot(x, np.where(hidden, values, np.nan), alpha=0.3, **look)
     if exact is not None and name in exact:
         ax.plot(exact["x"], exact[name], color="black", linewidth=0.9, label="exact", zorder=3)
-    many = len(x) > 600
-    for level in sorted(set(levels)):
-        mine = levels == level
-        text = f"{len(x)} cells" if len(set(levels)) == 1 else f"level {level}"
-        colour = style.COLOURS[int(level) % len(style.COLOURS)]
-        if many:
-            ax.plot(x, np.where(mine, values, np.nan), color=colour, linewidth=1.1, label=text)
-        else:
-            ax.plot(x[mine], values[mine], linestyle="none", label=text, color=colour,
-                    marker=style.MARKERS[int(level) % len(style.MARKERS)], markersize=2.6,
-                    markerfacecolor="none", markeredgewidth=0.6)
-    direction = step.levels[0].active_directions()[0]
-    ax.set_xlabel("xyz"[direction])
+    ax.set_xlabel("xyz"[step.levels[0].active_directions()[0]])
     ax.margins(x=0.01)
-    headroom(ax, values)
+    headroom(ax, np.concatenate([values[np.isfinite(values)] for _, _, values, _ in parts]))
 
 
 def headroom(ax, values):
@@ -81,8 +83,8 @@ def headroom(ax, values):
 
 def colour_range(sheets):
     """(low, high, map): around zero with a two-sided map when values take both signs."""
-    low = min(np.nanmin(sheet) for *_, sheet in sheets)
-    high = max(np.nanmax(sheet) for *_, sheet in sheets)
+    seen = np.concatenate([sheet[~hidden & np.isfinite(sheet)] for *_, sheet, hidden in sheets])
+    low, high = seen.min(), seen.max()
     if low < 0 < high and min(-low, high) > SIGNED * max(-low, high):
         size = max(-low, high)
         return -size, size, "PuOr"
@@ -93,14 +95,13 @@ def colour_range(sheets):
 
 
 def draw_plane(fig, ax, step, name, given):
+    """Cells of every level, finer ones over coarser ones, then the lines of the levels."""
     sheets = views.plane(step, name, given.material, given.normal, given.position)
     low, high, colours = colour_range(sheets)
-    for xs, ys, sheet in sheets:
+    for xs, ys, sheet, _ in sheets:
         image = ax.pcolormesh(xs, ys, np.ma.masked_invalid(sheet), vmin=low, vmax=high,
                               cmap=colours, rasterized=True)
-    for x, y, width, height in views.outlines(step, given.normal, given.position):
-        for colour, line in (("white", 1.6), ("black", 0.6)):  # seen on dark and light cells
-            ax.add_patch(frame(x, y, width, height, colour, line))
+    levels.draw_plane_lines(ax, step, given.levels, given.normal, given.position)
     first, second, _ = views.plane_axes(step, given.normal)
     ax.set_xlabel("xyz"[first])
     ax.set_ylabel("xyz"[second])
@@ -110,11 +111,6 @@ def draw_plane(fig, ax, step, name, given):
     bar = fig.colorbar(image, cax=ax.inset_axes([1.03, 0, 0.035, 1]))
     bar.outline.set_linewidth(0.4)
     bar.formatter.set_powerlimits((-3, 5))
-
-
-def frame(x, y, width, height, colour, line):
-    from matplotlib.patches import Rectangle
-    return Rectangle((x, y), width, height, fill=False, edgecolor=colour, linewidth=line)
 
 
 def plane_height(step, given, width):
@@ -136,7 +132,7 @@ def draw_fields(archive, given, plt):
     step = archive.step(given.time)
     names = given.var or usual_variables(step)
     for name in names:
-        step.field(views.split_name(name)[0], given.material)  # a wrong name is told first
+        views.stored_levels(step, views.split_name(name)[0], given.material)  # told first
     one = len(step.levels[0].active_directions()) == 1
     exact = read_exact(given.exact) if given.exact else None
     rows, columns = panel_grid(len(names))
@@ -146,7 +142,7 @@ def draw_fields(archive, given, plt):
                              figsize=(width * columns, height * rows + 0.3))
     for ax, name in zip(axes.flat, names):
         if one:
-            draw_line(ax, step, name, given.material, exact)
+            draw_line(ax, step, name, given, exact)
         else:
             draw_plane(fig, ax, step, name, given)
         caption = style.caption(name, unit_of(archive, name))
@@ -157,6 +153,8 @@ def draw_fields(archive, given, plt):
         ax.set_visible(False)
     if one:
         axes.flat[0].legend(loc="best")
+    elif len(step.levels) > 1 and given.levels != "none":
+        levels.add_legend(fig, step)
     fig.suptitle(head_text(archive, step, given), x=0.01, ha="left", fontsize=11)
     return fig
 
@@ -198,6 +196,9 @@ def parse(arguments):
     parser.add_argument("--material", type=int)
     parser.add_argument("--time", default="last", help="last, first, #N or a time")
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
+    parser.add_argument("--levels", choices=levels.KINDS, default="boxes",
+                        help="what is drawn of finer levels: their boxes (usual), the tiles of the "
+                        "regridder, only their outer edges, or none of it")
     parser.add_argument("--history", action="append", help="a .dat file by its label")
     parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
     parser.add_argument("--title")

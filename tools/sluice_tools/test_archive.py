@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from sluice_tools import plot, views
+from sluice_tools import levels, plot, views
 from sluice_tools.archive import Archive, ArchiveError
 
 SPACING = (0.25, 0.5, 1.0)
@@ -35,7 +35,7 @@ class Writer:
     def add(self, name, kind, functions):
         shift = {"CC": (.5, .5, .5), "SFCX": (0, .5, .5)}[kind]
         self.variables.append((name, kind, len(functions)))
-        for level, (spacing, *_, boxes) in enumerate(self.levels):
+        for level, (spacing, _, _, boxes, *_) in enumerate(self.levels):
             values, stored_boxes = [], []
             for low, high in boxes:
                 high = (high[0] + (kind == "SFCX"), *high[1:])
@@ -167,16 +167,80 @@ class Views(OnDisk):
         self.assertTrue(mask[2:4, 1:3, 0].all())
 
     def test_plane_edges_and_values(self):
-        (xs, ys, sheet), fine = views.plane(self.two_dimensional().step(), "press_CC")
+        (xs, ys, sheet, hidden), fine = views.plane(self.two_dimensional().step(), "press_CC")
         np.testing.assert_allclose(xs, 1 + 0.25 * np.arange(9))
         np.testing.assert_allclose(ys, 2 + 0.5 * np.arange(5))
         self.assertEqual(sheet.shape, (4, 8))
         self.assertAlmostEqual(sheet[1, 0], 1.125 + 10 * 2.75)
         self.assertEqual(fine[2].shape, (4, 4))
+        self.assertEqual(hidden.sum(), 4)
+        self.assertTrue(hidden[1:3, 2:4].all())
+        self.assertFalse(fine[3].any())
 
-    def test_outline_of_the_fine_level(self):
-        self.assertEqual(list(views.outlines(self.two_dimensional().step())),
-                         [(1.5, 2.5, 0.5, 1.0)])
+
+class Levels(OnDisk):
+    def three(self):
+        """8 by 4 cells; an L of three boxes of level 1, one box of level 2 in it."""
+        writer = Writer(self.root, [
+            (SPACING, (0, 0, 0), (8, 4, 1), [((0, 0, 0), (8, 4, 1))]),
+            ((0.125, 0.25, 1.0), (0, 0, 0), (16, 8, 1),
+             [((0, 0, 0), (4, 4, 1)), ((4, 0, 0), (8, 4, 1)), ((0, 4, 0), (4, 8, 1))]),
+            ((0.0625, 0.125, 1.0), (0, 0, 0), (32, 16, 1), [((0, 0, 0), (8, 4, 1))])])
+        writer.add("press_CC", "CC", [lambda x, y, z: x + 10 * y])
+        writer.close()
+        (self.root / "input.xml").write_text(
+            "<U><AMR><Regridder><min_patch_size>[[2,4,1]]</min_patch_size></Regridder></AMR></U>")
+        return Archive(self.root).step()
+
+    def lines(self, kind):
+        found = {level.index: lines for level, lines in levels.plane_lines(self.three(), kind)}
+        return {level: (len(lines), np.abs(np.diff(lines, axis=1)).sum())
+                for level, lines in found.items()}
+
+    def test_boxes_are_drawn_with_all_their_edges(self):
+        # A box of level 1 is 0.5 by 1, that of level 2 is 0.5 by 0.5.
+        found = self.lines("boxes")
+        self.assertEqual({n: count for n, (count, _) in found.items()}, {1: 12, 2: 4})
+        self.assertAlmostEqual(found[1][1], 3 * 2 * (0.5 + 1.0))
+        self.assertAlmostEqual(found[2][1], 2 * (0.5 + 0.5))
+
+    def test_edges_leave_out_where_boxes_of_a_level_touch(self):
+        found = self.lines("edges")
+        self.assertAlmostEqual(found[1][1], 2 * (1.0 + 2.0))  # of an L: as its bounding box
+        self.assertEqual(found[1][0], 6)
+
+    def test_tiles_are_those_of_the_deck(self):
+        found = self.lines("tiles")
+        self.assertAlmostEqual(found[1][1], 3 * (3 * 1.0 + 2 * 0.5))  # [2,4,1]: two in each box
+        self.assertAlmostEqual(found[2][1], 5 * 0.5 + 2 * 0.5)  # the last entry holds on
+        self.assertEqual(self.lines_of_none(), [])
+
+    def lines_of_none(self):
+        return list(levels.plane_lines(Archive(self.root).step(), "none"))
+
+    def test_legend_counts_boxes_cells_and_share(self):
+        step = self.three()
+        self.assertEqual(levels.share_text(step, step.levels[0]), "level 0: 1 box, 32 cells")
+        self.assertEqual(levels.share_text(step, step.levels[1]),
+                         "level 1: 3 boxes, 48 cells, 38 % of the domain")
+
+    def test_a_line_shows_each_level_and_what_is_hidden(self):
+        tube = [((0.1, 1, 1), (0, 0, 0), (10, 1, 1), [((0, 0, 0), (10, 1, 1))], (1, 0, 0)),
+                ((0.05, 1, 1), (0, 0, 0), (20, 1, 1),
+                 [((4, 0, 0), (8, 1, 1)), ((8, 0, 0), (10, 1, 1)), ((16, 0, 0), (18, 1, 1))],
+                 (1, 0, 0))]
+        writer = Writer(self.root, tube)
+        writer.add("rho_CC", "CC", [lambda x, y, z: x ** 2])
+        writer.close()
+        step = Archive(self.root).step()
+        (zero, _, _, hidden), (one, x, values, _) = views.profiles(step, "rho_CC")
+        self.assertEqual((zero, one), (0, 1))
+        np.testing.assert_array_equal(np.nonzero(hidden)[0], [2, 3, 4, 8])
+        self.assertEqual(np.isfinite(values).sum(), 8)
+        np.testing.assert_allclose(levels.bands(step, step.levels[1]), [(1.2, 1.5), (1.8, 1.9)])
+        x, values, _ = views.line(step, "rho_CC")
+        self.assertEqual(len(x), 6 + 8)
+        np.testing.assert_allclose(values, x ** 2)
 
 
 class Pictures(OnDisk):
@@ -202,12 +266,20 @@ class Pictures(OnDisk):
         self.assertEqual(status, 0)
         self.assertGreater(os.path.getsize(target), 5000)
 
+    def test_levels_have_a_legend_unless_unwanted(self):
+        self.two_dimensional()
+        for kind, told in (("boxes", True), ("tiles", True), ("edges", True), ("none", False)):
+            status, target = self.draw("--var", "press_CC", "--levels", kind, suffix=".svg")
+            self.assertEqual(status, 0)
+            self.assertEqual("level 1: 1 box, 16 cells, 12 % of the domain" in target.read_text(),
+                             told, kind)
+
     def test_faults_are_bad_input(self):
         self.tube()
         self.assertEqual(self.draw("--var", "nosuch")[0], 2)
         self.assertEqual(self.draw("--exact", "nosuch.csv")[0], 2)
         self.assertEqual(plot.main([str(self.root.parent / "nosuch.uda")]), 2)
-        for option in (["--slice", "q=1"], ["-o", "picture.doc"]):
+        for option in (["--slice", "q=1"], ["--levels", "some"], ["-o", "picture.doc"]):
             with self.assertRaises(SystemExit) as ended:
                 plot.main([str(self.root), *option])
             self.assertEqual(ended.exception.code, 2)

@@ -27,12 +27,25 @@ def scalar(field, component, along=None):
     return np.sqrt((field.values ** 2).sum(axis=0))
 
 
-def covered(step, level, shape, lower):
-    """True where the next finer level covers the cells of `level`."""
+def stored_levels(step, base, material=None):
+    """The levels that hold this variable (of this material, or of the first that has it)."""
+    if not step.has(base):
+        step.field(base, material)  # tells what there is
+    if material is None:
+        material = step.materials(base)[0]
+    found = [level for name, matl, level in step.stored() if name == base and matl == material]
+    if not found:
+        step.field(base, material)
+    return found
+
+
+def covered(step, level, shape, lower, by=None):
+    """True where the next finer level, or the level `by`, covers the cells of `level`."""
     mask = np.zeros(shape, dtype=bool)
-    if level + 1 >= len(step.levels):
+    by = level + 1 if by is None else by
+    if by >= len(step.levels):
         return mask
-    fine, coarse = step.levels[level + 1], step.levels[level]
+    fine, coarse = step.levels[by], step.levels[level]
     ratio = [round(coarse.spacing[d] / fine.spacing[d]) for d in range(3)]
     for low, high in fine.boxes:
         window = []
@@ -44,22 +57,31 @@ def covered(step, level, shape, lower):
     return mask
 
 
-def line(step, name, material=None):
-    """1-D: positions and values, each place once, from the finest level there, and the levels."""
+def _with_finer(levels):
+    """(level, the next finer one that is there or one that is not)."""
+    return zip(levels, [*levels[1:], 1 << 30])
+
+
+def profiles(step, name, material=None):
+    """1-D, level by level: (level, positions, values or NaN, is a finer level there)."""
     base, component = split_name(name)
     direction = step.levels[0].active_directions()[0]
-    xs, values, levels = [], [], []
-    for level in range(len(step.levels)):
+    for level, finer in _with_finer(stored_levels(step, base, material)):
         field = step.field(base, material, level)
         data = scalar(field, component, along=direction)
-        keep = ~covered(step, level, data.shape, field.lower) & ~np.isnan(data)
+        hidden = covered(step, level, data.shape, field.lower, finer)
         index = [0, 0, 0]
         index[direction] = slice(None)
-        keep, data = keep[tuple(index)], data[tuple(index)]
-        xs.append(field.coordinates(direction)[keep])
-        values.append(data[keep])
-        levels.append(np.full(keep.sum(), level))
-    x, value, level = (np.concatenate(parts) for parts in (xs, values, levels))
+        yield level, field.coordinates(direction), data[tuple(index)], hidden[tuple(index)]
+
+
+def line(step, name, material=None):
+    """1-D: positions and values, each place once, from the finest level there, and the levels."""
+    parts = []
+    for level, x, values, hidden in profiles(step, name, material):
+        keep = ~hidden & ~np.isnan(values)
+        parts.append((x[keep], values[keep], np.full(keep.sum(), level)))
+    x, value, level = (np.concatenate(part) for part in zip(*parts))
     order = np.argsort(x, kind="stable")
     return x[order], value[order], level[order]
 
@@ -75,39 +97,35 @@ def plane_axes(step, normal=None):
 
 
 def plane(step, name, material=None, normal=None, position=None):
-    """2-D or a slice of 3-D: per level (edges of the first axis, of the second, values[j, i])."""
+    """2-D or a slice of 3-D, level by level: (edges of the first axis, of the second, values[j, i],
+    is a finer level there[j, i])."""
     base, component = split_name(name)
     first, second, normal = plane_axes(step, normal)
     sheets = []
-    for level, grid in enumerate(step.levels):
+    for level, finer in _with_finer(stored_levels(step, base, material)):
         field = step.field(base, material, level)
         data = scalar(field, component)
-        if position is None:
-            at = 0.5 * (grid.lower[normal] + grid.upper[normal])
-        else:
-            at = (position - grid.anchor[normal]) / grid.spacing[normal]
-        index = int(np.floor(at)) - field.lower[normal]
-        if level == 0 and not 0 <= index < data.shape[normal]:
-            raise ArchiveError(f"the plane {'xyz'[normal]} = {position:g} lies outside the domain")
+        index = layer(step.levels[level], normal, position) - field.lower[normal]
         if not 0 <= index < data.shape[normal]:
+            if level == 0:
+                raise ArchiveError(f"the plane {'xyz'[normal]} = {position:g} lies outside the "
+                                   "domain")
             continue
-        sheet = np.take(data, index, axis=normal)
-        sheets.append((_edges(field, first), _edges(field, second), sheet.T))
+        hidden = covered(step, level, data.shape, field.lower, finer)
+        sheets.append((_edges(field, first), _edges(field, second),
+                       np.take(data, index, axis=normal).T,
+                       np.take(hidden, index, axis=normal).T))
     return sheets
+
+
+def layer(level, normal, position=None):
+    """The layer of cells of a level in which a plane lies (without a position: the middle one)."""
+    if position is None:
+        return (level.lower[normal] + level.upper[normal]) // 2
+    return int(np.floor((position - level.anchor[normal]) / level.spacing[normal]))
 
 
 def _edges(field, direction):
     centres = field.coordinates(direction)
     half = 0.5 * field.level.spacing[direction]
     return np.append(centres - half, centres[-1] + half)
-
-
-def outlines(step, normal=None, position=None):
-    """Rectangles (x, y, width, height) of the boxes of the finer levels in the plane."""
-    first, second, normal = plane_axes(step, normal)
-    for level in step.levels[1:]:
-        for box in level.boxes:
-            low, high = level.edges(box)
-            if position is not None and not low[normal] <= position < high[normal]:
-                continue
-            yield low[first], low[second], high[first] - low[first], high[second] - low[second]
