@@ -2,7 +2,7 @@
 //
 // Conservative scheme: mass, momentum and total energy (face_flux.hpp). Classic form: what it
 // balances itself, mass, momentum and the internal energy that is advected. Absent with one level.
-#include "framework/refine/flux_register.hpp"
+#include "framework/refine/face_table.hpp"
 #include "ice/conservative/face_flux.hpp"
 
 namespace sluice::ice {

@@ -3,6 +3,8 @@
 //   impulse dt g rho V,   work dt g . (m - dp/2) V
 // with the momentum m at the start of the step and what the Lagrangian phase took from it, dp: the
 // mean momentum of the phase. Absent with one level, where totals at the start of the step do.
+#include <algorithm>
+
 #include "framework/refine/coverage.hpp"
 #include "framework/task/reductions.hpp"
 #include "ice/conservative/variables.hpp"
@@ -43,13 +45,10 @@ void account_row(const Row& row, const Handles& h, const SchemeOptions& o) {
     account_cells(row, h, o, 0, row.count());
     return;
   }
-  const int along = o.axes.direction[0];
-  IndexBox cells{row.cell(), row.cell() + IntVec3::all(1)};
-  cells.upper[along] = cells.lower[along] + row.count();
-  for (const IndexBox& part : o.coverage->uncovered(row.box())) {
-    const IndexBox both = intersection(cells, part);
-    if (both.empty()) continue;
-    account_cells(row, h, o, both.lower[along] - cells.lower[along], both.size()[along]);
+  const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
+  for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell())) {
+    const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
+    if (first < end) account_cells(row, h, o, first - low, end - first);
   }
 }
 

@@ -16,6 +16,7 @@ namespace sluice::ice {
 class Children {
  public:
   static constexpr int most = 64;
+  static constexpr int most_in(int axes) { return 1 << 2 * axes; }
 
   // std::logic_error for a ratio other than 1, 2 or 4.
   explicit Children(const TransferGeometry& geometry);

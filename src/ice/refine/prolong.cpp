@@ -61,7 +61,7 @@ struct Basis {
     }
   }
 
-  double value[Children::most][terms];
+  double value[Children::most_in(D)][terms];
   double most[terms];
 };
 
@@ -260,12 +260,26 @@ class Prolonger {
   double term_[quantities][Functions::terms][width];
   double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
   double rest_[width];                    // share of the internal energy that stays
-  double rows_[Children::most][width];
+  double rows_[Children::most_in(D)][width];
 };
 
+// Order 0: every fine cell is its coarse cell.
 void copy_to_children(const RealView& coarse, const RealView& fine, const IndexBox& cells,
-                      IntVec3 ratio) {
-  for_each_cell(cells, [&](IntVec3 cell) { fine(cell) = coarse(coarsen(cell, ratio)); });
+                      const TransferGeometry& geometry) {
+  const int along = longest_direction(cells, Children(geometry).axes());
+  const int ratio = geometry.ratio[along];
+  for_each_line(cells, along, cells.size()[along], [&](IntVec3 first, int n) {
+    const IntVec3 parent = coarsen(first, geometry.ratio);
+    const double* from = coarse.data + coarse.offset(parent);
+    double* to = fine.data + fine.offset(first);
+    int left = (parent[along] + 1) * ratio - first[along];  // fine cells of this coarse one
+    for (int i = 0; i < n; ++i, to += fine.stride[along]) {
+      *to = *from;
+      if (--left > 0) continue;
+      left = ratio;
+      from += coarse.stride[along];
+    }
+  });
 }
 
 template <int Order>
@@ -289,7 +303,7 @@ void IceTransfer::prolong(const StateViews& coarse, const StateViews& fine, cons
   if (order == 2) return prolong_cells<2>(coarse, fine, cells, geometry, components_);
   if (order == 1) return prolong_cells<1>(coarse, fine, cells, geometry, components_);
   for (std::size_t q = 0; q < coarse.size(); ++q)
-    copy_to_children(coarse[q], fine[q], cells, geometry.ratio);
+    copy_to_children(coarse[q], fine[q], cells, geometry);
 }
 
 }  // namespace sluice::ice

@@ -87,8 +87,8 @@ class Restrictor {
   const StateViews& coarse_;
   const Children& children_;
   int along_;
-  double values_[quantities][Children::most][width];
-  double rows_[Children::most][width];
+  double values_[quantities][Children::most_in(D)][width];
+  double rows_[Children::most_in(D)][width];
 };
 
 }  // namespace
