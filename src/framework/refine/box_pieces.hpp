@@ -10,8 +10,8 @@ namespace sluice {
 // The direction along which rows run: the first active one.
 int row_direction(const std::array<bool, 3>& active);
 
-// Disjoint boxes that make up `region` without all `holes` (which may overlap), as whole rows. Takes
-// near n log n for n holes on a lattice of tiles.
+// Disjoint boxes that make up `region` without all `holes` (which may overlap), as whole rows.
+// Takes near n log n for n holes on a lattice of tiles.
 std::vector<IndexBox> pieces_without(const IndexBox& region, const std::vector<IndexBox>& holes,
                                      int row);
 

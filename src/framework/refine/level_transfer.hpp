@@ -55,7 +55,7 @@ class Restriction {
   Restriction& operator=(Restriction&&) noexcept;
   ~Restriction();
   void run(const Warehouse& fine, Warehouse& coarse, const std::vector<int>& slots,
-           const TransferOperators& operators);
+           const TransferOperators& operators, const ThreadTeam* team = nullptr);
 
  private:
   struct Plan;

@@ -184,6 +184,18 @@ TEST(TransferLimits, threads_share_the_work) {
     for_each_cell(v.box, [&](IntVec3 c) { ASSERT_EQ(v(c), views[n](c)); });
     ++n;
   });
+  // Fine boxes that are large enough to be dealt out in slabs.
+  Levels large({{{0, 0, 0}, {96, 96, 1}}, {}, {2, 2, 1}, {{{4, 4, 0}, {92, 92, 1}}}});
+  State fine(large.fine, 3), coarse(large.coarse, 3);
+  fine.fill_with_numbers(0, old_salt);
+  coarse.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+  Restriction(large.coarse, large.fine, world().rank())
+      .run(fine.warehouse, coarse.warehouse, fine.slots, MockOperators(), &team);
+  const TransferGeometry geometry{large.fine.ratio, large.fine.active};
+  coarse.expect([&](IntVec3 c, int component, const IndexBox&) {
+    if (!holds(large.fine, c * large.fine.ratio)) return untouched;
+    return restricted(c, geometry, [&](IntVec3 f) { return number_of(f, old_salt + component); });
+  });
 }
 
 TEST(TransferLimits, linear_functions_come_through) {

@@ -1,6 +1,7 @@
 // Coarse cells from the fine ones above them, straight into a local box or into a message.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "framework/grid/box_list.hpp"
@@ -8,6 +9,22 @@
 #include "framework/refine/region_exchange.hpp"
 
 namespace sluice {
+namespace {
+
+// The most coarse cells that one thread takes at a time.
+constexpr std::int64_t most_cells = 2048;
+
+// Slabs of a region, with whole rows.
+std::vector<IndexBox> slabs(const IndexBox& cells) {
+  const int d = cells.size().z > 1 ? 2 : cells.size().y > 1 ? 1 : 0;
+  const int n =
+      static_cast<int>(std::clamp<std::int64_t>(cells.volume() / most_cells, 1, cells.size()[d]));
+  IntVec3 pieces{1, 1, 1};
+  pieces[d] = n;
+  return split(cells, pieces);
+}
+
+}  // namespace
 
 struct Restriction::Plan {
   struct Part {
@@ -40,7 +57,8 @@ Restriction::Plan::Plan(const Level& coarse, const Level& fine, int rank)
           fine_number[f], coarse_number[c], intersection(covered, coarse.boxes[c].cells), {}};
       held += part.cells.volume();
       if (part.fine >= 0 && part.coarse >= 0) {
-        locals.push_back(part);
+        for (const IndexBox& slab : slabs(part.cells))
+          locals.push_back({part.fine, part.coarse, slab, {}});
       } else if (part.fine >= 0) {
         sends.push_back(part);
         sends.back().piece = messages.add_send(coarse.boxes[c].owner, part.cells.volume());
@@ -65,7 +83,7 @@ Restriction& Restriction::operator=(Restriction&&) noexcept = default;
 Restriction::~Restriction() = default;
 
 void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vector<int>& slots,
-                      const TransferOperators& operators) {
+                      const TransferOperators& operators, const ThreadTeam* team) {
   Plan& p = *plan_;
   const int components = component_count(coarse, slots);
   view_boxes(fine, slots, p.fine_views);
@@ -77,9 +95,15 @@ void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vecto
                           p.geometry);
   }
   p.messages.send();
-  for (const Plan::Part& l : p.locals)
+  const auto restrict_local = [&](std::size_t n, int) {
+    const Plan::Part& l = p.locals[n];
     operators.restrict_to(p.fine_views[static_cast<std::size_t>(l.fine)],
                           p.coarse_views[static_cast<std::size_t>(l.coarse)], l.cells, p.geometry);
+  };
+  if (team != nullptr)
+    team->for_each(p.locals.size(), restrict_local);
+  else
+    for (std::size_t n = 0; n < p.locals.size(); ++n) restrict_local(n, 0);
   p.messages.wait();
   for (const Plan::Part& r : p.receives) {
     view_array(p.messages.incoming(r.piece), r.cells, p.frame, components, p.packed);
