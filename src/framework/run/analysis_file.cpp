@@ -19,6 +19,13 @@ double word_as_number(const std::string& line, int n) {
   return start == line.npos ? 0.0 : std::strtod(line.c_str() + start, nullptr);
 }
 
+// Has a text any line besides its header.
+bool holds_sample(const std::string& text) {
+  for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1)
+    if (text[line] != '#') return true;
+  return false;
+}
+
 void make_folders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -66,8 +73,10 @@ void AnalysisFile::flush(const fs::path& folder) {
 
 void AnalysisFile::adopt(const fs::path& earlier, const fs::path& folder, double time) const {
   if (!fs::exists(earlier / name_)) return;
+  const std::string kept = lines_up_to(read_text(earlier / name_), time_column_, time);
+  if (!holds_sample(kept)) return;
   make_folders((folder / name_).parent_path());
-  write_text_durably(folder / name_, lines_up_to(read_text(earlier / name_), time_column_, time));
+  write_text_durably(folder / name_, kept);
 }
 
 }  // namespace sluice

@@ -19,7 +19,7 @@ class AnalysisFile {
   // Appends to the file in `folder`; a new file gets the header first. When the disk is full the
   // file is left as it was and SystemError is thrown.
   void flush(const std::filesystem::path& folder);
-  // Takes over the lines up to `time` of the same file of an earlier archive, if it has one.
+  // Takes over the lines up to `time` of the same file of an earlier archive, if it has any.
   void adopt(const std::filesystem::path& earlier, const std::filesystem::path& folder,
              double time) const;
 

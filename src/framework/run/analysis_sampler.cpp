@@ -1,0 +1,26 @@
+// Reading what ranks have packed.
+#include "framework/run/analysis_sampler.hpp"
+
+#include <cstring>
+#include <stdexcept>
+
+namespace sluice {
+
+RankNumbers::RankNumbers(const std::vector<std::string>& packed) : next_(packed.size(), 0) {
+  for (const std::string& text : packed) {
+    std::vector<double>& own = numbers_.emplace_back(text.size() / sizeof(double));
+    if (!own.empty()) std::memcpy(own.data(), text.data(), own.size() * sizeof(double));
+  }
+}
+
+const double* RankNumbers::take(int rank, std::size_t count) {
+  const auto r = static_cast<std::size_t>(rank);
+  if (next_[r] + count > numbers_[r].size())
+    throw std::logic_error("an analysis reads more numbers than rank " + std::to_string(rank) +
+                           " has packed");
+  const double* first = numbers_[r].data() + next_[r];
+  next_[r] += count;
+  return first;
+}
+
+}  // namespace sluice
