@@ -1,14 +1,15 @@
 // Fluxes through the faces where a level meets a finer one, and making both levels agree on them.
 //
 // Each interface face of the coarse level is kept by the coarse cell outside the fine level. A
-// sweep over the coarse level records its own flux there, every substep of the fine level its fluxes
+// sweep over the coarse level records its own flux there, every substep of the fine level its own
 // through the fine faces; afterwards the coarse cell gets the difference
 //   change = sign (sum over substeps and fine faces of F_fine V_fine / V_coarse - F_coarse),
 // sign +1 when the cell is on the high side of the face. Fluxes are amounts per volume of the cell
 // of the level that computed them, positive along the axis, as the schemes use them. Sums are taken
 // in pairs, so that mirrored scenes give mirrored bits, and do not depend on boxes or ranks.
 // What a cell cannot bear (it would become inadmissible) goes back to the fine cells on the other
-// side of the same faces: nothing is created.
+// side of the same faces, share by share: nothing is created. A cell that nothing changes keeps its
+// bits.
 #pragma once
 #include <memory>
 #include <vector>

@@ -45,8 +45,8 @@ void expect_image(const Scene& scene, const Image& image, const Start& start) {
   const auto level = [&](int l) -> const Level& {
     return l == 0 ? other.levels().coarse : other.levels().fine;
   };
-  one.step(start, any_flux, 2);
-  other.step(
+  const CorrectionReport report = one.step(start, any_flux, 2);
+  const CorrectionReport turned_report = other.step(
       [&](int q, IntVec3 c, int l) { return start(q, image.cell(c, level(l).domain.size()), l); },
       [&](int q, int d, IntVec3 c, int l, int step) {
         const double sign = d == image.mirrored ? -1 : 1;
@@ -54,6 +54,7 @@ void expect_image(const Scene& scene, const Image& image, const Start& start) {
                any_flux(q, image.direction(d), image_of_face(image, d, c, level(l)), l, step);
       },
       2);
+  EXPECT_EQ(report.limited, turned_report.limited);
   for (const int l : {0, 1}) {
     const auto wanted = values_of(one, l == 0 ? one.coarse() : one.fine());
     other.each(l == 0 ? other.coarse() : other.fine(), [&](int q, IntVec3 c, double& v) {

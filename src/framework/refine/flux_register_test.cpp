@@ -209,11 +209,15 @@ TEST_P(FluxRegisters, FailWhereFineCellsCannotTakeTheRestEither) {
 }
 
 TEST_P(FluxRegisters, DoNotDependOnBoxesOrRanks) {
-  for (const Start& start : {Start(any_start), Start(poor_start)}) {
+  for (const bool poor : {false, true}) {
+    const Start start = poor ? poor_start : any_start;
     TwoLevels one(scene(), Cut{}, world()), other(scene(), many(scene()), world());
     const CorrectionReport a = one.step(start, any_flux, 2), b = other.step(start, any_flux, 2);
     EXPECT_EQ(a.limited, b.limited * world().size());  // each rank counted all cells of the first
     EXPECT_EQ(a.first, b.first);
+    if (one.levels().coarse.active_count() > 1) {
+      EXPECT_EQ(a.limited > 0, poor);
+    }
     const auto coarse = values_of(one, one.coarse()), fine = values_of(one, one.fine());
     for (const bool is_fine : {false, true})
       other.each(is_fine ? other.fine() : other.coarse(), [&](int q, IntVec3 c, double& v) {
@@ -245,6 +249,31 @@ TEST(FluxRegister, IsEmptyWithoutAFinerLevelAndWhereThatIsEverywhere) {
     EXPECT_TRUE(t.registers().coarse_faces().empty());
     EXPECT_TRUE(t.registers().fine_faces().empty());
     EXPECT_EQ(t.step(any_start, any_flux, 2).limited, 0);
+  }
+}
+
+TEST(FluxRegister, WorksAnywhereOnTheGrid) {
+  Scene scene = cases()[10].scene, moved = scene;
+  moved.low = {-5, 3, 0};
+  for (IndexBox& r : moved.refined) r = r.shifted(moved.low);
+  TwoLevels here(scene, Cut{}, world()), there(moved, Cut{}, world());
+  const auto back = [&](IntVec3 c, int level) {
+    return c - (level == 0 ? moved.low : moved.low * moved.ratio);
+  };
+  const CorrectionReport a = here.step(poor_start, any_flux, 2);
+  const CorrectionReport b = there.step(
+      [&](int q, IntVec3 c, int l) { return poor_start(q, back(c, l), l); },
+      [&](int q, int d, IntVec3 c, int l, int step) { return any_flux(q, d, back(c, l), l, step); },
+      2);
+  EXPECT_GT(a.limited, 0);
+  EXPECT_EQ(a.limited, b.limited);
+  EXPECT_EQ(a.first + moved.low, b.first);
+  for (const int l : {0, 1}) {
+    const auto wanted = values_of(here, l == 0 ? here.coarse() : here.fine());
+    there.each(l == 0 ? there.coarse() : there.fine(), [&](int q, IntVec3 c, double& v) {
+      const IntVec3 from = back(c, l);
+      ASSERT_EQ(v, wanted.at({q, from.z, from.y, from.x}));
+    });
   }
 }
 

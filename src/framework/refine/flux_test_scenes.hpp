@@ -17,8 +17,8 @@ inline double exact_flux(int q, int d, IntVec3 cell, int level, int step) {
                                     static_cast<std::uint64_t>(10 * level + step), cell));
 }
 inline double any_flux(int q, int d, IntVec3 cell, int level, int step) {
-  return 0.01 * hashed(static_cast<std::uint64_t>(10 * q + d),
-                       static_cast<std::uint64_t>(10 * level + step), cell);
+  return 0.2 * hashed(static_cast<std::uint64_t>(10 * q + d),
+                      static_cast<std::uint64_t>(10 * level + step), cell);
 }
 inline double exact_start(int q, IntVec3 cell, int level) {
   return 40 + short_number(hashed(static_cast<std::uint64_t>(5 + q),
@@ -63,6 +63,15 @@ inline const std::vector<Case>& cases() {
         {2, 2, 1},
         {},
         {{{2, 2, 0}, {10, 5, 1}}, {{2, 5, 0}, {5, 9, 1}}, {{6, 5, 0}, {8, 9, 1}}}}},
+      // a coarse cell with fine ones all around
+      {"hole",
+       {{11, 12, 1},
+        {2, 2, 1},
+        {},
+        {{{3, 3, 0}, {8, 5, 1}},
+         {{3, 6, 0}, {8, 8, 1}},
+         {{3, 5, 0}, {5, 6, 1}},
+         {{6, 5, 0}, {8, 6, 1}}}}},
       {"plane_round",
        {{12, 10, 1},
         {2, 2, 1},

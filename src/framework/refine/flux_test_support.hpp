@@ -29,11 +29,12 @@ struct Scene {
   IntVec3 cells{8, 1, 1}, ratio{2, 1, 1};
   std::array<bool, 3> periodic{};
   std::vector<IndexBox> refined;  // coarse cells under the fine level
+  IntVec3 low{};                  // of the domain
 };
 
 inline Levels levels_of(const Scene& scene, const Cut& cut, const Communicator& ranks) {
   Levels l;
-  l.coarse.domain = {{}, scene.cells};
+  l.coarse.domain = {scene.low, scene.low + scene.cells};
   l.coarse.periodic = scene.periodic;
   for (int d = 0; d < 3; ++d) l.coarse.active[static_cast<std::size_t>(d)] = scene.cells[d] > 1;
   l.fine = l.coarse;
@@ -82,8 +83,8 @@ inline double short_number(double x) {
 
 inline IntVec3 wrapped(IntVec3 cell, const Level& level) {
   for (int d = 0; d < 3; ++d) {
-    const int n = level.domain.size()[d];
-    cell[d] = (cell[d] % n + n) % n;
+    const int n = level.domain.size()[d], low = level.domain.lower[d];
+    cell[d] = low + ((cell[d] - low) % n + n) % n;
   }
   return cell;
 }
