@@ -117,7 +117,8 @@ void Ice::initialise(Warehouse& state) const {
             energy = state.find(labels().energy, 0);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
-    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m, state.level(), cells);
+    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
+                                               scene_->grid.levels.front(), state.level(), cells);
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
       state.view(mass, 0, b)(cell) = fill.density[n];

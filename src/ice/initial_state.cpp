@@ -57,13 +57,20 @@ void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& leve
   evaluate(f.pressure, level, fill.cells, fill.pressure);
 }
 
-// `fill` must reach down to the domain's low end along every direction of gravity.
-void apply_hydrostatics(const PhysicalConstants& constants, const Level& level,
-                        PrimitiveFill& fill) {
+// `fill` must reach down to the domain's low end along every direction of gravity. The lowest cell
+// of a finer level lies below that of the coarsest one.
+void apply_hydrostatics(const PhysicalConstants& constants, const Level& coarsest,
+                        const Level& level, PrimitiveFill& fill) {
   const Vec3 g = constants.gravity;
+  double below_reference = 0;  // g times distance
+  if (level.index != coarsest.index)
+    for (int d = 0; d < 3; ++d)
+      below_reference +=
+          g[d] * (level.centre(level.domain.lower)[d] - coarsest.centre(coarsest.domain.lower)[d]);
   for_each_cell(fill.cells, [&](IntVec3 c) {
     const std::size_t n = fill.offset(c);
     fill.pressure[n] = constants.reference_pressure;
+    if (below_reference != 0) fill.pressure[n] += below_reference * fill.density[n];
     for (int d = 2; d >= 0; --d) {
       if (g[d] == 0 || c[d] == level.domain.lower[d]) continue;
       IntVec3 below = c;
@@ -103,8 +110,8 @@ PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
 }  // namespace
 
 PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& constants,
-                              const IceMaterial& material, const Level& level,
-                              const IndexBox& cells) {
+                              const IceMaterial& material, const Level& coarsest,
+                              const Level& level, const IndexBox& cells) {
   const bool hydrostatic = scene.hydrostatic_start && !(constants.gravity == Vec3{});
   PrimitiveFill fill;
   fill.cells = cells;
@@ -120,7 +127,7 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
         fill.density[n],
         material.gas.energy_from_temperature(fill.density[n], fill.temperature[n]));
   if (scene.formula) apply_formula(*scene.formula, material, level, fill);
-  if (hydrostatic) apply_hydrostatics(constants, level, fill);
+  if (hydrostatic) apply_hydrostatics(constants, coarsest, level, fill);
   check_admissible(material, fill);
   if (fill.cells == cells) return fill;  // moved, not copied
   return cut(fill, cells);

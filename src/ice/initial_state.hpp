@@ -23,9 +23,10 @@ struct PrimitiveFill {
 };
 
 // The values of one material in every cell. Depends on the cell alone, not on the box asked for.
+// Hydrostatic pressure is the reference pressure in the lowest cell of the coarsest level.
 // Throws InputError naming the first cell that no object covers or that is not admissible.
 PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& constants,
-                              const IceMaterial& material, const Level& level,
-                              const IndexBox& cells);
+                              const IceMaterial& material, const Level& coarsest,
+                              const Level& level, const IndexBox& cells);
 
 }  // namespace sluice::ice

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <ostream>
 #include <random>
 #include <vector>
 
@@ -20,7 +20,11 @@ struct TransferCase {
   int components = 2;
 
   TransferGeometry geometry() const { return {ratio, active}; }
-  int first_active() const { return active[0] ? 0 : active[1] ? 1 : 2; }
+  friend void PrintTo(const TransferCase& c, std::ostream* out) {
+    for (int d = 0; d < 3; ++d)
+      if (c.active[static_cast<std::size_t>(d)]) *out << "xyz"[d] << c.ratio[d] << " ";
+    *out << c.components << " components";
+  }
 };
 
 inline std::vector<TransferCase> transfer_cases() {
@@ -82,8 +86,6 @@ class BoxState {
 // Coarse cells of a case, with one layer around them; inactive directions have one cell.
 inline IndexBox coarse_cells(const TransferCase& c, int n) {
   IndexBox box{{0, 0, 0}, {1, 1, 1}};
-  for (int d = 0; d < 3; ++d)
-    if (c.active[static_cast<std::size_t>(d)]) box = {box.lower, box.upper + IntVec3{}};
   for (int d = 0; d < 3; ++d)
     if (c.active[static_cast<std::size_t>(d)]) {
       box.lower[d] = -2;
