@@ -1,0 +1,219 @@
+// Flags of cells as rows of bits, and the box filter that widens them.
+#include "framework/refine/flag_field.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace sluice {
+
+namespace {
+
+constexpr int word_bits = 64;
+using Word = std::uint64_t;
+
+// Bits [low, high) of a word; 0 <= low < high <= 64.
+Word mask(int low, int high) {
+  const Word up_to = high == word_bits ? ~Word{0} : (Word{1} << high) - 1;
+  return up_to & ~((Word{1} << low) - 1);
+}
+
+// Calls f(word, mask) for the words that hold bits [low, high).
+template <class F>
+void for_each_word(int low, int high, F&& f) {
+  for (int w = low / word_bits; w * word_bits < high; ++w)
+    f(static_cast<std::size_t>(w),
+      mask(std::max(low - w * word_bits, 0), std::min(high - w * word_bits, word_bits)));
+}
+
+// to |= from moved towards lower bits (shift > 0), `count` words each; `from` may be `to`.
+void or_shifted_down(const Word* from, Word* to, int shift, std::size_t count) {
+  const auto whole = static_cast<std::size_t>(shift / word_bits);
+  const int part = shift % word_bits;
+  for (std::size_t w = 0; w + whole < count; ++w) {
+    Word bits = from[w + whole] >> part;
+    if (part != 0 && w + whole + 1 < count) bits |= from[w + whole + 1] << (word_bits - part);
+    to[w] |= bits;
+  }
+}
+
+// Widens one row: bit i of the result is the or of bits i - reach .. i + reach.
+class RowFilter {
+ public:
+  RowFilter(int cells, int reach, bool periodic)
+      : cells_(cells),
+        reach_(std::min(reach, cells)),
+        periodic_(periodic),
+        extended_(static_cast<std::size_t>((cells + 2 * reach_) / word_bits + 1)) {}
+
+  void apply(Word* row, std::size_t row_words) {
+    extend(row, row_words);
+    // Windows of growing width: or of 1, 2, 4, ... bits, then of 2 reach + 1.
+    const int width = 2 * reach_ + 1;
+    int done = 1;
+    while (done < width) {
+      const int step = std::min(done, width - done);
+      or_shifted_down(extended_.data(), extended_.data(), step, extended_.size());
+      done += step;
+    }
+    std::copy_n(extended_.data(), row_words, row);
+    if (cells_ % word_bits != 0) row[row_words - 1] &= mask(0, cells_ % word_bits);
+  }
+
+ private:
+  // The row behind `reach_` bits that are empty, or the row's other end.
+  void extend(const Word* row, std::size_t row_words) {
+    std::fill(extended_.begin(), extended_.end(), Word{0});
+    const auto whole = static_cast<std::size_t>(reach_ / word_bits);
+    const int part = reach_ % word_bits;
+    for (std::size_t w = 0; w < row_words; ++w) {
+      if (row[w] == 0) continue;
+      extended_[w + whole] |= row[w] << part;
+      if (part != 0 && w + whole + 1 < extended_.size())
+        extended_[w + whole + 1] |= row[w] >> (word_bits - part);
+    }
+    if (!periodic_) return;
+    for (int i = 0; i < reach_; ++i) {
+      copy_bit(row, cells_ - reach_ + i, i);
+      copy_bit(row, i, cells_ + reach_ + i);
+    }
+  }
+  void copy_bit(const Word* row, int from, int to) {
+    const Word bit = row[from / word_bits] >> (from % word_bits) & 1u;
+    extended_[static_cast<std::size_t>(to / word_bits)] |= bit << (to % word_bits);
+  }
+
+  int cells_, reach_;
+  bool periodic_;
+  std::vector<Word> extended_;
+};
+
+void or_rows(const Word* from, Word* to, std::size_t count) {
+  for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
+}
+
+bool empty_row(const Word* row, std::size_t count) {
+  return std::all_of(row, row + count, [](Word w) { return w == 0; });
+}
+
+// Where row `at + offset` of `n` lies; -1: outside.
+int neighbour(int at, int offset, int n, bool periodic) {
+  const int to = at + offset;
+  if (to >= 0 && to < n) return to;
+  return periodic ? (to % n + n) % n : -1;
+}
+
+}  // namespace
+
+FlagField::FlagField(const IndexBox& domain)
+    : domain_(domain), size_(domain.empty() ? IntVec3{} : domain.size()) {
+  row_words_ = static_cast<std::size_t>((size_.x + word_bits - 1) / word_bits);
+  words_.assign(row_words_ * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z),
+                Word{0});
+}
+
+void FlagField::set(IntVec3 cell) {
+  const IntVec3 c = cell - domain_.lower;
+  row(c.y, c.z)[c.x / word_bits] |= Word{1} << (c.x % word_bits);
+}
+
+bool FlagField::get(IntVec3 cell) const {
+  const IntVec3 c = cell - domain_.lower;
+  return (row(c.y, c.z)[c.x / word_bits] >> (c.x % word_bits) & 1u) != 0;
+}
+
+void FlagField::fill(const IndexBox& cells) {
+  const IndexBox b = intersection(cells, domain_);
+  if (b.empty()) return;
+  const IntVec3 low = b.lower - domain_.lower, high = b.upper - domain_.lower;
+  for (int z = low.z; z < high.z; ++z)
+    for (int y = low.y; y < high.y; ++y)
+      for_each_word(low.x, high.x, [&, bits = row(y, z)](std::size_t w, Word m) { bits[w] |= m; });
+}
+
+bool FlagField::any() const {
+  return !empty_row(words_.data(), words_.size());
+}
+
+bool FlagField::any(const IndexBox& cells) const {
+  const IndexBox b = intersection(cells, domain_);
+  if (b.empty()) return false;
+  const IntVec3 low = b.lower - domain_.lower, high = b.upper - domain_.lower;
+  Word found = 0;
+  for (int z = low.z; z < high.z && found == 0; ++z)
+    for (int y = low.y; y < high.y && found == 0; ++y)
+      for_each_word(low.x, high.x,
+                    [&, bits = row(y, z)](std::size_t w, Word m) { found |= bits[w] & m; });
+  return found != 0;
+}
+
+std::int64_t FlagField::count() const {
+  std::int64_t n = 0;
+  for (const Word w : words_) n += std::popcount(w);
+  return n;
+}
+
+FlagField FlagField::dilated(IntVec3 reach, const std::array<bool, 3>& periodic) const {
+  FlagField wide = *this;
+  if (reach.x > 0) {
+    RowFilter filter(size_.x, reach.x, periodic[0]);
+    for (std::size_t start = 0; start < wide.words_.size(); start += row_words_)
+      if (!empty_row(wide.words_.data() + start, row_words_))
+        filter.apply(wide.words_.data() + start, row_words_);
+  }
+  // Along y and z whole rows are joined: every row that is not empty is spread to its neighbours.
+  for (const int d : {1, 2}) {
+    const int n = size_[d], r = std::min(reach[d], n);
+    if (r <= 0) continue;
+    const FlagField narrow = wide;
+    for (int z = 0; z < size_.z; ++z)
+      for (int y = 0; y < size_.y; ++y) {
+        const Word* from = narrow.row(y, z);
+        if (empty_row(from, row_words_)) continue;
+        for (int k = -r; k <= r; ++k) {
+          const int to = neighbour(d == 1 ? y : z, k, n, periodic[static_cast<std::size_t>(d)]);
+          if (to >= 0 && k != 0)
+            or_rows(from, d == 1 ? wide.row(to, z) : wide.row(y, to), row_words_);
+        }
+      }
+  }
+  return wide;
+}
+
+FlagField& FlagField::operator|=(const FlagField& other) {
+  or_rows(other.words_.data(), words_.data(), words_.size());
+  return *this;
+}
+
+FlagField& FlagField::operator&=(const FlagField& other) {
+  for (std::size_t w = 0; w < words_.size(); ++w) words_[w] &= other.words_[w];
+  return *this;
+}
+
+bool FlagField::within(const FlagField& other) const {
+  Word outside = 0;
+  for (std::size_t w = 0; w < words_.size(); ++w) outside |= words_[w] & ~other.words_[w];
+  return outside == 0;
+}
+
+namespace {
+
+int next_bit(const Word* row, int from, int end, Word inverted) {
+  while (from < end) {
+    const Word rest = (row[from / word_bits] ^ inverted) >> (from % word_bits);
+    if (rest != 0) return std::min(end, from + std::countr_zero(rest));
+    from = (from / word_bits + 1) * word_bits;
+  }
+  return end;
+}
+
+}  // namespace
+
+int next_flag(const Word* row, int from, int end) {
+  return next_bit(row, from, end, 0);
+}
+
+int next_gap(const Word* row, int from, int end) {
+  return next_bit(row, from, end, ~Word{0});
+}
+
+}  // namespace sluice
