@@ -15,7 +15,9 @@ void add_plot_command(CLI::App& app, int& exit_status) {
   command->add_option("--var", request->variables, "Label, or a component of it: vel_CC.x")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--history", request->histories, "A .dat file by its label")
+  command
+      ->add_option("--history", request->histories,
+                   "A .dat file by its label; levels: the cells of each level over time")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--material", request->material, "Material index (the first stored)");

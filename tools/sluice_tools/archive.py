@@ -136,6 +136,16 @@ class Archive:
                                f"{times[-1]:g}")
         return best
 
+    def level_cells(self):
+        """What levels.txt holds: rows of step, time, cells of level 0, of level 1, ..."""
+        path = self.path / "levels.txt"
+        if not path.exists():
+            raise ArchiveError(f"{self.path.name} holds no levels.txt: its run had one level")
+        try:
+            return np.loadtxt(path, ndmin=2)
+        except ValueError as error:
+            raise ArchiveError(f"{path}: not readable as a table ({error})") from error
+
     def history(self, name):
         """A .dat file: (what the lines go by, its numbers, values [line, component])."""
         if name not in self.histories:

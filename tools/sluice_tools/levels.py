@@ -108,6 +108,11 @@ def draw_plane_lines(ax, step, kind, normal=None, position=None):
     """Thin lines in the colour of each level, cased in white so that they show on any cell."""
     from matplotlib.collections import LineCollection
     from matplotlib.patheffects import withStroke
+    if kind == "tiles":  # hair lines between those of the edges
+        for level, lines in plane_lines(step, kind, normal, position):
+            ax.add_collection(LineCollection(lines, colors=colour(level.index), linewidths=0.35,
+                                             zorder=2 + level.index), autolim=False)
+        kind = "edges"
     for level, lines in plane_lines(step, kind, normal, position):
         # Many small boxes need finer lines to leave something to see between them.
         width = 0.9 if len(lines) < 400 else 0.6

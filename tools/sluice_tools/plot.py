@@ -136,7 +136,7 @@ def draw_fields(archive, given, plt):
     one = len(step.levels[0].active_directions()) == 1
     exact = read_exact(given.exact) if given.exact else None
     rows, columns = panel_grid(len(names))
-    width = min(4.0, 11.0 / columns)
+    width = 5.5 if len(names) == 1 and not one else min(4.0, 11.0 / columns)
     height = 2.5 if one else plane_height(step, given, width)
     fig, axes = plt.subplots(rows, columns, squeeze=False,
                              figsize=(width * columns, height * rows + 0.3))
@@ -159,11 +159,26 @@ def draw_fields(archive, given, plt):
     return fig
 
 
+def draw_level_cells(ax, archive):
+    """Cells of each level over time, each until the next line of levels.txt."""
+    table = archive.level_cells()
+    for level, cells in enumerate(table[:, 2:].T):
+        ax.step(table[:, 1], cells, where="post", color=levels.colour(level),
+                linestyle=style.LINES[level % len(style.LINES)], label=f"level {level}")
+    ax.set_title("cells of each level", loc="left")
+    ax.set_xlabel("time")
+    ax.legend()
+    headroom(ax, table[:, 2:])
+
+
 def draw_histories(archive, given, plt):
     rows, columns = panel_grid(len(given.history))
     fig, axes = plt.subplots(rows, columns, squeeze=False,
                              figsize=(4.0 * columns, 2.5 * rows + 0.3))
     for ax, name in zip(axes.flat, given.history):
+        if name == "levels":
+            draw_level_cells(ax, archive)
+            continue
         along, places, values = archive.history(name)
         for c, column in enumerate(values.T):
             ax.plot(places, column, color=style.COLOURS[c], linestyle=style.LINES[c],
@@ -199,7 +214,8 @@ def parse(arguments):
     parser.add_argument("--levels", choices=levels.KINDS, default="boxes",
                         help="what is drawn of finer levels: their boxes (usual), the tiles of the "
                         "regridder, only their outer edges, or none of it")
-    parser.add_argument("--history", action="append", help="a .dat file by its label")
+    parser.add_argument("--history", action="append", help="a .dat file by its label; levels: the "
+                        "cells of each level over time")
     parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
     parser.add_argument("--title")
     parser.add_argument("-o", "--output", default="picture.png", help=".png, .svg or .pdf")

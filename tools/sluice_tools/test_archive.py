@@ -266,6 +266,16 @@ class Pictures(OnDisk):
         self.assertEqual(status, 0)
         self.assertGreater(os.path.getsize(target), 5000)
 
+    def test_cells_of_levels_over_time(self):
+        self.two_dimensional()
+        self.assertEqual(self.draw("--history", "levels")[0], 2)  # a run on one level
+        (self.root / "levels.txt").write_text("# step\ttime\tlevel 0\tlevel 1\n"
+                                              "0\t0\t32\t0\n3\t0.25\t32\t16\n7\t0.5\t32\t16\n")
+        np.testing.assert_array_equal(Archive(self.root).level_cells()[:, 3], [0, 16, 16])
+        status, target = self.draw("--history", "levels", "--history", "TotalMass", suffix=".svg")
+        self.assertEqual(status, 0)
+        self.assertIn("cells of each level", target.read_text())
+
     def test_levels_have_a_legend_unless_unwanted(self):
         self.two_dimensional()
         for kind, told in (("boxes", True), ("tiles", True), ("edges", True), ("none", False)):
