@@ -1,42 +1,31 @@
-// Sampling and writing what analyses ask for.
+// When samples are taken, of which labels on which levels; their files to disk.
 #include "framework/run/analysis_recorder.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "framework/deck/nearest_name.hpp"
+#include "framework/run/analysis_extremes.hpp"
+#include "framework/run/analysis_line.hpp"
 
 namespace sluice {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_pending_lines = 50000;  // in memory before they are written
-
-// The indices of a label in a box: a face label also has the closing face of the domain.
-IndexBox indices_in(const IndexBox& cells, Label label, const Level& level) {
-  IndexBox box = cells;
-  const int d = face_direction(label.info().centring);
-  if (d >= 0 && level.active[static_cast<std::size_t>(d)] &&
-      cells.upper[d] == level.domain.upper[d])
-    box.upper[d] += 1;
-  return box;
-}
-
-std::string bracketed(const std::vector<double>& v) {
-  if (v.size() == 1) return fmt::format("{:.17g}", v.front());
-  return fmt::format("[{:.17g}]", fmt::join(v, " "));
-}
 
 // Names in an archive's folder that belong to others.
 bool is_reserved(const std::string& name) {
-  return name == "MinMax" || name == "checkpoints" ||
-         (name.size() > 1 && name[0] == 't' &&
-          name.find_first_not_of("0123456789", 1) == name.npos);
+  static const std::set<std::string> others = {"MinMax",    "checkpoints", "index.xml",
+                                               "input.xml", "levels.txt",  "run.json"};
+  return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
+                                    name.find_first_not_of("0123456789", 1) == name.npos);
+}
+
+void sort_once(std::vector<Label>& labels) {
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
 }
 
 }  // namespace
@@ -47,69 +36,52 @@ bool sample_is_due(const AnalysisModule& m, std::optional<double> last, double t
   return time >= *last + 1.0 / m.sampling_frequency;
 }
 
-bool AnalysisRecorder::Sampler::due(double time) const {
-  return sample_is_due(*module, last, time);
-}
-
-AnalysisRecorder::AnalysisRecorder(const Scene& scene, LevelSolver& solver,
+AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)
-    : scene_(&scene), solver_(&solver), communicator_(&communicator) {
-  std::set<std::string> lines;
+    : hierarchy_(&hierarchy), communicator_(&communicator) {
+  std::set<std::string> line_names;
   for (const AnalysisModule& m : scene.analysis.modules) {
     if (m.name != "minMax" && m.name != "lineExtract") continue;
-    Sampler sampler;
-    sampler.module = &m;
-    for (const AnalysedVariable& v : m.variables)
-      if (v.levels.contains(0, static_cast<int>(scene.grid.levels.size())))
-        sampler.quantities.push_back(find_quantity(v));
-    if (m.name == "lineExtract")
-      add_points(sampler, lines);
-    else
-      add_minmax_files(sampler);
-    if (!sampler.quantities.empty() && !sampler.files.empty())
-      samplers_.push_back(std::move(sampler));
+    for (const AnalysedVariable& v : m.variables) find_quantity(v);  // also if on no level
+    check_lines(m, line_names);
+    Module module;
+    module.settings = &m;
+    for (int l = 0; l < hierarchy.possible_levels(); ++l)
+      module.levels.push_back(make_sampler(m, l));
+    if (std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
+      modules_.push_back(std::move(module));
   }
 }
 
-AnalysisRecorder::Quantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
+AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
+  const LevelSolver& solver = hierarchy_->level(0);  // labels are the same on all levels
   const std::optional<Label> label = find_label(v.label);
-  if (label && (solver_->is_step_label(*label) || solver_->is_diagnostic_label(*label)))
+  if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label)))
     return {*label, v.material, component_count(label->info().type)};
   std::vector<std::string> names;
   for (Label l : all_labels())
-    if (solver_->is_step_label(l) || solver_->is_diagnostic_label(l)) names.push_back(l.name());
+    if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());
   throw InputError(fmt::format("{}: <analyze label=\"{}\"> names no field of this run ({})",
                                to_string(v.where), v.label, suggest_name(v.label, names)));
 }
 
-void AnalysisRecorder::add_minmax_files(Sampler& sampler) const {
-  std::set<std::string> names;
-  std::vector<Quantity> distinct;
-  for (const Quantity& q : sampler.quantities) {
-    const std::string name = fmt::format("MinMax/L-0/{}_{}", q.label.name(), q.material);
-    if (!names.insert(name).second) continue;
-    distinct.push_back(q);
-    sampler.files.emplace_back(name,
-                               fmt::format("# time[s] minimum maximum of {} [{}], material {}\n",
-                                           q.label.name(), q.label.info().unit, q.material),
-                               0);
-  }
-  sampler.quantities = distinct;
+std::vector<AnalysedQuantity> AnalysisRecorder::quantities_on(const AnalysisModule& m,
+                                                              int level) const {
+  std::vector<AnalysedQuantity> quantities;
+  for (const AnalysedVariable& v : m.variables)
+    if (v.levels.contains(level, hierarchy_->possible_levels()))
+      quantities.push_back(find_quantity(v));
+  return quantities;
 }
 
-void AnalysisRecorder::add_points(Sampler& sampler, std::set<std::string>& lines) {
-  std::string columns = "# X Y Z Timestep Time";
-  for (const Quantity& q : sampler.quantities)
-    for (int c = 0; c < q.components; ++c)
-      columns += fmt::format(" {}_{}{}", q.label.name(), q.material,
-                             q.components == 1 ? "" : std::string(".") + "xyz"[c]);
-  for (const AnalysedLine& line : sampler.module->lines) {
-    if (is_reserved(line.name) || !lines.insert(line.name).second)
+void AnalysisRecorder::check_lines(const AnalysisModule& m, std::set<std::string>& names) {
+  for (const AnalysedLine& line : m.lines) {
+    if (is_reserved(line.name) || !names.insert(line.name).second)
       throw InputError(
           fmt::format("{}: <line name=\"{}\">: another line or a part of the archive "
                       "has this name; choose another one",
                       to_string(line.where), line.name));
-    const LineCells found = cells_on_line(line, scene_->grid.levels.front());
+    const LineCells found = cells_on_line(line, hierarchy_->level(0).level());
     if (found.cells.empty())
       warnings_.push_back(fmt::format("{}: line '{}' lies outside the domain: nothing is taken",
                                       to_string(line.where), line.name));
@@ -118,12 +90,20 @@ void AnalysisRecorder::add_points(Sampler& sampler, std::set<std::string>& lines
           fmt::format("{}: line '{}' leaves the domain: only the part inside is "
                       "taken",
                       to_string(line.where), line.name));
-    for (IntVec3 c : found.cells) {
-      sampler.points.push_back(find_point(c));
-      sampler.files.emplace_back(fmt::format("{}/L-0/i{}_j{}_k{}", line.name, c.x, c.y, c.z),
-                                 columns + "\n", 4);
-    }
   }
+}
+
+std::unique_ptr<LevelSampler> AnalysisRecorder::make_sampler(const AnalysisModule& m, int l) const {
+  std::vector<AnalysedQuantity> quantities = quantities_on(m, l);
+  if (quantities.empty()) return nullptr;
+  if (m.name == "minMax") return std::make_unique<ExtremesSampler>(l, quantities);
+  const Level& level = hierarchy_->level(l).level();
+  std::vector<SampledLine> lines;
+  for (const AnalysedLine& line : m.lines)
+    if (LineCells found = cells_on_line(line, level); !found.cells.empty())
+      lines.push_back({line.name, std::move(found.cells)});
+  if (lines.empty()) return nullptr;
+  return std::make_unique<PointsSampler>(level, std::move(quantities), lines);
 }
 
 void AnalysisRecorder::open(const std::filesystem::path& folder) {
@@ -132,143 +112,87 @@ void AnalysisRecorder::open(const std::filesystem::path& folder) {
 
 void AnalysisRecorder::adopt(const std::filesystem::path& earlier, double time) {
   on_root([&] {
-    for (const Sampler& s : samplers_)
-      for (const AnalysisFile& f : s.files) f.adopt(earlier, folder_, time);
+    for (const Module& m : modules_)
+      for (const auto& sampler : m.levels)
+        if (sampler != nullptr) sampler->adopt(earlier, folder_, time);
   });
 }
 
 std::vector<Label> AnalysisRecorder::step_labels(double end) const {
   std::vector<Label> labels;
-  for (const Sampler& s : samplers_)
-    if (s.due(end))
-      for (const Quantity& q : s.quantities)
-        if (solver_->is_step_label(q.label)) labels.push_back(q.label);
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  for (const Module& m : modules_) {
+    if (!m.due(end)) continue;
+    for (const auto& sampler : m.levels)
+      if (sampler != nullptr)
+        for (const AnalysedQuantity& q : sampler->quantities())
+          if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+  }
+  sort_once(labels);
   return labels;
 }
 
+void AnalysisRecorder::visit(const std::vector<Module*>& modules, const Visit& work) const {
+  for (const Module* m : modules)
+    for (int l = 0; l < hierarchy_->level_count(); ++l)
+      if (LevelSampler* sampler = m->levels[static_cast<std::size_t>(l)].get()) work(l, *sampler);
+}
+
+// Where the cells of lines lie now.
+void AnalysisRecorder::lay_out() {
+  if (layouts_ == hierarchy_->layouts()) return;
+  layouts_ = hierarchy_->layouts();
+  for (const Module& m : modules_)
+    for (std::size_t l = 0; l < m.levels.size(); ++l)
+      if (m.levels[l] != nullptr)
+        m.levels[l]->lay_out(hierarchy_->level(static_cast<int>(l)).level());
+}
+
+// Labels that are functions of the state, on the levels that are asked for them.
+bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double time) {
+  std::vector<std::vector<Label>> labels(static_cast<std::size_t>(hierarchy_->level_count()));
+  visit(due, [&](int l, LevelSampler& sampler) {
+    for (const AnalysedQuantity& q : sampler.quantities())
+      if (!hierarchy_->level(l).is_step_label(q.label))
+        labels[static_cast<std::size_t>(l)].push_back(q.label);
+  });
+  if (std::all_of(labels.begin(), labels.end(), [](auto& of_level) { return of_level.empty(); }))
+    return false;
+  hierarchy_->fill_ghosts(time);
+  for (std::size_t l = 0; l < labels.size(); ++l) {
+    sort_once(labels[l]);
+    hierarchy_->level(static_cast<int>(l)).compute_diagnostics(time, labels[l]);
+  }
+  return true;
+}
+
 bool AnalysisRecorder::sample(int step, double time) {
-  std::vector<Label> computed;
-  std::vector<Sampler*> due;
-  for (Sampler& s : samplers_) {
-    if (!s.due(time)) continue;
-    due.push_back(&s);
-    for (const Quantity& q : s.quantities)
-      if (solver_->is_diagnostic_label(q.label) && !solver_->is_step_label(q.label))
-        computed.push_back(q.label);
-  }
+  std::vector<Module*> due;
+  for (Module& m : modules_)
+    if (m.due(time)) due.push_back(&m);
   if (due.empty()) return false;
-  std::sort(computed.begin(), computed.end());
-  computed.erase(std::unique(computed.begin(), computed.end()), computed.end());
-  if (!computed.empty()) {
-    solver_->fill_ghosts(time);
-    solver_->compute_diagnostics(time, computed);
-  }
+  lay_out();
+  const bool filled = compute_labels(due, time);
   std::vector<double> mine;
-  for (const Sampler* s : due) pack(*s, mine);
-  std::vector<std::vector<double>> ranks;
-  for (const std::string& text : communicator_->gather(
-           std::string(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double)))) {
-    std::vector<double>& numbers = ranks.emplace_back(text.size() / sizeof(double));
-    std::memcpy(numbers.data(), text.data(), text.size());
-  }
-  std::vector<std::size_t> next(ranks.size(), 0);
-  for (Sampler* s : due) {
-    if (communicator_->is_root()) write(*s, ranks, next, step, time);
-    s->last = time;
-    pending_lines_ += s->files.size();
-  }
+  visit(due, [&](int l, LevelSampler& sampler) {
+    sampler.pack(hierarchy_->level(l).outputs(), communicator_->rank(), mine);
+    pending_lines_ += sampler.lines();
+  });
+  RankNumbers numbers(communicator_->gather(
+      std::string(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double))));
+  if (communicator_->is_root())
+    visit(due, [&](int, LevelSampler& sampler) { sampler.write(numbers, step, time); });
+  for (Module* m : due) m->last = time;
   if (pending_lines_ > most_pending_lines) flush();
-  return !computed.empty();
-}
-
-AnalysisRecorder::Point AnalysisRecorder::find_point(IntVec3 cell) const {
-  Point point{cell};
-  std::vector<int> boxes(static_cast<std::size_t>(communicator_->size()), 0);
-  for (const GridBox& b : scene_->grid.levels.front().boxes) {
-    int& local = boxes[static_cast<std::size_t>(b.owner)];
-    if (b.cells.contains(cell)) {
-      point.owner = b.owner;
-      point.box = local;
-    }
-    ++local;
-  }
-  return point;
-}
-
-void AnalysisRecorder::pack(const Sampler& s, std::vector<double>& numbers) const {
-  if (s.points.empty()) {
-    for (const Quantity& q : s.quantities) pack_extremes(q, numbers);
-    return;
-  }
-  const Warehouse& outputs = solver_->outputs();
-  for (const Point& p : s.points) {
-    if (p.owner != communicator_->rank()) continue;
-    for (const Quantity& q : s.quantities)
-      for (int c = 0; c < q.components; ++c)
-        numbers.push_back(outputs.view(outputs.find(q.label, q.material), c, p.box)(p.cell));
-  }
-}
-
-void AnalysisRecorder::pack_extremes(const Quantity& q, std::vector<double>& numbers) const {
-  const Warehouse& outputs = solver_->outputs();
-  const int slot = outputs.find(q.label, q.material);
-  for (int c = 0; c < q.components; ++c) {
-    double least = infinity, most = -infinity;
-    for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
-      const RealView v = outputs.view(slot, c, b);
-      for_each_cell(indices_in(outputs.local_boxes()[static_cast<std::size_t>(b)].cells, q.label,
-                               outputs.level()),
-                    [&](IntVec3 i) {
-                      const double x = v(i) + 0.0;  // -0 becomes 0: their order would show
-                      least = std::min(least, x);
-                      most = std::max(most, x);
-                    });
-    }
-    numbers.push_back(least);
-    numbers.push_back(most);
-  }
-}
-
-void AnalysisRecorder::write_extremes(Sampler& s, const std::vector<std::vector<double>>& ranks,
-                                      std::vector<std::size_t>& next, double time) const {
-  for (std::size_t n = 0; n < s.quantities.size(); ++n) {
-    const auto components = static_cast<std::size_t>(s.quantities[n].components);
-    std::vector<double> least(components, infinity), most(components, -infinity);
-    for (std::size_t r = 0; r < ranks.size(); ++r)
-      for (std::size_t c = 0; c < components; ++c) {
-        least[c] = std::min(least[c], ranks[r][next[r]++]);
-        most[c] = std::max(most[c], ranks[r][next[r]++]);
-      }
-    s.files[n].append(fmt::format("{:.17g} {} {}", time, bracketed(least), bracketed(most)));
-  }
-}
-
-void AnalysisRecorder::write(Sampler& s, const std::vector<std::vector<double>>& ranks,
-                             std::vector<std::size_t>& next, int step, double time) const {
-  if (s.points.empty()) {
-    write_extremes(s, ranks, next, time);
-    return;
-  }
-  std::size_t columns = 0;
-  for (const Quantity& q : s.quantities) columns += static_cast<std::size_t>(q.components);
-  for (std::size_t n = 0; n < s.points.size(); ++n) {
-    const auto owner = static_cast<std::size_t>(s.points[n].owner);
-    const double* first = ranks[owner].data() + next[owner];
-    next[owner] += columns;
-    const Vec3 x = scene_->grid.levels.front().centre(s.points[n].cell);
-    s.files[n].append(fmt::format("{:.17g} {:.17g} {:.17g} {} {:.17g} {:.17g}", x.x, x.y, x.z, step,
-                                  time, fmt::join(first, first + columns, " ")));
-  }
+  return filled;
 }
 
 void AnalysisRecorder::flush() {
   if (!any()) return;
   pending_lines_ = 0;
   on_root([&] {
-    for (Sampler& s : samplers_)
-      for (AnalysisFile& f : s.files) f.flush(folder_);
+    for (const Module& m : modules_)
+      for (const auto& sampler : m.levels)
+        if (sampler != nullptr) sampler->flush(folder_);
   });
 }
 
@@ -285,15 +209,15 @@ void AnalysisRecorder::on_root(const std::function<void()>& work) const {
 
 std::string AnalysisRecorder::state() const {
   nlohmann::json last = nlohmann::json::array();
-  for (const Sampler& s : samplers_)
-    last.push_back(s.last ? nlohmann::json(*s.last) : nlohmann::json(nullptr));
+  for (const Module& m : modules_)
+    last.push_back(m.last ? nlohmann::json(*m.last) : nlohmann::json(nullptr));
   return last.dump();
 }
 
 void AnalysisRecorder::restore(const std::string& json_text) {
   const nlohmann::json last = nlohmann::json::parse(json_text);
-  for (std::size_t n = 0; n < samplers_.size() && n < last.size(); ++n)
-    if (last[n].is_number()) samplers_[n].last = last[n].get<double>();
+  for (std::size_t n = 0; n < modules_.size() && n < last.size(); ++n)
+    if (last[n].is_number()) modules_[n].last = last[n].get<double>();
 }
 
 }  // namespace sluice

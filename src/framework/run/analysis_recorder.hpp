@@ -3,25 +3,25 @@
 //   minMax       MinMax/L-<level>/<label>_<material>    time minimum maximum
 //   lineExtract  <line>/L-<level>/i<i>_j<j>_k<k>        X Y Z Timestep Time values
 //
-// in the archive's folder, 17 digits, '#' before header lines. Minimum and maximum of a vector are
-// taken component by component and stand in brackets; a value on a line is that of the cell (of its
-// low face for a face variable) and a vector fills three columns. A sample is taken at the end of a
+// in the archive's folder, 17 digits, '#' before header lines; every level on its own, as far as
+// the variable asks for it and the level exists. A negative level counts from the finest level that
+// the deck allows, so that the columns of a file never change. A sample is taken at the end of a
 // step, time t + dt, when timeStart <= t + dt <= timeStop and t + dt >= last + 1/samplingFrequency;
 // the first one as soon as timeStart is reached. (vorticity is a label to be saved, no file.)
-// What is written depends on neither ranks nor boxes: minima and maxima have no order, and a value
-// on a line comes from the one box that owns the cell.
+// What is written depends on neither ranks nor boxes.
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "framework/base/communicator.hpp"
-#include "framework/run/analysis_file.hpp"
-#include "framework/run/analysis_line.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/analysis_points.hpp"
+#include "framework/run/analysis_sampler.hpp"
+#include "framework/run/hierarchy.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice {
@@ -32,10 +32,10 @@ bool sample_is_due(const AnalysisModule& module, std::optional<double> last, dou
 class AnalysisRecorder {
  public:
   // InputError naming entry and nearest label when a label is unknown. Keeps references.
-  AnalysisRecorder(const Scene& scene, LevelSolver& solver, Communicator& communicator);
+  AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy, Communicator& communicator);
 
   // Does any module write files.
-  bool any() const { return !samplers_.empty(); }
+  bool any() const { return !modules_.empty(); }
   // What a user should know before the run: lines that leave the domain.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -45,8 +45,9 @@ class AnalysisRecorder {
 
   // Labels that a step ending at this time must store.
   std::vector<Label> step_labels(double end) const;
-  // Takes the samples that are due after an accepted step. Collective. True when it has filled the
-  // ghost cells of the state.
+  // Takes the samples that are due after an accepted step, on the levels that it was made with (a
+  // regrid drops what the step has stored). Collective. True when it has filled the ghost cells of
+  // the state.
   bool sample(int step, double time);
   // To disk. Collective.
   void flush();
@@ -56,46 +57,33 @@ class AnalysisRecorder {
   void restore(const std::string& json_text);
 
  private:
-  struct Quantity {
-    Label label;
-    int material = 0;
-    int components = 1;
-  };
-  struct Point {
-    IntVec3 cell;
-    int owner = 0;  // rank
-    int box = -1;   // local box number there
-  };
   // A module at work.
-  struct Sampler {
-    const AnalysisModule* module = nullptr;
-    std::vector<Quantity> quantities;
-    std::vector<Point> points;        // of all lines; empty: minima and maxima
-    std::vector<AnalysisFile> files;  // one a quantity, or one a point
+  struct Module {
+    const AnalysisModule* settings = nullptr;
+    // By level that may exist; null where nothing is asked for.
+    std::vector<std::unique_ptr<LevelSampler>> levels;
     std::optional<double> last;
-    bool due(double time) const;
+    bool due(double time) const { return sample_is_due(*settings, last, time); }
   };
+  using Visit = std::function<void(int level, LevelSampler&)>;
 
-  Quantity find_quantity(const AnalysedVariable& variable) const;
-  void add_points(Sampler& sampler, std::set<std::string>& lines);
-  Point find_point(IntVec3 cell) const;
-  void add_minmax_files(Sampler& sampler) const;
-  // This rank's share of a sample, as numbers that write() on rank 0 reads in the same order.
-  void pack(const Sampler& sampler, std::vector<double>& numbers) const;
-  void pack_extremes(const Quantity& q, std::vector<double>& numbers) const;
-  void write(Sampler& sampler, const std::vector<std::vector<double>>& ranks,
-             std::vector<std::size_t>& next, int step, double time) const;
-  void write_extremes(Sampler& sampler, const std::vector<std::vector<double>>& ranks,
-                      std::vector<std::size_t>& next, double time) const;
+  AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
+  std::vector<AnalysedQuantity> quantities_on(const AnalysisModule& module, int level) const;
+  void check_lines(const AnalysisModule& module, std::set<std::string>& names);
+  std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& module, int level) const;
+  // The samplers of these modules on the levels that exist now, always in the same order.
+  void visit(const std::vector<Module*>& modules, const Visit& work) const;
+  void lay_out();
+  bool compute_labels(const std::vector<Module*>& due, double time);
   // Rank 0 works; when it fails, every rank throws.
   void on_root(const std::function<void()>& work) const;
 
-  const Scene* scene_;
-  LevelSolver* solver_;
+  Hierarchy* hierarchy_;
   Communicator* communicator_;
-  std::vector<Sampler> samplers_;
+  std::vector<Module> modules_;
   std::vector<std::string> warnings_;
   std::filesystem::path folder_;
+  int layouts_ = -1;  // of the hierarchy when boxes were last looked at
   std::size_t pending_lines_ = 0;
 };
 

@@ -79,6 +79,10 @@ class Component {
   virtual void declare_step(TaskList& list, const StepVariant& variant) const = 0;
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
   virtual void declare_diagnostics(TaskList& list, int level) const = 0;
+  // What happens where levels meet.
+  virtual const TransferOperators& transfer() const = 0;
+  // The diagnostic label that is 1 in cells that ask for refinement.
+  virtual Label refine_flag() const = 0;
   virtual Label mask_label() const = 0;
   virtual int reduction_maxima() const = 0;
   virtual int reduction_sums() const = 0;

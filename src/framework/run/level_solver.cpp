@@ -11,6 +11,7 @@ namespace sluice {
 struct LevelSolver::Variant {
   TaskList list;
   std::unique_ptr<SweepExecutor> executor;
+  int layout = -1;  // of the level when it was last bound
 };
 
 namespace {
@@ -23,12 +24,10 @@ std::vector<Label> output_labels(const TaskList& list) {
   return labels;
 }
 
-Axes active_axes(const Level& level) {
-  Axes axes;
-  axes.count = 0;
-  for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
-  return axes;
+int halo_width(const Component& component) {
+  int width = 0;
+  for (const SlotInfo& s : component.state_slots()) width = std::max(width, s.ghosts);
+  return width;
 }
 
 bool contains(const std::vector<Label>& labels, Label l) {
@@ -40,28 +39,59 @@ bool contains(const std::vector<Label>& labels, Label l) {
 LevelSolver::LevelSolver(const Component& component, const Level& level, Communicator& communicator,
                          const SolverOptions& options)
     : component_(&component),
-      level_(&level),
+      level_(level),
       communicator_(&communicator),
       options_(options),
-      state_(level, communicator.rank()),
-      next_(level, communicator.rank()),
-      outputs_(level, communicator.rank()),
-      team_(std::make_shared<const ThreadTeam>(options.threads)) {
-  int width = 0;
+      state_(level_, communicator.rank()),
+      next_(level_, communicator.rank()),
+      start_(level_, communicator.rank()),
+      outputs_(level_, communicator.rank()),
+      team_(options.team != nullptr ? options.team
+                                    : std::make_shared<const ThreadTeam>(options.threads)) {
   for (const SlotInfo& s : component.state_slots()) {
-    state_slots_.push_back(state_.add(s));
-    next_.add(s);
-    width = std::max(width, s.ghosts);
+    add_state_slot(s);
+    state_slots_.push_back(state_.find(s.label, s.material));
   }
-  halo_ = std::make_unique<HaloExchange>(level, width, communicator.rank());
+  halo_ = std::make_unique<HaloExchange>(level_, halo_width(component), communicator.rank());
   TaskList step, diagnostic;
-  component.declare_step(step, StepVariant{level.index});
+  component.declare_step(step, {level.index});
   component.declare_diagnostics(diagnostic, level.index);
   step_labels_ = output_labels(step);
   diagnostic_labels_ = output_labels(diagnostic);
 }
 
 LevelSolver::~LevelSolver() = default;
+
+void LevelSolver::add_state_slot(const SlotInfo& info) {
+  state_.add(info);
+  next_.add(info);
+  if (options_.substeps > 1) start_.add(info);
+}
+
+Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
+  Warehouse before = std::move(state_);
+  level_.boxes = std::move(boxes);
+  const int rank = communicator_->rank();
+  std::vector<SlotInfo> stored;
+  for (int s = 0; s < outputs_.slot_count(); ++s) stored.push_back(outputs_.info(s));
+  state_ = Warehouse(level_, rank);
+  next_ = Warehouse(level_, rank);
+  start_ = Warehouse(level_, rank);
+  outputs_ = Warehouse(level_, rank);
+  for (int s = 0; s < before.slot_count(); ++s) add_state_slot(before.info(s));
+  for (const SlotInfo& s : stored) outputs_.add(s);
+  halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank);
+  ++layout_;
+  ghosts_filled_ = false;
+  advanced_ = 0;
+  return before;
+}
+
+void LevelSolver::join(const FluxRecorder& recorder, LevelCoverage coverage) {
+  recorder_ = recorder;
+  coverage_ = std::move(coverage);
+  ++layout_;  // blocks on an interface must not sleep
+}
 
 bool LevelSolver::is_step_label(Label label) const {
   return contains(step_labels_, label);
@@ -74,9 +104,10 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::compile_variant(
     bool masked, bool diagnostic, const std::vector<Label>& wanted) {
   auto v = std::make_unique<Variant>();
   if (diagnostic)
-    component_->declare_diagnostics(v->list, level_->index);
+    component_->declare_diagnostics(v->list, level_.index);
   else
-    component_->declare_step(v->list, StepVariant{level_->index, masked});
+    component_->declare_step(v->list, {level_.index, masked, options_.joined ? &recorder_ : nullptr,
+                                       options_.joined ? &coverage_ : nullptr});
   std::vector<VariableId> wanted_variables;
   for (std::size_t n = 0; n < v->list.variables().size(); ++n) {
     const Variable& variable = v->list.variables()[n];
@@ -88,48 +119,70 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::compile_variant(
       outputs_.add({variable.label, variable.material, variable.components,
                     variable.face_direction >= 0 ? 1 : 0});
   }
+  v->executor = std::make_unique<SweepExecutor>(
+      v->list, compile(v->list, component_->effects(), wanted_variables, active_axes(level_)),
+      level_, sweep_options(diagnostic, !wanted.empty()));
+  return v;
+}
+
+SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
   SweepOptions o;
   o.threads = options_.threads;
   o.team = team_;
   o.block = options_.block;
   o.quiet_blocks =
-      !options_.force_all && !diagnostic && wanted.empty() && component_->quiet_blocks_allowed();
+      !options_.force_all && !diagnostic && !storing && component_->quiet_blocks_allowed();
   o.sample_every = diagnostic ? 0 : options_.sample_every;
-  if (!diagnostic) {
-    o.maxima = component_->reduction_maxima();
-    o.sums = component_->reduction_sums();
-  }
-  v->executor = std::make_unique<SweepExecutor>(
-      v->list, compile(v->list, component_->effects(), wanted_variables, active_axes(*level_)),
-      *level_, o);
-  v->executor->bind(state_, next_, &outputs_);
-  return v;
+  if (diagnostic) return o;
+  o.maxima = component_->reduction_maxima();
+  o.sums = component_->reduction_sums();
+  if (options_.joined)
+    o.never_sleeps = [this](int box, const IndexBox& block) {
+      return (recorder_.as_coarse != nullptr && recorder_.as_coarse->touches(box, block)) ||
+             (recorder_.as_fine != nullptr && recorder_.as_fine->touches(box, block));
+    };
+  return o;
+}
+
+void LevelSolver::bind(Variant& variant) {
+  if (variant.layout == layout_) return;
+  variant.executor->bind(state_, next_, &outputs_);
+  variant.layout = layout_;
 }
 
 LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>& wanted) {
   auto& v = variants_[{masked, wanted}];
   if (v == nullptr) v = compile_variant(masked, false, wanted);
+  bind(*v);
   return *v;
 }
 
 LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted) {
   auto& v = diagnostics_[{false, wanted}];
   if (v == nullptr) v = compile_variant(false, true, wanted);
+  bind(*v);
   return *v;
 }
 
-void LevelSolver::fill_ghosts(double time) {
+void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>& interface) {
+  if (ghosts_filled_) return;
   halo_->run(state_, state_slots_);
+  if (interface) interface(state_);
   component_->fill_boundary(state_, time, *team_);
+  ghosts_filled_ = true;
 }
 
 const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vector<Label>& wanted,
-                                        const RunControl& control) {
+                                        const RunControl* control) {
   std::vector<Label> stored = options_.force_all ? step_labels_ : wanted;
   std::sort(stored.begin(), stored.end());
-  const StepConstants step{time, dt, level_->spacing, level_->index};
+  if (advanced_ == 1 && options_.substeps > 1 && !start_kept_) {
+    next_.swap(start_);
+    start_kept_ = true;
+  }
+  const StepConstants step{time, dt, level_.spacing, level_.index};
   last_ = variant(masked_, stored).executor->run(step);
-  reduce(last_, &control);
+  reduce(last_, control);
   return attempt_;
 }
 
@@ -192,7 +245,7 @@ std::optional<UnsoundCell> LevelSolver::unsound_start() {
         const RealView v = state_.view(slot, c, b);
         for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
           if (std::isfinite(v(cell))) return;
-          const CellFault f{cell, level_->index, state_.info(slot).material, slot, v(cell)};
+          const CellFault f{cell, level_.index, state_.info(slot).material, slot, v(cell)};
           if (found == 0 || before(f, lowest)) lowest = f;
           ++found;
         });
@@ -205,15 +258,24 @@ std::optional<UnsoundCell> LevelSolver::unsound_start() {
   return UnsoundCell{lowest, state_.info(lowest.kind).label};
 }
 
-void LevelSolver::accept() {
+void LevelSolver::advance() {
   state_.swap(next_);
+  masked_ = false;
+  ghosts_filled_ = false;
+  ++advanced_;
+}
+
+void LevelSolver::reject() {
+  if (advanced_ > 0) state_.swap(start_kept_ ? start_ : next_);
+  if (advanced_ > 0) ghosts_filled_ = false;
+  accept();
   masked_ = false;
 }
 
 std::int64_t LevelSolver::mask_faults(double time) {
   const SlotInfo info{component_->mask_label(), 0, 1, state_.info(state_slots_.front()).ghosts};
-  const int slot = state_.add(info);
-  next_.add(info);
+  add_state_slot(info);
+  const int slot = state_.find(info.label, info.material);
   if (!masked_)
     for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
       const RealView v = state_.view(slot, 0, b);
@@ -240,7 +302,7 @@ void LevelSolver::compute_diagnostics(double time, const std::vector<Label>& wan
   std::vector<Label> stored = wanted;
   std::sort(stored.begin(), stored.end());
   if (stored.empty()) return;
-  diagnostics(stored).executor->run({time, 0.0, level_->spacing, level_->index});
+  diagnostics(stored).executor->run({time, 0.0, level_.spacing, level_.index});
 }
 
 std::vector<double> LevelSolver::initial_rates() {
@@ -302,7 +364,7 @@ std::int64_t LevelSolver::blocks_asleep() const {
 }
 
 std::size_t LevelSolver::memory_bytes() const {
-  std::size_t n = state_.bytes() + next_.bytes() + outputs_.bytes();
+  std::size_t n = state_.bytes() + next_.bytes() + start_.bytes() + outputs_.bytes();
   for (const auto& [key, v] : variants_) n += v->executor->scratch_bytes();
   for (const auto& [key, v] : diagnostics_) n += v->executor->scratch_bytes();
   return n;

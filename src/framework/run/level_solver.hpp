@@ -1,9 +1,11 @@
 // Advances the state of one level: halo point, boundary, compiled step graphs, acceptance.
 //
 // Graph variants (which labels are stored this step, slopes masked or not) are compiled when first
-// needed and kept. Nothing of the old state is touched by an attempt: a rejected step is simply
-// attempted again.
+// needed and kept, also when the level is laid out anew. Nothing of the old state is touched by an
+// attempt: a rejected step is simply attempted again. A level that takes several substeps in one
+// coarse step keeps its state at the start of it until the coarse step is accepted.
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +26,9 @@ struct SolverOptions {
   bool force_all = false;  // savings 2 to 5 off: every output computed, no block sleeps
   int sample_every = 0;    // time every n-th block; 0: never
   IntVec3 block{};         // extents of a block; 0: chosen
+  int substeps = 1;        // of this level in one coarse step
+  std::shared_ptr<const ThreadTeam> team = nullptr;  // of `threads`; none: an own one
+  bool joined = false;  // one of several levels: fluxes are recorded, sums count uncovered cells
 };
 
 struct StepAttempt {
@@ -45,20 +50,43 @@ class LevelSolver {
   LevelSolver(const Component& component, const Level& level, Communicator& communicator,
               const SolverOptions& options);
   ~LevelSolver();
+  LevelSolver(const LevelSolver&) = delete;
+  LevelSolver& operator=(const LevelSolver&) = delete;
 
+  const Level& level() const { return level_; }
   Warehouse& state() { return state_; }
   const Warehouse& state() const { return state_; }
+  // The state before the last accepted attempt of this coarse step.
+  const Warehouse& previous() const { return next_; }
   Warehouse& outputs() { return outputs_; }
+  const std::vector<int>& state_slots() const { return state_slots_; }
 
-  // Fills all ghost cells of the current state.
-  void fill_ghosts(double time);
+  // Other boxes of the same level, other cells: the state so far is handed back, the new one is to
+  // be filled by the caller (interior cells).
+  Warehouse lay_out(std::vector<GridBox> boxes);
+  // Where this level meets others; tables and boxes of finer levels belong to the caller.
+  void join(const FluxRecorder& recorder, LevelCoverage coverage);
+  const LevelCoverage& coverage() const { return coverage_; }
+
+  // Fills all ghost cells of the current state, unless it was done already. `interface`, where
+  // given, fills those at the interface with a coarser level, before the boundary of the domain.
+  void fill_ghosts(double time, const std::function<void(Warehouse&)>& interface = nullptr);
+  // The interior of the state was changed: ghosts are to be filled anew.
+  void touch() { ghosts_filled_ = false; }
   // One attempt at a step from the current state; ghosts must be filled. Step labels in `wanted`
   // are stored in outputs().
   const StepAttempt& attempt(double time, double dt, const std::vector<Label>& wanted,
-                             const RunControl& control);
+                             const RunControl* control);
   const StepAttempt& attempt_result() const { return attempt_; }
   // The last attempt becomes the current state; masks are forgotten.
-  void accept();
+  void advance();
+  // The coarse step is accepted: what it began with is no longer needed.
+  void accept() {
+    advanced_ = 0;
+    start_kept_ = false;
+  }
+  // Back to the state at the start of the coarse step.
+  void reject();
   // Redo: slopes vanish in the cells that the last attempt found inadmissible (and in those found
   // before, within the same step). The number of cells masked now, over all ranks.
   std::int64_t mask_faults(double time);
@@ -93,11 +121,17 @@ class LevelSolver {
   void reduce(const Reductions& local, const RunControl* control);
   CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
+  void add_state_slot(const SlotInfo& info);
+  void bind(Variant& variant);
+  SweepOptions sweep_options(bool diagnostic, bool storing) const;
+
   const Component* component_;
-  const Level* level_;
+  Level level_;
   Communicator* communicator_;
   SolverOptions options_;
-  Warehouse state_, next_, outputs_;
+  Warehouse state_, next_, start_, outputs_;
+  FluxRecorder recorder_;
+  LevelCoverage coverage_;
   std::vector<int> state_slots_;
   std::shared_ptr<const ThreadTeam> team_;
   std::unique_ptr<HaloExchange> halo_;
@@ -106,7 +140,10 @@ class LevelSolver {
   Reductions last_;
   StepAttempt attempt_;
   Reduction reduction_;
-  bool masked_ = false;
+  bool masked_ = false, ghosts_filled_ = false;
+  bool start_kept_ = false;  // in start_; else in state_ or, after one substep, in next_
+  int advanced_ = 0;         // substeps of this coarse step
+  int layout_ = 0;           // counts the calls of lay_out
 };
 
 }  // namespace sluice

@@ -38,6 +38,8 @@ class MockComponent final : public Component {
   std::vector<SlotInfo> state_slots() const override { return {{mock_labels().q, 0, 1, 1}}; }
   std::vector<std::vector<Label>> checkpoint_labels() const override { return {{mock_labels().q}}; }
   Label mask_label() const override { return mock_labels().mask; }
+  const TransferOperators& transfer() const override { return transfer_; }
+  Label refine_flag() const override { return mock_labels().square; }
   int reduction_maxima() const override { return 1; }
   int reduction_sums() const override { return 1; }
   bool quiet_blocks_allowed() const override { return true; }
@@ -143,8 +145,20 @@ class MockComponent final : public Component {
     });
   }
 
+  // One level only: nothing moves between levels.
+  class NoTransfer final : public TransferOperators {
+   public:
+    void prolong(const StateViews&, const StateViews&, const IndexBox&, const TransferGeometry&,
+                 int) const override {}
+    void restrict_to(const StateViews&, const StateViews&, const IndexBox&,
+                     const TransferGeometry&) const override {}
+    int flux_quantities() const override { return 1; }
+    void correct(const StateViews&, const ConservedChange&, std::span<double>) const override {}
+  };
+
   const Level* level_;
   EffectList effects_;
+  NoTransfer transfer_;
 };
 
 // A tube of 40 cells of length 1/8, cut into boxes.

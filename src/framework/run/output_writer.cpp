@@ -59,40 +59,42 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) 
   return saved;
 }
 
-OutputWriter::OutputWriter(const Scene& scene, const Component& component, LevelSolver& solver,
+OutputWriter::OutputWriter(const Scene& scene, const Component& component, Hierarchy& hierarchy,
                            ArchiveWriter archive)
     : scene_(&scene),
       component_(&component),
-      solver_(&solver),
+      hierarchy_(&hierarchy),
       archive_(std::move(archive)),
-      saved_(sort_saves(scene.output, solver)) {}
+      saved_(sort_saves(scene.output, hierarchy.level(0))) {}
 
-bool OutputWriter::wants(Label label, const SaveRequest*& request) const {
+bool OutputWriter::wants(Label label, int level, const SaveRequest*& request) const {
   const int materials = component_->material_count();
-  const int levels = static_cast<int>(scene_->grid.levels.size());
+  const int levels = hierarchy_->level_count();
   for (const SaveRequest& r : scene_->output.saves)
     if (r.label == label.name() && r.materials.contains(0, materials) &&
-        r.levels.contains(0, levels)) {
+        r.levels.contains(level, levels)) {
       request = &r;
       return true;
     }
   return false;
 }
 
-std::vector<FieldPiece> OutputWriter::output_pieces(bool initial) const {
-  std::vector<FieldPiece> pieces;
-  Warehouse& outputs = solver_->outputs();
+void OutputWriter::add_output_pieces(LevelSolver& solver, bool initial,
+                                     std::vector<FieldPiece>& pieces) const {
+  const int level = solver.level().index;
+  Warehouse& outputs = solver.outputs();
   std::vector<Label> labels = saved_.diagnostic;
   if (!initial) labels.insert(labels.end(), saved_.step.begin(), saved_.step.end());
   for (Label label : labels) {
     const SaveRequest* request = nullptr;
-    if (!wants(label, request)) continue;
+    if (!wants(label, level, request)) continue;
     const int slot = outputs.find(label, 0);
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
       for (int c = 0; c < outputs.info(slot).components; ++c) {
         const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
         FieldPiece piece;
         piece.label = label;
+        piece.level = level;
         piece.box_id = box.id;
         piece.component = c;
         piece.cells = piece_cells(box.cells, label, outputs.level());
@@ -101,12 +103,11 @@ std::vector<FieldPiece> OutputWriter::output_pieces(bool initial) const {
         pieces.push_back(piece);
       }
   }
-  return pieces;
 }
 
-std::vector<FieldPiece> OutputWriter::checkpoint_pieces() const {
-  std::vector<FieldPiece> pieces;
-  const Warehouse& state = solver_->state();
+void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
+                                         std::vector<FieldPiece>& pieces) const {
+  const Warehouse& state = solver.state();
   const std::vector<SlotInfo> slots = component_->state_slots();
   const std::vector<std::vector<Label>> labels = component_->checkpoint_labels();
   for (std::size_t s = 0; s < slots.size(); ++s) {
@@ -117,26 +118,31 @@ std::vector<FieldPiece> OutputWriter::checkpoint_pieces() const {
         FieldPiece piece;
         piece.label = labels[s][c];
         piece.material = slots[s].material;
+        piece.level = solver.level().index;
         piece.box_id = box.id;
         piece.cells = box.cells;
         piece.view = state.view(slot, static_cast<int>(c), b);
         pieces.push_back(piece);
       }
   }
-  return pieces;
 }
 
 void OutputWriter::write_output(const StepInfo& info, bool initial) {
   const auto start = Clock::now();
-  solver_->fill_ghosts(info.time);
-  solver_->compute_diagnostics(info.time, saved_.diagnostic);
-  archive_.write_output(info, scene_->grid, output_pieces(initial));
+  hierarchy_->compute_diagnostics(info.time, saved_.diagnostic);
+  std::vector<FieldPiece> pieces;
+  for (int l = 0; l < hierarchy_->level_count(); ++l)
+    add_output_pieces(hierarchy_->level(l), initial, pieces);
+  archive_.write_output(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }
 
 void OutputWriter::write_checkpoint(const StepInfo& info) {
   const auto start = Clock::now();
-  archive_.write_checkpoint(info, scene_->grid, checkpoint_pieces());
+  std::vector<FieldPiece> pieces;
+  for (int l = 0; l < hierarchy_->level_count(); ++l)
+    add_checkpoint_pieces(hierarchy_->level(l), pieces);
+  archive_.write_checkpoint(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }
 

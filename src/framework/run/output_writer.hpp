@@ -6,7 +6,7 @@
 
 #include "framework/archive/archive_writer.hpp"
 #include "framework/run/component.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/hierarchy.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice {
@@ -23,14 +23,14 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver);
 
 class OutputWriter {
  public:
-  OutputWriter(const Scene& scene, const Component& component, LevelSolver& solver,
+  OutputWriter(const Scene& scene, const Component& component, Hierarchy& hierarchy,
                ArchiveWriter archive);
 
   const SavedLabels& saved() const { return saved_; }
   // Labels that a step must store for this output.
   const std::vector<Label>& step_labels() const { return saved_.step; }
 
-  // The state of the solver is the one after the step; ghosts need not be filled.
+  // The states are those after the step; ghosts need not be filled.
   void write_output(const StepInfo& info, bool initial);
   void write_checkpoint(const StepInfo& info);
   bool writes_histories(int step) const;  // is a line due after this step
@@ -43,13 +43,13 @@ class OutputWriter {
   double seconds() const { return seconds_; }
 
  private:
-  std::vector<FieldPiece> output_pieces(bool initial) const;
-  std::vector<FieldPiece> checkpoint_pieces() const;
-  bool wants(Label label, const SaveRequest*& request) const;
+  void add_output_pieces(LevelSolver& solver, bool initial, std::vector<FieldPiece>& pieces) const;
+  void add_checkpoint_pieces(LevelSolver& solver, std::vector<FieldPiece>& pieces) const;
+  bool wants(Label label, int level, const SaveRequest*& request) const;
 
   const Scene* scene_;
   const Component* component_;
-  LevelSolver* solver_;
+  Hierarchy* hierarchy_;
   ArchiveWriter archive_;
   SavedLabels saved_;
   double seconds_ = 0;

@@ -20,9 +20,9 @@ class OutputWriterTest : public testing::Test {
   OutputWriterTest()
       : scene_(tube(2)),
         component_(scene_.grid.levels.front()),
-        solver_(component_, scene_.grid.levels.front(), world(), {}) {
+        hierarchy_(scene_, component_, world(), {}) {
     mock_labels();
-    component_.initialise(solver_.state());
+    component_.initialise(hierarchy_.level(0).state());
   }
 
   void save(const char* label, const char* compression = "") {
@@ -36,18 +36,18 @@ class OutputWriterTest : public testing::Test {
     setup.parent = folder_.path();
     setup.filebase = "tube.uda";
     setup.deck_xml = "<Uintah_specification/>";
-    return OutputWriter(scene_, component_, solver_, ArchiveWriter::create(setup));
+    return OutputWriter(scene_, component_, hierarchy_, ArchiveWriter::create(setup));
   }
 
   Scene scene_;
   MockComponent component_;
-  LevelSolver solver_;
+  Hierarchy hierarchy_;
   TemporaryFolder folder_;
 };
 
 TEST_F(OutputWriterTest, SortsSavesByHowTheyAreMade) {
   for (const char* label : {"mock_flux", "MockTotal", "mock_square", "mock_flux"}) save(label);
-  const SavedLabels saved = sort_saves(scene_.output, solver_);
+  const SavedLabels saved = sort_saves(scene_.output, hierarchy_.level(0));
   EXPECT_THAT(saved.step, ElementsAre(mock_labels().flux));  // once, though asked for twice
   EXPECT_THAT(saved.diagnostic, ElementsAre(mock_labels().square));
   EXPECT_THAT(saved.histories, ElementsAre(mock_labels().total));
@@ -56,7 +56,7 @@ TEST_F(OutputWriterTest, SortsSavesByHowTheyAreMade) {
 TEST_F(OutputWriterTest, RefusesUnknownLabelsWithTheNearestOne) {
   save("mock_squar");
   try {
-    sort_saves(scene_.output, solver_);
+    sort_saves(scene_.output, hierarchy_.level(0));
     FAIL() << "accepted";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("mock_square"));

@@ -10,8 +10,15 @@
 namespace sluice {
 
 double RunReport::ns_per_cell_step() const {
-  const double updates = static_cast<double>(cells) * steps;
-  return updates > 0 ? 1e9 * stepping_seconds / updates : 0.0;
+  return cell_updates > 0 ? 1e9 * stepping_seconds / static_cast<double>(cell_updates) : 0.0;
+}
+
+double RunReport::uniform_updates() const {
+  const LevelCost* finest = nullptr;
+  for (const LevelCost& level : levels)
+    if (level.updates > 0) finest = &level;
+  if (finest == nullptr) return 0;
+  return static_cast<double>(steps) * finest->substeps * static_cast<double>(finest->domain_cells);
 }
 
 nlohmann::ordered_json to_json(const RunReport& r) {
@@ -29,6 +36,14 @@ nlohmann::ordered_json to_json(const RunReport& r) {
   }
   nlohmann::ordered_json archive = nullptr;
   if (r.archive) archive = *r.archive;
+  nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+  for (const LevelCost& level : r.levels)
+    levels.push_back({{"cells", level.cells},
+                      {"boxes", level.boxes},
+                      {"most_cells", level.most_cells},
+                      {"domain_cells", level.domain_cells},
+                      {"substeps", level.substeps},
+                      {"cell_updates", level.updates}});
   return {{"status", to_string(r.status)},
           {"message", r.message},
           {"archive", archive},
@@ -44,6 +59,11 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"start_s", r.start_seconds},
           {"ns_per_cell_step", r.ns_per_cell_step()},
           {"peak_memory_bytes", r.peak_memory_bytes},
+          {"cell_updates", r.cell_updates},
+          {"uniform_updates", r.uniform_updates()},
+          {"levels", levels},
+          {"regrids", r.regrids},
+          {"regrid_s", r.regrid_seconds},
           {"blocks_run", r.blocks_run},
           {"blocks_asleep", r.blocks_asleep},
           {"step_limit", r.step_limit},
@@ -52,12 +72,40 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"conservation", nlohmann::ordered_json::parse(r.conservation_json)}};
 }
 
+namespace {
+
+// Several levels: what each holds, and what that saved.
+std::string levels_text(const RunReport& r) {
+  std::string text;
+  for (std::size_t l = 0; l < r.levels.size(); ++l) {
+    const LevelCost& level = r.levels[l];
+    text += fmt::format("level {}: {} cells in {} box{}", l, human_count(level.cells), level.boxes,
+                        level.boxes == 1 ? "" : "es");
+    if (level.most_cells > level.cells)
+      text += fmt::format(", at most {}", human_count(level.most_cells));
+    text += fmt::format("; {} updates\n", human_count(level.updates));
+  }
+  const double uniform = r.uniform_updates();
+  if (uniform > 0)
+    text += fmt::format("{} updates: {:.2g} % of the {} of a grid that is fine everywhere\n",
+                        human_count(r.cell_updates),
+                        100.0 * static_cast<double>(r.cell_updates) / uniform,
+                        human_count(static_cast<std::int64_t>(uniform)));
+  if (r.stepping_seconds > 0)
+    text += fmt::format("{} regrid{}: {:.2g} % of the stepping time\n", r.regrids,
+                        r.regrids == 1 ? "" : "s", 100.0 * r.regrid_seconds / r.stepping_seconds);
+  return text;
+}
+
+}  // namespace
+
 std::string summary(const RunReport& r) {
   std::string text = fmt::format(
       "{}: {} steps to t = {:g} in {}; {} cells, {:.1f} ns per cell and step, peak memory {}{}\n",
       to_string(r.status), r.steps, r.time, human_duration(r.wall_seconds), human_count(r.cells),
       r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
       r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
+  if (r.levels.size() > 1) text += levels_text(r);
   if (r.blocks_asleep > 0)
     text += fmt::format("quiet blocks: {:.0f} % slept\n",
                         100.0 * static_cast<double>(r.blocks_asleep) /

@@ -18,6 +18,16 @@ struct EffectCost {
   double seconds = 0;  // measured on a sample of blocks, scaled up
 };
 
+// What was spent on a level.
+struct LevelCost {
+  std::int64_t cells = 0;    // now
+  std::int64_t boxes = 0;    // now
+  std::int64_t updates = 0;  // cells times substeps of accepted coarse steps
+  std::int64_t most_cells = 0;
+  std::int64_t domain_cells = 0;  // if it were everywhere
+  int substeps = 1;               // in a coarse step
+};
+
 struct RunReport {
   RunStatus status = RunStatus::running;
   std::string message;  // why it failed; empty otherwise
@@ -34,12 +44,18 @@ struct RunReport {
   std::uint64_t peak_memory_bytes = 0;  // of all ranks together
   std::int64_t blocks_run = 0, blocks_asleep = 0;
   std::vector<EffectCost> effects;
+  std::vector<LevelCost> levels;  // coarse to fine
+  std::int64_t cell_updates = 0;  // of all levels
+  int regrids = 0;
+  double regrid_seconds = 0;
   std::string step_limit;  // what has set the last step
   std::string events_json = "{}";
   std::string conservation_json = "{}";
   double worst_drift = 0;
 
   double ns_per_cell_step() const;
+  // Updates of the same steps on a grid that is everywhere as fine as the finest level was.
+  double uniform_updates() const;
 };
 
 nlohmann::ordered_json to_json(const RunReport& report);

@@ -15,7 +15,6 @@
 namespace sluice {
 namespace {
 
-constexpr int masked_attempts = 3;    // at one step size, each with more cells at first order
 constexpr int smaller_attempts = 20;  // halvings of a step before the run ends
 
 std::vector<std::string> conserved_names(const Component& component) {
@@ -42,6 +41,15 @@ ArchiveSetup archive_setup(const Scene& scene, const RunOptions& o) {
   return setup;
 }
 
+SolverOptions solver_options(const RunOptions& o) {
+  SolverOptions s;
+  s.threads = o.threads;
+  s.force_all = o.force_all;
+  s.sample_every = 61;
+  s.block = o.block;
+  return s;
+}
+
 ConservedTotal single(double q) {
   ConservedTotal t;
   t.add(q);
@@ -66,16 +74,16 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       communicator_(communicator),
       options_(std::move(options)),
       time_(scene.time, scene.output, options_.limits),
-      solver_(component, scene.grid.levels.front(), communicator,
-              {options_.threads, options_.force_all, 61, options_.block}),
-      analysis_(scene, solver_, communicator),
+      hierarchy_(scene, component, communicator, solver_options(options_)),
+      analysis_(scene, hierarchy_, communicator),
+      level_history_(hierarchy_.possible_levels(), communicator.is_root()),
       conservation_(conserved_names(component)) {}
 
 Simulation::~Simulation() = default;
 
 Totals Simulation::totals() {
   Totals t;
-  component_.add_totals(solver_.state(), LevelCoverage{}, t);
+  hierarchy_.add_totals(t);
   for (ConservedTotal& m : t.mass) merge_ranks(m, communicator_);
   for (ConservedTotal& m : t.momentum) merge_ranks(m, communicator_);
   merge_ranks(t.internal_energy, communicator_);
@@ -104,42 +112,8 @@ void Simulation::set_totals(bool at_start) {
   set(energy);
 }
 
-namespace {
-
-// A checkpoint continues on its own grid only.
-void check_same_grid(const Level& now, const ArchiveStep& checkpoint) {
-  const Level& then = checkpoint.grid().levels.front();
-  auto differs = [&](const char* what) {
-    throw InputError(fmt::format(
-        "{} holds a grid of [{}, {}, {}] cells with another {} than the deck's [{}, {}, {}]: a "
-        "restart goes on with the same grid; leave Grid out of --set",
-        checkpoint.folder().string(), then.domain.size().x, then.domain.size().y,
-        then.domain.size().z, what, now.domain.size().x, now.domain.size().y, now.domain.size().z));
-  };
-  if (!(then.domain == now.domain)) differs("number of cells");
-  if (!(then.anchor == now.anchor)) differs("lower corner");
-  if (!(then.spacing == now.spacing)) differs("spacing");
-  if (then.periodic != now.periodic) differs("periodicity");
-}
-
-}  // namespace
-
 void Simulation::restart_from(const ArchiveStep& checkpoint) {
-  check_same_grid(scene_.grid.levels.front(), checkpoint);
-  Warehouse& state = solver_.state();
-  const std::vector<SlotInfo> slots = component_.state_slots();
-  const std::vector<std::vector<Label>> labels = component_.checkpoint_labels();
-  for (std::size_t s = 0; s < slots.size(); ++s)
-    for (std::size_t c = 0; c < labels[s].size(); ++c) {
-      const FieldInfo* field = checkpoint.find(labels[s][c].name(), slots[s].material, 0);
-      if (field == nullptr)
-        throw InputError(fmt::format("{} holds no {}: it cannot be restarted with this deck",
-                                     checkpoint.folder().string(), labels[s][c].name()));
-      const int slot = state.find(slots[s].label, slots[s].material);
-      for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-        checkpoint.read_into(*field, 0, state.local_boxes()[static_cast<std::size_t>(b)].cells,
-                             state.view(slot, static_cast<int>(c), b));
-    }
+  hierarchy_.restore(checkpoint);
   const std::map<std::string, std::string>& kept = checkpoint.info().state;
   time_.restart(time_state_from_json_text(kept.at("time")));
   set_totals(true);
@@ -160,12 +134,13 @@ void Simulation::start() {
     restart_step = entry.step;
     restart_from(earlier.read_checkpoint(entry));
   } else {
-    component_.initialise(solver_.state());
+    hierarchy_.initialise();
     set_totals(true);
-    limit_ = component_.step_limit(solver_.initial_rates());
+    limit_ = hierarchy_.step_limit();
     time_.remember_physics_dt(limit_.dt);
   }
-  sort_saves(scene_.output, solver_);  // bad labels are found also when nothing is written
+  sort_saves(scene_.output,
+             hierarchy_.level(0));  // bad labels are found also when nothing is written
   const bool writes = scene_.output.any() || scene_.output.checkpoint.any() || analysis_.any();
   if (options_.output && writes) {
     ArchiveWriter archive =
@@ -174,8 +149,13 @@ void Simulation::start() {
       archive.adopt(options_.restart, restart_step,
                     options_.copy_earlier ? Earlier::copy : Earlier::refer);
     analysis_.open(archive.folder());
-    if (restarting) analysis_.adopt(options_.restart, time_.state().time);
-    output_ = std::make_unique<OutputWriter>(scene_, component_, solver_, std::move(archive));
+    level_history_.open(archive.folder());
+    if (restarting) {
+      analysis_.adopt(options_.restart, time_.state().time);
+      level_history_.adopt(options_.restart, time_.state().time);
+    }
+    sample_levels();
+    output_ = std::make_unique<OutputWriter>(scene_, component_, hierarchy_, std::move(archive));
     if (!restarting && time_.outputs_initial_state()) output_->write_output(step_info(), true);
   }
   ProgressOptions p;
@@ -184,7 +164,7 @@ void Simulation::start() {
   p.max_steps =
       options_.limits.max_steps > 0 ? options_.limits.max_steps : scene_.time.max_timesteps;
   p.wall_limit = options_.limits.wall_seconds;
-  p.cells = scene_.grid.cell_count();
+  p.cells = hierarchy_.cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
   if (communicator_.is_root() && output_ != nullptr)
@@ -203,11 +183,12 @@ StepInfo Simulation::step_info() const {
   info.state["conservation"] = conservation_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
   if (analysis_.any()) info.state["analysis"] = analysis_.state();
+  if (const std::string regrid = hierarchy_.regrid_state(); !regrid.empty())
+    info.state["regrid"] = regrid;
   return info;
 }
 
-void Simulation::fail(const StepPlan& plan) {
-  const StepAttempt& a = solver_.attempt_result();
+void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
   const CellFault& f = a.first_fault;
   throw PhysicsError(fmt::format(
       "step {} at t = {:g}: task 'update' left {} cell{} inadmissible even with dt = {:g}; the "
@@ -219,18 +200,16 @@ void Simulation::fail(const StepPlan& plan) {
 }
 
 // The state was damaged from outside (memory, a fault of the program): a smaller step cannot help.
-void Simulation::require_sound_start(const StepPlan& plan) {
-  const std::optional<UnsoundCell> found = solver_.unsound_start();
-  if (!found) return;
+void Simulation::fail_unsound(const StepPlan& plan, const CycleResult& a) {
   state_is_sound_ = false;
-  const CellFault& f = found->where;
+  const CellFault& f = a.unsound->where;
   throw PhysicsError(fmt::format(
       "step {} at t = {:g}: task 'update' left {} cells inadmissible because {} is {:g} in cell "
       "[{}, {}, {}] of level {}, material {}, at the start of the step. The state is damaged; go "
       "on "
       "from the last checkpoint with sluice run --restart",
-      plan.step, plan.start, solver_.attempt_result().faults, found->label.name(), f.value,
-      f.cell.x, f.cell.y, f.cell.z, f.level, f.material));
+      plan.step, plan.start, a.faults, a.unsound->label.name(), f.value, f.cell.x, f.cell.y,
+      f.cell.z, f.level, f.material));
 }
 
 // Labels that exist only inside the step and are saved or analysed at its end.
@@ -243,29 +222,21 @@ std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
   return labels;
 }
 
-// Attempts the step until it is admissible: first with slopes taken away where it failed, then with
-// smaller steps. Nothing of the old state is touched.
-StepPlan Simulation::advance(StepPlan plan) {
+// Attempts the step until it is admissible, each time with a smaller one. Nothing of the old state
+// is touched.
+StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
   for (int smaller = 0;; ++smaller) {
-    const std::vector<Label> stored = labels_to_store(plan);
-    for (int masked = 0; masked <= masked_attempts; ++masked) {
-      const StepAttempt& a = solver_.attempt(plan.start, plan.dt, stored, control_);
-      if (a.faults == 0) {
-        ledger_.accept_step();
-        return plan;
-      }
-      ledger_.reject_step();
-      if (smaller == 0 && masked == 0) require_sound_start(plan);
-      EventPlace place;
-      place.step = plan.step;
-      place.cell = a.first_fault.cell;
-      place.material = a.first_fault.material;
-      place.task = "update";
-      place.value = a.first_fault.value;
-      if (masked == masked_attempts || solver_.mask_faults(plan.start) == 0) break;
-      ledger_.keep("step redone with first-order faces", place);
+    result = hierarchy_.attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
+                                ledger_);
+    if (result.good) {
+      hierarchy_.accept();
+      ledger_.accept_step();
+      return plan;
     }
-    if (smaller == smaller_attempts) fail(plan);
+    hierarchy_.reject();
+    ledger_.reject_step();
+    if (result.unsound) fail_unsound(plan, result);
+    if (smaller == smaller_attempts) fail(plan, result);
     EventPlace place;
     place.step = plan.step;
     place.value = plan.dt;
@@ -273,13 +244,14 @@ StepPlan Simulation::advance(StepPlan plan) {
     try {
       plan = time_.retry(plan, 0.5 * plan.dt);
     } catch (const PhysicsError&) {
-      fail(plan);
+      fail(plan, result);
     }
   }
 }
 
-void Simulation::book(const StepPlan& plan) {
-  const StepBalance b = component_.balance(solver_.attempt_result().sums, &step_start_, plan.dt);
+void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
+  const bool joined = hierarchy_.possible_levels() > 1;
+  const StepBalance b = component_.balance(sums, joined ? nullptr : &step_start_, plan.dt);
   int q = 0;
   for (std::size_t m = 0; m < b.mass.size(); ++m) {
     conservation_.add_boundary(q++, single(b.mass[m]));
@@ -294,15 +266,24 @@ void Simulation::book(const StepPlan& plan) {
   conservation_.add_sources(q, single(b.energy_of_forces));
 }
 
+void Simulation::sample_levels() {
+  std::vector<std::int64_t> cells;
+  for (int l = 0; l < hierarchy_.possible_levels(); ++l)
+    cells.push_back(hierarchy_.level(l).level().cell_count());
+  level_history_.sample(time_.state().step, time_.state().time, cells);
+}
+
+void Simulation::flush_samples() {
+  analysis_.flush();
+  level_history_.flush();
+}
+
 void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
-  if (analysis_.sample(plan.step, plan.end)) ghosts_filled_ = true;
-  if (plan.output || end.checkpoint) analysis_.flush();
+  sample_levels();
+  if (plan.output || end.checkpoint) flush_samples();
   if (output_->writes_histories(plan.step)) output_->write_histories(plan.step, plan.end, totals());
-  if (plan.output) {
-    output_->write_output(step_info(), false);
-    ghosts_filled_ = true;
-  }
+  if (plan.output) output_->write_output(step_info(), false);
   if (end.checkpoint) {
     set_totals(false);
     output_->write_checkpoint(step_info());
@@ -310,26 +291,32 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   }
 }
 
+void Simulation::plant_nan(IntVec3 cell) {
+  Warehouse& state = hierarchy_.level(0).state();
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+    if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
+      state.view(0, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
+  hierarchy_.level(0).touch();
+}
+
 bool Simulation::step() {
   StepPlan plan = time_.plan(limit_.dt);
   if (!plan.message.empty() && communicator_.is_root()) progress_->note(plan.message);
   const auto start = std::chrono::steady_clock::now();
   if (options_.plant_nan && options_.plant_nan->first == plan.step)
-    for (int b = 0; b < static_cast<int>(solver_.state().local_boxes().size()); ++b) {
-      const GridBox& box = solver_.state().local_boxes()[static_cast<std::size_t>(b)];
-      if (box.cells.contains(options_.plant_nan->second))
-        solver_.state().view(0, 0, b)(options_.plant_nan->second) =
-            std::numeric_limits<double>::quiet_NaN();
-    }
-  if (!ghosts_filled_) solver_.fill_ghosts(plan.start);
-  ghosts_filled_ = false;
-  plan = advance(plan);
-  solver_.accept();
-  limit_ = component_.step_limit(solver_.attempt_result().maxima);
-  book(plan);
-  stepping_seconds_ +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const RunControl::Answer& answer = solver_.attempt_result().control;
+    plant_nan(options_.plant_nan->second);
+  CycleResult result;
+  plan = advance(plan, result);
+  book(plan, result.sums);
+  // Samples are of the levels that the step was made with: a regrid drops what it has stored.
+  const auto sampling = std::chrono::steady_clock::now();
+  if (output_ != nullptr) analysis_.sample(plan.step, plan.end);
+  const auto sampled = std::chrono::steady_clock::now();
+  hierarchy_.regrid(plan.step);
+  limit_ = hierarchy_.step_limit();
+  const auto stepped = std::chrono::steady_clock::now() - start - (sampled - sampling);
+  stepping_seconds_ += std::chrono::duration<double>(stepped).count();
+  const RunControl::Answer& answer = result.control;
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
   time_.remember_physics_dt(limit_.dt);
   ++steps_;
@@ -341,7 +328,7 @@ bool Simulation::step() {
 
 void Simulation::write_last_good_checkpoint() {
   if (output_ == nullptr || last_checkpoint_step_ == time_.state().step || steps_ == 0) return;
-  analysis_.flush();
+  flush_samples();
   output_->write_checkpoint(step_info());
 }
 
@@ -361,7 +348,10 @@ RunReport Simulation::run() {
   progress_->end();
   if (status_ != RunStatus::failed) set_totals(false);
   RunReport r = report();
-  if (output_ != nullptr) analysis_.flush();
+  if (output_ != nullptr) {
+    analysis_.flush();
+    level_history_.finish();
+  }
   if (output_ != nullptr) output_->finish(to_json(r).dump(2) + "\n");
   return r;
 }
@@ -374,7 +364,7 @@ RunReport Simulation::report() const {
   r.steps = steps_;
   r.last_step = time_.state().step;
   r.time = time_.state().time;
-  r.cells = scene_.grid.cell_count();
+  r.cells = hierarchy_.cell_count();
   r.ranks = communicator_.size();
   r.threads = options_.threads;
   r.wall_seconds = control_.wall_seconds();
@@ -382,12 +372,21 @@ RunReport Simulation::report() const {
   r.start_seconds = start_seconds_;
   r.output_seconds = output_ != nullptr ? output_->seconds() : 0.0;
   r.peak_memory_bytes = peak_resident_bytes_of_all(communicator_);
-  r.blocks_run = solver_.blocks_run();
-  r.blocks_asleep = solver_.blocks_asleep();
   r.step_limit = limit_.reason;
-  const std::vector<double> seconds = solver_.effect_seconds();
-  const std::vector<int> tasks = solver_.effect_tasks();
-  const std::vector<double> doubles = solver_.effect_doubles();
+  r.levels = hierarchy_.costs();
+  r.regrids = hierarchy_.regrids();
+  r.regrid_seconds = hierarchy_.regrid_seconds();
+  for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
+  std::vector<double> seconds(static_cast<std::size_t>(component_.effects().size()), 0.0);
+  for (int l = 0; l < hierarchy_.possible_levels(); ++l) {
+    const LevelSolver& solver = hierarchy_.level(l);
+    r.blocks_run += solver.blocks_run();
+    r.blocks_asleep += solver.blocks_asleep();
+    const std::vector<double> own = solver.effect_seconds();
+    for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
+  }
+  const std::vector<int> tasks = hierarchy_.level(0).effect_tasks();
+  const std::vector<double> doubles = hierarchy_.level(0).effect_doubles();
   for (int e = 0; e < component_.effects().size(); ++e) {
     const auto n = static_cast<std::size_t>(e);
     r.effects.push_back({component_.effects()[e], tasks[n],

@@ -6,6 +6,7 @@
 
 #include "framework/run/analysis_recorder.hpp"
 #include "framework/run/event_ledger.hpp"
+#include "framework/run/level_history.hpp"
 #include "framework/run/output_writer.hpp"
 #include "framework/run/progress.hpp"
 #include "framework/run/run_report.hpp"
@@ -47,15 +48,18 @@ class Simulation {
   void restart_from(const ArchiveStep& checkpoint);
   bool step();  // false when the run has ended
   std::vector<Label> labels_to_store(const StepPlan& plan) const;
-  StepPlan advance(StepPlan plan);
-  void book(const StepPlan& plan);
+  StepPlan advance(StepPlan plan, CycleResult& result);
+  void book(const StepPlan& plan, const std::vector<double>& sums);
   void keep(const StepPlan& plan, const StepEnd& end);
+  void sample_levels();
+  void flush_samples();
   Totals totals();
   void set_totals(bool at_start);
   StepInfo step_info() const;
   RunReport report() const;
-  [[noreturn]] void fail(const StepPlan& plan);
-  void require_sound_start(const StepPlan& plan);
+  [[noreturn]] void fail(const StepPlan& plan, const CycleResult& result);
+  [[noreturn]] void fail_unsound(const StepPlan& plan, const CycleResult& result);
+  void plant_nan(IntVec3 cell);
   void write_last_good_checkpoint();
 
   const Scene& scene_;
@@ -64,8 +68,9 @@ class Simulation {
   RunOptions options_;
   RunControl control_;
   TimeControl time_;
-  LevelSolver solver_;
+  Hierarchy hierarchy_;
   AnalysisRecorder analysis_;
+  LevelHistory level_history_;
   std::unique_ptr<OutputWriter> output_;
   std::unique_ptr<Progress> progress_;
   EventLedger ledger_;
@@ -76,7 +81,7 @@ class Simulation {
   std::string message_;
   int steps_ = 0, last_checkpoint_step_ = -1;
   double start_seconds_ = 0, stepping_seconds_ = 0;
-  bool ghosts_filled_ = false, state_is_sound_ = true;
+  bool state_is_sound_ = true;
 };
 
 }  // namespace sluice

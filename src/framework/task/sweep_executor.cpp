@@ -49,7 +49,8 @@ std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 exten
     IntVec3 pieces{};
     for (int d = 0; d < 3; ++d)
       pieces[d] = std::max(1, (box.size()[d] + extents[d] - 1) / extents[d]);
-    for (const IndexBox& piece : split(box, pieces)) blocks.push_back({static_cast<int>(n), piece});
+    for (const IndexBox& piece : split(box, pieces))
+      blocks.push_back({static_cast<int>(n), piece, true});
   }
   return blocks;
 }
@@ -88,12 +89,26 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   blocks_ = place_blocks(old_state.local_boxes(), extents);
   IntVec3 largest{1, 1, 1};
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());
+  if (options_.never_sleeps)
+    for (Block& b : blocks_) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+  keep_counts();
   workers_.clear();
   workers_.resize(static_cast<std::size_t>(team_->size()));
   // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
   team_->for_each(workers_.size(), [&](std::size_t n, int) {
     workers_[n] = std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_);
   });
+}
+
+// What the workers counted and timed, before they are made anew.
+void SweepExecutor::keep_counts() {
+  times_.resize(plan_.tasks.size(), 0);
+  for (const auto& w : workers_) {
+    kept_run_ += w->run;
+    kept_asleep_ += w->asleep;
+    kept_sampled_ += w->sampled;
+    for (std::size_t t = 0; t < times_.size(); ++t) times_[t] += w->times[t];
+  }
 }
 
 bool SweepExecutor::is_quiet(const Block& block) const {
@@ -167,7 +182,7 @@ void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block
 
 void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::size_t n) {
   const Block& block = blocks_[n];
-  if (options_.quiet_blocks && is_quiet(block)) {
+  if (options_.quiet_blocks && block.may_sleep && is_quiet(block)) {
     sleep(worker, step, block);
     ++worker.asleep;
     return;
@@ -187,7 +202,8 @@ const Reductions& SweepExecutor::run(const StepConstants& step) {
     run_block(*workers_[static_cast<std::size_t>(thread)], step, n);
   });
   total_.clear();
-  blocks_run_ = blocks_asleep_ = 0;
+  blocks_run_ = kept_run_;
+  blocks_asleep_ = kept_asleep_;
   for (auto& w : workers_) {
     total_.merge(w->reductions);
     blocks_run_ += w->run;
@@ -205,7 +221,9 @@ std::size_t SweepExecutor::scratch_bytes() const {
 
 std::vector<double> SweepExecutor::task_seconds() const {
   std::vector<double> seconds(plan_.tasks.size(), 0.0);
-  std::int64_t sampled = 0, run = 0;
+  std::int64_t sampled = kept_sampled_, run = kept_run_;
+  for (std::size_t t = 0; t < times_.size(); ++t)
+    seconds[t] += 1e-9 * static_cast<double>(times_[t]);
   for (const auto& w : workers_) {
     sampled += w->sampled;
     run += w->run;

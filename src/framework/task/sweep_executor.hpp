@@ -5,6 +5,7 @@
 // is copied, and only the cells that touch the boundary of the domain (they account for what passes
 // through it) and one cell besides (it gives its time-step rate) are computed.
 #pragma once
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,11 +21,14 @@ struct SweepOptions {
   bool quiet_blocks = false;  // may uniform blocks sleep
   int maxima = 0, sums = 0;   // of the reductions
   int sample_every = 0;       // time every n-th block per task; 0: never
+  // Blocks (local box number, cells) that must not sleep; asked when bound.
+  std::function<bool(int, const IndexBox&)> never_sleeps;
 };
 
 struct Block {
   int box = 0;  // local box number
   IndexBox cells;
+  bool may_sleep = true;
 };
 
 // Cuts the local boxes of a level into blocks no larger than `extents`.
@@ -39,7 +43,8 @@ class SweepExecutor {
                 const SweepOptions& options);
   ~SweepExecutor();
 
-  // Finds slots (the warehouses must have them) and remembers the warehouses.
+  // Finds slots (the warehouses must have them) and remembers the warehouses. Again when the boxes
+  // of the level have changed; what was counted and timed is kept.
   void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output);
   // One pass over all blocks. The result holds what this rank reduced.
   const Reductions& run(const StepConstants& step);
@@ -54,6 +59,7 @@ class SweepExecutor {
 
  private:
   struct Worker;
+  void keep_counts();
   void run_block(Worker& worker, const StepConstants& step, std::size_t n);
   bool is_quiet(const Block& block) const;
   void sleep(Worker& worker, const StepConstants& step, const Block& block);
@@ -68,6 +74,9 @@ class SweepExecutor {
   std::vector<std::unique_ptr<Worker>> workers_;
   Reductions total_;
   std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
+  // Counted and timed before the last bind.
+  std::int64_t kept_run_ = 0, kept_asleep_ = 0, kept_sampled_ = 0;
+  TaskTimes times_;
 };
 
 }  // namespace sluice

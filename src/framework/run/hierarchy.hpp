@@ -1,0 +1,120 @@
+// All levels of a run and one coarse step over them: the W-cycle, matched fluxes, restriction.
+//
+// A coarse step advances level l by dt_l, then level l + 1 by its substeps, then makes the fluxes
+// of both agree and puts the averages of level l + 1 into the cells below. Nothing is kept of an
+// attempt that is rejected: every level goes back to the start of the coarse step.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "framework/refine/level_transfer.hpp"
+#include "framework/refine/regridder.hpp"
+#include "framework/run/event_ledger.hpp"
+#include "framework/run/level_solver.hpp"
+#include "framework/run/run_report.hpp"
+#include "framework/scene/scene.hpp"
+#include "framework/task/schedule.hpp"
+
+namespace sluice {
+
+class ArchiveStep;
+
+// What one attempt at a coarse step came to.
+struct CycleResult {
+  bool good = true;
+  CellFault first_fault;     // of the substep that could not be had
+  std::int64_t faults = 0;   // inadmissible cells there
+  std::vector<double> sums;  // over levels and substeps
+  RunControl::Answer control;
+  // The state at the start of the step holds what is no number: no smaller step can help.
+  std::optional<UnsoundCell> unsound;
+};
+
+class Hierarchy {
+ public:
+  Hierarchy(const Scene& scene, const Component& component, Communicator& communicator,
+            const SolverOptions& options);
+  ~Hierarchy();
+
+  // Levels that exist now, coarse to fine.
+  int level_count() const;
+  int possible_levels() const { return static_cast<int>(solvers_.size()); }
+  LevelSolver& level(int l) { return *solvers_[static_cast<std::size_t>(l)]; }
+  const LevelSolver& level(int l) const { return *solvers_[static_cast<std::size_t>(l)]; }
+  Grid grid() const;  // of the levels that exist now
+  std::int64_t cell_count() const;
+
+  // The state at the start: levels are added until the hierarchy settles.
+  void initialise();
+  // The state of a checkpoint, on its hierarchy.
+  void restore(const ArchiveStep& checkpoint);
+
+  // One attempt at a coarse step; labels in `wanted` are stored in its last substeps.
+  const CycleResult& attempt(int step, double time, double dt, const std::vector<Label>& wanted,
+                             const RunControl& control, EventLedger& ledger);
+  void accept();
+  void reject();
+  // The step that the physics allows next, as a step of the coarsest level.
+  StepLimit step_limit() const;
+  // New levels where flags ask for them, after an accepted coarse step. True when boxes changed.
+  bool regrid(int step);
+
+  // Ghost cells of all levels at the end of a coarse step.
+  void fill_ghosts(double time);
+  void compute_diagnostics(double time, const std::vector<Label>& wanted);
+  void add_totals(Totals& totals) const;
+
+  std::string regrid_state() const;
+  int regrids() const { return regrids_; }
+  int layouts() const { return layouts_; }  // grows whenever boxes change
+  double regrid_seconds() const { return regrid_seconds_; }
+  std::vector<LevelCost> costs() const;
+  std::string describe_cycle() const { return describe(cycle_); }
+
+ private:
+  // Where a level meets the next finer one.
+  struct Joint {
+    Interpolation ghosts;
+    FluxRegister fluxes;
+    Restriction restriction;
+  };
+
+  Schedule schedule_of(int level);
+  void fill(int level, double time);
+  Verdict sweep(int level, const StepScope& scope);
+  Verdict match(int level, const StepScope& scope);
+  double share_of(int level) const;
+  void make_joint(int coarser);
+  void join_levels();
+  void lay_out(bool from_deck);
+  void lay_out_level(int level, std::vector<GridBox> boxes, bool from_deck);
+  std::vector<FlagField> flags();
+  void restrict_all();
+  void measure_rates();
+
+  const Scene* scene_;
+  const Component* component_;
+  Communicator* communicator_;
+  std::vector<std::unique_ptr<LevelSolver>> solvers_;
+  std::vector<std::unique_ptr<Joint>> joints_;  // by coarser level, of the levels that exist
+  std::vector<int> substeps_;                   // of a level in one step of the next coarser one
+  std::vector<int> done_;                       // of those, in the present step of the coarser one
+  std::vector<std::vector<double>> maxima_;     // rates by level
+  std::vector<LevelCost> costs_;
+  std::optional<Regridder> regridder_;
+  Schedule cycle_;
+  CycleResult result_;
+  // Of the attempt under way.
+  int step_ = 0;
+  double time_ = 0, end_ = 0;  // of the coarse step; time_ also of the states between steps
+  bool advancing_ = false;
+  const std::vector<Label>* wanted_ = nullptr;
+  const RunControl* control_ = nullptr;
+  EventLedger* ledger_ = nullptr;
+  int regrids_ = 0;
+  int layouts_ = 0;
+  double regrid_seconds_ = 0;
+};
+
+}  // namespace sluice

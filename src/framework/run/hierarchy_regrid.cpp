@@ -1,0 +1,219 @@
+// How the levels of a run come about: at the start, after a regrid, from a checkpoint.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "framework/archive/archive.hpp"
+#include "framework/run/hierarchy.hpp"
+#include "framework/run/refinement_flags.hpp"
+
+namespace sluice {
+namespace {
+
+bool same_boxes(const std::vector<GridBox>& a, const std::vector<GridBox>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const GridBox& x, const GridBox& y) {
+    return x.cells == y.cells && x.owner == y.owner;
+  });
+}
+
+int halo_width(const Component& component) {
+  int width = 0;
+  for (const SlotInfo& s : component.state_slots()) width = std::max(width, s.ghosts);
+  return width;
+}
+
+}  // namespace
+
+void Hierarchy::make_joint(int coarser) {
+  const int rank = communicator_->rank(), width = halo_width(*component_);
+  auto& joint = joints_[static_cast<std::size_t>(coarser)];
+  joint.reset();
+  const Level& coarse = level(coarser).level();
+  const Level& fine = level(coarser + 1).level();
+  if (fine.boxes.empty()) return;
+  joint = std::make_unique<Joint>(
+      Joint{Interpolation::of_ghosts(coarse, width, fine, width, rank),
+            FluxRegister(coarse, fine, component_->transfer().flux_quantities(), rank),
+            Restriction(coarse, fine, rank)});
+}
+
+// What the levels know of each other, once every joint is made.
+void Hierarchy::join_levels() {
+  ++layouts_;
+  const int rank = communicator_->rank();
+  for (int l = 0; l < possible_levels() && possible_levels() > 1; ++l) {
+    const auto n = static_cast<std::size_t>(l);
+    FluxRecorder recorder;
+    if (joints_[n] != nullptr) recorder.as_coarse = &joints_[n]->fluxes.coarse_faces();
+    if (l > 0 && joints_[n - 1] != nullptr) recorder.as_fine = &joints_[n - 1]->fluxes.fine_faces();
+    const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
+    level(l).join(recorder, LevelCoverage(level(l).level(), finer, rank));
+    level(l).touch();
+  }
+  cycle_ = schedule_of(0);
+  check(cycle_);
+}
+
+void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck) {
+  LevelSolver& solver = level(l);
+  const Level earlier = solver.level();
+  const Warehouse before = solver.lay_out(std::move(boxes));
+  const Level& now = solver.level();
+  if (now.boxes.empty()) return;
+  if (from_deck) {
+    component_->initialise(solver.state());
+    return;
+  }
+  const int rank = communicator_->rank();
+  if (!earlier.boxes.empty())
+    LevelCopy(earlier, now, rank).run(before, solver.state(), solver.state_slots());
+  LevelSolver& coarser = level(l - 1);
+  Interpolation fresh = Interpolation::of_new_cells(coarser.level(), halo_width(*component_), now,
+                                                    earlier.boxes, rank);
+  fresh.run(nullptr, &coarser.state(), 1.0, solver.state(), solver.state_slots(),
+            component_->transfer(), scene_->refinement.interpolation_order);
+}
+
+// The boxes that the regridder wants, coarse to fine. Each new level needs the ghost cells of the
+// one below it, and those the joint below.
+void Hierarchy::lay_out(bool from_deck) {
+  int laid_out = -1;  // the last level that has changed
+  for (int l = 1; l < possible_levels(); ++l) {
+    std::vector<GridBox> boxes = regridder_->boxes(l);
+    if (same_boxes(boxes, level(l).level().boxes)) {
+      if (laid_out == l - 1) make_joint(l - 1);
+      continue;
+    }
+    if (!from_deck && !boxes.empty()) fill(l - 1, time_);
+    lay_out_level(l, std::move(boxes), from_deck);
+    laid_out = l;
+    make_joint(l - 1);
+  }
+  join_levels();
+}
+
+std::vector<FlagField> Hierarchy::flags() {
+  std::vector<FlagField> flags;
+  const int flagging = std::min(level_count(), possible_levels() - 1);
+  for (int l = 0; l < flagging; ++l) {
+    fill(l, time_);
+    flags.push_back(
+        flags_of_level(level(l), *component_, scene_->refinement, time_, *communicator_));
+  }
+  return flags;
+}
+
+void Hierarchy::restrict_all() {
+  for (int l = level_count() - 2; l >= 0; --l) {
+    LevelSolver& coarse = level(l);
+    joints_[static_cast<std::size_t>(l)]->restriction.run(
+        level(l + 1).state(), coarse.state(), coarse.state_slots(), component_->transfer());
+    coarse.touch();
+  }
+  for (int l = 0; l < level_count(); ++l) level(l).touch();
+}
+
+void Hierarchy::measure_rates() {
+  for (int l = 0; l < level_count(); ++l)
+    maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
+}
+
+void Hierarchy::initialise() {
+  time_ = scene_->time.initial_time;
+  for (int l = 0; l < level_count(); ++l) component_->initialise(level(l).state());
+  // Each pass may add one level; one more for every level finds that nothing changes.
+  for (int pass = 0; regridder_ && pass < 2 * possible_levels(); ++pass) {
+    if (!regridder_->regrid_at_start(flags())) break;
+    lay_out(true);
+  }
+  restrict_all();
+  measure_rates();
+}
+
+bool Hierarchy::regrid(int step) {
+  if (!regridder_ || !regridder_->looks_at(step)) return false;
+  const auto start = std::chrono::steady_clock::now();
+  const bool changed = regridder_->regrid(step, flags());
+  if (changed) {
+    lay_out(false);
+    measure_rates();
+    ++regrids_;
+  }
+  regrid_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return changed;
+}
+
+std::string Hierarchy::regrid_state() const {
+  return regridder_ ? to_json_text(regridder_->state()) : std::string();
+}
+
+namespace {
+
+// A checkpoint continues on its own grid only.
+void check_same_grid(const Level& now, const ArchiveStep& checkpoint) {
+  const Level& then = checkpoint.grid().levels.front();
+  auto differs = [&](const char* what) {
+    throw InputError(fmt::format(
+        "{} holds a grid of [{}, {}, {}] cells with another {} than the deck's [{}, {}, {}]: a "
+        "restart goes on with the same grid; leave Grid out of --set",
+        checkpoint.folder().string(), then.domain.size().x, then.domain.size().y,
+        then.domain.size().z, what, now.domain.size().x, now.domain.size().y, now.domain.size().z));
+  };
+  if (!(then.domain == now.domain)) differs("number of cells");
+  if (!(then.anchor == now.anchor)) differs("lower corner");
+  if (!(then.spacing == now.spacing)) differs("spacing");
+  if (then.periodic != now.periodic) differs("periodicity");
+}
+
+void read_level(LevelSolver& solver, const Component& component, const ArchiveStep& checkpoint) {
+  Warehouse& state = solver.state();
+  const std::vector<SlotInfo> slots = component.state_slots();
+  const std::vector<std::vector<Label>> labels = component.checkpoint_labels();
+  const int index = solver.level().index;
+  for (std::size_t s = 0; s < slots.size(); ++s)
+    for (std::size_t c = 0; c < labels[s].size(); ++c) {
+      const FieldInfo* field = checkpoint.find(labels[s][c].name(), slots[s].material, index);
+      if (field == nullptr)
+        throw InputError(
+            fmt::format("{} holds no {} on level {}: it cannot be restarted with "
+                        "this deck",
+                        checkpoint.folder().string(), labels[s][c].name(), index));
+      for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+        checkpoint.read_into(*field, 0, state.local_boxes()[static_cast<std::size_t>(b)].cells,
+                             state.view(solver.state_slots()[s], static_cast<int>(c), b));
+    }
+}
+
+}  // namespace
+
+void Hierarchy::restore(const ArchiveStep& checkpoint) {
+  check_same_grid(level(0).level(), checkpoint);
+  time_ = checkpoint.info().time;
+  if (regridder_) {
+    const auto& kept = checkpoint.info().state;
+    const auto found = kept.find("regrid");
+    if (found == kept.end())
+      throw InputError(fmt::format(
+          "{} says nothing of adaptive levels: it was written by a run without them; leave AMR out "
+          "of --set",
+          checkpoint.folder().string()));
+    regridder_->restore(regrid_state_from_json_text(found->second));
+    for (int l = 1; l < possible_levels(); ++l) {
+      level(l).lay_out(regridder_->boxes(l));
+      make_joint(l - 1);
+    }
+    join_levels();
+  }
+  if (static_cast<int>(checkpoint.grid().levels.size()) != level_count())
+    throw InputError(
+        fmt::format("{} holds {} levels, but the deck has {}: a restart goes on with "
+                    "the same levels",
+                    checkpoint.folder().string(), checkpoint.grid().levels.size(), level_count()));
+  for (int l = 0; l < level_count(); ++l) {
+    read_level(level(l), *component_, checkpoint);
+    level(l).touch();
+  }
+}
+
+}  // namespace sluice

@@ -1,0 +1,53 @@
+// What the report says of levels.
+#include "framework/run/run_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace sluice {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Ten coarse steps; level 1 stands on a quarter of the domain, level 2 may exist but never did.
+RunReport two_of_three_levels() {
+  RunReport r;
+  r.steps = 10;
+  r.levels = {{100, 1, 1000, 100, 100, 1}, {100, 3, 2400, 140, 400, 2}, {0, 0, 0, 0, 6400, 8}};
+  r.cell_updates = 3400;
+  r.cells = 200;
+  r.stepping_seconds = 0.5;
+  r.regrids = 1;
+  r.regrid_seconds = 0.01;
+  return r;
+}
+
+TEST(RunReport, TheUniformGridIsAsFineAsTheFinestLevelThatWas) {
+  EXPECT_EQ(two_of_three_levels().uniform_updates(), 10 * 2 * 400);
+  EXPECT_EQ(RunReport{}.uniform_updates(), 0);
+}
+
+TEST(RunReport, TellsLevelsSavingsAndRegrids) {
+  const std::string text = summary(two_of_three_levels());
+  EXPECT_THAT(text, HasSubstr("level 0: 100 cells in 1 box; 1,000 updates\n"));
+  EXPECT_THAT(text, HasSubstr("level 1: 100 cells in 3 boxes, at most 140; 2,400 updates\n"));
+  EXPECT_THAT(text,
+              HasSubstr("3,400 updates: 42 % of the 8,000 of a grid that is fine everywhere"));
+  EXPECT_THAT(text, HasSubstr("1 regrid: 2 % of the stepping time\n"));
+  const nlohmann::ordered_json json = to_json(two_of_three_levels());
+  EXPECT_EQ(json["uniform_updates"], 8000);
+  EXPECT_EQ(json["levels"][1]["substeps"], 2);
+  EXPECT_EQ(json["levels"][1]["domain_cells"], 400);
+}
+
+TEST(RunReport, SaysNothingOfLevelsWhereThereIsOne) {
+  RunReport r = two_of_three_levels();
+  r.levels.resize(1);
+  EXPECT_THAT(summary(r), Not(HasSubstr("level 0")));
+}
+
+}  // namespace
+}  // namespace sluice
