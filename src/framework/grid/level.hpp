@@ -62,5 +62,10 @@ std::vector<IndexBox> split(const IndexBox& domain, IntVec3 pieces);
 // Deals boxes out to ranks along a Morton curve so that every rank gets a like number of cells, and
 // at least one box where there are as many boxes as ranks.
 void assign_owners(std::vector<GridBox>& boxes, int ranks);
+// The same by cost, one number a box in any unit (measured seconds, say). Costs that are not
+// positive count as nothing; without any, cells decide. Every rank must pass the same costs.
+void assign_owners(std::vector<GridBox>& boxes, const std::vector<double>& costs, int ranks);
+// Cost of the busiest rank over the mean of all: 1 is perfect.
+double imbalance(const std::vector<GridBox>& boxes, const std::vector<double>& costs, int ranks);
 
 }  // namespace sluice

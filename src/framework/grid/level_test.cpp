@@ -89,5 +89,38 @@ TEST(AssignOwners, ABigBoxLeavesNoRankEmpty) {
   EXPECT_EQ(loads(boxes, 9).size(), 9u);
 }
 
+TEST(AssignOwners, SharesCostEvenly) {
+  std::vector<GridBox> boxes = boxes_of(split({{0, 0, 0}, {64, 64, 1}}, {16, 16, 1}));
+  std::vector<double> costs;
+  double total = 0;
+  for (const GridBox& b : boxes) {  // a hot corner
+    costs.push_back(1e-6 * (b.cells.lower.x < 16 && b.cells.lower.y < 16 ? 20 : 1));
+    total += costs.back();
+  }
+  for (const int ranks : {1, 2, 3, 7, 16}) {
+    assign_owners(boxes, ranks);
+    const double by_cells = imbalance(boxes, costs, ranks);
+    assign_owners(boxes, costs, ranks);
+    const double by_cost = imbalance(boxes, costs, ranks);
+    EXPECT_LE(by_cost, 1 + 20e-6 * ranks / total) << ranks;  // the mean and one box
+    EXPECT_TRUE(ranks == 1 || by_cost < by_cells) << ranks;
+    for (const std::int64_t cells : loads(boxes, ranks)) EXPECT_GT(cells, 0);
+  }
+}
+
+TEST(AssignOwners, WithoutCostsCellsDecide) {
+  std::vector<GridBox> by_cells = boxes_of(split({{0, 0, 0}, {60, 30, 1}}, {6, 5, 1}));
+  std::vector<GridBox> boxes = by_cells;
+  assign_owners(by_cells, 4);
+  for (const std::vector<double>& costs :
+       {std::vector<double>(30, 0.0), std::vector<double>(30, 7.0), std::vector<double>{}}) {
+    assign_owners(boxes, costs, 4);
+    for (std::size_t b = 0; b < boxes.size(); ++b) EXPECT_EQ(boxes[b].owner, by_cells[b].owner);
+  }
+  std::vector<GridBox> none;
+  assign_owners(none, std::vector<double>{}, 4);
+  EXPECT_EQ(imbalance(boxes, std::vector<double>(30, 0.0), 4), 1);
+}
+
 }  // namespace
 }  // namespace sluice
