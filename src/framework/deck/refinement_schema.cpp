@@ -52,11 +52,11 @@ TagSpec regridder() {
               .int_vector()
               .at_least(0)
               .by_default("[0,0,0]"),
-          tag("cell_deletion_dilation", "widening that keeps tiles alive")
+          tag("cell_deletion_dilation", "further widening that keeps tiles alive")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
-          tag("max_timestep_interval", "most steps between regrids; 0: no limit")
+          tag("max_timestep_interval", "most steps between regrids; 0: by flags only")
               .integer()
               .at_least(0)
               .by_default("50"),

@@ -111,16 +111,6 @@ FlagField::FlagField(const IndexBox& domain)
                 Word{0});
 }
 
-void FlagField::set(IntVec3 cell) {
-  const IntVec3 c = cell - domain_.lower;
-  row(c.y, c.z)[c.x / word_bits] |= Word{1} << (c.x % word_bits);
-}
-
-bool FlagField::get(IntVec3 cell) const {
-  const IntVec3 c = cell - domain_.lower;
-  return (row(c.y, c.z)[c.x / word_bits] >> (c.x % word_bits) & 1u) != 0;
-}
-
 void FlagField::fill(const IndexBox& cells) {
   const IndexBox b = intersection(cells, domain_);
   if (b.empty()) return;
@@ -193,27 +183,6 @@ bool FlagField::within(const FlagField& other) const {
   Word outside = 0;
   for (std::size_t w = 0; w < words_.size(); ++w) outside |= words_[w] & ~other.words_[w];
   return outside == 0;
-}
-
-namespace {
-
-int next_bit(const Word* row, int from, int end, Word inverted) {
-  while (from < end) {
-    const Word rest = (row[from / word_bits] ^ inverted) >> (from % word_bits);
-    if (rest != 0) return std::min(end, from + std::countr_zero(rest));
-    from = (from / word_bits + 1) * word_bits;
-  }
-  return end;
-}
-
-}  // namespace
-
-int next_flag(const Word* row, int from, int end) {
-  return next_bit(row, from, end, 0);
-}
-
-int next_gap(const Word* row, int from, int end) {
-  return next_bit(row, from, end, ~Word{0});
 }
 
 }  // namespace sluice

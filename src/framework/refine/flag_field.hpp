@@ -3,7 +3,9 @@
 // Rows along x are padded to whole words, so that widening and searching work on 64 cells at a
 // time. Two fields of the same domain are joined by the bitwise or of their words.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -16,9 +18,15 @@ class FlagField {
   explicit FlagField(const IndexBox& domain = {});
   const IndexBox& domain() const { return domain_; }
 
-  void set(IntVec3 cell);
+  void set(IntVec3 cell) {
+    const IntVec3 c = cell - domain_.lower;
+    row(c.y, c.z)[c.x / 64] |= std::uint64_t{1} << (c.x % 64);
+  }
   void fill(const IndexBox& cells);  // its part inside the domain
-  bool get(IntVec3 cell) const;
+  bool get(IntVec3 cell) const {
+    const IntVec3 c = cell - domain_.lower;
+    return (row(c.y, c.z)[c.x / 64] >> (c.x % 64) & 1u) != 0;
+  }
   bool any() const;
   bool any(const IndexBox& cells) const;
   std::int64_t count() const;
@@ -49,9 +57,21 @@ class FlagField {
   std::vector<std::uint64_t> words_;
 };
 
-// Position of the first set bit at or after `from`, or `end` when there is none below it.
-int next_flag(const std::uint64_t* row, int from, int end);
-// The same for the first bit that is not set.
-int next_gap(const std::uint64_t* row, int from, int end);
+// Position of the first bit at or after `from` that differs from those of `other` (all zero or all
+// one), or `end` when there is none below it.
+inline int next_other(const std::uint64_t* row, int from, int end, std::uint64_t other) {
+  while (from < end) {
+    const std::uint64_t rest = (row[from / 64] ^ other) >> (from % 64);
+    if (rest != 0) return std::min(end, from + std::countr_zero(rest));
+    from = (from / 64 + 1) * 64;
+  }
+  return end;
+}
+inline int next_flag(const std::uint64_t* row, int from, int end) {
+  return next_other(row, from, end, 0);
+}
+inline int next_gap(const std::uint64_t* row, int from, int end) {
+  return next_other(row, from, end, ~std::uint64_t{0});
+}
 
 }  // namespace sluice

@@ -35,6 +35,7 @@ Regridder::Regridder(const RefinementSettings& settings, const std::vector<Level
     : settings_(settings), levels_(levels), ranks_(ranks), threads_(threads) {
   state_.tiles.resize(levels.size());
   state_.idle.resize(levels.size());
+  cells_.resize(levels.size());
   if (!settings.adaptive) return;
   layouts_.resize(levels.size());
   for (std::size_t l = 1; l < levels.size(); ++l)
@@ -53,6 +54,15 @@ void Regridder::restore(const RegridState& state) {
         "the checkpoint's tiles do not fit the levels of the deck; restart with the regridder that "
         "the run began with");
   state_ = state;
+  if (adaptive()) count_cells(present());
+}
+
+void Regridder::count_cells(const Fields& tiles) {
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    cells_[l] = 0;
+    for (const IndexBox& block : merged_tiles(tiles[l]))
+      cells_[l] += layouts_[l].cells(block).volume();
+  }
 }
 
 bool Regridder::looks_at(int step) const {
@@ -157,14 +167,13 @@ bool Regridder::wasteful() const {
   double idle = 0, step = static_cast<double>(levels_[0].domain.volume()), substeps = 1;
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     if (!settings_.lock_step) substeps *= largest(levels_[l].ratio);
-    for (std::size_t t = 0; t < state_.idle[l].size(); ++t) {
-      const double cost =
-          substeps * static_cast<double>(layouts_[l].cells(state_.tiles[l].tiles[t]).volume());
-      step += cost;
-      if (state_.idle[l][t] >= looks_idle) idle += state_.idle[l][t] * cost;
-    }
+    step += substeps * static_cast<double>(cells_[l]);
+    for (std::size_t t = 0; t < state_.idle[l].size(); ++t)
+      if (state_.idle[l][t] >= looks_idle)
+        idle += state_.idle[l][t] * substeps *
+                static_cast<double>(layouts_[l].cells(state_.tiles[l].tiles[t]).volume());
   }
-  return idle >= step;
+  return idle >= step && idle > 0;
 }
 
 bool Regridder::take(const Fields& tiles) {
@@ -178,6 +187,9 @@ bool Regridder::take(const Fields& tiles) {
     const auto before = [](IntVec3 a, IntVec3 b) {
       return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
     };
+    const auto count = static_cast<std::size_t>(tiles[l].count());
+    state_.tiles[l].tiles.reserve(count);
+    state_.idle[l].reserve(count);
     for_each_tile(tiles[l], [&](IntVec3 tile) {
       while (at < old.size() && before(old[at], tile)) ++at;
       const bool known = at < old.size() && old[at] == tile;
@@ -186,13 +198,15 @@ bool Regridder::take(const Fields& tiles) {
     });
     changed = changed || state_.tiles[l].tiles != old;
   }
+  if (changed) count_cells(tiles);
   return changed;
 }
 
 bool Regridder::regrid(int step, const Flags& flags) {
   const Fields there = present();
-  count_idle(asked(flags, settings_.deletion_dilation,
-                   [&](std::size_t l, FlagField& tiles) { tiles &= there[l]; }));
+  if (std::any_of(there.begin(), there.end(), [](const FlagField& f) { return f.any(); }))
+    count_idle(asked(flags, settings_.deletion_dilation,
+                     [&](std::size_t l, FlagField& tiles) { tiles &= there[l]; }));
   const bool due = settings_.max_interval > 0 && step - state_.last_step > settings_.max_interval;
   if (!due && !lacks(there, flags) && !wasteful()) return false;
   const Fields stay = lasting();
@@ -218,10 +232,7 @@ std::vector<GridBox> Regridder::boxes(int level) const {
 
 std::int64_t Regridder::cells(int level) const {
   const auto l = static_cast<std::size_t>(level);
-  if (level == 0 || !adaptive()) return levels_[l].cell_count();
-  std::int64_t n = 0;
-  for (const IntVec3& t : state_.tiles[l].tiles) n += layouts_[l].cells(t).volume();
-  return n;
+  return level == 0 || !adaptive() ? levels_[l].cell_count() : cells_[l];
 }
 
 IndexBox Regridder::tile_cells(int level, IntVec3 tile) const {

@@ -14,9 +14,9 @@
 // up to as many cells of level l as level l takes substeps (one on level 0; the product of the
 // ratios below it with subcycling): only a dilation of that many cells keeps it on the fine level
 // for sure. The deck's dilation is used as it is; a wave that outruns it is not lost, but is seen
-// by the coarser grid until the next look. In lockstep a wave crosses at most one cell of the finest
-// level a step: there the regrid dilation of level l is divided by the ratios of the levels between
-// l and the finest one that is widened, rounded up.
+// by the coarser grid until the next look. In lockstep a wave crosses at most one cell of the
+// finest level a step: there the regrid dilation of level l is divided by the ratios of the levels
+// between l and the finest one that is widened, rounded up.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -63,7 +63,7 @@ class Regridder {
 
  private:
   using Flags = std::vector<FlagField>;   // by level, of its cells
-  using Fields = std::vector<FlagField>;  // by level, of its tiles; that of level 0 unused
+  using Fields = std::vector<FlagField>;  // by level, of its tiles; none of level 0
 
   std::size_t flagged_levels(const Flags& flags) const;
   IntVec3 regrid_reach(std::size_t level, const Flags& flags) const;
@@ -74,6 +74,7 @@ class Regridder {
   Fields asked(const Flags& flags, IntVec3 further, Change&& change) const;
   FlagField asked_by_margin(std::size_t level, const FlagField& tiles) const;
   bool lacks(const Fields& there, const Flags& flags) const;
+  void count_cells(const Fields& tiles);
   void count_idle(const Fields& living);
   Fields lasting() const;
   bool wasteful() const;
@@ -82,6 +83,7 @@ class Regridder {
   RefinementSettings settings_;
   std::vector<Level> levels_;
   std::vector<TileLayout> layouts_;  // by level; that of level 0 unused
+  std::vector<std::int64_t> cells_;  // of all tiles, by level
   int ranks_ = 1, threads_ = 1;
   RegridState state_;
 };

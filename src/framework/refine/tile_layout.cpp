@@ -30,6 +30,9 @@ TileLayout::TileLayout(const Level& level, IntVec3 tile)
     edges = divide(coarse, tile[d], ratio_[d]);
     count_[d] = static_cast<int>(edges.size()) - 1;
   }
+  const int width = edges_[0][1];
+  if (width * count_.x == edges_[0].back() && (width & (width - 1)) == 0 && width <= 64)
+    width_along_x_ = width;
   tile_along_x_.resize(static_cast<std::size_t>(edges_[0].back()));
   for (int t = 0; t < count_.x; ++t)
     std::fill(tile_along_x_.begin() + edges_[0][static_cast<std::size_t>(t)],
@@ -46,27 +49,62 @@ IndexBox TileLayout::cells(const IndexBox& tiles) const {
   return box;
 }
 
+namespace {
+
+using Word = std::uint64_t;
+
+// The bits at even places, moved together.
+Word even_bits(Word v) {
+  v &= 0x5555555555555555u;
+  v = (v | v >> 1) & 0x3333333333333333u;
+  v = (v | v >> 2) & 0x0f0f0f0f0f0f0f0fu;
+  v = (v | v >> 4) & 0x00ff00ff00ff00ffu;
+  v = (v | v >> 8) & 0x0000ffff0000ffffu;
+  return (v | v >> 16) & 0x00000000ffffffffu;
+}
+
+// Bit t of `tiles`: whether one of the cells [t width, (t + 1) width) is set; a power of two.
+void halve(const std::vector<Word>& cells, int width, Word* tiles, std::size_t tile_words) {
+  const int a_word = 64 / width;
+  for (std::size_t w = 0; w < cells.size(); ++w) {
+    Word v = cells[w];
+    for (int done = 1; done < width; done *= 2) v = even_bits(v | v >> 1);
+    const std::size_t bit = w * static_cast<std::size_t>(a_word);
+    if (bit / 64 < tile_words) tiles[bit / 64] |= v << (bit % 64);
+  }
+}
+
+}  // namespace
+
+void TileLayout::hold_row(const std::vector<Word>& cells, Word* tiles,
+                          std::size_t tile_words) const {
+  if (width_along_x_ > 0) {
+    halve(cells, width_along_x_, tiles, tile_words);
+    return;
+  }
+  const int n = edges_[0].back();
+  for (int x = next_flag(cells.data(), 0, n); x < n;) {
+    const int tile = tile_along_x_[static_cast<std::size_t>(x)];
+    tiles[tile / 64] |= Word{1} << (tile % 64);
+    x = next_flag(cells.data(), edges_[0][static_cast<std::size_t>(tile) + 1], n);
+  }
+}
+
 FlagField TileLayout::holding(const FlagField& coarse_flags) const {
   FlagField tiles(all());
   if (coarse_flags.words().empty()) return tiles;
-  const std::size_t words = coarse_flags.words_a_row();
-  const int cells = edges_[0].back();
-  std::vector<std::uint64_t> joined(words);
+  std::vector<Word> joined(coarse_flags.words_a_row());
   for (int tz = 0; tz < count_.z; ++tz)
     for (int ty = 0; ty < count_.y; ++ty) {
-      std::fill(joined.begin(), joined.end(), std::uint64_t{0});
+      std::fill(joined.begin(), joined.end(), Word{0});
       for (int z = edges_[2][static_cast<std::size_t>(tz)];
            z < edges_[2][static_cast<std::size_t>(tz) + 1]; ++z)
         for (int y = edges_[1][static_cast<std::size_t>(ty)];
              y < edges_[1][static_cast<std::size_t>(ty) + 1]; ++y) {
-          const std::uint64_t* row = coarse_flags.row(y, z);
-          for (std::size_t w = 0; w < words; ++w) joined[w] |= row[w];
+          const Word* row = coarse_flags.row(y, z);
+          for (std::size_t w = 0; w < joined.size(); ++w) joined[w] |= row[w];
         }
-      for (int x = next_flag(joined.data(), 0, cells); x < cells;) {
-        const int tx = tile_along_x_[static_cast<std::size_t>(x)];
-        tiles.set({tx, ty, tz});
-        x = next_flag(joined.data(), edges_[0][static_cast<std::size_t>(tx) + 1], cells);
-      }
+      hold_row(joined, tiles.row(ty, tz), tiles.words_a_row());
     }
   return tiles;
 }

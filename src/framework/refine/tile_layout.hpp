@@ -27,9 +27,13 @@ class TileLayout {
   FlagField holding(const FlagField& coarse_flags) const;
 
  private:
+  void hold_row(const std::vector<std::uint64_t>& cells, std::uint64_t* tiles,
+                std::size_t tile_words) const;
+
   IntVec3 count_{1, 1, 1}, ratio_{1, 1, 1}, lower_{};
   std::array<std::vector<int>, 3> edges_;  // in coarse cells from the domain's low corner
   std::vector<int> tile_along_x_;          // by coarse cell
+  int width_along_x_ = 0;                  // in coarse cells, when all are the same power of two
 };
 
 // Boxes of tiles that together are the flagged ones: runs along x, equal runs of neighbouring rows

@@ -49,9 +49,13 @@ TEST(TileLayout, UnevenTilesFillTheLevelAndAreMirrored) {
 }
 
 TEST(TileLayout, TilesHoldTheFlagsOfTheirCells) {
-  for (const IntVec3& coarse : {IntVec3{33, 21, 1}, IntVec3{150, 8, 3}, IntVec3{16, 16, 16}}) {
+  const std::pair<IntVec3, IntVec3> cases[] = {
+      {{33, 21, 1}, {6, 8, 4}},   {{150, 8, 3}, {6, 8, 4}},  {{16, 16, 16}, {6, 8, 4}},
+      {{150, 9, 1}, {2, 8, 2}},   {{152, 9, 1}, {8, 8, 2}},  {{512, 2, 1}, {32, 8, 2}},
+      {{192, 2, 1}, {128, 8, 2}}, {{64, 2, 1}, {128, 8, 2}}, {{256, 2, 1}, {256, 8, 2}}};
+  for (const auto& [coarse, tile] : cases) {
     const Level level = level_of(coarse, {2, 4, 2});
-    const TileLayout layout(level, {6, 8, 4});
+    const TileLayout layout(level, tile);
     FlagField flags(IndexBox{{0, 0, 0}, coarse}), expected(layout.all());
     std::mt19937 random(5);
     for (int n = 0; n < 12; ++n) {
