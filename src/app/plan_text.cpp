@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/effect_table.hpp"
+#include "app/plan_levels_text.hpp"
 #include "app/run_plan.hpp"
 #include "framework/base/console.hpp"
 
@@ -58,7 +59,8 @@ std::string memory_text(const RunPlan& p) {
   TextTable table({{"memory of a rank"}, {"bytes", Align::right}, {"of what"}});
   table.row({"program", human_bytes(m.base), ""});
   table.row({"states", human_bytes(m.states),
-             fmt::format("old and new, {:g} doubles a cell each, with ghost cells",
+             fmt::format("old and new{}, {:g} doubles a cell each, with ghost cells",
+                         p.hierarchy.levels.size() > 1 ? ", with substeps also the start" : "",
                          m.state_doubles_per_cell)});
   table.row({"outputs", human_bytes(m.outputs),
              fmt::format("{:g} doubles a cell, from the first step that stores them",
@@ -147,9 +149,10 @@ std::string plan_text(const RunPlan& p) {
       "{}{}\n{} on {} x {} x {} = {} cells in {} box{} and {} block{}; {} rank{}, {} thread{} "
       "each\n\n",
       p.deck, p.title.empty() ? "" : ": " + p.title, p.component, p.cells.x, p.cells.y, p.cells.z,
-      human_count(p.cell_count), p.boxes, p.boxes == 1 ? "" : "es", p.blocks,
+      human_count(p.coarse_cells()), p.boxes, p.boxes == 1 ? "" : "es", p.blocks,
       p.blocks == 1 ? "" : "s", p.ranks, p.ranks == 1 ? "" : "s", p.threads,
       p.threads == 1 ? "" : "s");
+  if (p.hierarchy.levels.size() > 1) text += levels_text(p.hierarchy) + "\n";
   text += directions_text(p) + "\n";
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
   text += fmt::format("  messages: one halo point of {},{},{} layers a step, ", p.halo.x, p.halo.y,
@@ -172,6 +175,7 @@ std::string plan_json(const RunPlan& p) {
                      {"component", p.component},
                      {"resolution", {p.cells.x, p.cells.y, p.cells.z}},
                      {"cells", p.cell_count},
+                     {"hierarchy", levels_json(p.hierarchy)},
                      {"boxes", p.boxes},
                      {"blocks", p.blocks},
                      {"ranks", p.ranks},

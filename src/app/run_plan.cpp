@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/first_step_limit.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/task/block_sweep.hpp"
 #include "framework/task/graph.hpp"
@@ -74,7 +75,11 @@ class Planner {
       : scene_(loaded.scene),
         component_(*loaded.component),
         level_(loaded.scene.grid.levels.front()),
-        options_(options) {}
+        options_(options) {
+    plan_.hierarchy =
+        plan_hierarchy(loaded, options.ranks, options.threads, options.most_cells_for_levels);
+    grid_.levels = plan_.hierarchy.grid();
+  }
 
   RunPlan plan() {
     describe_grid();
@@ -103,14 +108,13 @@ class Planner {
     plan_.title = scene_.title;
     plan_.component = component_.name();
     plan_.cells = level_.domain.size();
-    plan_.cell_count = scene_.grid.cell_count();
+    plan_.cell_count = grid_.cell_count();
     plan_.boxes = static_cast<int>(level_.boxes.size());
     plan_.ranks = options_.ranks;
     plan_.threads = options_.threads;
     plan_.directions = scene_.directions;
     block_ = options_.block == IntVec3{} ? default_block(level_) : options_.block;
-    blocks_ = place_blocks(level_.boxes, block_);
-    plan_.blocks = static_cast<int>(blocks_.size());
+    plan_.blocks = static_cast<int>(place_blocks(level_.boxes, block_).size());
   }
 
   void describe_effects() {
@@ -222,7 +226,11 @@ class Planner {
   void find_first_step() {
     const TimeSettings& t = scene_.time;
     std::optional<StepLimit> physics;
-    if (plan_.cell_count <= options_.most_cells_for_limits) physics = first_limit();
+    if (plan_.hierarchy.limit)
+      physics = plan_.hierarchy.limit;
+    else if (plan_.hierarchy.levels.size() == 1 &&
+             plan_.cell_count <= options_.most_cells_for_limits)
+      physics = first_step_limit(component_, level_);
     TimeControl control(t, scene_.output);
     StepPlan first;
     if (physics) first = control.plan(physics->dt);
@@ -256,53 +264,36 @@ class Planner {
       plan_.estimated_steps = std::min<double>(plan_.estimated_steps, t.max_timesteps);
   }
 
-  StepLimit first_limit() {
-    constexpr std::int64_t slab_cells = 1'000'000;
-    Reductions rates(component_.reduction_maxima(), component_.reduction_sums());
-    int along = 2;
-    while (along > 0 && level_.domain.size()[along] == 1) --along;
-    const auto pieces = static_cast<int>(std::clamp<std::int64_t>(
-        level_.domain.volume() / slab_cells + 1, 1, level_.domain.size()[along]));
-    IntVec3 cut{1, 1, 1};
-    cut[along] = pieces;
-    for (const IndexBox& slab : split(level_.domain, cut)) {
-      Level part = level_;
-      part.boxes = {{slab, 0, 0}};
-      Warehouse state(part, 0);
-      for (SlotInfo s : component_.state_slots()) {
-        s.ghosts = 0;
-        state.add(s);
-      }
-      component_.initialise(state);
-      component_.measure_rates(state, rates);
-    }
-    std::vector<double> maxima;
-    for (int m = 0; m < rates.maxima_count(); ++m) maxima.push_back(rates.maximum(m));
-    return component_.step_limit(maxima);
-  }
-
+  // Each level has sweeps of its own.
   double scratch_bytes(const Graph& g) const {
-    IntVec3 largest{1, 1, 1};
-    for (const Block& b : blocks_) largest = max(largest, b.cells.size());
-    const StateBinding none;
-    return options_.threads *
-           static_cast<double>(BlockSweep(g.list, g.plan, level_, none, largest).scratch_bytes());
+    double bytes = 0;
+    for (const Level& level : grid_.levels) {
+      const IntVec3 block = options_.block == IntVec3{} ? default_block(level) : options_.block;
+      IntVec3 largest{1, 1, 1};
+      for (const Block& b : place_blocks(level.boxes, block))
+        largest = max(largest, b.cells.size());
+      const StateBinding none;
+      bytes +=
+          static_cast<double>(BlockSweep(g.list, g.plan, level, none, largest).scratch_bytes());
+    }
+    return options_.threads * bytes;
   }
 
-  // Bytes of one component over the local boxes of a rank with this many ghost layers.
-  double array_bytes(int rank, int ghosts) const {
+  // Bytes of one component over the boxes of a level on a rank, with this many ghost layers.
+  static double array_bytes(const Level& level, int rank, int ghosts) {
     double cells = 0;
-    for (const GridBox& b : level_.boxes)
+    for (const GridBox& b : level.boxes)
       if (b.owner == rank)
-        cells += static_cast<double>(b.cells.grown(level_.ghosts(ghosts)).volume());
+        cells += static_cast<double>(b.cells.grown(level.ghosts(ghosts)).volume());
     return word * cells;
   }
 
   // Under gravity the fill reaches down to the low end of the domain and is cut afterwards.
-  double initial_fill_bytes(const IndexBox& cells) const {
+  double initial_fill_bytes(const Level& level, const GridBox& box) const {
+    const IndexBox& cells = box.cells;
     IndexBox filled = cells;
     for (int d = 0; d < 3; ++d)
-      if (scene_.constants.gravity[d] != 0) filled.lower[d] = level_.domain.lower[d];
+      if (scene_.constants.gravity[d] != 0) filled.lower[d] = level.domain.lower[d];
     const double whole = fill_bytes_per_cell * static_cast<double>(filled.volume());
     if (filled == cells) return whole;
     return std::max(whole, 6 * word * static_cast<double>(filled.volume() + cells.volume()));
@@ -314,6 +305,7 @@ class Planner {
     m.scratch = scratch_bytes(plain_);
     std::set<Label> kept = stored_always();
     kept.insert(stored_.begin(), stored_.end());
+    if (plan_.hierarchy.adaptive) computed_.insert(component_.refine_flag());
     if (kept != stored_always())
       m.scratch += scratch_bytes(compile_graph(component_, level_, false, kept));
     if (!computed_.empty())
@@ -334,13 +326,19 @@ class Planner {
   }
 
   void add_fields(PlannedMemory& m, int rank, const std::set<Label>& kept) const {
-    for (const SlotInfo& s : component_.state_slots())
-      m.states += 2 * s.components * array_bytes(rank, s.ghosts);
-    for (Label l : kept)
-      m.outputs += component_count(l.info().type) *
-                   array_bytes(rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
-    for (const GridBox& b : level_.boxes)
-      if (b.owner == rank) m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(b.cells));
+    for (const Level& level : grid_.levels) {
+      // Old and new; with substeps also the state at the start of the coarse step.
+      const int copies =
+          plan_.hierarchy.levels[static_cast<std::size_t>(level.index)].substeps > 1 ? 3 : 2;
+      for (const SlotInfo& s : component_.state_slots())
+        m.states += copies * s.components * array_bytes(level, rank, s.ghosts);
+      for (Label l : kept)
+        m.outputs += component_count(l.info().type) *
+                     array_bytes(level, rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
+      for (const GridBox& b : level.boxes)
+        if (b.owner == rank)
+          m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(level, b));
+    }
   }
 
   // What a rank sends in a step; the plan keeps that of the one that sends most.
@@ -350,23 +348,27 @@ class Planner {
       width = std::max(width, s.ghosts);
       components += s.components;
     }
-    const HaloExchange halo(level_, width, rank);
-    const auto bytes = static_cast<std::int64_t>(halo.message_bytes(components));
-    if (bytes > plan_.message_bytes) {
-      plan_.message_bytes = bytes;
-      plan_.neighbour_ranks = halo.neighbour_ranks();
+    double all_levels = 0;
+    for (const Level& level : grid_.levels) {
+      const HaloExchange halo(level, width, rank);
+      const auto bytes = static_cast<std::int64_t>(halo.message_bytes(components));
+      all_levels += static_cast<double>(bytes);
+      if (level.index == 0 && bytes > plan_.message_bytes) {
+        plan_.message_bytes = bytes;
+        plan_.neighbour_ranks = halo.neighbour_ranks();
+      }
     }
-    return static_cast<double>(bytes);
+    return all_levels;
   }
 
   const Scene& scene_;
   const Component& component_;
-  const Level& level_;
+  const Level& level_;  // the coarsest
+  Grid grid_;           // the levels of the start
   PlanOptions options_;
   RunPlan plan_;
   Graph plain_;
   IntVec3 block_{};
-  std::vector<Block> blocks_;
   std::set<Label> step_labels_, diagnostic_labels_;
   std::set<Label> stored_, computed_;  // of saves and analyses
 };

@@ -1,7 +1,8 @@
 // What a run will do and cost, found before it from the scene and the compiled graphs alone.
 //
-// No field of the run is allocated. The memory that a rank will have resident at its peak is
-//   base + both states + max(initial fill, stored outputs + scratch + messages),
+// Of a run on one level no field is allocated; adaptive levels are found by setting the initial
+// state. The memory that a rank will have resident at its peak is
+//   base + states + max(initial fill, stored outputs + scratch + messages),
 // where a state is all slots of all local boxes with ghosts, outputs live from the first step that
 // stores them, and the initial fill holds the primitives of the largest box while it is set.
 #pragma once
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/planned_hierarchy.hpp"
 #include "app/scene_loader.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/run/time_control.hpp"
@@ -24,6 +26,7 @@ struct PlanOptions {
   bool output = true;  // --no-output
   IntVec3 block{};
   std::int64_t most_cells_for_limits = 20'000'000;  // more: the first step is not predicted
+  std::int64_t most_cells_for_levels = 2'000'000;   // more: adaptive levels are not predicted
 };
 
 struct PlannedOutput {
@@ -54,8 +57,10 @@ struct PlannedMemory {
 struct RunPlan {
   std::string deck, title, component;
   IntVec3 cells;
-  std::int64_t cell_count = 0;
+  std::int64_t cell_count = 0;  // of all levels at the start, as far as known
+  std::int64_t coarse_cells() const { return std::int64_t{1} * cells.x * cells.y * cells.z; }
   int boxes = 0, blocks = 0, ranks = 1, threads = 1;
+  PlannedHierarchy hierarchy;
   std::array<ActiveDirection, 3> directions;
   std::vector<EffectCost> effects;
   std::vector<int> effect_fields;

@@ -1,0 +1,131 @@
+// sluice plan and the end of sluice run about levels: what is planned is what the run has.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/study_process.hpp"
+#include "framework/base/temporary_folder.hpp"
+
+namespace sluice {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class PlanLevels : public testing::Test {
+ protected:
+  static std::string deck(const std::string& name) {
+    return std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + name + ".ups";
+  }
+  std::string sluice(const std::string& command, const std::string& name,
+                     const std::vector<std::string>& options = {}) {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND, command, deck(name), "--quiet"};
+    request.words.insert(request.words.end(), options.begin(), options.end());
+    request.output = folder_ / "said";
+    EXPECT_EQ(run_process(request), 0) << text_of("said");
+    return text_of("said");
+  }
+  std::string text_of(const std::string& file) const {
+    std::ifstream in(folder_ / file);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  json plan(const std::string& name, std::vector<std::string> options = {}) {
+    options.emplace_back("--json");
+    return json::parse(sluice("plan", name, options));
+  }
+  json run(const std::string& name, std::vector<std::string> options = {}) {
+    options.insert(options.end(), {"-o", folder_.string(), "--progress", "none", "--json",
+                                   (folder_ / "run.json").string()});
+    sluice("run", name, options);
+    return json::parse(text_of("run.json"));
+  }
+
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
+};
+
+TEST_F(PlanLevels, AreThoseThatTheRunBeginsWith) {
+  const json planned = plan("amr_explosion");
+  const json ran = run("amr_explosion", {"--max-steps", "1"});
+  std::istringstream lines(text_of("amr_explosion.uda.000/levels.txt"));
+  std::string header;
+  std::getline(lines, header);
+  EXPECT_EQ(header, "# step\ttime\tlevel 0\tlevel 1\tlevel 2");
+  double step = -1, time = -1;
+  std::int64_t cells[3] = {};
+  lines >> step >> time >> cells[0] >> cells[1] >> cells[2];
+  EXPECT_EQ(step, 0);
+  const json& levels = planned.at("hierarchy").at("levels");
+  ASSERT_EQ(levels.size(), 3u);
+  for (std::size_t l = 0; l < 3; ++l) {
+    EXPECT_EQ(levels[l].at("cells"), cells[l]);
+    EXPECT_EQ(levels[l].at("substeps"), ran.at("levels").at(l).at("substeps"));
+    EXPECT_EQ(levels[l].at("domain_cells"), ran.at("levels").at(l).at("domain_cells"));
+  }
+  EXPECT_EQ(planned.at("cells"), cells[0] + cells[1] + cells[2]);
+  EXPECT_EQ(planned.at("hierarchy").at("updates_per_coarse_step"), ran.at("cell_updates"));
+  EXPECT_EQ(planned.at("hierarchy").at("uniform_updates"), ran.at("uniform_updates"));
+  EXPECT_EQ(planned.at("time_step").at("first_step"), ran.at("time"));
+}
+
+TEST_F(PlanLevels, AreToldWithWhatDecidesThem) {
+  const std::string said = sluice("plan", "amr_explosion");
+  for (const char* part : {"W-cycle", "gradient of rho_CC", "above 0.5, material 0",
+                           "amr_explosion.ups:", "of a grid that is fine everywhere",
+                           "level 2 finer level, 2 substeps", "made equal", "8,8,1"})
+    EXPECT_THAT(said, HasSubstr(part));
+  EXPECT_THAT(sluice("plan", "shock_tube"), Not(HasSubstr("W-cycle")));
+}
+
+TEST_F(PlanLevels, LockstepTakesOneSubstep) {
+  const json p = plan("amr_explosion", {"--set", "AMR/useLockStep=true"});
+  EXPECT_THAT(p.at("hierarchy").at("stepping").get<std::string>(), HasSubstr("lockstep"));
+  for (const json& level : p.at("hierarchy").at("levels")) EXPECT_EQ(level.at("substeps"), 1);
+}
+
+TEST_F(PlanLevels, SayThatOnlyTheClassicSchemeMayLeaveFluxesUnequal) {
+  const std::string off = "AMR/ICE/do_Refluxing=false";
+  EXPECT_THAT(sluice("plan", "amr_explosion", {"--set", off}),
+              HasSubstr("do_Refluxing false has no effect, only the classic scheme obeys it"));
+  EXPECT_THAT(sluice("plan", "amr_explosion", {"--set", off, "--set", "CFD/ICE/scheme=classic"}),
+              HasSubstr("left as they are"));
+}
+
+TEST_F(PlanLevels, OfALargeDeckAreNotSetJustToBeSeen) {
+  const json p = plan("amr_explosion", {"--set", "Grid/Level/Box/resolution=[4000,4000,1]"});
+  EXPECT_TRUE(p.at("hierarchy").at("levels").at(1).at("cells").is_null());
+  EXPECT_EQ(p.at("hierarchy").at("levels").at(0).at("cells"), 16'000'000);
+  EXPECT_TRUE(p.at("time_step").at("first_step").is_null());
+}
+
+TEST_F(PlanLevels, TakeTheMemoryThatWasPlanned) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has memory of its own";
+#endif
+  const std::string size = "Grid/Level/Box/resolution=[512,512,1]";
+  const json planned = plan("amr_explosion", {"--set", size, "--no-output"});
+  const json ran = run("amr_explosion", {"--set", size, "--no-output", "--max-steps", "1"});
+  const double measured = ran.at("peak_memory_bytes").get<double>();
+  // Planned and measured: 6.65e7 and 6.35e7.
+  EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
+}
+
+TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {
+  const std::string said = sluice("run", "amr_shock_tube", {"-o", folder_.string()});
+  for (const char* part :
+       {"level 2: ", "of a grid that is fine everywhere", "of the stepping time"})
+    EXPECT_THAT(said, HasSubstr(part));
+  const json ran = run("amr_shock_tube");
+  EXPECT_LT(ran.at("cell_updates").get<double>(), ran.at("uniform_updates").get<double>());
+  EXPECT_GT(ran.at("regrids").get<int>(), 0);
+  EXPECT_GE(ran.at("levels").at(2).at("most_cells"), ran.at("levels").at(2).at("cells"));
+}
+
+}  // namespace
+}  // namespace sluice
