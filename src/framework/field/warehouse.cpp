@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -14,15 +13,17 @@ constexpr std::size_t alignment = 64;
 }
 
 AlignedArray::AlignedArray(std::size_t count) : count_(count) {
-  const std::size_t bytes = (count * sizeof(double) + alignment - 1) / alignment * alignment;
-  void* p = std::aligned_alloc(alignment, std::max(bytes, alignment));
-  if (p == nullptr) throw std::bad_alloc();
-  std::memset(p, 0, bytes);
-  data_.reset(static_cast<double*>(p));
+  // calloc does not clear what the system hands out clear: levels come and go with their memory.
+  std::size_t bytes = count * sizeof(double) + alignment;
+  void* base = std::calloc(bytes, 1);
+  if (base == nullptr) throw std::bad_alloc();
+  void* p = base;
+  std::align(alignment, count * sizeof(double), p, bytes);
+  data_ = std::unique_ptr<double[], Free>(static_cast<double*>(p), Free(base));
 }
 
-void AlignedArray::Free::operator()(double* p) const {
-  std::free(p);
+void AlignedArray::Free::operator()(double*) const {
+  std::free(base);
 }
 
 RealView lay_out(double* data, const IndexBox& box, const Level& level) {

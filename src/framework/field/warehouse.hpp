@@ -23,7 +23,10 @@ class AlignedArray {
 
  private:
   struct Free {
-    void operator()(double* p) const;
+    Free() noexcept : base(nullptr) {}
+    explicit Free(void* allocated) noexcept : base(allocated) {}
+    void* base;  // what was allocated; the data start at the next cache line
+    void operator()(double*) const;
   };
   std::unique_ptr<double[], Free> data_;
   std::size_t count_ = 0;

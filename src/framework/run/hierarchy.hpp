@@ -91,7 +91,7 @@ class Hierarchy {
   void lay_out_level(int level, std::vector<GridBox> boxes, bool from_deck);
   std::vector<FlagField> flags();
   void restrict_all();
-  void measure_rates();
+  void measure_rates(int levels_before);
 
   const Scene* scene_;
   const Component* component_;

@@ -113,8 +113,12 @@ void Hierarchy::restrict_all() {
   for (int l = 0; l < level_count(); ++l) level(l).touch();
 }
 
-void Hierarchy::measure_rates() {
-  for (int l = 0; l < level_count(); ++l)
+// With subcycling the coarser level's limit holds for the cells that a finer level gains: their
+// values lie between those of coarse cells, their steps and spacings shrink alike. In lockstep, and
+// for a level that did not exist, rates must be measured.
+void Hierarchy::measure_rates(int levels_before) {
+  const int first = scene_->refinement.lock_step ? 0 : levels_before;
+  for (int l = first; l < level_count(); ++l)
     maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
 }
 
@@ -127,16 +131,17 @@ void Hierarchy::initialise() {
     lay_out(true);
   }
   restrict_all();
-  measure_rates();
+  measure_rates(0);
 }
 
 bool Hierarchy::regrid(int step) {
   if (!regridder_ || !regridder_->looks_at(step)) return false;
   const auto start = std::chrono::steady_clock::now();
+  const int levels_before = level_count();
   const bool changed = regridder_->regrid(step, flags());
   if (changed) {
     lay_out(false);
-    measure_rates();
+    measure_rates(levels_before);
     ++regrids_;
   }
   regrid_seconds_ +=
