@@ -227,7 +227,7 @@ std::vector<GridBox> Regridder::boxes(int level) const {
   if (level == 0 || !adaptive()) return levels_[l].boxes;
   FlagField tiles(layouts_[l].all());
   for (const IntVec3& t : state_.tiles[l].tiles) tiles.set(t);
-  return boxes_of_tiles(layouts_[l], tiles, ranks_, threads_);
+  return boxes_of_tiles(layouts_[l], tiles, ranks_, threads_, most_cells_);
 }
 
 std::int64_t Regridder::cells(int level) const {

@@ -56,6 +56,8 @@ class Regridder {
   // The boxes of a level for the present tiles: merged, and split so that every rank gets some;
   // owners by cells.
   std::vector<GridBox> boxes(int level) const;
+  // Splits boxes above so many cells, in whole tiles: results must not depend on it.
+  void limit_boxes(std::int64_t most_cells) { most_cells_ = most_cells; }
   // Cells of all tiles of a level.
   std::int64_t cells(int level) const;
   IndexBox tile_cells(int level, IntVec3 tile) const;
@@ -85,6 +87,7 @@ class Regridder {
   std::vector<TileLayout> layouts_;  // by level; that of level 0 unused
   std::vector<std::int64_t> cells_;  // of all tiles, by level
   int ranks_ = 1, threads_ = 1;
+  std::int64_t most_cells_ = 0;  // of a box; 0: no limit
   RegridState state_;
 };
 

@@ -149,6 +149,23 @@ TEST(Regridder, ThreeDimensionsAndEverywhere) {
               (std::vector<IndexBox>{c.levels[static_cast<std::size_t>(l)].domain}));
 }
 
+TEST(Regridder, BoxesCanBeLimited) {
+  const Case c = make_case({32, 32, 1}, 2, {2, 2, 1}, {8, 8, 1});
+  Regridder r = c.regridder();
+  auto flags = c.flags(1);
+  flags[0].fill({{4, 4, 0}, {28, 20, 1}});
+  ASSERT_TRUE(r.regrid(1, flags));
+  ASSERT_EQ(r.boxes(1).size(), 1u);
+  const IndexBox whole = r.boxes(1)[0].cells;
+  for (const std::int64_t most : {300, 64, 1}) {
+    r.limit_boxes(most);
+    const std::vector<GridBox> boxes = r.boxes(1);
+    EXPECT_TRUE(BoxFinder(cells_of(boxes)).covers(whole));
+    for (const GridBox& b : boxes) EXPECT_LE(b.cells.volume(), std::max<std::int64_t>(most, 64));
+  }
+  EXPECT_EQ(static_cast<std::int64_t>(r.boxes(1).size()), whole.volume() / 64);
+}
+
 TEST(Regridder, OneTileIsALevelToo) {
   const Case c = make_case({6, 5, 1}, 2, {2, 2, 1}, {16, 16, 1});
   Regridder r = c.regridder();

@@ -42,7 +42,7 @@ std::vector<IndexBox> split_above(const TileLayout& layout, std::vector<IndexBox
 }  // namespace
 
 std::vector<GridBox> boxes_of_tiles(const TileLayout& layout, const FlagField& tiles, int ranks,
-                                    int threads) {
+                                    int threads, std::int64_t most_cells) {
   std::vector<IndexBox> blocks = merged_tiles(tiles);
   std::int64_t total = 0;
   for (const IndexBox& b : blocks) total += layout.cells(b).volume();
@@ -51,6 +51,7 @@ std::vector<GridBox> boxes_of_tiles(const TileLayout& layout, const FlagField& t
     most = total / (boxes_a_rank * ranks);
   else if (threads > 1)
     most = std::max(total / threads, least_shared);
+  if (most_cells > 0) most = std::min(most, most_cells);
   const std::int64_t wanted = std::min<std::int64_t>(ranks, tiles.count());
   blocks = split_above(layout, std::move(blocks), most);
   while (static_cast<std::int64_t>(blocks.size()) < wanted)
