@@ -24,8 +24,8 @@ class Ice final : public Component {
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
-  const TransferOperators& transfer() const { return transfer_; }
-  Label refine_flag() const;
+  const TransferOperators& transfer() const override { return transfer_; }
+  Label refine_flag() const override;
   Label mask_label() const override;
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override;

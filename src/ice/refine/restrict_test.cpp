@@ -166,7 +166,7 @@ TEST_F(Correction, AddsMassMomentumAndTotalEnergy) {
   }
 }
 
-// Half of the mass and momentum twice over: the cell can bear a quarter of minus three times.
+// Minus three times all that the cell holds: a quarter of that leaves a quarter.
 TEST_F(Correction, GivesEachCellTheShareThatItCanBear) {
   const ConservedChange x = change(-3, -3, -3);
   std::vector<double> share(x.cells.size(), -1.0);
