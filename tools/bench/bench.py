@@ -113,7 +113,7 @@ def instructions(cases, keep):
     recorded, build, counts = read_recorded(), build_portable(ROOT), {}
     print(f"{'instructions per cell and step':34} {'now':>10} {'recorded':>10} {'change':>9}")
     for case in cases:
-        if case.ranks * case.threads > 1 or case.unit == "ms":
+        if case.ranks * case.threads > 1 or case.unit != "ns/cell/step" or not case.steps:
             continue
         now = counts[case.name] = count_instructions(build, case)
         before = recorded["instructions"].get(case.name)

@@ -14,14 +14,14 @@ FOREVER = ("Time/maxTime=1e9", "Time/end_at_max_time_exactly=false")  # the step
 class Run:
     name: str
     deck: str
-    steps: int
+    steps: int  # 0: to the end of the deck
     resolution: str = ""  # replaces the deck's, "[i,j,k]"
     limit: float | None = None  # nanoseconds per cell and step
     savings: bool = False
     threads: int = 1
     ranks: int = 1
     settings: tuple[str, ...] = FOREVER  # further --set PATH=VALUE
-    unit: str = "ns/cell/step"  # or "ms": wall time of the whole process
+    unit: str = "ns/cell/step"  # or "ms": wall time of the whole process; "regrid": its share
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,6 +49,15 @@ TUBE = "inputs/ice/shock_tube.ups"
 BLAST_2D = "inputs/ice/blast_2d.ups"
 BLAST_3D = "inputs/ice/blast_3d.ups"
 
+# On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
+LEVELS_TUBE = "inputs/ice/amr_shock_tube.ups"
+LEVELS_EXPLOSION = "inputs/ice/amr_explosion.ups"
+# The ratios, tiles and thresholds of a widespread deck: all that is disturbed is refined.
+WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]",
+        "AMR/ICE/Refinement_Criteria_Thresholds/Variable[1]/@value=0.01",
+        "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=0.01")
+UNIFORM = ("AMR/Regridder/max_levels=1",)
+
 CASES = [
     Run("1-D, 4096 cells", TUBE, 4000, "[4096,1,1]", 30),
     Run("1-D, 256 cells", TUBE, 20000, "[256,1,1]", 60),
@@ -60,6 +69,20 @@ CASES = [
     Run("start to first step", TUBE, 1, limit=50, savings=True, unit="ms"),
     Ratio("speed-up of 2 threads", "3-D, 96^3", "3-D, 96^3, 2 threads", 1.85, at_least=True),
     Ratio("speed-up of 2 ranks", "3-D, 96^3", "3-D, 96^3, 2 ranks", 1.85, at_least=True),
+    Run("levels: shock tube, 50 to 800", LEVELS_TUBE, 0, limit=200, savings=True, settings=()),
+    Run("levels: explosion, 64^2 to 256^2", LEVELS_EXPLOSION, 0, limit=200, savings=True,
+        settings=()),
+    Run("levels: explosion, 32^2 to 512^2", LEVELS_EXPLOSION, 0, limit=200, savings=True,
+        settings=WIDE),
+    Run("explosion, 512^2 uniform", LEVELS_EXPLOSION, 60, "[512,512,1]", savings=True,
+        settings=UNIFORM),
+    Ratio("levels over uniform, per update", "levels: explosion, 32^2 to 512^2",
+          "explosion, 512^2 uniform", 1.25),
+    Run("levels: share of regrids", LEVELS_EXPLOSION, 0, limit=0.03, savings=True, settings=WIDE,
+        unit="regrid"),
+    Run("levels: explosion, 2 ranks", LEVELS_EXPLOSION, 0, savings=True, settings=WIDE, ranks=2),
+    Ratio("levels: speed-up of 2 ranks", "levels: explosion, 32^2 to 512^2",
+          "levels: explosion, 2 ranks", 1.8, at_least=True),
     Program("1 GiB archive over a plain write", "sluice_archive_bench", 1.3),
     Ratio("share left by the quiet half", "1-D, 4096 cells, savings on", "1-D, 4096 cells"),
 ]

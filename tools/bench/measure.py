@@ -35,8 +35,10 @@ def run_command(build, case, report, steps, prefix=()):
     if case.ranks > 1:
         command += ["mpirun", "-np", str(case.ranks)]
     command += [*prefix, str(build.bin / "sluice"), "run", str(build.root / case.deck),
-                "--threads", str(case.threads), "--max-steps", str(steps), "--no-output",
-                "--progress", "none", "--json", str(report)]
+                "--threads", str(case.threads), "--no-output", "--progress", "none",
+                "--json", str(report)]
+    if steps:
+        command += ["--max-steps", str(steps)]
     if case.resolution:
         command += ["--set", "Grid/Level/Box/resolution=" + case.resolution]
     for setting in case.settings:
@@ -59,6 +61,8 @@ def run_once(build, case):
         told = json.loads(report.read_text())
         if told["steps"] < case.steps:
             print(f"note: '{case.name}' ended after {told['steps']} of {case.steps} steps")
+        if case.unit == "regrid":
+            return told["regrid_s"] / told["stepping_s"]
         return 1e3 * wall if case.unit == "ms" else told["ns_per_cell_step"]
 
 
