@@ -72,6 +72,7 @@ nlohmann::json to_json(const DeckRun& r) {
   return {{"deck", r.deck},
           {"folder", r.folder.string()},
           {"split", {r.split.x, r.split.y, r.split.z}},
+          {"box_cells", r.box_cells},
           {"block", {r.block.x, r.block.y, r.block.z}},
           {"threads", r.threads},
           {"max_steps", r.max_steps},
@@ -86,6 +87,7 @@ DeckRun deck_run_from_json(const nlohmann::json& j) {
   r.deck = j.at("deck");
   r.folder = j.at("folder").get<std::string>();
   r.split = triple(j.at("split"));
+  r.box_cells = j.at("box_cells");
   r.block = triple(j.at("block"));
   r.threads = j.at("threads");
   r.max_steps = j.at("max_steps");
@@ -119,6 +121,7 @@ RunReport carry_out(const Deck& deck, const DeckRun& run,
   o.restart = run.restart;
   o.restart_step = run.restart_step;
   o.block = run.block;
+  o.most_box_cells = run.box_cells;
   if (change) change(o);
   Simulation simulation(loaded->scene, *loaded->component, world(), o);
   return simulation.run();

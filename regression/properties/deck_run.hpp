@@ -17,6 +17,7 @@ struct DeckRun {
   std::string deck;              // name of a PropertyDeck
   std::filesystem::path folder;  // parent of the archive
   IntVec3 split{};               // boxes asked for, at most one a cell; 0: as the deck says
+  int box_cells = 0;             // most cells of a box of an adaptive level; 0: no limit
   IntVec3 block{};
   int threads = 1;
   int max_steps = 0;

@@ -19,8 +19,20 @@ struct Entry {
   std::vector<std::string> overrides;
 };
 
+const char* const lockstep = "AMR/useLockStep=true";
+const char* const classic = "CFD/ICE/scheme=classic";
+
 std::string cells(const char* triple) {
   return grid + std::string(triple);
+}
+std::string box(int level, const char* triple) {
+  return "Grid/Level[" + std::to_string(level + 1) + "]/Box/resolution=" + triple;
+}
+std::string ratio(const char* list) {
+  return "AMR/Regridder/cell_refinement_ratio=" + std::string(list);
+}
+std::string tile(const char* list) {
+  return "AMR/Regridder/min_patch_size=" + std::string(list);
 }
 
 // Shocks, walls, periodic and open faces, uniform parts, each effect alone and together.
@@ -50,6 +62,35 @@ std::vector<Entry> own() {
       {"cube", "blast_3d", {cells("[14,12,13]")}},
       {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity, pressure}},
       {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, pressure, viscous}},
+  };
+}
+
+// Levels that stay and levels that move, ratios 2 and 4, both ways of stepping, both schemes.
+std::vector<Entry> on_levels() {
+  return {
+      {"amr_shock_tube", "amr_shock_tube", {}},
+      {"amr_shock_tube_lockstep", "amr_shock_tube", {lockstep}},
+      {"amr_shock_tube_classic", "amr_shock_tube", {classic}},
+      {"amr_periodic_shocks", "amr_periodic_shocks", {cells("[50,1,1]")}},
+      {"amr_explosion", "amr_explosion", {cells("[22,18,1]")}},
+      {"amr_explosion_ratio_4", "amr_explosion", {cells("[10,12,1]"), ratio("[[4,2,1],[2,4,1]]")}},
+      {"amr_explosion_lockstep", "amr_explosion", {cells("[20,20,1]"), lockstep}},
+      {"amr_explosion_viscous", "amr_explosion", {cells("[18,20,1]"), viscous}},
+      {"amr_explosion_first_order", "amr_explosion", {cells("[22,18,1]"), first_order}},
+      {"amr_explosion_classic", "amr_explosion", {cells("[20,16,1]"), classic}},
+      {"amr_explosion_one_level", "amr_explosion", {cells("[22,18,1]"), coarsest}},
+      {"amr_explosion_two_levels",
+       "amr_explosion",
+       {cells("[22,18,1]"), "AMR/Regridder/max_levels=2"}},
+      {"amr_vortex", "amr_vortex", {box(0, "[24,20,1]"), box(1, "[24,20,1]")}},
+      {"amr_sound_wave", "amr_sound_wave", {}},
+      {"amr_uniform_flow",
+       "amr_uniform_flow",
+       {box(0, "[8,8,8]"), box(1, "[8,8,8]"), box(2, "[16,8,16]")}},
+      {"amr_cube", "amr_blast_3d", {cells("[10,9,8]"), tile("[[4,4,4]]")}},
+      {"amr_cube_all",
+       "amr_blast_3d",
+       {cells("[8,9,8]"), tile("[[4,4,4]]"), gravity, pressure, viscous}},
   };
 }
 
@@ -87,9 +128,10 @@ std::vector<std::string> with_control(std::vector<std::string> overrides) {
 const std::vector<PropertyDeck>& property_decks() {
   static const std::vector<PropertyDeck> decks = [] {
     std::vector<PropertyDeck> all;
-    for (const Entry& e : own())
-      all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
-                     with_control(e.overrides)});
+    for (const std::vector<Entry>& table : {own(), on_levels()})
+      for (const Entry& e : table)
+        all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
+                       with_control(e.overrides)});
     const char* folder = std::getenv("SLUICE_DECKS");
     for (const Entry& e : collection())
       all.push_back({e.name,

@@ -37,6 +37,7 @@ TEST_P(SameBitsOfDecks, HoweverTheyAreRun) {
   const fs::path reference = archive_of(plain);
   DeckRun run = run_into("boxes");
   run.split = {5, 3, 2};
+  run.box_cells = 1;
   expect_equal(reference, archive_of(carry_out(run)));
   run = run_into("blocks and threads");
   run.block = {7, 3, 5};
@@ -45,6 +46,7 @@ TEST_P(SameBitsOfDecks, HoweverTheyAreRun) {
   run = run_into("all of it");
   run.force_all = true;
   run.split = {2, 3, 1};
+  run.box_cells = 150;
   run.threads = 2;
   run.block = {16, 1, 2};
   expect_equal(reference, archive_of(carry_out(run)));
@@ -64,6 +66,7 @@ TEST_P(SameBitsOfDecks, AfterARestart) {
   second.restart = archive_of(half);
   second.restart_step = kept;
   second.split = {3, 2, 2};
+  second.box_cells = 100;
   second.threads = 2;
   const RunReport rest = carry_out(second);
   EXPECT_EQ(rest.steps, steps - kept);

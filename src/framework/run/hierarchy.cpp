@@ -34,6 +34,7 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   joints_.resize(levels.size());
   if (scene.refinement.adaptive && levels.size() > 1)
     regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads);
+  if (regridder_) regridder_->limit_boxes(options.most_box_cells);
   for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
   join_levels();
 }

@@ -23,10 +23,11 @@ namespace sluice {
 
 struct SolverOptions {
   int threads = 1;
-  bool force_all = false;  // savings 2 to 5 off: every output computed, no block sleeps
-  int sample_every = 0;    // time every n-th block; 0: never
-  IntVec3 block{};         // extents of a block; 0: chosen
-  int substeps = 1;        // of this level in one coarse step
+  bool force_all = false;           // savings 2 to 5 off: every output computed, no block sleeps
+  int sample_every = 0;             // time every n-th block; 0: never
+  IntVec3 block{};                  // extents of a block; 0: chosen
+  std::int64_t most_box_cells = 0;  // of boxes of adaptive levels; 0: no limit
+  int substeps = 1;                 // of this level in one coarse step
   std::shared_ptr<const ThreadTeam> team = nullptr;  // of `threads`; none: an own one
   bool joined = false;  // one of several levels: fluxes are recorded, sums count uncovered cells
 };
@@ -106,6 +107,7 @@ class LevelSolver {
   std::vector<double> effect_seconds() const;  // by effect
   std::vector<int> effect_tasks() const;       // tasks of the plain step, by effect
   std::vector<double> effect_doubles() const;  // doubles a cell of scratch rings, by effect
+  std::vector<double> box_seconds() const;     // by local box, since the level was laid out
   std::int64_t blocks_run() const, blocks_asleep() const;
   std::size_t memory_bytes() const;
   std::size_t message_bytes() const;

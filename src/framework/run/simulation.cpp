@@ -47,6 +47,7 @@ SolverOptions solver_options(const RunOptions& o) {
   s.force_all = o.force_all;
   s.sample_every = 61;
   s.block = o.block;
+  s.most_box_cells = o.most_box_cells;
   return s;
 }
 
@@ -312,7 +313,7 @@ bool Simulation::step() {
   const auto sampling = std::chrono::steady_clock::now();
   if (output_ != nullptr) analysis_.sample(plan.step, plan.end);
   const auto sampled = std::chrono::steady_clock::now();
-  hierarchy_.regrid(plan.step);
+  if (!hierarchy_.regrid(plan.step)) hierarchy_.balance(plan.step);
   limit_ = hierarchy_.step_limit();
   const auto stepped = std::chrono::steady_clock::now() - start - (sampled - sampling);
   stepping_seconds_ += std::chrono::duration<double>(stepped).count();
@@ -376,6 +377,8 @@ RunReport Simulation::report() const {
   r.levels = hierarchy_.costs();
   r.regrids = hierarchy_.regrids();
   r.regrid_seconds = hierarchy_.regrid_seconds();
+  r.balances = hierarchy_.balances();
+  r.balance_seconds = hierarchy_.balance_seconds();
   for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
   std::vector<double> seconds(static_cast<std::size_t>(component_.effects().size()), 0.0);
   for (int l = 0; l < hierarchy_.possible_levels(); ++l) {

@@ -21,12 +21,13 @@ struct RunOptions {
   bool force_all = false;
   RunLimits limits;
   ProgressMode progress = ProgressMode::automatic;
-  std::string program;            // "sluice 0.1.0"
-  std::string deck_xml;           // the deck as run
-  std::filesystem::path restart;  // archive to go on from; empty: start anew
-  int restart_step = -1;          // -1: the last checkpoint
-  bool copy_earlier = false;      // copy earlier outputs instead of referring to them
-  IntVec3 block{};                // extents of a block; 0: chosen
+  std::string program;              // "sluice 0.1.0"
+  std::string deck_xml;             // the deck as run
+  std::filesystem::path restart;    // archive to go on from; empty: start anew
+  int restart_step = -1;            // -1: the last checkpoint
+  bool copy_earlier = false;        // copy earlier outputs instead of referring to them
+  IntVec3 block{};                  // extents of a block; 0: chosen
+  std::int64_t most_box_cells = 0;  // splits boxes of adaptive levels above so many; 0: no limit
   // For tests: plants a NaN into a cell of the state at the start of a step.
   std::optional<std::pair<int, IntVec3>> plant_nan;
 };
