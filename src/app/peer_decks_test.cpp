@@ -47,7 +47,7 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/UintahRelease/MPM/WSphereIntoSteel.axi.ups", "does not exist"},
 };
 
-// Decks that must be good as they stand, or on their coarsest level.
+// Decks that must be good as they stand.
 const std::vector<std::string> good = {
     "inputs/ICE/riemann_sm.ups",
     "inputs/ICE/riemann3D.ups",
@@ -57,7 +57,13 @@ const std::vector<std::string> good = {
     "inputs/ICE/test3.ups",
     "inputs/ICE/test4.ups",
     "inputs/UintahRelease/ICE/shockTube.ups",
+    "inputs/ICE/explosion.ups",
+    "inputs/ICE/riemann_AMR.ups",
+    "inputs/ICE/riemann2D_AMR.ups",
+    "inputs/ICE/advectAMR.ups",
+    "inputs/ICE/BW_reflect_AMR.ups",
     "inputs/UintahRelease/ICE/explosion.ups",
+    "inputs/UintahRelease/ICE/shockTube_AMR.ups",
     "inputs/UintahRelease/ICE/riemann2D_AMR.ups",
 };
 
@@ -104,11 +110,7 @@ TEST_F(PeerDecks, EndAsGoodNotBuiltOrTrulyFaulty) {
 TEST_F(PeerDecks, ThatMustRunAreGood) {
   const Schema schema = sluice_schema();
   for (const std::string& file : good) {
-    std::vector<std::string> overrides;
-    if (file.find("explosion") != std::string::npos || file.find("AMR") != std::string::npos) {
-      overrides.emplace_back("AMR/Regridder/max_levels=1");
-    }
-    const Deck deck = load_deck(file, overrides, schema);
+    const Deck deck = load_deck(file, {}, schema);
     EXPECT_TRUE(deck.good()) << file;
     for (const Fault& fault : deck.faults) {
       EXPECT_NE(fault.severity, Severity::error) << to_string(fault);
@@ -133,8 +135,7 @@ TEST(OwnDecks, AreGoodWithoutAWarning) {
 TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
   const Schema schema = sluice_schema();
   for (const std::string& file : good) {
-    const std::vector<std::string> overrides = {"AMR="};
-    const Deck deck = load_deck(file, overrides, schema);
+    const Deck deck = load_deck(file, {}, schema);
     ASSERT_NE(deck.root, nullptr);
     const std::string xml = to_xml(*deck.root);
     const Deck again = load_deck_text(xml, file, {}, schema);

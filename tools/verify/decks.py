@@ -18,8 +18,10 @@ SUITE = {  # deck below inputs/: further options
     "ICE/riemann_sm.ups": [], "ICE/riemann3D.ups": [], "ICE/advect.ups": [],
     "ICE/advect_periodic.ups": [], "ICE/test2.ups": [], "ICE/test3.ups": [], "ICE/test4.ups": [],
     "UintahRelease/ICE/shockTube.ups": [],
-    "ICE/explosion.ups": ["--set", "AMR/Regridder/max_levels=1"],
-    "ICE/riemann2D_AMR.ups": ["--set", "AMR/Regridder/max_levels=1"],
+    "ICE/explosion.ups": [], "ICE/riemann_AMR.ups": [], "ICE/riemann2D_AMR.ups": [],
+    "ICE/advectAMR.ups": [], "ICE/BW_reflect_AMR.ups": [],
+    "UintahRelease/ICE/explosion.ups": [], "UintahRelease/ICE/shockTube_AMR.ups": [],
+    "UintahRelease/ICE/riemann2D_AMR.ups": [],
 }
 
 
