@@ -16,7 +16,10 @@ int substeps_of(const Level& level, bool lock_step) {
 
 Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicator& communicator,
                      const SolverOptions& options)
-    : scene_(&scene), component_(&component), communicator_(&communicator) {
+    : scene_(&scene),
+      component_(&component),
+      communicator_(&communicator),
+      refinement_flags_(scene.refinement, component, scene.grid.levels) {
   const std::vector<Level>& levels = scene.grid.levels;
   SolverOptions o = options;
   o.joined = levels.size() > 1;

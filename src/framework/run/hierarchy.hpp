@@ -12,6 +12,7 @@
 #include "framework/refine/regridder.hpp"
 #include "framework/run/event_ledger.hpp"
 #include "framework/run/level_solver.hpp"
+#include "framework/run/refinement_flags.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/scene/scene.hpp"
 #include "framework/task/schedule.hpp"
@@ -59,6 +60,8 @@ class Hierarchy {
   StepLimit step_limit() const;
   // New levels where flags ask for them, after an accepted coarse step. True when boxes changed.
   bool regrid(int step);
+  // Moves boxes to other ranks where that makes the busiest rank faster.
+  bool balance(int step);
 
   // Ghost cells of all levels at the end of a coarse step.
   void fill_ghosts(double time);
@@ -69,6 +72,8 @@ class Hierarchy {
   int regrids() const { return regrids_; }
   int layouts() const { return layouts_; }  // grows whenever boxes change
   double regrid_seconds() const { return regrid_seconds_; }
+  int balances() const { return balances_; }
+  double balance_seconds() const { return balance_seconds_; }
   std::vector<LevelCost> costs() const;
   std::string describe_cycle() const { return describe(cycle_); }
 
@@ -103,6 +108,7 @@ class Hierarchy {
   std::vector<std::vector<double>> maxima_;     // rates by level
   std::vector<LevelCost> costs_;
   std::optional<Regridder> regridder_;
+  RefinementFlags refinement_flags_;
   Schedule cycle_;
   CycleResult result_;
   // Of the attempt under way.
@@ -114,7 +120,8 @@ class Hierarchy {
   EventLedger* ledger_ = nullptr;
   int regrids_ = 0;
   int layouts_ = 0;
-  double regrid_seconds_ = 0;
+  int balances_ = 0;
+  double regrid_seconds_ = 0, balance_seconds_ = 0;
 };
 
 }  // namespace sluice

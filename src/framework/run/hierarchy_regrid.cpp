@@ -5,7 +5,7 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/run/hierarchy.hpp"
-#include "framework/run/refinement_flags.hpp"
+#include "framework/run/load_balance.hpp"
 
 namespace sluice {
 namespace {
@@ -67,6 +67,7 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
   const int rank = communicator_->rank();
   if (!earlier.boxes.empty())
     LevelCopy(earlier, now, rank).run(before, solver.state(), solver.state_slots());
+  if (l == 0) return;
   LevelSolver& coarser = level(l - 1);
   Interpolation fresh = Interpolation::of_new_cells(coarser.level(), halo_width(*component_), now,
                                                     earlier.boxes, rank);
@@ -80,6 +81,7 @@ void Hierarchy::lay_out(bool from_deck) {
   int laid_out = -1;  // the last level that has changed
   for (int l = 1; l < possible_levels(); ++l) {
     std::vector<GridBox> boxes = regridder_->boxes(l);
+    deal_out(boxes, level(l), *communicator_);
     if (same_boxes(boxes, level(l).level().boxes)) {
       if (laid_out == l - 1) make_joint(l - 1);
       continue;
@@ -97,8 +99,7 @@ std::vector<FlagField> Hierarchy::flags() {
   const int flagging = std::min(level_count(), possible_levels() - 1);
   for (int l = 0; l < flagging; ++l) {
     fill(l, time_);
-    flags.push_back(
-        flags_of_level(level(l), *component_, scene_->refinement, time_, *communicator_));
+    flags.push_back(refinement_flags_.of_level(level(l), time_, *communicator_));
   }
   return flags;
 }
@@ -147,6 +148,28 @@ bool Hierarchy::regrid(int step) {
   regrid_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return changed;
+}
+
+bool Hierarchy::balance(int step) {
+  constexpr int interval = 50;  // coarse steps: enough to measure, rare enough to cost nothing
+  if (communicator_->size() == 1 || step % interval != 0) return false;
+  const auto start = std::chrono::steady_clock::now();
+  bool moved = false;
+  for (int l = 0; l < level_count(); ++l) {
+    std::vector<GridBox> boxes =
+        rebalanced(level(l), scene_->refinement.balance_gain, *communicator_);
+    if (boxes.empty()) continue;
+    lay_out_level(l, std::move(boxes), false);
+    moved = true;
+  }
+  if (moved) {
+    for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
+    join_levels();
+    ++balances_;
+  }
+  balance_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return moved;
 }
 
 std::string Hierarchy::regrid_state() const {

@@ -136,6 +136,7 @@ SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
   if (diagnostic) return o;
   o.maxima = component_->reduction_maxima();
   o.sums = component_->reduction_sums();
+  o.time_boxes = communicator_->size() > 1;
   if (options_.joined)
     o.never_sleeps = [this](int box, const IndexBox& block) {
       return (recorder_.as_coarse != nullptr && recorder_.as_coarse->touches(box, block)) ||
@@ -349,6 +350,16 @@ std::vector<double> LevelSolver::effect_doubles() const {
         doubles[static_cast<std::size_t>(t.effect)] +=
             2.0 * plain->second->list[v].components;  // old and new
   return doubles;
+}
+
+std::vector<double> LevelSolver::box_seconds() const {
+  std::vector<double> seconds(state_.local_boxes().size(), 0.0);
+  for (const auto& [key, v] : variants_) {
+    if (v->layout != layout_) continue;
+    const std::vector<double> own = v->executor->box_seconds();
+    for (std::size_t b = 0; b < own.size(); ++b) seconds[b] += own[b];
+  }
+  return seconds;
 }
 
 std::int64_t LevelSolver::blocks_run() const {

@@ -64,6 +64,8 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"levels", levels},
           {"regrids", r.regrids},
           {"regrid_s", r.regrid_seconds},
+          {"balances", r.balances},
+          {"balance_s", r.balance_seconds},
           {"blocks_run", r.blocks_run},
           {"blocks_asleep", r.blocks_asleep},
           {"step_limit", r.step_limit},
@@ -91,7 +93,7 @@ std::string levels_text(const RunReport& r) {
                         human_count(r.cell_updates),
                         100.0 * static_cast<double>(r.cell_updates) / uniform,
                         human_count(static_cast<std::int64_t>(uniform)));
-  if (r.stepping_seconds > 0)
+  if (r.regrid_seconds > 0)
     text += fmt::format("{} regrid{}: {:.2g} % of the stepping time\n", r.regrids,
                         r.regrids == 1 ? "" : "s", 100.0 * r.regrid_seconds / r.stepping_seconds);
   return text;

@@ -48,6 +48,8 @@ struct RunReport {
   std::int64_t cell_updates = 0;  // of all levels
   int regrids = 0;
   double regrid_seconds = 0;
+  int balances = 0;  // times that boxes moved to other ranks, regrids aside
+  double balance_seconds = 0;
   std::string step_limit;  // what has set the last step
   std::string events_json = "{}";
   std::string conservation_json = "{}";

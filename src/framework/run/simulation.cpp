@@ -281,15 +281,27 @@ void Simulation::flush_samples() {
 
 void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
+  analysis_.sample(plan.step, plan.end);
   sample_levels();
   if (plan.output || end.checkpoint) flush_samples();
   if (output_->writes_histories(plan.step)) output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) output_->write_output(step_info(), false);
-  if (end.checkpoint) {
-    set_totals(false);
-    output_->write_checkpoint(step_info());
-    last_checkpoint_step_ = plan.step;
+}
+
+// Outputs and samples are of the levels that the step was made with; a checkpoint is of those that
+// the next step will be made with.
+void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
+  const auto start = std::chrono::steady_clock::now();
+  if (hierarchy_.regrid(plan.step) || hierarchy_.balance(plan.step)) {
+    limit_ = hierarchy_.step_limit();
+    time_.remember_physics_dt(limit_.dt);
   }
+  stepping_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (output_ == nullptr || !end.checkpoint) return;
+  set_totals(false);
+  output_->write_checkpoint(step_info());
+  last_checkpoint_step_ = plan.step;
 }
 
 void Simulation::plant_nan(IntVec3 cell) {
@@ -309,19 +321,15 @@ bool Simulation::step() {
   CycleResult result;
   plan = advance(plan, result);
   book(plan, result.sums);
-  // Samples are of the levels that the step was made with: a regrid drops what it has stored.
-  const auto sampling = std::chrono::steady_clock::now();
-  if (output_ != nullptr) analysis_.sample(plan.step, plan.end);
-  const auto sampled = std::chrono::steady_clock::now();
-  if (!hierarchy_.regrid(plan.step)) hierarchy_.balance(plan.step);
   limit_ = hierarchy_.step_limit();
-  const auto stepped = std::chrono::steady_clock::now() - start - (sampled - sampling);
-  stepping_seconds_ += std::chrono::duration<double>(stepped).count();
+  stepping_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunControl::Answer& answer = result.control;
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
   time_.remember_physics_dt(limit_.dt);
   ++steps_;
   keep(plan, end);
+  prepare_next(plan, end);
   status_ = end.status;
   progress_->step({plan.step, plan.end, limit_.dt, answer.wall_seconds});
   return end.status == RunStatus::running;

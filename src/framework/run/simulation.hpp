@@ -52,6 +52,7 @@ class Simulation {
   StepPlan advance(StepPlan plan, CycleResult& result);
   void book(const StepPlan& plan, const std::vector<double>& sums);
   void keep(const StepPlan& plan, const StepEnd& end);
+  void prepare_next(const StepPlan& plan, const StepEnd& end);
   void sample_levels();
   void flush_samples();
   Totals totals();

@@ -1,6 +1,7 @@
 // Blocks, threads, sleeping blocks.
 #include "framework/task/sweep_executor.hpp"
 
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@ struct SweepExecutor::Worker {
   BlockSweep sweep;
   Reductions reductions;
   TaskTimes times;
+  TaskTimes boxes;  // by local box
   std::int64_t run = 0, asleep = 0, sampled = 0;
 };
 
@@ -97,6 +99,7 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
   team_->for_each(workers_.size(), [&](std::size_t n, int) {
     workers_[n] = std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_);
+    if (options_.time_boxes) workers_[n]->boxes.assign(old_state.local_boxes().size(), 0);
   });
 }
 
@@ -180,6 +183,23 @@ void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block
   }
 }
 
+void SweepExecutor::run_timed_block(Worker& worker, const StepConstants& step, std::size_t n) {
+  const auto start = std::chrono::steady_clock::now();
+  run_block(worker, step, n);
+  worker.boxes[static_cast<std::size_t>(blocks_[n].box)] +=
+      (std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<double> SweepExecutor::box_seconds() const {
+  std::vector<double> seconds;
+  for (const auto& w : workers_) {
+    seconds.resize(w->boxes.size(), 0.0);
+    for (std::size_t b = 0; b < w->boxes.size(); ++b)
+      seconds[b] += 1e-9 * static_cast<double>(w->boxes[b]);
+  }
+  return seconds;
+}
+
 void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::size_t n) {
   const Block& block = blocks_[n];
   if (options_.quiet_blocks && block.may_sleep && is_quiet(block)) {
@@ -199,7 +219,8 @@ void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::si
 const Reductions& SweepExecutor::run(const StepConstants& step) {
   for (auto& w : workers_) w->reductions.clear();
   team_->for_each(blocks_.size(), [&](std::size_t n, int thread) {
-    run_block(*workers_[static_cast<std::size_t>(thread)], step, n);
+    Worker& worker = *workers_[static_cast<std::size_t>(thread)];
+    options_.time_boxes ? run_timed_block(worker, step, n) : run_block(worker, step, n);
   });
   total_.clear();
   blocks_run_ = kept_run_;

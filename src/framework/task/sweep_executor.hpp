@@ -21,6 +21,7 @@ struct SweepOptions {
   bool quiet_blocks = false;  // may uniform blocks sleep
   int maxima = 0, sums = 0;   // of the reductions
   int sample_every = 0;       // time every n-th block per task; 0: never
+  bool time_boxes = false;    // measure what each box costs
   // Blocks (local box number, cells) that must not sleep; asked when bound.
   std::function<bool(int, const IndexBox&)> never_sleeps;
 };
@@ -54,12 +55,15 @@ class SweepExecutor {
   std::int64_t blocks_run() const { return blocks_run_; }  // since construction
   std::int64_t blocks_asleep() const { return blocks_asleep_; }
   std::size_t scratch_bytes() const;
+  // Seconds spent in each local box since the last bind, where boxes are timed.
+  std::vector<double> box_seconds() const;
   // Seconds per planned task, scaled up from the sampled blocks.
   std::vector<double> task_seconds() const;
 
  private:
   struct Worker;
   void keep_counts();
+  void run_timed_block(Worker& worker, const StepConstants& step, std::size_t n);
   void run_block(Worker& worker, const StepConstants& step, std::size_t n);
   bool is_quiet(const Block& block) const;
   void sleep(Worker& worker, const StepConstants& step, const Block& block);

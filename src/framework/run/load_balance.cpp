@@ -1,0 +1,45 @@
+// Gathering costs and dealing out boxes.
+#include "framework/run/load_balance.hpp"
+
+#include <cstring>
+
+#include "framework/refine/box_cost.hpp"
+
+namespace sluice {
+
+std::vector<double> box_seconds(const LevelSolver& solver, Communicator& communicator) {
+  const std::vector<double> mine = solver.box_seconds();
+  const std::vector<GridBox>& boxes = solver.level().boxes;
+  const std::string text(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double));
+  const std::vector<std::string> all = communicator.gather_to_all(text);
+  std::vector<std::size_t> next(all.size(), 0);  // local boxes are numbered in the order of ids
+  std::vector<double> seconds;
+  for (const GridBox& b : boxes) {
+    const auto rank = static_cast<std::size_t>(b.owner);
+    double value = 0;
+    std::memcpy(&value, all[rank].data() + next[rank]++ * sizeof value, sizeof value);
+    seconds.push_back(value);
+  }
+  return seconds;
+}
+
+void deal_out(std::vector<GridBox>& boxes, const LevelSolver& solver, Communicator& communicator) {
+  if (communicator.size() == 1) return;
+  const std::vector<double> measured = box_seconds(solver, communicator);
+  assign_owners(boxes, carried_costs(solver.level().boxes, measured, boxes), communicator.size());
+}
+
+std::vector<GridBox> rebalanced(const LevelSolver& solver, double least_gain,
+                                Communicator& communicator) {
+  if (communicator.size() == 1) return {};
+  const std::vector<double> costs = box_seconds(solver, communicator);
+  const std::vector<GridBox>& now = solver.level().boxes;
+  std::vector<GridBox> better = now;
+  assign_owners(better, costs, communicator.size());
+  const double before = imbalance(now, costs, communicator.size());
+  const double after = imbalance(better, costs, communicator.size());
+  if (!(after < (1 - least_gain) * before)) better.clear();
+  return better;
+}
+
+}  // namespace sluice
