@@ -1,232 +1,248 @@
-// Saved labels that are functions of a state alone, as tasks that read it as old state.
+// Labels that are functions of a state alone, as tasks that read it as old state.
 //
-// Gradients are central differences, (q_{i+1} - q_{i-1})/(2 dx), along active directions; next to
-// the boundary they use the ghost states.
+// Each is a temporary: nothing is computed unless a saved label or a criterion of refinement asks
+// for it. Gradients are central differences, (q_{i+1} - q_{i-1})/(2 dx), along active directions;
+// next to the boundary they use the ghost states.
+#include "ice/diagnostics.hpp"
+
 #include <cmath>
+#include <utility>
 
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/refine/criteria.hpp"
 
 namespace sluice::ice {
 namespace {
 
-struct Primitives {
-  VariableId rho, momentum, energy;            // the state
-  VariableId velocity, pressure, temperature;  // temporaries
-};
-
-Primitives declare_primitives(TaskList& list, const SchemeOptions& o) {
-  const Labels& l = labels();
-  Primitives p;
-  p.rho = list.old_state(l.mass, 0, 1);
-  p.momentum = list.old_state(l.momentum, 0, o.components);
-  p.energy = list.old_state(l.energy, 0, 1);
-  p.velocity = list.temporary("velocity", 3);
-  p.pressure = list.temporary("pressure");
-  p.temperature = list.temporary("temperature");
-  TaskBuilder task = list.task("primitives of the state", effect_diagnostics);
-  const In rho = task.read(p.rho), momentum = task.read(p.momentum), energy = task.read(p.energy);
-  const Out velocity = task.write(p.velocity), pressure = task.write(p.pressure),
-            temperature = task.write(p.temperature);
-  task.kernel([=](const Row& row) {
-    const int n = row.count();
-    const double* r = row(rho);
-    const double* E = row(energy);
-    double* pressures = row(pressure);
-    double* temperatures = row(temperature);
-    for (int i = 0; i < n; ++i) {
-      pressures[i] = o.gas.pressure(r[i], E[i]);
-      temperatures[i] = o.gas.temperature(r[i], E[i]);
-    }
-    for (int d = 0; d < 3; ++d) {
-      double* u = row(velocity, d);
-      for (int i = 0; i < n; ++i) u[i] = 0.0;
-    }
-    for (int c = 0; c < o.components; ++c) {
-      const double* m = row(momentum, c);
-      double* u = row(velocity, o.direction[static_cast<std::size_t>(c)]);
-      for (int i = 0; i < n; ++i) u[i] = m[i] / r[i];
-    }
-  });
-  return p;
-}
-
-// A label that is a function of rho and p in the same cell.
-template <class F>
-void pointwise(TaskList& list, const Primitives& p, Label label, F f) {
-  TaskBuilder task = list.task("compute " + label.name(), effect_diagnostics);
-  const In rho = task.read(p.rho), pressure = task.read(p.pressure);
-  const Out out = task.write(list.output(label, 0));
-  task.kernel([=](const Row& row) {
-    const double* r = row(rho);
-    const double* q = row(pressure);
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i) to[i] = f(r[i], q[i]);
-  });
-}
-
-void copy(TaskList& list, VariableId from, int components, Label label) {
-  TaskBuilder task = list.task("compute " + label.name(), effect_diagnostics);
-  const In in = task.read(from);
-  const Out out = task.write(list.output(label, 0));
-  task.kernel([=](const Row& row) {
-    for (int c = 0; c < components; ++c) {
-      const double* q = row(in, c);
-      double* to = row(out, c);
-      for (int i = 0; i < row.count(); ++i) to[i] = q[i];
-    }
-  });
-}
-
-void mach(TaskList& list, const Primitives& p, const SchemeOptions& o) {
-  TaskBuilder task = list.task("compute mach", effect_diagnostics);
-  const In rho = task.read(p.rho), pressure = task.read(p.pressure), u = task.read(p.velocity);
-  const Out out = task.write(list.output(labels().mach, 0));
-  task.kernel([=](const Row& row) {
-    const double* r = row(rho);
-    const double* q = row(pressure);
-    const double* v[3] = {row(u, 0), row(u, 1), row(u, 2)};
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i)
-      to[i] = std::sqrt(v[0][i] * v[0][i] + v[1][i] * v[1][i] + v[2][i] * v[2][i]) /
-              o.gas.sound_speed(r[i], q[i]);
-  });
-}
-
-// Magnitude of the gradient of a cell variable.
-void gradient(TaskList& list, VariableId of, Label label, const SchemeOptions& o) {
-  TaskBuilder task = list.task("compute " + label.name(), effect_diagnostics);
-  const In in = task.read(of, Stencil::box(1));
-  const Out out = task.write(list.output(label, 0));
-  task.kernel([=](const Row& row) {
-    double* to = row(out);
-    const double* low[3];
-    const double* high[3];
-    for (int a = 0; a < o.axes.count; ++a) {
-      low[a] = row(in, 0, a, -1);
-      high[a] = row(in, 0, a, 1);
-    }
-    for (int i = 0; i < row.count(); ++i) {
-      double sum = 0;
-      for (int a = 0; a < o.axes.count; ++a) {
-        const double slope =
-            (high[a][i] - low[a][i]) / (2.0 * row.step().spacing[o.axes.direction[a]]);
-        sum += slope * slope;
-      }
-      to[i] = std::sqrt(sum);
-    }
-  });
-}
-
-void divergence(TaskList& list, const Primitives& p, const SchemeOptions& o) {
-  TaskBuilder task = list.task("compute mag_div_vel_CC", effect_diagnostics);
-  const In u = task.read(p.velocity, Stencil::box(1));
-  const Out out = task.write(list.output(labels().divergence_velocity, 0));
-  task.kernel([=](const Row& row) {
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i) {
-      double sum = 0;
-      for (int a = 0; a < o.axes.count; ++a) {
-        const int d = o.axes.direction[a];
-        const double slope =
-            (row(u, d, a, 1)[i] - row(u, d, a, -1)[i]) / (2.0 * row.step().spacing[d]);
-        sum += slope * slope;
-      }
-      to[i] = std::sqrt(sum);
-    }
-  });
-}
-
-void vorticity(TaskList& list, const Primitives& p, const SchemeOptions& o) {
-  TaskBuilder task = list.task("compute vorticity", effect_diagnostics);
-  const In u = task.read(p.velocity, Stencil::box(1));
-  const Out out = task.write(list.output(labels().vorticity, 0));
-  int axis_of[3] = {-1, -1, -1};
-  for (int a = 0; a < o.axes.count; ++a) axis_of[o.axes.direction[a]] = a;
-  const int x = axis_of[0], y = axis_of[1], z = axis_of[2];
-  task.kernel([=](const Row& row) {
-    const Vec3 dx = row.step().spacing;
-    // d u_component / d x_direction at cell i; zero along inactive directions
-    auto slope = [&](int component, int direction, int axis, int i) {
-      if (axis < 0) return 0.0;
-      return (row(u, component, axis, 1)[i] - row(u, component, axis, -1)[i]) /
-             (2.0 * dx[direction]);
-    };
-    for (int i = 0; i < row.count(); ++i) {
-      row(out, 0)[i] = slope(2, 1, y, i) - slope(1, 2, z, i);
-      row(out, 1)[i] = slope(0, 2, z, i) - slope(2, 0, x, i);
-      row(out, 2)[i] = slope(1, 0, x, i) - slope(0, 1, y, i);
-    }
-  });
-}
-
-// 1 where the gradient of a criterion's variable exceeds its threshold.
-void refine_flag(TaskList& list, const Primitives& p, const SchemeOptions& o, const IceScene& ice) {
-  struct Test {
-    In in;
-    int components;
-    double threshold;
-  };
-  TaskBuilder task = list.task("compute refineFlag", effect_diagnostics);
-  std::vector<Test> tests;
-  const Stencil around = Stencil::box(1);
-  for (const RefinementCriterion& c : ice.criteria) {
-    if (c.label == "rho_CC") tests.push_back({task.read(p.rho, around), 1, c.value});
-    if (c.label == "temp_CC") tests.push_back({task.read(p.temperature, around), 1, c.value});
-    if (c.label == "press_CC") tests.push_back({task.read(p.pressure, around), 1, c.value});
-    if (c.label == "vel_CC") tests.push_back({task.read(p.velocity, around), 3, c.value});
+class Quantities {
+ public:
+  Quantities(TaskList& list, const SchemeOptions& options)
+      : list_(list), o_(options), rho_(list.old_state(labels().mass, 0, 1)) {
+    energy_ = list.old_state(labels().energy, 0, 1);
+    add(labels().rho, 1, rho_);
+    add(labels().rho_micro, 1, rho_);
+    add(labels().sum_rho, 1, rho_);
+    declare_velocity();
+    pressure_ = declare_of_energy(labels().pressure, [gas = o_.gas](double rho, double energy) {
+      return gas.pressure(rho, energy);
+    });
+    temperature_ = declare_of_energy(labels().temperature, [gas = o_.gas](double rho, double e) {
+      return gas.temperature(rho, e);
+    });
+    declare_pointwise();
+    declare_mach();
+    declare_gradient(rho_, labels().gradient_rho);
+    declare_gradient(temperature_, labels().gradient_temperature);
+    declare_gradient(pressure_, labels().gradient_pressure);
+    declare_divergence();
+    declare_vorticity();
   }
-  const Out out = task.write(list.output(labels().refine_flag, 0));
-  task.kernel([=](const Row& row) {
-    double* flag = row(out);
-    for (int i = 0; i < row.count(); ++i) flag[i] = 0.0;
-    for (const Test& t : tests)
+  std::vector<DiagnosticQuantity> all() && { return std::move(all_); }
+
+ private:
+  void add(Label label, int components, VariableId variable) {
+    all_.push_back({label, 0, components, variable});
+  }
+  VariableId fresh(Label label) {
+    const int components = component_count(label.info().type);
+    const VariableId v = list_.temporary(label.name(), components);
+    add(label, components, v);
+    return v;
+  }
+  TaskBuilder task(Label label) {
+    return list_.task("compute " + label.name(), effect_diagnostics);
+  }
+
+  void declare_velocity() {
+    velocity_ = fresh(labels().velocity);
+    TaskBuilder t = task(labels().velocity);
+    const In rho = t.read(rho_);
+    const In momentum = t.read(list_.old_state(labels().momentum, 0, o_.components));
+    const Out velocity = t.write(velocity_);
+    t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
+      const int n = row.count();
+      const double* __restrict r = row(rho);
+      for (int d = 0; d < 3; ++d) {
+        double* __restrict u = row(velocity, d);
+        for (int i = 0; i < n; ++i) u[i] = 0.0;
+      }
+      for (int c = 0; c < components; ++c) {
+        const double* __restrict m = row(momentum, c);
+        double* __restrict u = row(velocity, direction[static_cast<std::size_t>(c)]);
+        for (int i = 0; i < n; ++i) u[i] = m[i] / r[i];
+      }
+    });
+  }
+
+  // f of two cell variables.
+  template <class F>
+  VariableId declare_of(VariableId first, VariableId second, Label label, F f) {
+    const VariableId v = fresh(label);
+    TaskBuilder t = task(label);
+    const In a = t.read(first), b = t.read(second);
+    const Out out = t.write(v);
+    t.kernel([=](const Row& row) {
+      const double* __restrict x = row(a);
+      const double* __restrict y = row(b);
+      double* __restrict to = row(out);
+      const int n = row.count();
+      for (int i = 0; i < n; ++i) to[i] = f(x[i], y[i]);
+    });
+    return v;
+  }
+  template <class F>
+  VariableId declare_of_energy(Label label, F f) {
+    return declare_of(rho_, energy_, label, f);
+  }
+  template <class F>
+  void declare_of_pressure(Label label, F f) {
+    declare_of(rho_, pressure_, label, f);
+  }
+  // The same in every cell as long as there is one material with constant properties.
+  void declare_constant(Label label, double value) {
+    declare_of(rho_, rho_, label, [value](double, double) { return value; });
+  }
+
+  void declare_pointwise() {
+    const Labels& l = labels();
+    const eos::IdealGas gas = o_.gas;
+    declare_of_pressure(l.specific_volume, [](double rho, double) { return 1.0 / rho; });
+    declare_of_pressure(l.sound_speed,
+                        [gas](double rho, double p) { return gas.sound_speed(rho, p); });
+    declare_of_pressure(l.compressibility, [gas](double rho, double p) {
+      const double c = gas.sound_speed(rho, p);
+      return 1.0 / (rho * c * c);
+    });
+    declare_constant(l.volume_fraction, 1.0);
+    declare_constant(l.gradient_volume_fraction, 0.0);
+    declare_constant(l.viscosity, o_.viscosity);
+    declare_constant(l.thermal_conductivity, 0.0);
+    declare_constant(l.gamma, gas.gamma);
+    declare_constant(l.specific_heat, gas.specific_heat);
+  }
+
+  void declare_mach() {
+    const VariableId v = fresh(labels().mach);
+    TaskBuilder t = task(labels().mach);
+    const In rho = t.read(rho_), pressure = t.read(pressure_), u = t.read(velocity_);
+    const Out out = t.write(v);
+    t.kernel([=, gas = o_.gas](const Row& row) {
+      const double* r = row(rho);
+      const double* q = row(pressure);
+      const double* w[3] = {row(u, 0), row(u, 1), row(u, 2)};
+      double* to = row(out);
+      for (int i = 0; i < row.count(); ++i)
+        to[i] = std::sqrt(w[0][i] * w[0][i] + w[1][i] * w[1][i] + w[2][i] * w[2][i]) /
+                gas.sound_speed(r[i], q[i]);
+    });
+  }
+
+  // Magnitude of the gradient of a cell variable.
+  void declare_gradient(VariableId of, Label label) {
+    const VariableId v = fresh(label);
+    TaskBuilder t = task(label);
+    const In in = t.read(of, Stencil::box(1));
+    const Out out = t.write(v);
+    t.kernel([=, axes = o_.axes](const Row& row) {
+      double* to = row(out);
+      const double* low[3];
+      const double* high[3];
+      for (int a = 0; a < axes.count; ++a) {
+        low[a] = row(in, 0, a, -1);
+        high[a] = row(in, 0, a, 1);
+      }
       for (int i = 0; i < row.count(); ++i) {
         double sum = 0;
-        for (int q = 0; q < t.components; ++q)
-          for (int a = 0; a < o.axes.count; ++a) {
-            const double slope = (row(t.in, q, a, 1)[i] - row(t.in, q, a, -1)[i]) /
-                                 (2.0 * row.step().spacing[o.axes.direction[a]]);
-            sum += slope * slope;
-          }
-        if (std::sqrt(sum) > t.threshold) flag[i] = 1.0;
+        for (int a = 0; a < axes.count; ++a) {
+          const double slope =
+              (high[a][i] - low[a][i]) / (2.0 * row.step().spacing[axes.direction[a]]);
+          sum += slope * slope;
+        }
+        to[i] = std::sqrt(sum);
       }
+    });
+  }
+
+  void declare_divergence() {
+    const VariableId v = fresh(labels().divergence_velocity);
+    TaskBuilder t = task(labels().divergence_velocity);
+    const In u = t.read(velocity_, Stencil::box(1));
+    const Out out = t.write(v);
+    t.kernel([=, axes = o_.axes](const Row& row) {
+      double* to = row(out);
+      const double* low[3];
+      const double* high[3];
+      for (int a = 0; a < axes.count; ++a) {
+        low[a] = row(u, axes.direction[a], a, -1);
+        high[a] = row(u, axes.direction[a], a, 1);
+      }
+      for (int i = 0; i < row.count(); ++i) {
+        double sum = 0;
+        for (int a = 0; a < axes.count; ++a) {
+          const double slope =
+              (high[a][i] - low[a][i]) / (2.0 * row.step().spacing[axes.direction[a]]);
+          sum += slope * slope;
+        }
+        to[i] = std::sqrt(sum);
+      }
+    });
+  }
+
+  void declare_vorticity() {
+    const VariableId v = fresh(labels().vorticity);
+    TaskBuilder t = task(labels().vorticity);
+    const In u = t.read(velocity_, Stencil::box(1));
+    const Out out = t.write(v);
+    int axis_of[3] = {-1, -1, -1};
+    for (int a = 0; a < o_.axes.count; ++a) axis_of[o_.axes.direction[a]] = a;
+    const int x = axis_of[0], y = axis_of[1], z = axis_of[2];
+    t.kernel([=](const Row& row) {
+      const Vec3 dx = row.step().spacing;
+      // d u_component / d x_direction at cell i; zero along inactive directions
+      auto slope = [&](int component, int direction, int axis, int i) {
+        if (axis < 0) return 0.0;
+        return (row(u, component, axis, 1)[i] - row(u, component, axis, -1)[i]) /
+               (2.0 * dx[direction]);
+      };
+      for (int i = 0; i < row.count(); ++i) {
+        row(out, 0)[i] = slope(2, 1, y, i) - slope(1, 2, z, i);
+        row(out, 1)[i] = slope(0, 2, z, i) - slope(2, 0, x, i);
+        row(out, 2)[i] = slope(1, 0, x, i) - slope(0, 1, y, i);
+      }
+    });
+  }
+
+  TaskList& list_;
+  const SchemeOptions& o_;
+  VariableId rho_, energy_, velocity_, pressure_, temperature_;
+  std::vector<DiagnosticQuantity> all_;
+};
+
+void save(TaskList& list, const DiagnosticQuantity& q) {
+  TaskBuilder task = list.task("save " + q.label.name(), effect_diagnostics);
+  const In in = task.read(q.variable);
+  const Out out = task.write(list.output(q.label, q.material));
+  task.kernel([=, components = q.components](const Row& row) {
+    for (int c = 0; c < components; ++c) {
+      const double* __restrict from = row(in, c);
+      double* __restrict to = row(out, c);
+      const int n = row.count();
+      for (int i = 0; i < n; ++i) to[i] = from[i];
+    }
   });
 }
 
 }  // namespace
 
+std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options) {
+  return Quantities(list, options).all();
+}
+
 void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice) {
-  const Labels& l = labels();
-  const Primitives p = declare_primitives(list, o);
-  const eos::IdealGas gas = o.gas;
-  const double mu = o.viscosity;
-  copy(list, p.rho, 1, l.rho);
-  copy(list, p.rho, 1, l.rho_micro);
-  copy(list, p.rho, 1, l.sum_rho);
-  copy(list, p.velocity, 3, l.velocity);
-  copy(list, p.temperature, 1, l.temperature);
-  copy(list, p.pressure, 1, l.pressure);
-  pointwise(list, p, l.specific_volume, [](double rho, double) { return 1.0 / rho; });
-  pointwise(list, p, l.volume_fraction, [](double, double) { return 1.0; });
-  pointwise(list, p, l.sound_speed,
-            [gas](double rho, double pressure) { return gas.sound_speed(rho, pressure); });
-  pointwise(list, p, l.compressibility, [gas](double rho, double pressure) {
-    const double c = gas.sound_speed(rho, pressure);
-    return 1.0 / (rho * c * c);
-  });
-  pointwise(list, p, l.viscosity, [mu](double, double) { return mu; });
-  pointwise(list, p, l.thermal_conductivity, [](double, double) { return 0.0; });
-  pointwise(list, p, l.gamma, [gas](double, double) { return gas.gamma; });
-  pointwise(list, p, l.specific_heat, [gas](double, double) { return gas.specific_heat; });
-  mach(list, p, o);
-  gradient(list, p.rho, l.gradient_rho, o);
-  gradient(list, p.temperature, l.gradient_temperature, o);
-  gradient(list, p.pressure, l.gradient_pressure, o);
-  pointwise(list, p, l.gradient_volume_fraction, [](double, double) { return 0.0; });
-  divergence(list, p, o);
-  vorticity(list, p, o);
-  refine_flag(list, p, o, ice);
+  const std::vector<DiagnosticQuantity> quantities = declare_quantities(list, o);
+  for (const DiagnosticQuantity& q : quantities) save(list, q);
+  add_refine_flag(list, quantities, o, ice.criteria);
 }
 
 }  // namespace sluice::ice

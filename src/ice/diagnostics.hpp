@@ -1,0 +1,20 @@
+// Cell variables that are functions of a state alone, ready to be saved or to be read with ghosts.
+#pragma once
+#include <vector>
+
+#include "framework/task/task.hpp"
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice {
+
+struct DiagnosticQuantity {
+  Label label;
+  int material = 0;
+  int components = 1;
+  VariableId variable;  // old state, or a temporary that is computed when somebody reads it
+};
+
+// Declares the tasks that compute them from the old state.
+std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options);
+
+}  // namespace sluice::ice
