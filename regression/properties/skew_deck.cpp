@@ -96,7 +96,57 @@ std::string object(const SkewCase& c, const Orientation& o, const char* label, V
              text(o.turn(u)), density, 0.4 * density * temperature, temperature);
 }
 
+std::string list(const std::vector<IntVec3>& entries, const SkewCase& c, const Orientation& o) {
+  std::string all;
+  for (IntVec3 e : entries) {
+    for (int d = 0; d < 3; ++d)
+      if (c.cells[d] == 1) e[d] = 1;
+    e = o.turn_extents(e);
+    all += fmt::format("{}[{},{},{}]", all.empty() ? "" : ",", e.x, e.y, e.z);
+  }
+  return "[" + all + "]";
+}
+
+std::string triple(const char* tag, IntVec3 v, const Orientation& o) {
+  v = o.turn_extents(v);
+  return fmt::format("<{0}>[{1},{2},{3}]</{0}>\n", tag, v.x, v.y, v.z);
+}
+
+std::string refinement(const SkewCase& c, const Orientation& o) {
+  const SkewLevels& l = c.levels;
+  if (l.most == 1) return {};
+  return fmt::format(
+             "<AMR><useLockStep>{}</useLockStep><ICE>\n"
+             "<orderOfInterpolation>{}</orderOfInterpolation>\n"
+             "<Refinement_Criteria_Thresholds>\n"
+             "<Variable name=\"rho_CC\" value=\"{}\" matl=\"0\"/>\n"
+             "<Variable name=\"press_CC\" value=\"{}\" matl=\"0\"/>\n"
+             "</Refinement_Criteria_Thresholds></ICE>\n"
+             "<Regridder type=\"Tiled\"><max_levels>{}</max_levels>\n"
+             "<cell_refinement_ratio>{}</cell_refinement_ratio>\n"
+             "<min_patch_size>{}</min_patch_size>\n"
+             "<max_timestep_interval>{}</max_timestep_interval>\n",
+             l.lock_step, l.order, l.threshold, l.threshold, l.most, list(l.ratios, c, o),
+             list(l.tiles, c, o), l.interval) +
+         triple("cell_stability_dilation", l.stability, o) +
+         triple("cell_regrid_dilation", l.regrid, o) +
+         triple("cell_deletion_dilation", l.deletion, o) +
+         triple("min_boundary_cells", l.margin, o) + "</Regridder></AMR>\n";
+}
+
 }  // namespace
+
+IntVec3 SkewLevels::ratio(int level) const {
+  return ratios[std::min(static_cast<std::size_t>(level), ratios.size()) - 1];
+}
+
+IntVec3 SkewCase::cells_of(int level) const {
+  IntVec3 n = cells;
+  for (int l = 1; l <= level; ++l)
+    for (int d = 0; d < 3; ++d)
+      if (cells[d] > 1) n[d] *= levels.ratio(l)[d];
+  return n;
+}
 
 Vec3 Orientation::turn(Vec3 v) const {
   Vec3 r;
@@ -129,7 +179,7 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<delt_max>1</delt_max><timestep_multiplier>1</timestep_multiplier>\n"
       "<max_Timesteps>{}</max_Timesteps></Time>\n",
       steps);
-  deck += "<Grid>\n" + boundary(c, o) + level(c, o) + "</Grid>\n";
+  deck += "<Grid>\n" + boundary(c, o) + level(c, o) + "</Grid>\n" + refinement(c, o);
   deck += fmt::format(
       "<DataArchiver><filebase>skew.uda</filebase>\n"
       "<outputTimestepInterval>{}</outputTimestepInterval>\n"

@@ -7,6 +7,7 @@
 #include <array>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "framework/base/vec3.hpp"
 
@@ -24,6 +25,19 @@ struct Orientation {
 
 enum class SideKind { open, wall, moving_wall, inflow, symmetry, periodic };
 
+// Levels that follow the density: the last entry of a list holds on.
+struct SkewLevels {
+  int most = 1;  // levels; 1: no <AMR>
+  std::vector<IntVec3> ratios{{2, 2, 2}}, tiles{{8, 8, 8}};
+  double threshold = 4;  // gradients of density and pressure that flag a cell
+  IntVec3 stability{1, 1, 1}, regrid{}, deletion{1, 1, 1}, margin{1, 1, 1};
+  int interval = 50;
+  int order = 1;
+  bool lock_step = false;
+
+  IntVec3 ratio(int level) const;  // to the next coarser one
+};
+
 struct SkewCase {
   std::string name;
   IntVec3 cells;                  // one: inactive
@@ -33,6 +47,12 @@ struct SkewCase {
   bool second_order = true;
   bool cross_flow = false;  // the start moves along inactive directions as well
   bool classic = false;     // the one-stage, internal-energy scheme
+  SkewLevels levels{};
+
+  // A direction that the grid keeps: gravity makes a dimension of one cell.
+  bool active(int d) const { return cells[d] > 1 || gravity[d] != 0; }
+  // Cells of the domain of a level.
+  IntVec3 cells_of(int level) const;
 };
 inline std::ostream& operator<<(std::ostream& out, const SkewCase& c) {
   return out << c.name;

@@ -2,109 +2,39 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "app/sluice_schema.hpp"
-#include "framework/archive/archive.hpp"
-#include "framework/deck/load_deck.hpp"
-#include "properties/deck_run.hpp"
-#include "properties/skew_deck.hpp"
+#include "framework/grid/index_box.hpp"
+#include "properties/skew_flow.hpp"
 
 namespace sluice::properties {
 namespace {
 
 constexpr double allowed_in_3d = 1e-12;  // of the largest value of the field
-constexpr int run_steps = 24;
-
-// Density, temperature and velocity of every cell, in the axes of the case.
-struct Flow {
-  std::vector<double> density, temperature;
-  std::vector<Vec3> velocity;
-};
-
-Flow flow_of(const SkewCase& c, const Orientation& o) {
-  ScratchFolder scratch;
-  const Deck deck = load_deck_text(skew_deck(c, o, run_steps), c.name, {}, sluice_schema());
-  const RunReport report = carry_out(deck, scratch / "run");
-  EXPECT_EQ(report.message, "");
-  EXPECT_EQ(report.steps, run_steps);
-  EXPECT_EQ(report.events_json, "{}");
-  const Archive archive = Archive::open(report.archive.value());
-  const ArchiveStep step = archive.read_output(archive.select_output("last"));
-  const DenseField rho = step.read(*step.find("rho_CC", 0, 0));
-  const DenseField T = step.read(*step.find("temp_CC", 0, 0));
-  const DenseField u = step.read(*step.find("vel_CC", 0, 0));
-  Flow flow;
-  for_each_cell({{0, 0, 0}, c.cells}, [&](IntVec3 cell) {
-    const IntVec3 there = o.turn_cell(cell, c.cells);
-    flow.density.push_back(rho.at(there));
-    flow.temperature.push_back(T.at(there));
-    Vec3 v;
-    for (int d = 0; d < 3; ++d) {
-      const auto n = static_cast<std::size_t>(d);
-      v[o.shows[n]] = o.mirrored[n] ? -u.at(there, d) : u.at(there, d);
-    }
-    flow.velocity.push_back(v);
-  });
-  return flow;
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (double v : values) most = std::max(most, std::fabs(v));
-  return most;
-}
-
-// Where they differ by more than `allowed` of the largest value; "" when nowhere.
-std::string difference(const Flow& a, const Flow& b, double allowed) {
-  std::vector<std::pair<std::vector<double>, std::vector<double>>> fields = {
-      {a.density, b.density}, {a.temperature, b.temperature}};
-  for (int d = 0; d < 3; ++d) {
-    auto& [u, v] = fields.emplace_back();
-    for (std::size_t n = 0; n < a.velocity.size(); ++n) {
-      u.push_back(a.velocity[n][d]);
-      v.push_back(b.velocity[n][d]);
-    }
-  }
-  const char* names[] = {"density", "temperature", "velocity 0", "velocity 1", "velocity 2"};
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const auto& [p, q] = fields[f];
-    const double bound = allowed * largest(p);
-    std::size_t count = 0;
-    double worst = 0;
-    for (std::size_t n = 0; n < p.size(); ++n) {
-      if (std::fabs(p[n] - q[n]) <= bound) continue;
-      ++count;
-      worst = std::max(worst, std::fabs(p[n] - q[n]));
-    }
-    if (count > 0)
-      return std::string(names[f]) + " differs in " + std::to_string(count) + " cells, by up to " +
-             std::to_string(worst / std::max(largest(p), 1e-300) * 1e15) + " 1e-15 of the largest";
-  }
-  return {};
-}
-
 class Symmetry : public testing::TestWithParam<SkewCase> {
  protected:
-  // Gravity keeps a direction of one cell active.
   // Gravity makes a dimension of a direction with one cell.
   static int dimensions(const SkewCase& c) {
     int count = 0;
-    for (int d = 0; d < 3; ++d) count += c.cells[d] > 1 || c.gravity[d] != 0;
+    for (int d = 0; d < 3; ++d) count += c.active(d);
     return count;
   }
   // The flow is not trivial: everything moves.
-  static void expect_flow(const Flow& flow) {
+  static void expect_flow(const SkewCase& c, const Flow& flow) {
     const auto [low, high] = std::minmax_element(flow.density.begin(), flow.density.end());
     EXPECT_GT(*low, 0);
     EXPECT_GT(*high, 1.5 * *low);
+    for (int l = 1; l < c.levels.most; ++l) {
+      const std::int64_t cells = flow.cells[static_cast<std::size_t>(l)];
+      EXPECT_GT(cells, 0) << "level " << l;
+      EXPECT_LT(cells, (IndexBox{{0, 0, 0}, c.cells_of(l)}.volume())) << "level " << l;
+    }
   }
 };
 
 TEST_P(Symmetry, MirroredDecksGiveMirroredBits) {
   const SkewCase& c = GetParam();
   const Flow plain = flow_of(c, {});
-  expect_flow(plain);
+  expect_flow(c, plain);
   for (int d = 0; d < 3; ++d) {
     if (c.cells[d] == 1 && !c.cross_flow) continue;
     Orientation o;
@@ -196,6 +126,78 @@ const SkewCase cases[] = {
      true,
      false,
      true},
+    {"tube_levels",
+     {64, 1, 1},
+     {wall, open, symmetry, symmetry, symmetry, symmetry},
+     {},
+     0,
+     true,
+     false,
+     false,
+     {3, {{2, 2, 2}, {4, 4, 4}}, {{8, 8, 8}}, 8}},
+    {"tube_levels_lockstep",
+     {64, 1, 1},
+     {periodic, periodic, symmetry, symmetry, symmetry, symmetry},
+     {},
+     0,
+     true,
+     false,
+     false,
+     {.most = 3, .threshold = 8, .order = 0, .lock_step = true}},
+    {"square_levels",
+     {32, 32, 1},
+     {wall, open, inflow, symmetry, symmetry, symmetry},
+     {},
+     0,
+     true,
+     false,
+     false,
+     {.most = 3, .threshold = 8}},
+    {"square_levels_ratio_4",
+     {16, 16, 1},
+     {periodic, periodic, wall, open, symmetry, symmetry},
+     {},
+     0.02,
+     true,
+     false,
+     false,
+     {3, {{4, 4, 4}, {2, 2, 2}}, {{8, 8, 8}}, 8, {2, 2, 2}, {}, {}, {1, 1, 1}, 5, 2}},
+    {"square_levels_skew",
+     {16, 32, 1},
+     {periodic, periodic, wall, open, symmetry, symmetry},
+     {},
+     0,
+     false,
+     false,
+     false,
+     {3, {{4, 2, 2}, {2, 4, 2}}, {{8, 4, 8}}, 8, {1, 2, 0}, {1, 0, 0}, {}, {2, 1, 1}, 5, 1}},
+    {"square_levels_classic",
+     {32, 32, 1},
+     {wall, open, inflow, symmetry, symmetry, symmetry},
+     {},
+     0,
+     true,
+     false,
+     true,
+     {.most = 2, .threshold = 8}},
+    {"square_levels_all",
+     {32, 32, 1},
+     {wall, moving_wall, symmetry, open, periodic, periodic},
+     {0, 0, 0.01},
+     0.02,
+     true,
+     true,
+     false,
+     {.most = 2, .threshold = 8}},
+    {"cube_levels",
+     {16, 16, 16},
+     {wall, open, inflow, symmetry, periodic, periodic},
+     {},
+     0,
+     true,
+     false,
+     false,
+     {.most = 2, .threshold = 16}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Cases, Symmetry, testing::ValuesIn(cases),
