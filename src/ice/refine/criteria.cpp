@@ -13,7 +13,7 @@
 namespace sluice::ice {
 namespace {
 
-constexpr int chunk = 256;  // cells whose sums stay in registers and the nearest cache
+constexpr int chunk = 256;  // cells whose sums stay in the nearest cache
 
 struct Threshold {
   In in;
@@ -21,34 +21,71 @@ struct Threshold {
   double squared = 0;
 };
 
-void add_squares(int n, const double* __restrict low, const double* __restrict high, double weight,
-                 double* __restrict sum) {
-  for (int i = 0; i < n; ++i) {
-    const double difference = high[i] - low[i];
-    sum[i] += weight * (difference * difference);
+// The rows on both sides of a row, by axis, and 1/(4 dx^2).
+struct Neighbours {
+  const double* low[3];
+  const double* high[3];
+  double weight[3];
+};
+
+template <int axes>
+double squares(const Neighbours& q, int i) {
+  double sum = 0;
+  for (int a = 0; a < axes; ++a) {
+    const double difference = q.high[a][i] - q.low[a][i];
+    sum += q.weight[a] * (difference * difference);
   }
+  return sum;
 }
 
-void mark(int n, const double* __restrict sum, double most, double* __restrict flag) {
-  for (int i = 0; i < n; ++i) flag[i] = sum[i] > most ? 1.0 : flag[i];
+template <int axes>
+void mark(int n, const Neighbours& of_row, double most, double* __restrict flag) {
+  const Neighbours q = of_row;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) flag[i] = squares<axes>(q, i) > most ? 1.0 : flag[i];
 }
 
-void flag_row(const Row& row, const std::vector<Threshold>& thresholds, const Axes& axes, Out out) {
+template <int axes>
+void add(int n, int start, const Neighbours& of_row, double* __restrict sum) {
+  const Neighbours q = of_row;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) sum[i] += squares<axes>(q, start + i);
+}
+
+template <int axes>
+void flag_row(const Row& row, const std::vector<Threshold>& thresholds, const Axes& dimensions,
+              Out out) {
+  const int count = row.count();
   double* flag = row(out);
-  std::fill_n(flag, row.count(), 0.0);
-  double sum[chunk];
-  for (const Threshold& t : thresholds)
-    for (int start = 0; start < row.count(); start += chunk) {
-      const int n = std::min(chunk, row.count() - start);
-      std::fill_n(sum, n, 0.0);
-      for (int c = 0; c < t.components; ++c)
-        for (int a = 0; a < axes.count; ++a) {
-          const double dx = row.step().spacing[axes.direction[a]];
-          add_squares(n, row(t.in, c, a, -1) + start, row(t.in, c, a, 1) + start, 0.25 / (dx * dx),
-                      sum);
-        }
-      mark(n, sum, t.squared, flag + start);
+  std::fill_n(flag, count, 0.0);
+  Neighbours q;
+  for (int a = 0; a < axes; ++a) {
+    const double dx = row.step().spacing[dimensions.direction[a]];
+    q.weight[a] = 0.25 / (dx * dx);
+  }
+  const auto look = [&](const Threshold& t, int component) {
+    for (int a = 0; a < axes; ++a) {
+      q.low[a] = row(t.in, component, a, -1);
+      q.high[a] = row(t.in, component, a, 1);
     }
+  };
+  double sum[chunk];
+  for (const Threshold& t : thresholds) {
+    look(t, 0);
+    if (t.components == 1) {
+      mark<axes>(count, q, t.squared, flag);
+      continue;
+    }
+    for (int start = 0; start < count; start += chunk) {
+      const int n = std::min(chunk, count - start);
+      std::fill_n(sum, n, 0.0);
+      for (int c = 0; c < t.components; ++c) {
+        look(t, c);
+        add<axes>(n, start, q, sum);
+      }
+      for (int i = 0; i < n; ++i) flag[start + i] = sum[i] > t.squared ? 1.0 : flag[start + i];
+    }
+  }
 }
 
 const DiagnosticQuantity& find(const std::vector<DiagnosticQuantity>& quantities,
@@ -70,7 +107,16 @@ void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quan
     thresholds.push_back({task.read(q.variable, Stencil::box(1)), q.components, c.value * c.value});
   }
   const Out out = task.write(list.output(labels().refine_flag, 0));
-  task.kernel([=, axes = options.axes](const Row& row) { flag_row(row, thresholds, axes, out); });
+  task.kernel([=, axes = options.axes](const Row& row) {
+    switch (axes.count) {
+      case 1:
+        return flag_row<1>(row, thresholds, axes, out);
+      case 2:
+        return flag_row<2>(row, thresholds, axes, out);
+      default:
+        return flag_row<3>(row, thresholds, axes, out);
+    }
+  });
 }
 
 }  // namespace sluice::ice
