@@ -20,6 +20,8 @@ struct Entry {
 };
 
 const char* const lockstep = "AMR/useLockStep=true";
+const char* const greedy = "Time/timestep_multiplier=6";
+const char* const unlimited = "Time/delt_max=1e9";
 const char* const classic = "CFD/ICE/scheme=classic";
 
 std::string cells(const char* triple) {
@@ -82,6 +84,7 @@ std::vector<Entry> on_levels() {
       {"amr_explosion_two_levels",
        "amr_explosion",
        {cells("[22,18,1]"), "AMR/Regridder/max_levels=2"}},
+      {"amr_explosion_greedy", "amr_explosion", {cells("[20,16,1]"), greedy, unlimited}},
       {"amr_vortex", "amr_vortex", {box(0, "[24,20,1]"), box(1, "[24,20,1]")}},
       {"amr_sound_wave", "amr_sound_wave", {}},
       {"amr_uniform_flow",
