@@ -8,6 +8,7 @@ The archive is read by sluice_tools from its documented layout, the export with 
 1 one is not, 77 vtkmodules or h5py is not installed.
 """
 
+import json
 import pathlib
 import sys
 import xml.etree.ElementTree as xml
@@ -18,7 +19,8 @@ try:
     import h5py  # noqa: F401  the archive's reader asks for it when it reads
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLUniformGridAMRReader
+    from vtkmodules.vtkIOXML import (vtkXMLImageDataReader, vtkXMLMultiBlockDataReader,
+                                     vtkXMLUniformGridAMRReader)
 except ImportError as missing:
     print(f"verify_export: skipped: {missing}")
     sys.exit(SKIPPED)
@@ -27,12 +29,20 @@ from sluice_tools.archive import Archive, ArchiveError  # needs NumPy
 
 
 def images_of(path):
-    """[(level, image)] of a .vti or .vthb file."""
+    """[(level, image)] of a .vti, .vtm or .vthb file."""
     if path.suffix == ".vti":
         reader = vtkXMLImageDataReader()
         reader.SetFileName(str(path))
         reader.Update()
         return [(0, reader.GetOutput())]
+    if path.suffix == ".vtm":
+        reader = vtkXMLMultiBlockDataReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        levels = reader.GetOutput()
+        return [(level, levels.GetBlock(level).GetBlock(n))
+                for level in range(levels.GetNumberOfBlocks())
+                for n in range(levels.GetBlock(level).GetNumberOfBlocks())]
     reader = vtkXMLUniformGridAMRReader()
     reader.SetFileName(str(path))
     reader.SetMaximumLevelsToReadByDefault(0)
@@ -143,14 +153,35 @@ def compare_step(step, path):
     return compared
 
 
-def check_paraview(pvd, times):
+def check_first_look(path):
+    """What an AMR reader shows before it is asked for finer levels has no holes."""
+    reader = vtkXMLUniformGridAMRReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    coarse = reader.GetOutput()
+    for n in range(coarse.GetNumberOfDataSets(0)):
+        marks = coarse.GetDataSet(0, n).GetCellData().GetArray("vtkGhostType")
+        if marks and np.any(vtk_to_numpy(marks)):
+            raise AssertionError(f"{path.name}: the coarsest level alone has holes")
+
+
+def check_series(path, name, time):
+    entries = json.loads(path.read_text())["files"]
+    if {"name": name, "time": time} not in entries:
+        raise AssertionError(f"{path.name} does not give {name} the time {time}")
+
+
+def check_paraview(pvd, times, last):
+    """Times, and that all levels are there at once: as many cells as the images of the last."""
     from paraview.simple import OpenDataFile
     reader = OpenDataFile(str(pvd))
     if not np.array_equal(np.array(reader.TimestepValues, ndmin=1), times):
         raise AssertionError(f"ParaView sees times {reader.TimestepValues}, written were {times}")
     reader.UpdatePipeline(times[-1])
-    if reader.GetDataInformation().GetNumberOfCells() == 0:
-        raise AssertionError("ParaView sees no cells")
+    found = reader.GetDataInformation().GetNumberOfCells()
+    expected = sum(image.GetNumberOfCells() for _, image in images_of(last))
+    if found != expected:
+        raise AssertionError(f"ParaView sees {found} cells, the export has {expected}")
 
 
 def main(archive, pvd, *options):
@@ -161,9 +192,15 @@ def main(archive, pvd, *options):
         raise AssertionError("the times of archive and export differ")
     compared = 0
     for number, data_set in enumerate(exported):
-        compared += compare_step(archive.step(f"#{number}"), pvd.parent / data_set.get("file"))
+        last = pvd.parent / data_set.get("file")
+        compared += compare_step(archive.step(f"#{number}"), last)
+        amr = last.with_suffix(".vthb")
+        if last.suffix == ".vtm" and amr.exists():
+            compare_step(archive.step(f"#{number}"), amr)
+            check_first_look(amr)
+            check_series(pvd.with_suffix(".vthb.series"), amr.name, times[number])
     if "--paraview" in options:
-        check_paraview(pvd, times)
+        check_paraview(pvd, times, last)
     if compared == 0:
         raise AssertionError("nothing was compared")
     print(f"verify_export: {compared} values in {len(times)} steps are equal")

@@ -27,7 +27,7 @@ void export_archive(ExportRequest& r) {
 
 void add_export_command(CLI::App& app, int&) {
   CLI::App* command =
-      app.add_subcommand("export", "Write .pvd, .vti and .vthb files for ParaView and VisIt");
+      app.add_subcommand("export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt");
   auto r = std::make_shared<ExportRequest>();
   command->add_option("UDA", r->archive, "The archive")->required();
   command->add_option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");

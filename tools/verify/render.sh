@@ -8,6 +8,6 @@ archive=$("$PYTHON" -c 'import json, sys; print(json.load(open(sys.argv[1]))["ar
   "$PART_DIR/report.json")
 "$SLUICE" export "$archive" -o "$PART_DIR/export"
 "$SLUICE" extract "$archive" --var press_CC --csv "$PART_DIR/press.csv"
-LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a --wait=10 -s "-screen 0 1024x768x24" \
+LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a --wait=10 -s "-screen 0 1024x768x24 -noreset" \
   "$PYTHON" "$SLUICE_ROOT/tools/verify/render.py" --export "$PART_DIR/export" \
   --csv "$PART_DIR/press.csv" --picture "$PART_DIR/paraview.png"

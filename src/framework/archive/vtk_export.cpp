@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "framework/archive/posix_file.hpp"
 #include "framework/archive/vtk_image.hpp"
 #include "framework/base/error.hpp"
+#include "framework/grid/box_list.hpp"
 
 namespace sluice {
 namespace fs = std::filesystem;
@@ -41,23 +43,29 @@ struct VtkLevel {
   }
 };
 
-// The ratio of the directions that are refined; InputError when they are refined unequally.
+// The ratio of the directions that are refined; 0 when they are refined unequally.
 int common_ratio(const Level& level) {
   int ratio = 0;
   for (int d = 0; d < 3; ++d) {
     if (level.domain.size()[d] == 1) continue;
-    if (ratio != 0 && level.ratio[d] != ratio)
-      throw InputError(fmt::format(
-          "level {} is refined by {}: VTK's AMR format knows only one ratio for all directions; "
-          "sluice extract gives the values of every level",
-          level.index, triple_text(level.ratio)));
+    if (ratio != 0 && level.ratio[d] != ratio) return 0;
     ratio = level.ratio[d];
   }
   return std::max(ratio, 1);
 }
 
+bool fits_vtk_amr(const Grid& grid) {
+  return std::all_of(grid.levels.begin(), grid.levels.end(), [](const Level& level) {
+    return level.index == 0 || common_ratio(level) > 0;
+  });
+}
+
 std::vector<VtkLevel> vtk_levels(const Grid& grid) {
   std::vector<VtkLevel> levels;
+  if (!fits_vtk_amr(grid)) {
+    for (const Level& level : grid.levels) levels.push_back({level});
+    return levels;
+  }
   IntVec3 copies{1, 1, 1};
   for (const Level& level : grid.levels) {
     const int ratio = level.index > 0 ? common_ratio(level) : 1;
@@ -66,6 +74,24 @@ std::vector<VtkLevel> vtk_levels(const Grid& grid) {
     for (int d = 0; d < 3; ++d) levels.back().level.spacing[d] /= copies[d];
   }
   return levels;
+}
+
+// The boxes of the next finer level, in cells of a level.
+std::optional<BoxFinder> finer_boxes(const Grid& grid, std::size_t level) {
+  if (level + 1 >= grid.levels.size()) return {};
+  const Level& fine = grid.levels[level + 1];
+  std::vector<IndexBox> coarse;
+  for (const GridBox& b : fine.boxes) coarse.push_back(coarsen(b.cells, fine.ratio));
+  return BoxFinder(std::move(coarse));
+}
+
+// Those that lie over some of the cells.
+std::vector<IndexBox> boxes_over(const std::optional<BoxFinder>& finer, const IndexBox& cells) {
+  std::vector<IndexBox> found;
+  if (!finer) return found;
+  for (const int n : finer->overlapping(cells))
+    found.push_back(finer->boxes()[static_cast<std::size_t>(n)]);
+  return found;
 }
 
 class StepExport {
@@ -80,22 +106,76 @@ class StepExport {
       throw InputError(step.folder().string() + " holds no label that was asked for");
   }
 
-  // Writes NAME.vti or NAME.vthb and returns the file's name.
+  // Writes NAME.vti, or NAME.vtm (and NAME.vthb where VTK can), and returns the file's name.
   std::string write(const fs::path& folder, const std::string& name) const {
     const Grid& grid = step_.grid();
     const Level& coarse = grid.levels.at(0);
     if (grid.levels.size() > 1 || coarse.cell_count() != coarse.domain.volume())
-      return write_hierarchy(folder, name);
+      return write_levels(folder, name);
     write_vti(folder / (name + ".vti"), coarse, coarse.domain, false,
               arrays({coarse}, coarse.domain));
     return name + ".vti";
   }
 
  private:
-  std::string write_hierarchy(const fs::path& folder, const std::string& name) const {
+  // The file of a box within the export.
+  static std::string box_file(const std::string& name, int level, std::size_t box) {
+    return fmt::format("{}/l{}_{:05}.vti", name, level, box);
+  }
+
+  // A box that lies partly below a finer level is written twice: with such cells marked, for the
+  // blocks, and plain, for VTK's AMR, which marks cells itself as it loads levels.
+  std::string write_levels(const fs::path& folder, const std::string& name) const {
     make_folder(folder / name);
-    const Grid& grid = step_.grid();
-    const Vec3 origin = grid.levels[0].anchor;
+    const std::vector<VtkLevel> levels = vtk_levels(step_.grid());
+    const bool amr = fits_vtk_amr(step_.grid());
+    std::vector<std::vector<std::string>> files(levels.size());
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const Level& level = levels[l].level;
+      const std::optional<BoxFinder> finer = finer_boxes(step_.grid(), l);
+      for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        const IndexBox& cells = level.boxes[b].cells;
+        const std::vector<IndexBox> hidden = boxes_over(finer, cells);
+        const IndexBox c = levels[l].spread(cells);
+        std::string file = box_file(name, level.index, b);
+        std::vector<VtkArray> all = arrays(levels[l], c);
+        if (amr || hidden.empty()) write_vti(folder / file, level, c, true, all);
+        if (!hidden.empty()) {
+          file.insert(file.size() - 4, "_marked");
+          all.push_back(ghosts(levels[l], c, hidden));
+          write_vti(folder / file, level, c, true, all);
+        }
+        files[l].push_back(file);
+      }
+    }
+    if (amr) write_amr(folder, name, levels);
+    return write_blocks(folder, name, files);
+  }
+
+  static std::string write_blocks(const fs::path& folder, const std::string& name,
+                                  const std::vector<std::vector<std::string>>& files) {
+    XmlElement root("VTKFile");
+    root.set("type", "vtkMultiBlockDataSet")
+        .set("version", "1.0")
+        .set("byte_order", "LittleEndian")
+        .set("header_type", "UInt64");
+    XmlElement& blocks = root.add("vtkMultiBlockDataSet");
+    for (std::size_t l = 0; l < files.size(); ++l) {
+      XmlElement& block = blocks.add("Block");
+      block.set("index", std::to_string(l)).set("name", fmt::format("level {}", l));
+      for (std::size_t b = 0; b < files[l].size(); ++b)
+        block.add("DataSet")
+            .set("index", std::to_string(b))
+            .set("name", fmt::format("box {}", b))
+            .set("file", files[l][b]);
+    }
+    write_text_atomically(folder / (name + ".vtm"), to_text(root));
+    return name + ".vtm";
+  }
+
+  void write_amr(const fs::path& folder, const std::string& name,
+                 const std::vector<VtkLevel>& levels) const {
+    const Vec3 origin = step_.grid().levels[0].anchor;
     XmlElement root("VTKFile");
     root.set("type", "vtkOverlappingAMR")
         .set("version", "1.1")
@@ -104,7 +184,7 @@ class StepExport {
     XmlElement& amr = root.add("vtkOverlappingAMR");
     amr.set("origin", fmt::format("{:.17g} {:.17g} {:.17g}", origin.x, origin.y, origin.z))
         .set("grid_description", "XYZ");
-    for (const VtkLevel& vtk : vtk_levels(grid)) {
+    for (const VtkLevel& vtk : levels) {
       const Level& level = vtk.level;
       XmlElement& block = amr.add("Block");
       block.set("level", std::to_string(level.index))
@@ -112,17 +192,32 @@ class StepExport {
                                       level.spacing.z));
       for (std::size_t b = 0; b < level.boxes.size(); ++b) {
         const IndexBox c = vtk.spread(level.boxes[b].cells);
-        const std::string file = fmt::format("{}/l{}_{:05}.vti", name, level.index, b);
-        write_vti(folder / file, level, c, true, arrays(vtk, c));
         block.add("DataSet")
             .set("index", std::to_string(b))
             .set("amr_box", fmt::format("{} {} {} {} {} {}", c.lower.x, c.upper.x - 1, c.lower.y,
                                         c.upper.y - 1, c.lower.z, c.upper.z - 1))
-            .set("file", file);
+            .set("file", box_file(name, level.index, b));
       }
     }
     write_text_atomically(folder / (name + ".vthb"), to_text(root));
-    return name + ".vthb";
+  }
+
+  // Cells below a finer level: not drawn because they are refined, not integrated because they are
+  // duplicates.
+  static VtkArray ghosts(const VtkLevel& vtk, const IndexBox& cells,
+                         const std::vector<IndexBox>& finer) {
+    constexpr double duplicate = 1, refined = 8;
+    VtkArray a;
+    a.name = "vtkGhostType";
+    a.type = VtkType::byte;
+    a.values.reserve(static_cast<std::size_t>(cells.volume()));
+    for_each_cell(cells, [&](IntVec3 place) {
+      const IntVec3 c = vtk.source(place);
+      const bool hidden =
+          std::any_of(finer.begin(), finer.end(), [&](const IndexBox& b) { return b.contains(c); });
+      a.values.push_back(hidden ? duplicate + refined : 0.0);
+    });
+    return a;
   }
 
   // All arrays of a box. Every box of a hierarchy has the same arrays: NaN where nothing is stored.
@@ -189,9 +284,14 @@ fs::path export_vtk(const Archive& archive, const fs::path& folder, const Export
   XmlElement root("VTKFile");
   root.set("type", "Collection").set("version", "1.0").set("byte_order", "LittleEndian");
   XmlElement& collection = root.add("Collection");
+  std::string series;
   for (const StepEntry& entry : steps) {
     const ArchiveStep step = archive.read_output(entry);
-    const std::string file = StepExport(step, options).write(folder, step_folder_name(entry.step));
+    const std::string base = step_folder_name(entry.step);
+    const std::string file = StepExport(step, options).write(folder, base);
+    if (step.grid().levels.size() > 1 && fits_vtk_amr(step.grid()))
+      series += fmt::format("{}\n    {{\"name\": \"{}.vthb\", \"time\": {}}}",
+                            series.empty() ? "" : ",", base, real_text(entry.time));
     collection.add("DataSet")
         .set("timestep", real_text(entry.time))
         .set("group", "")
@@ -200,6 +300,10 @@ fs::path export_vtk(const Archive& archive, const fs::path& folder, const Export
   }
   const fs::path pvd = folder / (name + ".pvd");
   write_text_atomically(pvd, to_text(root));
+  if (!series.empty())
+    write_text_atomically(
+        folder / (name + ".vthb.series"),
+        "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [" + series + "\n  ]\n}\n");
   return pvd;
 }
 

@@ -63,7 +63,8 @@ void export_two_levels(int nz, int ny) {
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
   for (int step = 1; step <= 2; ++step)
     writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
-  expect_right_numbers(writer.folder(), folder.path(), ".vthb");
+  expect_right_numbers(writer.folder(), folder.path(), ".vtm");
+  EXPECT_TRUE(fs::exists(folder.path() / "vtk" / "t00002.vthb"));
 }
 
 TEST(VtkExport, TwoLevelsInTwoDimensions) {
@@ -77,16 +78,27 @@ TEST(VtkExport, TwoLevelsInOneDimension) {
   export_two_levels(1, 1);
 }
 
-// VTK's hierarchies know one ratio for all directions; a wrong picture is worse than none.
-TEST(VtkExport, UnequalRatiosAreRefused) {
+// VTK's hierarchies know one ratio for all directions; blocks of images do not care.
+TEST(VtkExport, UnequalRatiosAreWrittenAsBlocksOnly) {
   const TemporaryFolder folder;
   Grid grid = make_two_levels(3);
-  grid.levels[1].ratio = {2, 4, 2};
+  Level& fine = grid.levels[1];
+  fine.ratio = {2, 4, 2};
+  fine.spacing.y = grid.levels[0].spacing.y / 4;
+  fine.domain.upper.y = 4 * grid.levels[0].domain.upper.y;
+  fine.domain.lower.y = 4 * grid.levels[0].domain.lower.y;
+  for (GridBox& b : fine.boxes) {
+    b.cells.lower.y *= 2;
+    b.cells.upper.y *= 2;
+  }
   Fields fields;
-  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  for (const Level& level : grid.levels) fields.add(level, real_label("press_CC"), 0, wavy);
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
-  writer.write_output({1, 1, 0, 0, {}}, grid, fields.pieces());
-  EXPECT_THROW(export_vtk(Archive::open(writer.folder()), folder.path() / "vtk", {}), InputError);
+  for (int step = 1; step <= 2; ++step)
+    writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
+  expect_right_numbers(writer.folder(), folder.path(), ".vtm");
+  EXPECT_FALSE(fs::exists(folder.path() / "vtk" / "t00002.vthb"));
+  EXPECT_FALSE(fs::exists(folder.path() / "vtk" / "box.uda.000.vthb.series"));
 }
 
 // The check itself must be able to fail: a number changed after the export is found.

@@ -15,7 +15,7 @@ namespace sluice {
 namespace {
 
 std::size_t value_bytes(const VtkArray& a) {
-  return a.type == VtkType::real ? 8 : 4;
+  return a.type == VtkType::real ? 8 : a.type == VtkType::integer ? 4 : 1;
 }
 
 std::string base64(const void* data, std::size_t size) {
@@ -36,14 +36,25 @@ std::string base64(const void* data, std::size_t size) {
   return text;
 }
 
+// The values as they are stored.
+template <class Number>
+std::string base64_as(const std::vector<double>& values) {
+  std::vector<Number> numbers;
+  numbers.reserve(values.size());
+  for (const double v : values) numbers.push_back(static_cast<Number>(v));
+  return base64(numbers.data(), numbers.size() * sizeof(Number));
+}
+
+const char* type_name(VtkType type) {
+  return type == VtkType::real ? "Float64" : type == VtkType::integer ? "Int32" : "UInt8";
+}
+
 std::string array_text(const VtkArray& a) {
   const std::uint64_t length = a.values.size() * value_bytes(a);
   const std::string head = base64(&length, sizeof length);
   if (a.type == VtkType::real) return head + base64(a.values.data(), length);
-  std::vector<std::int32_t> numbers;
-  numbers.reserve(a.values.size());
-  for (const double v : a.values) numbers.push_back(static_cast<std::int32_t>(v));
-  return head + base64(numbers.data(), length);
+  return head + (a.type == VtkType::integer ? base64_as<std::int32_t>(a.values)
+                                            : base64_as<std::uint8_t>(a.values));
 }
 
 // The <DataArray> elements of one kind.
@@ -52,7 +63,7 @@ XmlElement data_element(const char* kind, const std::vector<VtkArray>& arrays, b
   for (const VtkArray& a : arrays) {
     if (a.on_points != on_points) continue;
     element.add("DataArray", array_text(a))
-        .set("type", a.type == VtkType::real ? "Float64" : "Int32")
+        .set("type", type_name(a.type))
         .set("Name", a.name)
         .set("NumberOfComponents", std::to_string(a.components))
         .set("format", "binary");

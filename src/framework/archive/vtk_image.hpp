@@ -8,7 +8,7 @@
 
 namespace sluice {
 
-enum class VtkType { real, integer };  // Float64, Int32
+enum class VtkType { real, integer, byte };  // Float64, Int32, UInt8
 
 struct VtkArray {
   std::string name;
