@@ -1,6 +1,10 @@
 // Read from /proc/self/status: getrusage would report the peak of the parent that started us.
 #include "framework/base/memory.hpp"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <sys/resource.h>
 
 #include <cstdio>
@@ -43,5 +47,19 @@ std::uint64_t peak_resident_bytes_of_all(Communicator& ranks) {
 std::uint64_t resident_bytes() {
   return status_entry("VmRSS:");
 }
+
+#ifdef __GLIBC__
+void keep_freed_memory() {
+  constexpr int largest = 32 << 20;  // bytes of one array; larger ones are mapped each time
+  mallopt(M_MMAP_THRESHOLD, largest);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
+void return_freed_memory() {
+  malloc_trim(0);
+}
+#else
+void keep_freed_memory() {}
+void return_freed_memory() {}
+#endif
 
 }  // namespace sluice

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -12,14 +13,18 @@ namespace {
 constexpr std::size_t alignment = 64;
 }
 
-AlignedArray::AlignedArray(std::size_t count) : count_(count) {
+AlignedArray::AlignedArray(std::size_t count, Contents contents) : count_(count) {
   // calloc does not clear what the system hands out clear: levels come and go with their memory.
   std::size_t bytes = count * sizeof(double) + alignment;
-  void* base = std::calloc(bytes, 1);
+  void* base = contents == Contents::zero ? std::calloc(bytes, 1) : std::malloc(bytes);
   if (base == nullptr) throw std::bad_alloc();
   void* p = base;
   std::align(alignment, count * sizeof(double), p, bytes);
   data_ = std::unique_ptr<double[], Free>(static_cast<double*>(p), Free(base));
+#ifdef __SANITIZE_ADDRESS__
+  if (contents == Contents::undefined)
+    std::fill_n(data_.get(), count, std::numeric_limits<double>::signaling_NaN());
+#endif
 }
 
 void AlignedArray::Free::operator()(double*) const {
@@ -50,7 +55,7 @@ int Warehouse::find(Label label, int material) const {
   return -1;
 }
 
-int Warehouse::add(const SlotInfo& info) {
+int Warehouse::add(const SlotInfo& info, Contents contents) {
   if (const int old = find(info.label, info.material); old >= 0) {
     const SlotInfo& have = slots_[static_cast<std::size_t>(old)].info;
     if (have.ghosts < info.ghosts || have.components != info.components)
@@ -62,7 +67,7 @@ int Warehouse::add(const SlotInfo& info) {
   for (const GridBox& b : local_) {
     const IndexBox box = b.cells.grown(level_->ghosts(info.ghosts));
     for (int c = 0; c < info.components; ++c) {
-      slot.arrays.emplace_back(static_cast<std::size_t>(box.volume()));
+      slot.arrays.emplace_back(static_cast<std::size_t>(box.volume()), contents);
       slot.views.push_back(lay_out(slot.arrays.back().data(), box, *level_));
     }
   }

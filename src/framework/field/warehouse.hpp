@@ -13,11 +13,15 @@
 
 namespace sluice {
 
+// What a new array holds: zeros, or whatever (sanitizers see NaN) where all of it is written before
+// it is read.
+enum class Contents { zero, undefined };
+
 // Memory of one array, aligned for the widest vector registers.
 class AlignedArray {
  public:
   AlignedArray() = default;
-  explicit AlignedArray(std::size_t count);  // zeroed
+  explicit AlignedArray(std::size_t count, Contents contents = Contents::zero);
   double* data() const { return data_.get(); }
   std::size_t size() const { return count_; }
 
@@ -48,8 +52,8 @@ class Warehouse {
   Warehouse(const Level& level, int rank);
 
   // Adds a slot (or returns the existing one of the same label and material, whose ghost width and
-  // component count must then suffice) and allocates it, zeroed.
-  int add(const SlotInfo& info);
+  // component count must then suffice) and allocates it.
+  int add(const SlotInfo& info, Contents contents = Contents::zero);
   int find(Label label, int material) const;  // -1 when absent
   const SlotInfo& info(int slot) const { return slots_[static_cast<std::size_t>(slot)].info; }
   int slot_count() const { return static_cast<int>(slots_.size()); }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "framework/base/memory.hpp"
+
 namespace sluice {
 namespace {
 
@@ -37,7 +39,10 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   joints_.resize(levels.size());
   if (scene.refinement.adaptive && levels.size() > 1)
     regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads);
-  if (regridder_) regridder_->limit_boxes(options.most_box_cells);
+  if (regridder_) {
+    regridder_->limit_boxes(options.most_box_cells);
+    keep_freed_memory();
+  }
   for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
   join_levels();
 }

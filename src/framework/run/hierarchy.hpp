@@ -97,6 +97,7 @@ class Hierarchy {
   std::vector<FlagField> flags();
   void restrict_all();
   void measure_rates(int levels_before);
+  void return_memory();
 
   const Scene* scene_;
   const Component* component_;
@@ -118,6 +119,7 @@ class Hierarchy {
   const std::vector<Label>* wanted_ = nullptr;
   const RunControl* control_ = nullptr;
   EventLedger* ledger_ = nullptr;
+  std::size_t most_bytes_ = 0;  // of all levels since memory was returned to the system
   int regrids_ = 0;
   int layouts_ = 0;
   int balances_ = 0;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "framework/archive/archive.hpp"
+#include "framework/base/memory.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/run/load_balance.hpp"
 
@@ -95,13 +96,13 @@ void Hierarchy::lay_out(bool from_deck) {
 }
 
 std::vector<FlagField> Hierarchy::flags() {
-  std::vector<FlagField> flags;
   const int flagging = std::min(level_count(), possible_levels() - 1);
-  for (int l = 0; l < flagging; ++l) {
+  std::vector<LevelSolver*> levels;
+  for (int l = 0; l < refinement_flags_.levels_read(level_count(), flagging); ++l) {
     fill(l, time_);
-    flags.push_back(refinement_flags_.of_level(level(l), time_, *communicator_));
+    levels.push_back(&level(l));
   }
-  return flags;
+  return refinement_flags_.of(levels, flagging, time_, *communicator_);
 }
 
 void Hierarchy::restrict_all() {
@@ -135,6 +136,16 @@ void Hierarchy::initialise() {
   measure_rates(0);
 }
 
+// Memory follows the cells, but is not returned and asked for again with every regrid.
+void Hierarchy::return_memory() {
+  std::size_t bytes = 0;
+  for (int l = 0; l < level_count(); ++l) bytes += level(l).memory_bytes();
+  most_bytes_ = std::max(most_bytes_, bytes);
+  if (bytes > most_bytes_ / 2) return;
+  return_freed_memory();
+  most_bytes_ = bytes;
+}
+
 bool Hierarchy::regrid(int step) {
   if (!regridder_ || !regridder_->looks_at(step)) return false;
   const auto start = std::chrono::steady_clock::now();
@@ -143,6 +154,7 @@ bool Hierarchy::regrid(int step) {
   if (changed) {
     lay_out(false);
     measure_rates(levels_before);
+    return_memory();
     ++regrids_;
   }
   regrid_seconds_ +=

@@ -62,10 +62,10 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
 
 LevelSolver::~LevelSolver() = default;
 
-void LevelSolver::add_state_slot(const SlotInfo& info) {
-  state_.add(info);
-  next_.add(info);
-  if (options_.substeps > 1) start_.add(info);
+void LevelSolver::add_state_slot(const SlotInfo& info, Contents contents) {
+  state_.add(info, contents);
+  next_.add(info, contents);
+  if (options_.substeps > 1) start_.add(info, contents);
 }
 
 Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
@@ -78,7 +78,8 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   next_ = Warehouse(level_, rank);
   start_ = Warehouse(level_, rank);
   outputs_ = Warehouse(level_, rank);
-  for (int s = 0; s < before.slot_count(); ++s) add_state_slot(before.info(s));
+  // Interior cells are filled by the caller, ghosts before every use, the others by sweeps.
+  for (int s = 0; s < before.slot_count(); ++s) add_state_slot(before.info(s), Contents::undefined);
   for (const SlotInfo& s : stored) outputs_.add(s);
   halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank);
   ++layout_;

@@ -60,6 +60,7 @@ class LevelSolver {
   // The state before the last accepted attempt of this coarse step.
   const Warehouse& previous() const { return next_; }
   Warehouse& outputs() { return outputs_; }
+  const Warehouse& outputs() const { return outputs_; }
   const std::vector<int>& state_slots() const { return state_slots_; }
 
   // Other boxes of the same level, other cells: the state so far is handed back, the new one is to
@@ -123,7 +124,7 @@ class LevelSolver {
   void reduce(const Reductions& local, const RunControl* control);
   CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
-  void add_state_slot(const SlotInfo& info);
+  void add_state_slot(const SlotInfo& info, Contents contents = Contents::zero);
   void bind(Variant& variant);
   SweepOptions sweep_options(bool diagnostic, bool storing) const;
 
