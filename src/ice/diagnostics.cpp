@@ -6,6 +6,7 @@
 #include "ice/diagnostics.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "ice/ice.hpp"
@@ -239,10 +240,20 @@ std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeO
   return Quantities(list, options).all();
 }
 
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice) {
+const DiagnosticQuantity& quantity(const std::vector<DiagnosticQuantity>& quantities,
+                                   const std::string& label, int material) {
+  for (const DiagnosticQuantity& q : quantities)
+    if (q.label.name() == label && q.material == material) return q;
+  throw std::logic_error("criterion of refinement on " + label + " of material " +
+                         std::to_string(material) + ": no such variable");
+}
+
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice,
+                                const std::vector<ErrorEstimate>& estimates) {
   const std::vector<DiagnosticQuantity> quantities = declare_quantities(list, o);
   for (const DiagnosticQuantity& q : quantities) save(list, q);
   add_refine_flag(list, quantities, o, ice.criteria);
+  add_error_estimates(list, quantities, o, estimates);
 }
 
 }  // namespace sluice::ice

@@ -1,5 +1,6 @@
 // Cell variables that are functions of a state alone, ready to be saved or to be read with ghosts.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "framework/task/task.hpp"
@@ -16,5 +17,9 @@ struct DiagnosticQuantity {
 
 // Declares the tasks that compute them from the old state.
 std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options);
+
+// The one of a name and material that must be among them.
+const DiagnosticQuantity& quantity(const std::vector<DiagnosticQuantity>& quantities,
+                                   const std::string& label, int material);
 
 }  // namespace sluice::ice

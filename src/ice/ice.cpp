@@ -7,6 +7,7 @@
 #include "ice/classic/classic.hpp"
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
+#include "ice/refine/criteria.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -69,7 +70,8 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
       ice_(std::move(ice_scene)),
       effects_(find_effects(scene, ice_)),
       options_(make_options(scene, ice_)),
-      transfer_(options_.components, options_.classic) {
+      transfer_(options_.components, options_.classic),
+      estimates_(wanted_estimates(scene.refinement.errors)) {
   StateSlots slots;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
@@ -150,7 +152,7 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
 }
 
 void Ice::declare_diagnostics(TaskList& list, int level) const {
-  declare_diagnostic_outputs(list, at_level(level), ice_);
+  declare_diagnostic_outputs(list, at_level(level), ice_, estimates_);
 }
 
 int Ice::reduction_sums() const {

@@ -26,6 +26,7 @@ class Ice final : public Component {
   void declare_diagnostics(TaskList& list, int level) const override;
   const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override;
+  std::vector<ErrorEstimate> error_estimates() const override { return estimates_; }
   Label mask_label() const override;
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override;
@@ -50,6 +51,7 @@ class Ice final : public Component {
   SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
   std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
   IceTransfer transfer_;
+  std::vector<ErrorEstimate> estimates_;
 };
 
 // What the scene calls for and what it does not, with the deck lines.
@@ -75,7 +77,8 @@ enum EffectId {
 };
 
 // Labels that are functions of a state, as tasks that read it as old state.
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice);
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,
+                                const std::vector<ErrorEstimate>& estimates);
 // Labels that only exist inside a step.
 void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options);
 

@@ -70,6 +70,7 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
   s.formula = read_formula(ice);
 }
 
+// `all` materials: one criterion each.
 void read_criteria(const DeckNode& root, IceScene& s) {
   const DeckNode* list = root.find("AMR/ICE/Refinement_Criteria_Thresholds");
   if (list == nullptr) return;
@@ -77,7 +78,11 @@ void read_criteria(const DeckNode& root, IceScene& s) {
     RefinementCriterion c;
     c.label = v->attribute("name").value_or("");
     c.value = std::stod(v->attribute("value").value_or("0"));
-    s.criteria.push_back(c);
+    const std::string material = v->attribute("matl").value_or("all");
+    for (const IceMaterial& m : s.materials) {
+      c.material = m.index;
+      if (material == "all" || std::stoi(material) == m.index) s.criteria.push_back(c);
+    }
   }
 }
 

@@ -28,7 +28,7 @@ struct FormulaFill {
 };
 
 struct RefinementCriterion {
-  std::string label;  // rho_CC, temp_CC, press_CC, vol_frac_CC, vel_CC
+  std::string label;  // a cell variable that is a function of the state
   double value = 0;   // threshold of the gradient's magnitude
   int material = 0;
 };

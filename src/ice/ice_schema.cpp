@@ -181,10 +181,9 @@ TagSpec refinement() {
                .child(tag("Variable", "one criterion")
                           .multiple()
                           .with_attributes(
-                              {attribute("name", "the variable")
+                              {attribute("name", "a cell variable of the state that can be saved")
                                    .once()
-                                   .words({"rho_CC", "temp_CC", "vol_frac_CC", "press_CC"})
-                                   .not_built({"vel_CC"}),
+                                   .text(),
                                attribute("value", "cells with a larger gradient are flagged")
                                    .once()
                                    .real()
@@ -306,6 +305,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
+  schema.rules.emplace_back(check_criteria);
   const DeckRule labels = check_save_labels(ice_save_labels());
   schema.rules.emplace_back([labels](const DeckNode& root, std::vector<Fault>& faults) {
     // Models bring variables of their own.

@@ -18,6 +18,7 @@ void check_ice_gas(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
+void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
 
 // Tags of another equation of state inside <EOS> are dropped with one warning.
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);

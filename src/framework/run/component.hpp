@@ -56,6 +56,20 @@ struct StepVariant {
   const LevelCoverage* coverage = nullptr;
 };
 
+// A variable whose estimated error decides on refinement: two diagnostic labels.
+struct ErrorEstimate {
+  Label value, estimate;
+  int material = 0;
+  double tolerance = 0;  // largest estimate, as a share of the range of the value over the domain
+};
+
+// Cells that no row kernel finds (those that hold particles, those that a material's interface
+// passes), and how far around them a finer level is wanted.
+struct FlagSeeds {
+  std::vector<IntVec3> cells;  // in the boxes of this rank
+  double distance = 0;         // length, the same on every level
+};
+
 class Component {
  public:
   virtual ~Component() = default;
@@ -83,6 +97,10 @@ class Component {
   virtual const TransferOperators& transfer() const = 0;
   // The diagnostic label that is 1 in cells that ask for refinement.
   virtual Label refine_flag() const = 0;
+  // Criteria that need to know the range of a variable over all levels and ranks.
+  virtual std::vector<ErrorEstimate> error_estimates() const { return {}; }
+  // Criteria that are no diagnostic of a state; as many on every rank.
+  virtual std::vector<FlagSeeds> flag_seeds(const Warehouse& /*state*/) const { return {}; }
   virtual Label mask_label() const = 0;
   virtual int reduction_maxima() const = 0;
   virtual int reduction_sums() const = 0;

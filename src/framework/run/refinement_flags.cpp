@@ -1,7 +1,8 @@
-// Gathering flags: the component's diagnostic, regions of the deck, all ranks.
+// Gathering flags: rows of diagnostics become rows of bits; regions and seeds join them; all ranks.
 #include "framework/run/refinement_flags.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sluice {
 namespace {
@@ -9,48 +10,76 @@ namespace {
 using Word = std::uint64_t;
 constexpr int word_bits = 64;
 
-// Bits of the values that are not zero; most rows have none, which is found out fast.
-Word bits_of(const double* values, int count) {
+// Range of a variable below this share of its largest magnitude: round-off, nothing to resolve.
+constexpr double least_range = 1e-10;
+
+// Bits of the values above `most`; most rows have none, which is found out fast.
+Word bits_of(const double* values, int count, double most) {
   int found = 0;
-  for (int i = 0; i < count; ++i) found += values[i] != 0.0;
+  for (int i = 0; i < count; ++i) found += values[i] > most;
   if (found == 0) return 0;
   Word bits = 0;
-  for (int i = 0; i < count; ++i) bits |= Word{values[i] != 0.0} << i;
+  for (int i = 0; i < count; ++i) bits |= Word{values[i] > most} << i;
   return bits;
 }
 
-// Ors a row of values into the bits of a row of flags, the first of them at bit `at`.
-void add_row(const double* values, int count, int at, Word* row) {
+// Ors a row of values above `most` into the bits of a row of flags, the first of them at bit `at`.
+void add_row(const double* values, int count, double most, int at, Word* row) {
   while (count > 0) {
     const int n = std::min(count, word_bits - at % word_bits);
-    row[at / word_bits] |= bits_of(values, n) << (at % word_bits);
+    row[at / word_bits] |= bits_of(values, n, most) << (at % word_bits);
     values += n;
     count -= n;
     at += n;
   }
 }
 
-// Calls f(y, z) for the rows of a box, counted from the domain's low corner.
+// Calls f(values, count, first cell) for each row of one component of a label in the local boxes.
 template <class F>
-void for_each_row(const IndexBox& cells, const IndexBox& domain, F&& f) {
-  const IntVec3 low = cells.lower - domain.lower, high = cells.upper - domain.lower;
-  for (int z = low.z; z < high.z; ++z)
-    for (int y = low.y; y < high.y; ++y) f(y, z);
-}
-
-void add_flagged(const Warehouse& outputs, Label label, FlagField& flags) {
-  const int slot = outputs.find(label, 0);
-  const IndexBox& domain = flags.domain();
+void for_each_row(const Warehouse& outputs, int slot, int component, F&& f) {
   for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
-    const RealView v = outputs.view(slot, 0, b);
+    const RealView v = outputs.view(slot, component, b);
     const IndexBox& cells = outputs.local_boxes()[static_cast<std::size_t>(b)].cells;
-    const int low = cells.lower.x - domain.lower.x, count = cells.size().x;
-    for_each_row(cells, domain, [&](int y, int z) {
-      const IntVec3 first{cells.lower.x, domain.lower.y + y, domain.lower.z + z};
-      add_row(v.data + v.offset(first), count, low, flags.row(y, z));
-    });
+    IntVec3 first = cells.lower;
+    for (first.z = cells.lower.z; first.z < cells.upper.z; ++first.z)
+      for (first.y = cells.lower.y; first.y < cells.upper.y; ++first.y)
+        f(v.data + v.offset(first), cells.size().x, first);
   }
 }
+
+// Flags cells whose value exceeds `most`.
+void add_flagged(const Warehouse& outputs, Label label, int material, double most,
+                 FlagField& flags) {
+  const IndexBox& domain = flags.domain();
+  for_each_row(outputs, outputs.find(label, material), 0,
+               [&](const double* values, int count, IntVec3 first) {
+                 const IntVec3 at = first - domain.lower;
+                 add_row(values, count, most, at.x, flags.row(at.y, at.z));
+               });
+}
+
+// Smallest and largest of many values, on lanes that the compiler keeps in one register.
+class Extremes {
+ public:
+  void add(const double* values, int count) {
+    int i = 0;
+    for (; i + lanes <= count; i += lanes)
+      for (int k = 0; k < lanes; ++k) add_to(k, values[i + k]);
+    for (; i < count; ++i) add_to(0, values[i]);
+  }
+  double least() const { return *std::min_element(low_, low_ + lanes); }
+  double most() const { return *std::max_element(high_, high_ + lanes); }
+
+ private:
+  static constexpr int lanes = 8;
+  void add_to(int k, double value) {
+    low_[k] = value < low_[k] ? value : low_[k];
+    high_[k] = value > high_[k] ? value : high_[k];
+  }
+  static constexpr double huge = 1e300;
+  double low_[lanes] = {huge, huge, huge, huge, huge, huge, huge, huge};
+  double high_[lanes] = {-huge, -huge, -huge, -huge, -huge, -huge, -huge, -huge};
+};
 
 void merge_ranks(FlagField& flags, Communicator& communicator) {
   if (communicator.size() == 1) return;
@@ -68,18 +97,92 @@ void merge_ranks(FlagField& flags, Communicator& communicator) {
 
 RefinementFlags::RefinementFlags(const RefinementSettings& settings, const Component& component,
                                  const std::vector<Level>& levels)
-    : flag_(component.refine_flag()) {
+    : component_(&component),
+      flag_(component.refine_flag()),
+      estimates_(settings.adaptive ? component.error_estimates() : std::vector<ErrorEstimate>()) {
   for (const Level& level : levels) regions_.emplace_back(settings.regions, level);
 }
 
-FlagField RefinementFlags::of_level(LevelSolver& solver, double time, Communicator& communicator) {
-  FlagField flags(solver.level().domain);
-  solver.compute_diagnostics(time, {flag_});
-  add_flagged(solver.outputs(), flag_, flags);
-  RegionFlags& regions = regions_[static_cast<std::size_t>(solver.level().index)];
-  for (const GridBox& box : solver.state().local_boxes()) regions.add(box.cells, flags);
-  merge_ranks(flags, communicator);
-  return flags;
+int RefinementFlags::levels_read(int existing, int flagging) const {
+  return estimates_.empty() ? flagging : existing;
+}
+
+void RefinementFlags::compute(const std::vector<LevelSolver*>& levels, int flagging,
+                              double time) const {
+  std::vector<Label> values, all{flag_};
+  for (const ErrorEstimate& e : estimates_) values.push_back(e.value);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  all.insert(all.end(), values.begin(), values.end());
+  for (const ErrorEstimate& e : estimates_) all.push_back(e.estimate);
+  for (std::size_t l = 0; l < levels.size(); ++l)
+    levels[l]->compute_diagnostics(time, static_cast<int>(l) < flagging ? all : values);
+}
+
+// The tolerated error of each estimate. The range of a vector is the largest of its components'.
+std::vector<double> RefinementFlags::largest_errors(const std::vector<LevelSolver*>& levels,
+                                                    Communicator& communicator) const {
+  Reduction extremes;
+  std::vector<std::vector<Reduction::Maximum>> high, low;
+  for (const ErrorEstimate& e : estimates_) {
+    high.emplace_back();
+    low.emplace_back();
+    for (int c = 0; c < component_count(e.value.info().type); ++c) {
+      Extremes mine;
+      for (const LevelSolver* level : levels)
+        for_each_row(level->outputs(), level->outputs().find(e.value, e.material), c,
+                     [&](const double* row, int count, IntVec3) { mine.add(row, count); });
+      high.back().push_back(extremes.add_maximum(mine.most()));
+      low.back().push_back(extremes.add_maximum(-mine.least()));
+    }
+  }
+  communicator.reduce(extremes);
+  std::vector<double> errors;
+  for (std::size_t n = 0; n < estimates_.size(); ++n) {
+    double range = 0, magnitude = 0;
+    for (std::size_t c = 0; c < high[n].size(); ++c) {
+      const double most = extremes.maximum(high[n][c]), least = -extremes.maximum(low[n][c]);
+      range = std::max(range, most - least);
+      magnitude = std::max({magnitude, most, -least});
+    }
+    errors.push_back(estimates_[n].tolerance * std::max(range, least_range * magnitude));
+  }
+  return errors;
+}
+
+void RefinementFlags::add_seeds(const LevelSolver& solver, Communicator& communicator,
+                                FlagField& flags) const {
+  const Level& level = solver.level();
+  for (const FlagSeeds& seeds : component_->flag_seeds(solver.state())) {
+    FlagField found(level.domain);
+    for (const IntVec3& cell : seeds.cells) found.set(cell);
+    merge_ranks(found, communicator);
+    IntVec3 reach{};
+    for (int d = 0; d < 3; ++d)
+      if (level.active[static_cast<std::size_t>(d)])
+        reach[d] = static_cast<int>(
+            std::ceil(std::min(seeds.distance / level.spacing[d], 1.0 * level.domain.size()[d])));
+    flags |= found.dilated(reach, level.periodic);
+  }
+}
+
+std::vector<FlagField> RefinementFlags::of(const std::vector<LevelSolver*>& levels, int flagging,
+                                           double time, Communicator& communicator) {
+  compute(levels, flagging, time);
+  const std::vector<double> most = largest_errors(levels, communicator);
+  std::vector<FlagField> all;
+  for (int l = 0; l < flagging; ++l) {
+    const LevelSolver& solver = *levels[static_cast<std::size_t>(l)];
+    FlagField& flags = all.emplace_back(solver.level().domain);
+    add_flagged(solver.outputs(), flag_, 0, 0.0, flags);
+    for (std::size_t n = 0; n < estimates_.size(); ++n)
+      add_flagged(solver.outputs(), estimates_[n].estimate, estimates_[n].material, most[n], flags);
+    for (const GridBox& box : solver.state().local_boxes())
+      regions_[static_cast<std::size_t>(l)].add(box.cells, flags);
+    merge_ranks(flags, communicator);
+    add_seeds(solver, communicator, flags);
+  }
+  return all;
 }
 
 }  // namespace sluice

@@ -1,4 +1,5 @@
-// Which cells of a level ask for a finer one: what the component's criteria say, and regions.
+// Which cells of each level ask for a finer one: what the component's criteria say, estimated errors
+// against the range of a variable, regions.
 #pragma once
 #include <vector>
 
@@ -15,11 +16,22 @@ class RefinementFlags {
   // `levels`: every level that may exist.
   RefinementFlags(const RefinementSettings& settings, const Component& component,
                   const std::vector<Level>& levels);
-  // Ghost cells must be filled. Collective: all ranks get the flags of all boxes.
-  FlagField of_level(LevelSolver& solver, double time, Communicator& communicator);
+  // How many levels must be read, of those that exist, to flag the coarsest `flagging`.
+  int levels_read(int existing, int flagging) const;
+  // Flags of the coarsest `flagging` levels; `levels`: those that must be read, ghost cells filled.
+  // Collective: all ranks get the flags of all boxes.
+  std::vector<FlagField> of(const std::vector<LevelSolver*>& levels, int flagging, double time,
+                            Communicator& communicator);
 
  private:
+  void compute(const std::vector<LevelSolver*>& levels, int flagging, double time) const;
+  std::vector<double> largest_errors(const std::vector<LevelSolver*>& levels,
+                                     Communicator& communicator) const;
+  void add_seeds(const LevelSolver& solver, Communicator& communicator, FlagField& flags) const;
+
+  const Component* component_;
   Label flag_;
+  std::vector<ErrorEstimate> estimates_;
   std::vector<RegionFlags> regions_;  // by level
 };
 

@@ -5,7 +5,6 @@
 #include "ice/refine/criteria.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
@@ -88,13 +87,6 @@ void flag_row(const Row& row, const std::vector<Threshold>& thresholds, const Ax
   }
 }
 
-const DiagnosticQuantity& find(const std::vector<DiagnosticQuantity>& quantities,
-                               const std::string& label) {
-  for (const DiagnosticQuantity& q : quantities)
-    if (q.label.name() == label) return q;
-  throw std::logic_error("criterion of refinement on " + label + ": no such variable");
-}
-
 }  // namespace
 
 void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quantities,
@@ -103,7 +95,7 @@ void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quan
   TaskBuilder task = list.task("compute refineFlag", effect_diagnostics);
   std::vector<Threshold> thresholds;
   for (const RefinementCriterion& c : criteria) {
-    const DiagnosticQuantity& q = find(quantities, c.label);
+    const DiagnosticQuantity& q = quantity(quantities, c.label, c.material);
     thresholds.push_back({task.read(q.variable, Stencil::box(1)), q.components, c.value * c.value});
   }
   const Out out = task.write(list.output(labels().refine_flag, 0));

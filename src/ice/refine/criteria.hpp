@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "framework/run/component.hpp"
 #include "ice/diagnostics.hpp"
 #include "ice/ice_scene.hpp"
 
@@ -12,5 +13,17 @@ namespace sluice::ice {
 void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quantities,
                      const SchemeOptions& options,
                      const std::vector<RefinementCriterion>& criteria);
+
+// The label that holds the estimated error of a variable; names with a point are not for <save>.
+Label estimate_label(Label variable);
+
+// What the deck's error criteria ask for, one entry for each variable and material.
+std::vector<ErrorEstimate> wanted_estimates(const std::vector<ErrorCriterion>& criteria);
+
+// Estimated errors: the largest over the components of
+//   sum over directions of |q_{i-1} - 2 q_i + q_{i+1}| / 4,
+// the difference between q and its full weighting on a grid of twice the spacing.
+void add_error_estimates(TaskList& list, const std::vector<DiagnosticQuantity>& quantities,
+                         const SchemeOptions& options, const std::vector<ErrorEstimate>& estimates);
 
 }  // namespace sluice::ice
