@@ -116,6 +116,35 @@ TEST_F(PlanLevels, TakeTheMemoryThatWasPlanned) {
   EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
 }
 
+// The link to the newest archive moves to the one that the restart makes.
+TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
+  std::string deck_text;
+  {
+    std::ifstream in(deck("amr_shock_tube"));
+    std::stringstream text;
+    text << in.rdbuf();
+    deck_text = text.str();
+  }
+  const std::string end = "</DataArchiver>";
+  deck_text.insert(deck_text.find(end), "<checkpoint cycle=\"0\" timestepInterval=\"5\"/>");
+  std::ofstream(folder_ / "tube.ups") << deck_text;
+  const auto go = [&](std::vector<std::string> words) {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND, "run"};
+    request.words.insert(request.words.end(), words.begin(), words.end());
+    request.words.insert(request.words.end(), {"-o", folder_.string(), "--progress", "none"});
+    request.output = folder_ / "said";
+    EXPECT_EQ(run_process(request), 0) << text_of("said");
+  };
+  const std::string tube = (folder_ / "tube.ups").string();
+  go({tube, "--max-steps", "14"});
+  go({"--restart", (folder_ / "amr_shock_tube.uda").string()});
+  go({tube});
+  EXPECT_EQ(text_of("amr_shock_tube.uda.001/levels.txt"),
+            text_of("amr_shock_tube.uda.002/levels.txt"));
+  EXPECT_THAT(text_of("amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n55\t0.2"));
+}
+
 TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {
   const std::string said = sluice("run", "amr_shock_tube", {"-o", folder_.string()});
   for (const char* part :

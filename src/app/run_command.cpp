@@ -108,7 +108,8 @@ int run_on(Communicator& ranks, const Options& o) {
   options.limits.tell = !o.quiet && options.progress != ProgressMode::none;
   options.program = std::string("sluice ") + version::kText;
   options.deck_xml = to_xml(*loaded->deck.root);
-  options.restart = o.restart;
+  // A link to the newest archive will lead to the one that this run makes.
+  if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);
   options.restart_step = o.step.value_or(-1);
   options.copy_earlier = o.copy;
   options.block = positive_triple(o.block, "--block");

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
+#include "framework/archive/posix_file.hpp"
+
 namespace sluice {
 namespace {
 
@@ -23,8 +27,15 @@ void LevelHistory::open(std::filesystem::path folder) {
   folder_ = std::move(folder);
 }
 
-void LevelHistory::adopt(const std::filesystem::path& earlier, double time) const {
-  if (writes_ && !folder_.empty()) file_.adopt(earlier, folder_, time);
+void LevelHistory::adopt(const std::filesystem::path& earlier, double time) {
+  if (!writes_ || folder_.empty()) return;
+  file_.adopt(earlier, folder_, time);
+  if (!std::filesystem::exists(folder_ / file_.name())) return;
+  // The last line still holds.
+  const std::string text = read_text(folder_ / file_.name());
+  std::istringstream line(text.substr(text.rfind('\n', text.size() - 2) + 1));
+  line >> written_step_ >> time_;
+  for (std::int64_t n; line >> n;) cells_.push_back(n);
 }
 
 void LevelHistory::append() {

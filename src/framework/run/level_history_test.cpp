@@ -54,6 +54,7 @@ TEST_F(LevelHistoryTest, ARestartTakesOverTheLinesUpToItsTime) {
   LevelHistory second(2, true);
   second.open(sub("b"));
   second.adopt(folder_ / "a", 0.5);
+  second.sample(4, 0.5, {100, 16});  // as the last line says
   second.sample(5, 0.625, {100, 24});
   second.finish();
   EXPECT_EQ(written("b"), two_levels + "0\t0\t100\t8\n4\t0.5\t100\t16\n5\t0.625\t100\t24\n");

@@ -282,7 +282,6 @@ void Simulation::flush_samples() {
 void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
   analysis_.sample(plan.step, plan.end);
-  sample_levels();
   if (plan.output || end.checkpoint) flush_samples();
   if (output_->writes_histories(plan.step)) output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) output_->write_output(step_info(), false);
@@ -298,7 +297,10 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   }
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (output_ == nullptr || !end.checkpoint) return;
+  if (output_ == nullptr) return;
+  sample_levels();
+  if (!end.checkpoint) return;
+  level_history_.flush();
   set_totals(false);
   output_->write_checkpoint(step_info());
   last_checkpoint_step_ = plan.step;
