@@ -34,21 +34,6 @@ IntVec3 cell_at(const Level& level, Vec3 point) {
   return cell;
 }
 
-struct Loaded {
-  Scene scene;
-  std::unique_ptr<FaultyIce> component;
-
-  explicit Loaded(const Deck& deck, IntVec3 boxes = {}) {
-    std::vector<Fault> faults;
-    SceneOptions options;
-    options.boxes = boxes;
-    scene = read_scene(deck, options, faults);
-    component = std::make_unique<FaultyIce>(scene, ice::read_ice_scene(deck, scene, faults));
-    for (const Fault& f : faults)
-      if (f.severity == Severity::error) throw InputError(to_string(f));
-  }
-};
-
 // Interior cells of all levels.
 std::vector<double> values_of(const Hierarchy& hierarchy) {
   std::vector<double> values;
@@ -70,8 +55,7 @@ class RejectedSubstep : public testing::TestWithParam<Place> {};
 // level, another substep each time) and must halve its step, the other takes half the step at once.
 TEST_P(RejectedSubstep, LeavesNoTrace) {
   const Deck deck = load_property_deck(GetParam().deck);
-  const Loaded faulty(deck), sound(deck);
-  sound.component->fault.level = -1;
+  const FaultyDeck faulty(deck), sound(deck);
   const RunControl control;
   EventLedger ledger, other_ledger;
   Hierarchy a(faulty.scene, *faulty.component, world(), {});
@@ -144,7 +128,7 @@ class FaultOnALevel : public testing::TestWithParam<int> {
   static RunReport run(const std::filesystem::path& folder, const PlantedFault& planted,
                        IntVec3 boxes = {}, int threads = 1) {
     const Deck deck = load_property_deck("amr_explosion");
-    const Loaded loaded(deck, boxes);
+    const FaultyDeck loaded(deck, boxes);
     loaded.component->fault = planted;
     loaded.component->fault.cell =
         cell_at(loaded.scene.grid.levels[static_cast<std::size_t>(planted.level)], point);
@@ -186,7 +170,7 @@ TEST_P(FaultOnALevel, IsMaskedThereAlone) {
   EXPECT_LE(std::abs(one.worst_drift), allowed_drift);
   expect_same(one, run(scratch / "other", fault, {3, 2, 1}, 2));
   if (GetParam() < 2) return;  // a mask in a cell that is covered leaves no trace
-  fault.to = 0;
+  fault.to = 0;                // never
   EXPECT_NE(difference(one.archive.value(), run(scratch / "sound", fault).archive.value(), true),
             "");
 }

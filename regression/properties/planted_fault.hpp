@@ -1,5 +1,6 @@
 // ICE with faults planted into it: a cell of a level is inadmissible in some of its substeps.
 #pragma once
+#include <memory>
 #include <stdexcept>
 
 #include "ice/ice.hpp"
@@ -7,7 +8,7 @@
 namespace sluice::properties {
 
 struct PlantedFault {
-  int level = 0;
+  int level = -1;  // none
   IntVec3 cell{};
   double from = 0, to = 0;  // substeps that start in [from, to)
   double longest = 0;       // only in substeps longer than this
@@ -87,6 +88,22 @@ class FaultyIce final : public Component {
   }
 
   ice::Ice ice_;
+};
+
+// A deck ready to run with it.
+struct FaultyDeck {
+  Scene scene;
+  std::vector<Fault> faults;  // warnings
+  std::unique_ptr<FaultyIce> component;
+
+  explicit FaultyDeck(const Deck& deck, IntVec3 boxes = {}) : faults(deck.faults) {
+    SceneOptions options;
+    options.boxes = boxes;
+    scene = read_scene(deck, options, faults);
+    component = std::make_unique<FaultyIce>(scene, ice::read_ice_scene(deck, scene, faults));
+    for (const auto& f : faults)
+      if (f.severity == Severity::error) throw InputError(to_string(f));
+  }
 };
 
 }  // namespace sluice::properties

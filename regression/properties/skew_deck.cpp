@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sluice::properties {
 namespace {
@@ -60,21 +61,42 @@ std::string boundary(const SkewCase& c, const Orientation& o) {
   return "<BoundaryConditions>\n" + faces + "</BoundaryConditions>\n";
 }
 
-std::string level(const SkewCase& c, const Orientation& o) {
-  Vec3 half{1, 1, 1}, periodic{};
+// One box of a level. Cells of the whole domain would be `cells`; no part of a cell is cut.
+std::string box(const std::string& label, Vec3 low, Vec3 high, IntVec3 cells, const SkewCase& c,
+                const Orientation& o) {
+  IntVec3 n;
+  Vec3 extra;
   for (int d = 0; d < 3; ++d) {
-    if (c.cells[d] == 1) half[d] = thickness / 2;
-    periodic[d] = c.sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic ? 1 : 0;
+    if (c.cells[d] == 1) {
+      low[d] = -thickness / 2;
+      high[d] = thickness / 2;
+    }
+    n[d] = c.cells[d] == 1 ? 1 : static_cast<int>(std::lround(cells[d] * (high[d] - low[d]) / 2));
+    extra[d] = c.sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic ? 0 : 1;
   }
-  const IntVec3 cells = o.turn_extents(c.cells);
-  Vec3 turned;
-  for (int d = 0; d < 3; ++d) turned[d] = periodic[o.shows[static_cast<std::size_t>(d)]];
-  return "<Level> <Box label=\"domain\">\n" + corners("lower", "upper", Vec3{} - half, half, o) +
+  n = o.turn_extents(n);
+  return fmt::format("<Box label=\"{}\">\n", label) + corners("lower", "upper", low, high, o) +
          fmt::format(
              "<extraCells>{}</extraCells> <patches>[1,1,1]</patches>\n"
              "<resolution>[{},{},{}]</resolution> </Box>\n",
-             text(Vec3{1, 1, 1} - turned), cells.x, cells.y, cells.z) +
-         "<periodic>" + text(turned) + "</periodic> </Level>\n";
+             text(o.turn_along(extra)), n.x, n.y, n.z);
+}
+
+std::string grid_levels(const SkewCase& c, const Orientation& o) {
+  Vec3 periodic{};
+  for (int d = 0; d < 3; ++d)
+    periodic[d] = c.sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic ? 1 : 0;
+  const std::string end = "<periodic>" + text(o.turn_along(periodic)) + "</periodic> </Level>\n";
+  std::string all =
+      "<Level> " + box("domain", Vec3{-1, -1, -1}, Vec3{1, 1, 1}, c.cells, c, o) + end;
+  for (std::size_t l = 0; l < c.levels.fixed.size(); ++l) {
+    all += "<Level>\n";
+    for (const auto& [low, high] : c.levels.fixed[l])
+      all += box(fmt::format("fine {} {}", l, all.size()), low, high,
+                 c.cells_of(static_cast<int>(l) + 1), c, o);
+    all += end;
+  }
+  return all;
 }
 
 // Density, temperature and velocity in a box of the case.
@@ -115,6 +137,11 @@ std::string triple(const char* tag, IntVec3 v, const Orientation& o) {
 std::string refinement(const SkewCase& c, const Orientation& o) {
   const SkewLevels& l = c.levels;
   if (l.most == 1) return {};
+  if (!l.fixed.empty())
+    return fmt::format(
+        "<AMR type=\"StaticGridML\"><useLockStep>{}</useLockStep><ICE>\n"
+        "<orderOfInterpolation>{}</orderOfInterpolation></ICE></AMR>\n",
+        l.lock_step, l.order);
   return fmt::format(
              "<AMR><useLockStep>{}</useLockStep><ICE>\n"
              "<orderOfInterpolation>{}</orderOfInterpolation>\n"
@@ -157,6 +184,10 @@ Vec3 Orientation::turn(Vec3 v) const {
   return r;
 }
 
+Vec3 Orientation::turn_along(Vec3 v) const {
+  return {v[shows[0]], v[shows[1]], v[shows[2]]};
+}
+
 IntVec3 Orientation::turn_extents(IntVec3 cells) const {
   return {cells[shows[0]], cells[shows[1]], cells[shows[2]]};
 }
@@ -179,7 +210,7 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<delt_max>1</delt_max><timestep_multiplier>1</timestep_multiplier>\n"
       "<max_Timesteps>{}</max_Timesteps></Time>\n",
       steps);
-  deck += "<Grid>\n" + boundary(c, o) + level(c, o) + "</Grid>\n" + refinement(c, o);
+  deck += "<Grid>\n" + boundary(c, o) + grid_levels(c, o) + "</Grid>\n" + refinement(c, o);
   deck += fmt::format(
       "<DataArchiver><filebase>skew.uda</filebase>\n"
       "<outputTimestepInterval>{}</outputTimestepInterval>\n"

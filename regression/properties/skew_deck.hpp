@@ -7,6 +7,7 @@
 #include <array>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/base/vec3.hpp"
@@ -21,11 +22,12 @@ struct Orientation {
   // Of a cell of the case in the deck, when the case has `cells` cells.
   IntVec3 turn_cell(IntVec3 cell, IntVec3 cells) const;
   IntVec3 turn_extents(IntVec3 cells) const;
+  Vec3 turn_along(Vec3 v) const;  // what has no sign
 };
 
 enum class SideKind { open, wall, moving_wall, inflow, symmetry, periodic };
 
-// Levels that follow the density: the last entry of a list holds on.
+// Levels that follow density and pressure, or stay: the last entry of a list holds on.
 struct SkewLevels {
   int most = 1;  // levels; 1: no <AMR>
   std::vector<IntVec3> ratios{{2, 2, 2}}, tiles{{8, 8, 8}};
@@ -34,6 +36,8 @@ struct SkewLevels {
   int interval = 50;
   int order = 1;
   bool lock_step = false;
+  // Levels that stay: of each finer level its boxes, lower and upper corner.
+  std::vector<std::vector<std::pair<Vec3, Vec3>>> fixed{};
 
   IntVec3 ratio(int level) const;  // to the next coarser one
 };
