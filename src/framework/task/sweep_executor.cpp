@@ -93,13 +93,19 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());
   if (options_.never_sleeps)
     for (Block& b : blocks_) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+  if (max(largest, largest_) != largest_) make_workers(max(largest, largest_));
+  if (options_.time_boxes)
+    for (auto& w : workers_) w->boxes.assign(old_state.local_boxes().size(), 0);
+}
+
+void SweepExecutor::make_workers(IntVec3 largest) {
   keep_counts();
+  largest_ = largest;
   workers_.clear();
   workers_.resize(static_cast<std::size_t>(team_->size()));
   // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
   team_->for_each(workers_.size(), [&](std::size_t n, int) {
     workers_[n] = std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_);
-    if (options_.time_boxes) workers_[n]->boxes.assign(old_state.local_boxes().size(), 0);
   });
 }
 

@@ -62,6 +62,7 @@ class SweepExecutor {
 
  private:
   struct Worker;
+  void make_workers(IntVec3 largest);
   void keep_counts();
   void run_timed_block(Worker& worker, const StepConstants& step, std::size_t n);
   void run_block(Worker& worker, const StepConstants& step, std::size_t n);
@@ -76,6 +77,7 @@ class SweepExecutor {
   StateBinding binding_;
   std::vector<Block> blocks_;
   std::vector<std::unique_ptr<Worker>> workers_;
+  IntVec3 largest_{};  // block that the workers' memory holds
   Reductions total_;
   std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
   // Counted and timed before the last bind.
