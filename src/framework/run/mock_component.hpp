@@ -21,7 +21,7 @@ inline const MockLabels& mock_labels() {
   return labels;
 }
 
-class MockComponent final : public Component {
+class MockComponent : public Component {
  public:
   double greed = 0.5;          // the step as a share of dx: above 1 a step must be redone
   double most = 1e300;         // a larger q is a fault, except where slopes are masked
