@@ -98,12 +98,21 @@ DeckRun deck_run_from_json(const nlohmann::json& j) {
   return r;
 }
 
-Deck load_property_deck(const std::string& name) {
+Deck load_property_deck(const std::string& full_name) {
   const auto& all = property_decks();
+  const bool every_step = full_name.ends_with(every_step_suffix);
+  const std::string name =
+      every_step ? full_name.substr(0, full_name.size() - every_step_suffix.size()) : full_name;
   const auto it =
       std::find_if(all.begin(), all.end(), [&](const PropertyDeck& d) { return d.name == name; });
   if (it == all.end()) throw std::logic_error("no property deck " + name);
-  return load_deck(it->file, it->overrides, sluice_schema());
+  std::vector<std::string> overrides = it->overrides;
+  if (every_step)
+    for (const char* one :
+         {"Time/max_Timesteps=11", "DataArchiver/outputTimestepInterval=1",
+          "DataArchiver/checkpoint/@timestepInterval=1", "DataArchiver/checkpoint/@cycle=0"})
+      overrides.emplace_back(one);
+  return load_deck(it->file, overrides, sluice_schema());
 }
 
 RunReport carry_out(const Deck& deck, const DeckRun& run,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "framework/base/temporary_folder.hpp"
 #include "framework/deck/deck.hpp"
@@ -38,7 +39,9 @@ RunReport carry_out(const Deck& deck, const DeckRun& run,
                     const std::function<void(RunOptions&)>& change = {});
 RunReport carry_out(const Deck& deck, const std::filesystem::path& folder,
                     const std::function<void(RunOptions&)>& change = {});
-Deck load_property_deck(const std::string& name);
+// With this at the end of its name a deck runs 11 steps and keeps outputs and checkpoints of each.
+inline constexpr std::string_view every_step_suffix = "_every_step";
+Deck load_property_deck(const std::string& full_name);
 
 // Runs all of `runs` by `ranks` processes started once (this executable under the launcher).
 // Returns the words of the first failure, or "".

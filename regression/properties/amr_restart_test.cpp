@@ -1,0 +1,170 @@
+// Runs on levels that are cut: a restart from every checkpoint, on other ranks and boxes, also right
+// after a regrid; SIGTERM at any moment.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/study_process.hpp"
+#include "framework/archive/archive.hpp"
+#include "properties/deck_run.hpp"
+
+namespace sluice::properties {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::IsEmpty;
+
+const std::string every_step(every_step_suffix);
+
+fs::path archive_in(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_symlink()) return entry.path();
+  return {};
+}
+
+// Cells of each level at each checkpoint.
+std::vector<std::vector<std::int64_t>> hierarchies(const fs::path& folder) {
+  const Archive archive = Archive::open(folder);
+  std::vector<std::vector<std::int64_t>> all;
+  for (const StepEntry& e : archive.checkpoints()) {
+    const ArchiveStep step = archive.read_checkpoint(e);
+    all.emplace_back();
+    for (const Level& level : step.grid().levels) all.back().push_back(level.cell_count());
+  }
+  return all;
+}
+
+class EveryCheckpoint : public testing::TestWithParam<const char*> {
+ protected:
+  DeckRun run_into(const std::string& folder) const {
+    DeckRun run;
+    run.deck = GetParam() + every_step;
+    run.folder = scratch_ / folder;
+    return run;
+  }
+  // Restarts from every checkpoint but the last (or from those that a regrid came before), by
+  // `carry_all`; all end alike.
+  template <class F>
+  void expect_equal_ends(DeckRun how, bool after_regrids, F&& carry_all) const {
+    const fs::path reference = carry_out(run_into("whole")).archive.value();
+    std::vector<DeckRun> runs;
+    const std::vector<StepEntry> checkpoints = Archive::open(reference).checkpoints();
+    ASSERT_GT(checkpoints.size(), 8u);
+    const auto cells = hierarchies(reference);
+    EXPECT_GT(std::set(cells.begin(), cells.end()).size(), 1u) << "no regrid";
+    for (std::size_t n = 0; n + 1 < checkpoints.size(); ++n) {
+      if (after_regrids && n > 0 && cells[n] == cells[n - 1]) continue;
+      how.restart = reference;
+      how.restart_step = checkpoints[n].step;
+      how.folder = scratch_ / ("from " + std::to_string(checkpoints[n].step));
+      runs.push_back(how);
+    }
+    carry_all(runs);
+    for (const DeckRun& run : runs) {
+      SCOPED_TRACE("from step " + std::to_string(run.restart_step));
+      const fs::path rest = archive_in(run.folder);
+      ASSERT_FALSE(rest.empty());
+      EXPECT_EQ(difference(reference, rest, false, true), "") << "in the outputs";
+      EXPECT_EQ(difference(reference, rest, true, true), "") << "in the checkpoints";
+      EXPECT_EQ(Archive::open(rest).checkpoints().back().step, checkpoints.back().step);
+    }
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_P(EveryCheckpoint, GoesOnTheSameWayOnOtherBoxes) {
+  DeckRun how = run_into("unused");
+  how.split = {3, 2, 1};
+  how.box_cells = 50;
+  expect_equal_ends(how, false, [](const std::vector<DeckRun>& runs) {
+    for (const DeckRun& run : runs) carry_out(run);
+  });
+}
+
+TEST_P(EveryCheckpoint, GoesOnTheSameWayOnTwoRanks) {
+  expect_equal_ends(run_into("unused"), true, [](const std::vector<DeckRun>& runs) {
+    EXPECT_EQ(carry_out_on_ranks(runs, 2), "");
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, EveryCheckpoint,
+                         testing::Values("amr_shock_tube", "amr_periodic_shocks", "amr_explosion",
+                                         "amr_explosion_lockstep", "amr_explosion_greedy"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// A run of many ranks goes on on one.
+TEST(RestartAfterARegrid, OnFewerRanks) {
+  ScratchFolder scratch;
+  DeckRun run;
+  run.deck = "amr_explosion" + every_step;
+  run.folder = scratch / "whole";
+  const fs::path reference = carry_out(run).archive.value();
+  run.folder = scratch / "ranks";
+  ASSERT_EQ(carry_out_on_ranks({run}, 4), "");
+  run.restart = archive_in(run.folder);
+  const auto cells = hierarchies(reference);
+  ASSERT_EQ(hierarchies(run.restart), cells);
+  for (std::size_t n = 1; n + 1 < cells.size(); ++n) {
+    if (cells[n] == cells[n - 1]) continue;
+    run.restart_step = Archive::open(reference).checkpoints()[n].step;
+    run.folder = scratch / ("from " + std::to_string(run.restart_step));
+    const fs::path rest = carry_out(run).archive.value();
+    EXPECT_EQ(difference(reference, rest, false, true), "");
+    EXPECT_EQ(difference(reference, rest, true, true), "");
+  }
+}
+
+nlohmann::json record(const fs::path& file) {
+  std::ifstream in(file);
+  return nlohmann::json::parse(in);
+}
+
+ProcessRequest shell(const fs::path& folder, const std::string& script) {
+  ProcessRequest request;
+  request.words = {"/bin/sh", "-c", "cd '" + folder.string() + "'\n" + script};
+  request.environment = {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"};
+  request.output = folder / "log";
+  return request;
+}
+
+// By the command itself, at moments that are not chosen: between whatever substeps.
+TEST(Sigterm, AnywhereEndsWithACheckpointAndARestartGivesTheSameBits) {
+  ScratchFolder scratch;
+  const std::string run = SLUICE_COMMAND
+      " run " SLUICE_SOURCE_DIR
+      "/inputs/ice/amr_explosion.ups --progress none --json run.json"
+      " --set 'Grid/Level/Box/resolution=[40,40,1]' --set DataArchiver/outputTimestepInterval=10"
+      " --set DataArchiver/checkpoint/@timestepInterval=10 --set Time/max_Timesteps=60"
+      " --set Time/maxTime=1000";
+  const fs::path whole = scratch / "whole";
+  ProcessRequest request = shell(whole, run);
+  ASSERT_EQ(run_process(request), 0) << last_lines(request.output, 10);
+  int cut = 0;
+  for (const int output : {10, 20, 30, 40}) {
+    const fs::path folder = scratch / ("cut " + std::to_string(output));
+    fs::create_directories(folder / "rest");
+    const std::string file = "amr_explosion.uda/t000" + std::to_string(output) + "/timestep.xml";
+    request = shell(folder, run + " &\npid=$!\nuntil [ -e " + file +
+                                " ] || ! kill -0 $pid; do sleep 0.003; done\n"
+                                "kill -TERM $pid; wait $pid");
+    ASSERT_EQ(run_process(request), 0) << last_lines(request.output, 10);
+    if (record(folder / "run.json")["status"] != "terminated") continue;  // it was at its end
+    ++cut;
+    const Archive archive = Archive::open(folder / "amr_explosion.uda");
+    EXPECT_EQ(archive.checkpoints().back().step, record(folder / "run.json")["steps"]);
+    const std::string ranks = output % 20 == 0 ? SLUICE_MPIEXEC " --oversubscribe -np 2 " : "";
+    request = shell(
+        folder, ranks + SLUICE_COMMAND " run --restart amr_explosion.uda -o rest --progress none");
+    ASSERT_EQ(run_process(request), 0) << last_lines(request.output, 10);
+    const fs::path rest = folder / "rest" / "amr_explosion.uda";
+    EXPECT_EQ(difference(whole / "amr_explosion.uda", rest, false, true), "");
+    EXPECT_EQ(Archive::open(rest).outputs().back().step, 60);
+  }
+  EXPECT_GT(cut, 0);
+}
+
+}  // namespace
+}  // namespace sluice::properties
