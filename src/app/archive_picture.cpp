@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <optional>
 
@@ -30,16 +32,14 @@ std::optional<int> line_direction(const Level& level) {
   return found;
 }
 
-void write_line(const DeckReference& reference, const Level& level, int direction, double time,
-                const std::string& path) {
+// On the line between two points that differ in one direction.
+void write_points(const DeckReference& reference, Vec3 low, Vec3 high, int direction, double time,
+                  const std::string& path) {
   std::ofstream file(path);
   file << "x,rho_CC,press_CC,vel_CC,temp_CC\n";
-  const int cells = level.domain.size()[direction];
   for (int n = 0; n < kExactPoints; ++n) {
-    Vec3 x = level.centre(level.domain.lower);
-    const double along = (n + 0.5) / kExactPoints * cells;
-    x[direction] = level.anchor[direction] +
-                   (level.domain.lower[direction] + along) * level.spacing[direction];
+    Vec3 x = low;
+    x[direction] += (n + 0.5) / kExactPoints * (high[direction] - low[direction]);
     const exact::State s = reference.solution->at(x, time);
     file << fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", x[direction], s.density,
                         s.pressure, s.velocity[direction], s.temperature(reference.specific_heat));
@@ -47,7 +47,36 @@ void write_line(const DeckReference& reference, const Level& level, int directio
   if (!file.flush()) throw SystemError("cannot write " + path + ": is the disk full?");
 }
 
-// Writes the exact solution of a 1-D archive at the drawn time; false when the deck names none.
+void write_line(const DeckReference& reference, const Level& level, int direction, double time,
+                const std::string& path) {
+  Vec3 low = level.centre(level.domain.lower);
+  low[direction] =
+      level.anchor[direction] + level.domain.lower[direction] * level.spacing[direction];
+  Vec3 high = low;
+  high[direction] += level.domain.size()[direction] * level.spacing[direction];
+  write_points(reference, low, high, direction, time, path);
+}
+
+// From the origin to the farthest corner of the domain, along the first dimension of the run.
+void write_radius(const DeckReference& reference, const Level& level, double time,
+                  const std::string& path) {
+  int direction = -1;
+  double square = 0;
+  for (int d = 2; d >= 0; --d) {
+    if (level.domain.size()[d] <= 1) continue;
+    direction = d;
+    const double low = level.anchor[d] + level.domain.lower[d] * level.spacing[d];
+    const double high = level.anchor[d] + level.domain.upper[d] * level.spacing[d];
+    square += std::max(low * low, high * high);
+  }
+  if (direction < 0) throw InputError("--radius: the run has one cell");
+  Vec3 low{}, high{};
+  high[direction] = std::sqrt(square);
+  write_points(reference, low, high, direction, time, path);
+}
+
+// Writes the exact solution of a 1-D archive at the drawn time, or that along a radius; false when
+// the deck names none.
 bool sample_exact(const PictureRequest& request, const std::string& path) {
   const Archive archive = Archive::open(request.archive);
   if (archive.outputs().empty()) return false;
@@ -56,6 +85,10 @@ bool sample_exact(const PictureRequest& request, const std::string& path) {
   const StepEntry& output = archive.select_output(request.time);
   const ArchiveStep step = archive.read_output(output);
   const Level& level = step.grid().levels.front();
+  if (request.radius) {
+    write_radius(*reference, level, output.time, path);
+    return true;
+  }
   const std::optional<int> direction = line_direction(level);
   if (!direction) return false;
   write_line(*reference, level, *direction, output.time, path);
@@ -74,6 +107,7 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
   for (const std::string& h : request.histories) option("--history", h);
   option("--material", request.material);
   option("--slice", request.slice);
+  if (request.radius) words.emplace_back("--radius");
   option("--levels", request.levels);
   option("--title", request.title);
   option("--time", request.time);

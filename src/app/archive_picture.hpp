@@ -11,6 +11,7 @@ struct PictureRequest {
   std::vector<std::string> variables, histories;
   std::string material, slice, title, levels;
   std::string time = "last";
+  bool radius = false;         // every cell by its distance from the origin
   std::string exact = "auto";  // auto: what the deck names; none; or a CSV file
   std::string picture = "picture.png";
 };

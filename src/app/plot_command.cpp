@@ -23,6 +23,8 @@ void add_plot_command(CLI::App& app, int& exit_status) {
   command->add_option("--material", request->material, "Material index (the first stored)");
   command->add_option("--time", request->time, "last, first, #N (N-th output) or a time");
   command->add_option("--slice", request->slice, "Plane of a 3-D run, z=0.5 (the middle)");
+  command->add_flag("--radius", request->radius,
+                    "Every cell of a 2-D or 3-D run against its distance from the origin");
   command
       ->add_option("--levels", request->levels,
                    "What is drawn of finer levels: boxes (usual), the regridder's tiles, only "

@@ -71,6 +71,20 @@ def draw_line(ax, step, name, given, exact):
     headroom(ax, np.concatenate([values[np.isfinite(values)] for _, _, values, _ in parts]))
 
 
+def draw_radius(ax, step, name, given, exact):
+    """Every cell against its distance from the origin, the finest level there is."""
+    parts = list(views.radii(step, name, given.material))
+    for level, radius, values in parts:
+        ax.plot(radius, values, linestyle="none", marker=style.MARKERS[level % len(style.MARKERS)],
+                markersize=1.2, markeredgewidth=0, color=levels.colour(level), rasterized=True,
+                label=f"level {level}, {len(values)} cells")
+    if exact is not None and name in exact:
+        ax.plot(exact["x"], exact[name], color="black", linewidth=0.9, label="exact", zorder=3)
+    ax.set_xlabel("distance from the origin")
+    ax.margins(x=0.01)
+    headroom(ax, np.concatenate([values for _, _, values in parts]))
+
+
 def headroom(ax, values):
     """A field that is constant to round-off is drawn as a constant, not as its noise."""
     low, high = float(np.min(values)), float(np.max(values))
@@ -133,7 +147,10 @@ def draw_fields(archive, given, plt):
     names = given.var or usual_variables(step)
     for name in names:
         views.stored_levels(step, views.split_name(name)[0], given.material)  # told first
-    one = len(step.levels[0].active_directions()) == 1
+    line = len(step.levels[0].active_directions()) == 1
+    if given.radius and line:
+        raise ArchiveError("--radius is for runs in two or three dimensions; this one is a line")
+    one = line or given.radius
     exact = read_exact(given.exact) if given.exact else None
     rows, columns = panel_grid(len(names))
     width = 5.5 if len(names) == 1 and not one else min(4.0, 11.0 / columns)
@@ -141,7 +158,9 @@ def draw_fields(archive, given, plt):
     fig, axes = plt.subplots(rows, columns, squeeze=False,
                              figsize=(width * columns, height * rows + 0.3))
     for ax, name in zip(axes.flat, names):
-        if one:
+        if given.radius:
+            draw_radius(ax, step, name, given, exact)
+        elif one:
             draw_line(ax, step, name, given, exact)
         else:
             draw_plane(fig, ax, step, name, given)
@@ -152,7 +171,7 @@ def draw_fields(archive, given, plt):
     for ax in axes.flat[len(names):]:
         ax.set_visible(False)
     if one:
-        axes.flat[0].legend(loc="best")
+        axes.flat[0].legend(loc="best", markerscale=5 if given.radius else 1)
     elif len(step.levels) > 1 and given.levels != "none":
         levels.add_legend(fig, step)
     fig.suptitle(head_text(archive, step, given), x=0.01, ha="left", fontsize=11)
@@ -211,6 +230,8 @@ def parse(arguments):
     parser.add_argument("--material", type=int)
     parser.add_argument("--time", default="last", help="last, first, #N or a time")
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
+    parser.add_argument("--radius", action="store_true",
+                        help="every cell of a 2-D or 3-D run against its distance from the origin")
     parser.add_argument("--levels", choices=levels.KINDS, default="boxes",
                         help="what is drawn of finer levels: their boxes (usual), the tiles of the "
                         "regridder, only their outer edges, or none of it")

@@ -242,12 +242,29 @@ class Levels(OnDisk):
         self.assertEqual(len(x), 6 + 8)
         np.testing.assert_allclose(values, x ** 2)
 
+    def test_radii_take_each_place_once_from_the_finest_level(self):
+        square = [((1.0, 1, 1), (0, 0, 0), (2, 2, 1), [((0, 0, 0), (2, 2, 1))], (1, 1, 0)),
+                  ((0.5, 0.5, 1), (0, 0, 0), (4, 4, 1), [((0, 0, 0), (2, 2, 1))], (1, 1, 0))]
+        writer = Writer(self.root, square)
+        writer.add("rho_CC", "CC", [lambda x, y, z: x ** 2 + y ** 2 + 0 * z])
+        writer.close()
+        (zero, coarse, _), (one, fine, values) = views.radii(Archive(self.root).step(), "rho_CC")
+        self.assertEqual((zero, one), (0, 1))
+        self.assertEqual((len(coarse), len(fine)), (3, 4))
+        np.testing.assert_allclose(values, fine ** 2)
+
 
 class Pictures(OnDisk):
     def draw(self, *options, suffix=".png"):
         target = self.root.parent / ("picture" + suffix)
         status = plot.main([str(self.root), "-o", str(target), *options])
         return status, target
+
+    def test_a_line_has_no_radius(self):
+        self.tube()
+        status, target = self.draw("--radius")
+        self.assertEqual(status, 2)
+        self.assertFalse(target.exists())
 
     def test_tube_with_exact_solution(self):
         self.tube()

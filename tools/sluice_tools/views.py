@@ -75,6 +75,25 @@ def profiles(step, name, material=None):
         yield level, field.coordinates(direction), data[tuple(index)], hidden[tuple(index)]
 
 
+def radii(step, name, material=None):
+    """2-D and 3-D, level by level: (level, distances from the origin, values) of the cells that no
+    finer level covers; of a vector the component away from the origin."""
+    base, component = split_name(name)
+    directions = step.levels[0].active_directions()
+    for level, finer in _with_finer(stored_levels(step, base, material)):
+        field = step.field(base, material, level)
+        axes = np.meshgrid(*[field.coordinates(d) if d in directions else [0.0]
+                             for d in range(3)], indexing="ij")
+        radius = np.sqrt(sum(axis ** 2 for axis in axes))
+        if field.values.ndim == 4 and component is None:
+            away = sum(field.values[d] * axes[d] for d in directions)
+            data = np.divide(away, radius, out=np.zeros_like(away), where=radius > 0)
+        else:
+            data = scalar(field, component)
+        seen = ~covered(step, level, data.shape, field.lower, finer) & np.isfinite(data)
+        yield level, radius[seen], data[seen]
+
+
 def line(step, name, material=None):
     """1-D: positions and values, each place once, from the finest level there, and the levels."""
     parts = []
