@@ -34,6 +34,7 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
     solvers_.push_back(std::make_unique<LevelSolver>(component, level, communicator, o));
   }
   done_.assign(levels.size(), 0);
+  ends_.assign(levels.size(), 0.0);
   maxima_.resize(levels.size());
   costs_.resize(levels.size());
   joints_.resize(levels.size());
@@ -101,7 +102,8 @@ void Hierarchy::fill(int l, double time) {
   solver.fill_ghosts(time, [&](Warehouse& state) {
     LevelSolver& coarser = level(l - 1);
     const double share = share_of(l);
-    if (share > 0) fill(l - 1, time);  // its new state; the old one was filled when it was swept
+    // Its new state stands at the end of its own step; the old one was filled when it was swept.
+    if (share > 0) fill(l - 1, advancing_ ? ends_[static_cast<std::size_t>(l) - 1] : time);
     const Warehouse* before = share < 1 ? &coarser.previous() : nullptr;
     const Warehouse* after = share > 0 ? &coarser.state() : nullptr;
     joints_[static_cast<std::size_t>(l) - 1]->ghosts.run(
@@ -142,6 +144,7 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope) {
   for (std::size_t s = 0; s < a.sums.size(); ++s) result_.sums[s] += a.sums[s];
   maxima_[n] = a.maxima;
   solver.advance();
+  ends_[n] = scope.time + scope.dt;
   if (l > 0) {
     joints_[n - 1]->fluxes.add_substep();
     ++done_[n];

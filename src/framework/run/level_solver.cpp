@@ -62,7 +62,10 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
 
 LevelSolver::~LevelSolver() = default;
 
-void LevelSolver::add_state_slot(const SlotInfo& info, Contents contents) {
+// Halos, interfaces between levels and redone slopes reach equally far in all slots: each is as wide
+// as the widest.
+void LevelSolver::add_state_slot(SlotInfo info, Contents contents) {
+  info.ghosts = halo_width(*component_);
   state_.add(info, contents);
   next_.add(info, contents);
   if (options_.substeps > 1) start_.add(info, contents);
@@ -275,9 +278,8 @@ void LevelSolver::reject() {
 }
 
 std::int64_t LevelSolver::mask_faults(double time) {
-  const SlotInfo info{component_->mask_label(), 0, 1, state_.info(state_slots_.front()).ghosts};
-  add_state_slot(info);
-  const int slot = state_.find(info.label, info.material);
+  add_state_slot({component_->mask_label(), 0, 1, 0});
+  const int slot = state_.find(component_->mask_label(), 0);
   if (!masked_)
     for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
       const RealView v = state_.view(slot, 0, b);

@@ -124,7 +124,7 @@ class LevelSolver {
   void reduce(const Reductions& local, const RunControl* control);
   CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
-  void add_state_slot(const SlotInfo& info, Contents contents = Contents::zero);
+  void add_state_slot(SlotInfo info, Contents contents = Contents::zero);
   void bind(Variant& variant);
   SweepOptions sweep_options(bool diagnostic, bool storing) const;
 
