@@ -1,5 +1,5 @@
-// Runs on levels that are cut: a restart from every checkpoint, on other ranks and boxes, also right
-// after a regrid; SIGTERM at any moment.
+// Runs on levels that are cut: a restart from every checkpoint, on other ranks and boxes, also
+// right after a regrid; SIGTERM at any moment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Scenes drawn at random: any kind of side, gravity, viscosity, order, scheme, one to three
-// dimensions; then with levels that follow the flow, any ratio, tile, dilation and threshold. Each gives the same bits on other boxes, blocks, threads and with all savings off,
-// and conserves what its sides let it keep. The variable SLUICE_SEED draws other scenes.
+// dimensions; then with levels that follow the flow, any ratio, tile, dilation and threshold.
+// Each gives the same bits on other boxes, blocks, threads and with all savings off, and conserves
+// what its sides let it keep. The variable SLUICE_SEED draws other scenes.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
