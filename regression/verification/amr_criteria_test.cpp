@@ -1,7 +1,9 @@
 // What asks for finer levels: the estimated error against the uniform grid, regions of the deck.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "verification/amr_case.hpp"
 
@@ -31,6 +33,34 @@ TEST(AmrCriteria, AWiderToleranceCostsLessAndErrsMore) {
   const CaseRun strict = with("0.01"), loose = with("0.04");
   EXPECT_LT(share_of_uniform(loose), 0.8 * share_of_uniform(strict));
   EXPECT_GT(loose.error("rho_CC").l1, strict.error("rho_CC").l1);
+}
+
+// In an order that no box decides.
+std::vector<LevelCell> sorted_cells(const CaseRun& run) {
+  std::vector<LevelCell> cells = level_cells(run, "rho_CC");
+  std::sort(cells.begin(), cells.end(), [](const LevelCell& a, const LevelCell& b) {
+    return std::tie(a.level, a.cell.z, a.cell.y, a.cell.x) <
+           std::tie(b.level, b.cell.z, b.cell.y, b.cell.x);
+  });
+  return cells;
+}
+
+// The range of the variable is the same whoever holds the cells.
+TEST(AmrCriteria, RanksAndThreadsDoNotShowInErrors) {
+  const std::vector<std::string> small = {resolution(32, 32), "Time/maxTime=0.1"};
+  const CaseRun one("amr_explosion_error", small);
+  const std::vector<LevelCell> wanted = sorted_cells(one);
+  EXPECT_GT(wanted.back().level, 1);
+  for (const int ranks : {1, 3}) {
+    const CaseRun run("amr_explosion_error", small, {"--threads", ranks == 1 ? "2" : "1"}, ranks);
+    const std::vector<LevelCell> cells = sorted_cells(run);
+    ASSERT_EQ(cells.size(), wanted.size()) << ranks;
+    std::size_t different = 0;
+    for (std::size_t n = 0; n < cells.size(); ++n)
+      different += cells[n].value != wanted[n].value || cells[n].level != wanted[n].level ||
+                   !(cells[n].cell == wanted[n].cell);
+    EXPECT_EQ(different, 0u) << ranks;
+  }
 }
 
 TEST(AmrCriteria, RegionsHoldTheirCellsFromTheStartToTheEnd) {
