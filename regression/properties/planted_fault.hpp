@@ -15,14 +15,14 @@ struct PlantedFault {
   bool excused = false;     // not where slopes are masked
 };
 
-class FaultyIce final : public Component {
+class FaultyIce final : public ice::Ice {
  public:
-  FaultyIce(const Scene& scene, ice::IceScene ice_scene) : ice_(scene, std::move(ice_scene)) {}
+  using ice::Ice::Ice;
 
   PlantedFault fault;  // may change between steps
 
   void declare_step(TaskList& list, const StepVariant& variant) const override {
-    ice_.declare_step(list, variant);
+    Ice::declare_step(list, variant);
     TaskBuilder task = list.task("planted fault", ice::effect_flow);
     task.read(old_state_of(list));
     task.write(list.temporary("nothing"));
@@ -38,56 +38,12 @@ class FaultyIce final : public Component {
     });
   }
 
-  std::string name() const override { return ice_.name(); }
-  const EffectList& effects() const override { return ice_.effects(); }
-  int material_count() const override { return ice_.material_count(); }
-  std::vector<SlotInfo> state_slots() const override { return ice_.state_slots(); }
-  std::vector<std::vector<Label>> checkpoint_labels() const override {
-    return ice_.checkpoint_labels();
-  }
-  void initialise(Warehouse& state) const override { ice_.initialise(state); }
-  void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override {
-    ice_.fill_boundary(state, time, team);
-  }
-  void declare_diagnostics(TaskList& list, int level) const override {
-    ice_.declare_diagnostics(list, level);
-  }
-  const TransferOperators& transfer() const override { return ice_.transfer(); }
-  Label refine_flag() const override { return ice_.refine_flag(); }
-  Label mask_label() const override { return ice_.mask_label(); }
-  int reduction_maxima() const override { return ice_.reduction_maxima(); }
-  int reduction_sums() const override { return ice_.reduction_sums(); }
-  bool quiet_blocks_allowed() const override { return ice_.quiet_blocks_allowed(); }
-  void measure_rates(const Warehouse& state, Reductions& rates) const override {
-    ice_.measure_rates(state, rates);
-  }
-  StepLimit step_limit(const std::vector<double>& maxima) const override {
-    return ice_.step_limit(maxima);
-  }
-  void add_totals(const Warehouse& state, const LevelCoverage& coverage,
-                  Totals& totals) const override {
-    ice_.add_totals(state, coverage, totals);
-  }
-  StepBalance balance(const std::vector<double>& sums, const StepStart* start,
-                      double dt) const override {
-    return ice_.balance(sums, start, dt);
-  }
-  double history_value(Label label, const Totals& totals) const override {
-    return ice_.history_value(label, totals);
-  }
-  Vec3 history_vector(Label label, const Totals& totals) const override {
-    return ice_.history_vector(label, totals);
-  }
-  std::string describe_fault(int kind) const override { return ice_.describe_fault(kind); }
-
  private:
   static VariableId old_state_of(const TaskList& list) {
     for (std::size_t n = 0; n < list.variables().size(); ++n)
       if (list.variables()[n].storage == Storage::old_state) return {static_cast<int>(n)};
     throw std::logic_error("a step without a state");
   }
-
-  ice::Ice ice_;
 };
 
 // A deck ready to run with it.

@@ -10,7 +10,7 @@
 
 namespace sluice::ice {
 
-class Ice final : public Component {
+class Ice : public Component {
  public:
   Ice(const Scene& scene, IceScene ice_scene);
 
