@@ -1,0 +1,78 @@
+// The closed set of equations of state, to be visited outside loops over cells.
+//
+// Every law gives the functions of the concept below; `visit` hands its concrete type to a row loop,
+// where they are inlined. Temperature with a specific heat that is not constant: the law gives the
+// energy above its cold curve, the heat turns it into a temperature (free functions below).
+#pragma once
+#include <concepts>
+#include <variant>
+
+#include "eos/birch_murnaghan.hpp"
+#include "eos/constant_heat.hpp"
+#include "eos/debye_heat.hpp"
+#include "eos/hard_sphere_gas.hpp"
+#include "eos/ideal_gas.hpp"
+#include "eos/jwl.hpp"
+#include "eos/jwlc.hpp"
+#include "eos/knauss_sea_water.hpp"
+#include "eos/linear_gruneisen.hpp"
+#include "eos/mie_gruneisen.hpp"
+#include "eos/murnaghan.hpp"
+#include "eos/nasa7_heat.hpp"
+#include "eos/perfect_gas.hpp"
+#include "eos/polynomial_heat.hpp"
+#include "eos/stiffened_gas.hpp"
+#include "eos/thomsen_hartka_water.hpp"
+#include "eos/tillotson.hpp"
+#include "eos/tst.hpp"
+
+namespace sluice::eos {
+
+// rho: density, x: internal energy per volume, pressure or temperature, as the function says.
+template <class T>
+concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double, double> &&
+              requires(const T& law, double rho, double x) {
+                { law.pressure(rho, x) } -> std::same_as<double>;
+                { law.dp_drho(rho, x) } -> std::same_as<double>;
+                { law.dp_de(rho, x) } -> std::same_as<double>;
+                { law.sound_speed_squared(rho, x) } -> std::same_as<double>;
+                { law.bulk_modulus(rho, x) } -> std::same_as<double>;
+                { law.sound_speed(rho, x) } -> std::same_as<double>;
+                { law.temperature(rho, x) } -> std::same_as<double>;
+                { law.energy_from_temperature(rho, x) } -> std::same_as<double>;
+                { law.density(x, x) } -> std::same_as<double>;
+                { law.shock_slope() } -> std::same_as<double>;
+                { law.lowest_pressure() } -> std::same_as<double>;
+                { law.highest_density() } -> std::same_as<double>;
+                { law.admissible(rho, x) } -> std::same_as<bool>;
+                { T::depends_on_energy } -> std::convertible_to<bool>;
+              };
+
+using EquationOfState =
+    std::variant<IdealGas, StiffenedGas, HardSphereGas, TstGas, Jwl, Jwlc, Murnaghan,
+                 BirchMurnaghan, MieGruneisen, LinearGruneisen, Tillotson, ThomsenHartkaWater,
+                 KnaussSeaWater, PerfectGas<Nasa7Heat>, PerfectGas<PolynomialHeat>>;
+
+using SpecificHeat = std::variant<ConstantHeat, DebyeHeat, Nasa7Heat, PolynomialHeat>;
+
+// Laws whose pressure does not know cv: any specific heat may stand beside them.
+template <class T>
+concept TakesAnyHeat = Law<T> && requires(const T& law, double x) {
+  law.thermal_energy(x, x);
+  law.density_at_thermal_energy(x, x);
+};
+
+template <TakesAnyHeat T, class Heat>
+double temperature(const T& law, const Heat& heat, double rho, double rho_e) {
+  return heat.temperature(law.thermal_energy(rho, rho_e));
+}
+template <TakesAnyHeat T, class Heat>
+double energy_from_temperature(const T& law, const Heat& heat, double rho, double temperature) {
+  return rho * (law.cold_energy(rho) + heat.energy(temperature));
+}
+template <TakesAnyHeat T, class Heat>
+double density(const T& law, const Heat& heat, double p, double temperature) {
+  return law.density_at_thermal_energy(p, heat.energy(temperature));
+}
+
+}  // namespace sluice::eos

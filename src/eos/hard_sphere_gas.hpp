@@ -1,0 +1,33 @@
+// Hard-sphere gas (Noble-Abel): an ideal gas whose molecules have a volume of their own.
+//
+//   p = (gamma - 1) rho e / (1 - b rho),   e = cv T,   c^2 = gamma p / (rho (1 - b rho)).
+// Units: covolume b m^3/kg. Reference: Johnston, Ballistic Research Laboratory report ARBRL-TR-02550
+// (2005). Limits: rho < 1/b; no attraction. Admissible: 0 < rho < 1/b, e > 0.
+// Shock slope (gamma + 1)/2, that of the dilute gas.
+#pragma once
+#include "eos/gruneisen_form.hpp"
+
+namespace sluice::eos {
+
+struct HardSphereCurves {
+  double gamma = 1.4;
+  double b = 0.0;
+  double specific_heat = 1.0;
+
+  static constexpr bool depends_on_energy = true;
+  double offset(double /*rho*/) const { return 0.0; }
+  double offset_slope(double /*rho*/) const { return 0.0; }
+  double gruneisen(double rho) const { return (gamma - 1.0) / (1.0 - b * rho); }
+  double exponent(double rho) const { return 1.0 / (1.0 - b * rho); }
+  double cold_energy(double /*rho*/) const { return 0.0; }
+  double closed_density(double p, double thermal) const {
+    return p / ((gamma - 1.0) * thermal + b * p);
+  }
+
+  double shock_slope() const { return 0.5 * (gamma + 1.0); }
+  double lowest_pressure() const { return 0.0; }
+  double highest_density() const { return 1.0 / b; }
+};
+using HardSphereGas = GruneisenForm<HardSphereCurves>;
+
+}  // namespace sluice::eos

@@ -1,0 +1,49 @@
+// JWL isentrope (the C form): pressure of detonation products from density alone.
+//
+//   p = A exp(-R1 V) + B exp(-R2 V) + C V^-(1 + om),   V = rho0 / rho
+//   e = cv T + A/(rho0 R1) exp(-R1 V) + B/(rho0 R2) exp(-R2 V) + C/(rho0 om) V^-om,
+//   c^2 = dp/drho.
+// Units: A, B, C Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee, Hornig and Kury, UCRL-50422 (1968);
+// Souers, Anderson, Mercer, McGuire and Vitello, Propellants Explos. Pyrotech. 25 (2000) 54 (JWL++).
+// Limits: no thermal pressure, so heating does not push. Admissible: rho > 0, T > 0, p > 0, c^2 > 0.
+// Shock slope om/2 + 1, as in JWL.
+#pragma once
+#include "eos/gruneisen_form.hpp"
+
+namespace sluice::eos {
+
+struct JwlcCurves {
+  double A = 0.0, B = 0.0, C = 0.0;
+  double R1 = 1.0, R2 = 1.0;
+  double om = 0.3;
+  double rho0 = 1.0;
+  double specific_heat = 1.0;
+
+  static constexpr bool depends_on_energy = false;
+  double offset(double rho) const {
+    const double V = rho0 / rho;
+    return A * std::exp(-R1 * V) + B * std::exp(-R2 * V) + C * std::pow(rho / rho0, 1.0 + om);
+  }
+  double offset_slope(double rho) const {
+    const double x1 = R1 * rho0 / rho, x2 = R2 * rho0 / rho;
+    return (A * x1 * std::exp(-x1) + B * x2 * std::exp(-x2) +
+            C * (1.0 + om) * std::pow(rho / rho0, 1.0 + om)) /
+           rho;
+  }
+  double gruneisen(double /*rho*/) const { return 0.0; }
+  double exponent(double /*rho*/) const { return 0.0; }
+  double cold_energy(double rho) const {
+    const double V = rho0 / rho;
+    return (A / R1 * std::exp(-R1 * V) + B / R2 * std::exp(-R2 * V) +
+            C / om * std::pow(rho / rho0, om)) /
+           rho0;
+  }
+
+  double start_density() const { return rho0; }
+  double shock_slope() const { return 0.5 * om + 1.0; }
+  double lowest_pressure() const { return 0.0; }
+  double highest_density() const { return std::numeric_limits<double>::infinity(); }
+};
+using Jwlc = GruneisenForm<JwlcCurves>;
+
+}  // namespace sluice::eos

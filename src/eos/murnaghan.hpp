@@ -1,0 +1,64 @@
+// Murnaghan solid or liquid, with a power law in expansion that never reaches zero pressure.
+//
+//   rho >= rho0: p = P0 + ((rho/rho0)^n - 1)/(n K);   rho < rho0: p = P0 (rho/rho0)^(1/(K P0))
+//   e = cv T + integral of p / rho^2 from rho0,   c^2 = dp/drho.
+// Units: compressibility K 1/Pa, P0 Pa. Reference: Murnaghan, Proc. Natl Acad. Sci. 30 (1944) 244.
+// Limits: no thermal pressure; no tension. Admissible: rho > 0, T > 0, p > 0.
+// Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
+#pragma once
+#include "eos/gruneisen_form.hpp"
+
+namespace sluice::eos {
+
+// (x^a - 1)/a, also at a = 0.
+inline double power_integral(double x, double a) {
+  const double l = std::log(x);
+  return a == 0.0 ? l : std::expm1(a * l) / a;
+}
+
+// The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0.
+struct ExpansionBranch {
+  double K = 1.0, rho0 = 1.0, P0 = 1.0;
+  double pressure(double x) const { return P0 * std::pow(x, 1.0 / (K * P0)); }
+  double slope(double x) const { return std::pow(x, 1.0 / (K * P0) - 1.0) / (K * rho0); }
+  double energy(double x) const { return P0 / rho0 * power_integral(x, 1.0 / (K * P0) - 1.0); }
+  double density(double p) const { return rho0 * std::pow(p / P0, K * P0); }
+};
+
+struct MurnaghanCurves {
+  double n = 7.0;
+  double K = 1.0;
+  double rho0 = 1.0;
+  double P0 = 101325.0;
+  double specific_heat = 1.0;
+
+  static constexpr bool depends_on_energy = false;
+  double offset(double rho) const {
+    const double x = rho / rho0;
+    return x >= 1.0 ? P0 + (std::pow(x, n) - 1.0) / (n * K) : expansion().pressure(x);
+  }
+  double offset_slope(double rho) const {
+    const double x = rho / rho0;
+    return x >= 1.0 ? std::pow(x, n - 1.0) / (K * rho0) : expansion().slope(x);
+  }
+  double gruneisen(double /*rho*/) const { return 0.0; }
+  double exponent(double /*rho*/) const { return 0.0; }
+  double cold_energy(double rho) const {
+    const double x = rho / rho0;
+    if (x < 1.0) return expansion().energy(x);
+    return ((P0 - 1.0 / (n * K)) * (1.0 - 1.0 / x) + power_integral(x, n - 1.0) / (n * K)) / rho0;
+  }
+  double closed_density(double p, double /*thermal*/) const {
+    return p >= P0 ? rho0 * std::pow(1.0 + n * K * (p - P0), 1.0 / n) : expansion().density(p);
+  }
+
+  double shock_slope() const { return 0.25 * (n + 1.0); }
+  double lowest_pressure() const { return 0.0; }
+  double highest_density() const { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  ExpansionBranch expansion() const { return {K, rho0, P0}; }
+};
+using Murnaghan = GruneisenForm<MurnaghanCurves>;
+
+}  // namespace sluice::eos

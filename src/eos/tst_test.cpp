@@ -1,0 +1,42 @@
+// TST: every check of a law, and van der Waals' critical point (u = w = 0).
+#include "eos/tst.hpp"
+
+#include "eos/eos_test_support.hpp"
+
+namespace sluice::eos {
+namespace {
+
+TEST(TstGas, IsConsistent) {  // propellant gas of the decks, and a gas that attracts
+  const TstGas repelling{
+      {.a = -260.1385968, .b = 7.955153678e-4, .Gamma = 1.63, .specific_heat = 1500.0}};
+  check_law(repelling, {1e-3, 1100.0, 250.0, 5e3}, {.slopes = 2e-8, .mixed = 2e-8});
+  check_extremes(repelling, 1.0, 1e6);
+  const TstGas attracting{{.a = 300.0, .b = 1e-3, .Gamma = 1.4, .specific_heat = 1500.0}};
+  check_law(attracting, {1e-3, 900.0, 600.0, 5e3}, {.slopes = 2e-8, .mixed = 2e-8});
+  check_extremes(attracting, 1.0, 1e6);
+}
+
+// Tc = 8a/(27 R b), pc = a/(27 b^2), vc = 3b, where the three roots meet.
+TEST(TstGas, HasTheCriticalPointOfVanDerWaals) {
+  const double a = 200.0, b = 1e-3, R = 400.0;
+  const TstGas gas{{.a = a, .b = b, .u = 0.0, .w = 0.0, .Gamma = 1.4, .specific_heat = 1000.0}};
+  const double pc = a / (27 * b * b), Tc = 8 * a / (27 * R * b), rho_c = 1.0 / (3.0 * b);
+  EXPECT_NEAR(gas.pressure(rho_c, gas.energy_from_temperature(rho_c, Tc)), pc, 1e-12 * pc);
+  EXPECT_NEAR(gas.density(pc, Tc), rho_c, 1e-4 * rho_c);  // a triple root: cube root of round-off
+}
+
+TEST(TstGas, TakesTheGasWhereGasAndLiquidAreBothPossible) {
+  const double a = 200.0, b = 1e-3, Tc = 8 * a / (27 * 400.0 * b), T = 0.85 * Tc;
+  const TstGas gas{{.a = a, .b = b, .u = 0.0, .w = 0.0, .Gamma = 1.4, .specific_heat = 1000.0}};
+  const double p = 0.5 * a / (27 * b * b);  // near the saturation pressure: three roots
+  const double rho = gas.density(p, T);
+  EXPECT_LT(rho, 0.5 / (3.0 * b));
+  EXPECT_NEAR(gas.pressure(rho, gas.energy_from_temperature(rho, T)), p, 1e-12 * p);
+  EXPECT_TRUE(gas.admissible(rho, gas.energy_from_temperature(rho, T)));
+  const double middle = 1.2 / (3.0 * b);  // at the spinodal
+  EXPECT_FALSE(gas.admissible(middle, gas.energy_from_temperature(middle, 0.5 * Tc)));
+  EXPECT_TRUE(std::isnan(gas.density(-1e5, T)));
+}
+
+}  // namespace
+}  // namespace sluice::eos
