@@ -110,9 +110,9 @@ TEST_F(PlanLevels, TakeTheMemoryThatWasPlanned) {
 #endif
   const std::string size = "Grid/Level/Box/resolution=[512,512,1]";
   const json planned = plan("amr_explosion", {"--set", size, "--no-output"});
-  const json ran = run("amr_explosion", {"--set", size, "--no-output", "--max-steps", "1"});
+  const json ran = run("amr_explosion", {"--set", size, "--no-output", "--max-steps", "2"});
   const double measured = ran.at("peak_memory_bytes").get<double>();
-  // Planned and measured: 6.65e7 and 6.35e7.
+  // Planned and measured: 6.65e7 and 6.27e7.
   EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
 }
 
@@ -142,7 +142,7 @@ TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
   go({tube});
   EXPECT_EQ(text_of("amr_shock_tube.uda.001/levels.txt"),
             text_of("amr_shock_tube.uda.002/levels.txt"));
-  EXPECT_THAT(text_of("amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n55\t0.2"));
+  EXPECT_THAT(text_of("amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n56\t0.2"));
 }
 
 TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {

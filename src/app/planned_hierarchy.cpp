@@ -94,7 +94,7 @@ void settle(const LoadedScene& loaded, int ranks, int threads, PlannedHierarchy&
   const Scene& scene = loaded.scene;
   Hierarchy hierarchy(scene, *loaded.component, world(), {});
   hierarchy.initialise();
-  p.limit = hierarchy.step_limit();
+  p.limit = hierarchy.first_step_limit();
   p.cycle = hierarchy.describe_cycle();
   if (!p.adaptive) return;
   Regridder regridder(scene.refinement, scene.grid.levels, ranks, threads);

@@ -31,6 +31,7 @@ class Ice : public Component {
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override;
   bool quiet_blocks_allowed() const override;
+  double courant_number() const override { return options_.cfl; }
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
   void add_totals(const Warehouse& state, const LevelCoverage& coverage,

@@ -31,8 +31,8 @@ int largest(IntVec3 v) {
 }  // namespace
 
 Regridder::Regridder(const RefinementSettings& settings, const std::vector<Level>& levels,
-                     int ranks, int threads)
-    : settings_(settings), levels_(levels), ranks_(ranks), threads_(threads) {
+                     int ranks, int threads, double courant)
+    : settings_(settings), levels_(levels), courant_(courant), ranks_(ranks), threads_(threads) {
   state_.tiles.resize(levels.size());
   state_.idle.resize(levels.size());
   cells_.resize(levels.size());
@@ -75,6 +75,18 @@ std::size_t Regridder::flagged_levels(const Flags& flags) const {
   return std::min(flags.size(), levels_.size() - 1);
 }
 
+IntVec3 Regridder::stability_reach(std::size_t level) const {
+  IntVec3 reach = settings_.stability_dilation;
+  if (settings_.lock_step) return reach;
+  int steps = 1;
+  for (std::size_t l = 1; l <= level; ++l)
+    steps *= std::max({levels_[l].ratio.x, levels_[l].ratio.y, levels_[l].ratio.z});
+  for (int d = 0; d < 3; ++d)
+    if (levels_[level].active[static_cast<std::size_t>(d)])
+      reach[d] = std::max(reach[d], static_cast<int>(courant_ * steps));
+  return reach;
+}
+
 IntVec3 Regridder::regrid_reach(std::size_t level, const Flags& flags) const {
   IntVec3 reach = settings_.regrid_dilation;
   if (settings_.lock_step)
@@ -83,7 +95,7 @@ IntVec3 Regridder::regrid_reach(std::size_t level, const Flags& flags) const {
       for (std::size_t l = level + 1; l < flagged_levels(flags); ++l) ratio *= levels_[l].ratio[d];
       reach[d] = (reach[d] + ratio - 1) / ratio;
     }
-  return settings_.stability_dilation + reach;
+  return stability_reach(level) + reach;
 }
 
 Regridder::Fields Regridder::present() const {
@@ -137,7 +149,7 @@ Regridder::Fields Regridder::asked(const Flags& flags, IntVec3 further, Change&&
 bool Regridder::lacks(const Fields& there, const Flags& flags) const {
   for (std::size_t l = 0; l < flagged_levels(flags); ++l)
     if (!layouts_[l + 1]
-             .holding(flags[l].dilated(settings_.stability_dilation, levels_[l].periodic))
+             .holding(flags[l].dilated(stability_reach(l), levels_[l].periodic))
              .within(there[l + 1]))
       return true;
   return false;

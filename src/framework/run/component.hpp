@@ -107,6 +107,9 @@ class Component {
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.
   virtual bool quiet_blocks_allowed() const = 0;
+  // Cells that a wave crosses in one step at its limit: flags are widened so that finer levels keep
+  // it between two looks.
+  virtual double courant_number() const = 0;
 
   // Rates of a state, as the reductions of a step hold them (for the first step and restarts).
   virtual void measure_rates(const Warehouse& state, Reductions& rates) const = 0;

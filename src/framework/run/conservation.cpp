@@ -118,9 +118,12 @@ double Conservation::drift(int quantity) const {
   return difference == 0 ? 0 : difference / scale(quantity);
 }
 
-double Conservation::worst_drift() const {
+double Conservation::worst_drift(const std::vector<double>& natural) const {
+  constexpr double at_rest = 1e-10;
   double worst = 0;
   for (int quantity = 0; quantity < count(); ++quantity) {
+    const auto n = static_cast<std::size_t>(quantity);
+    if (n < natural.size() && scale(quantity) < at_rest * natural[n]) continue;
     const double size = std::fabs(drift(quantity));
     if (!(size <= worst)) worst = size;  // a NaN is the worst of all, and stays
     if (std::isnan(worst)) break;

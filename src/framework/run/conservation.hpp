@@ -58,8 +58,10 @@ class Conservation {
   double scale(int quantity) const;
   // defect / scale; 0 when there is nothing at all.
   double drift(int quantity) const;
-  // The quantity that drifts most, as its share of the scale; 0 without quantities.
-  double worst_drift() const;
+  // The quantity that drifts most, as its share of the scale; 0 without quantities. `natural`: by
+  // quantity, what it would be if things moved (0: not known); one whose scale is below 1e-10 of
+  // that is itself round-off (the momentum of a gas at rest) and left out.
+  double worst_drift(const std::vector<double>& natural = {}) const;
 
   // {name: {start, now, boundary, sources, defect, scale, drift}}
   nlohmann::json to_json() const;

@@ -39,7 +39,8 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   costs_.resize(levels.size());
   joints_.resize(levels.size());
   if (scene.refinement.adaptive && levels.size() > 1)
-    regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads);
+    regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads,
+                       component.courant_number());
   if (regridder_) {
     regridder_->limit_boxes(options.most_box_cells);
     keep_freed_memory();
@@ -233,6 +234,16 @@ StepLimit Hierarchy::step_limit() const {
     if (level_count() > 1) own.reason += " on level " + std::to_string(l);
     if (l == 0 || own.dt < limit.dt) limit = own;
   }
+  return limit;
+}
+
+StepLimit Hierarchy::first_step_limit() const {
+  StepLimit limit = step_limit();
+  int finest = 1;
+  for (int l = 0; l < level_count(); ++l) finest *= substeps_[static_cast<std::size_t>(l)];
+  if (finest == 1) return limit;
+  limit.dt /= finest;
+  limit.reason = "first step: one of the finest level";
   return limit;
 }
 

@@ -58,6 +58,9 @@ class Hierarchy {
   void reject();
   // The step that the physics allows next, as a step of the coarsest level.
   StepLimit step_limit() const;
+  // Of the first step of a run: no longer than one step of the finest level. What bursts at the
+  // start is faster than its state at rest tells, and refined levels follow only afterwards.
+  StepLimit first_step_limit() const;
   // New levels where flags ask for them, after an accepted coarse step. True when boxes changed.
   bool regrid(int step);
   // Moves boxes to other ranks where that makes the busiest rank faster.

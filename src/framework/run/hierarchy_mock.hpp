@@ -21,6 +21,8 @@ namespace sluice::hierarchy_test {
 
 constexpr int quantities = 3;
 using Values = std::array<double, quantities>;  // a, b, s
+// Where they are in the state, which begins with the slot of fewest ghost layers.
+constexpr std::size_t place[quantities] = {1, 0, 2};
 
 struct MockLabels {
   Label a = declare_label({"levels.a", ValueType::real, Centring::cell, "kg/m^3", "first"});
@@ -108,11 +110,12 @@ class MockTransfer final : public TransferOperators {
       share[n] = 1;
       const auto bears = [&] {
         for (std::size_t q = 0; q < quantities; ++q)
-          if (state[q](cell) + share[n] * change.amount[q][n] < 0) return false;
+          if (state[place[q]](cell) + share[n] * change.amount[q][n] < 0) return false;
         return true;
       };
       while (share[n] > 0 && !bears()) share[n] = share[n] > 0.125 ? share[n] / 2 : 0;
-      for (std::size_t q = 0; q < quantities; ++q) state[q](cell) += share[n] * change.amount[q][n];
+      for (std::size_t q = 0; q < quantities; ++q)
+        state[place[q]](cell) += share[n] * change.amount[q][n];
     }
   }
 };
@@ -145,6 +148,7 @@ class HierarchyMock final : public Component {
   int reduction_maxima() const override { return 1; }
   int reduction_sums() const override { return 1; }  // of a, gained in uncovered cells
   bool quiet_blocks_allowed() const override { return false; }
+  double courant_number() const override { return 0; }  // flags are widened as the scene says
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override {
     return {wishes_->cfl / maxima[0], "mock rate"};

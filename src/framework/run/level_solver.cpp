@@ -87,7 +87,10 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank);
   ++layout_;
   ghosts_filled_ = false;
-  advanced_ = 0;
+  accept();
+  if (level_.boxes.empty())
+    for (auto* variants : {&variants_, &diagnostics_})
+      for (auto& [key, v] : *variants) v->executor->rest();
   return before;
 }
 

@@ -137,7 +137,7 @@ void Simulation::start() {
   } else {
     hierarchy_.initialise();
     set_totals(true);
-    limit_ = hierarchy_.step_limit();
+    limit_ = hierarchy_.first_step_limit();
     time_.remember_physics_dt(limit_.dt);
   }
   sort_saves(scene_.output,
@@ -367,6 +367,18 @@ RunReport Simulation::run() {
   return r;
 }
 
+// By conserved quantity: the momentum that the energy could carry; others are what they are.
+std::vector<double> Simulation::natural_sizes() const {
+  const int masses = component_.material_count(), energy = masses + 3;
+  double mass = 0;
+  for (int m = 0; m < masses; ++m) mass += std::fabs(conservation_.now(m));
+  std::vector<double> natural(static_cast<std::size_t>(conservation_.count()), 0.0);
+  for (int d = 0; d < 3; ++d)
+    natural[static_cast<std::size_t>(masses + d)] =
+        std::sqrt(2 * mass * std::fabs(conservation_.now(energy)));
+  return natural;
+}
+
 RunReport Simulation::report() const {
   RunReport r;
   r.status = status_;
@@ -407,7 +419,7 @@ RunReport Simulation::report() const {
   }
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
-  r.worst_drift = conservation_.worst_drift();
+  r.worst_drift = conservation_.worst_drift(natural_sizes());
   return r;
 }
 

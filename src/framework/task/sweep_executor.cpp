@@ -98,6 +98,12 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
     for (auto& w : workers_) w->boxes.assign(old_state.local_boxes().size(), 0);
 }
 
+void SweepExecutor::rest() {
+  keep_counts();
+  workers_.clear();
+  largest_ = {};
+}
+
 void SweepExecutor::make_workers(IntVec3 largest) {
   keep_counts();
   largest_ = largest;

@@ -47,6 +47,8 @@ class SweepExecutor {
   // Finds slots (the warehouses must have them) and remembers the warehouses. Again when the boxes
   // of the level have changed; what was counted and timed is kept.
   void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output);
+  // Without boxes for a while: memory goes until the next bind, what was counted is kept.
+  void rest();
   // One pass over all blocks. The result holds what this rank reduced.
   const Reductions& run(const StepConstants& step);
 
