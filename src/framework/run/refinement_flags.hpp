@@ -1,4 +1,4 @@
-// Which cells of each level ask for a finer one: what the component's criteria say, estimated errors
+// Which cells of each level ask for a finer one: criteria of the component, estimated errors
 // against the range of a variable, regions.
 #pragma once
 #include <vector>
