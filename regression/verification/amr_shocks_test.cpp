@@ -11,8 +11,7 @@ namespace sluice::verification {
 namespace {
 
 // L1 error by that of the uniform fine grid. Measured, density, pressure and velocity: shock tube
-// 1.028, 1.043, 1.049 (from the first coarse step, which is as long as the gas at rest allows);
-// explosion 1.007, 1.011, 1.016; square, without velocity, 0.998, 0.998.
+// 0.998, 1.011, 1.025; explosion 0.981, 0.990, 1.000; square, without velocity, 1.001, 0.999.
 constexpr double allowed_loss = 1.05;
 
 double order(double coarse, double fine, double ratio) {
@@ -33,8 +32,8 @@ TEST(AmrShocks, ShockTubeIsAsGoodAsTheUniformFineGrid) {
   EXPECT_EQ(adaptive.events(), 0);
 }
 
-// The waves of the start are faster than the gas was: sixteen fine steps that know nothing of them
-// cost more than the levels do. From a first step as short as a fine one nothing is lost.
+// The waves of the start are faster than the gas was: coarse steps that know nothing of them cost
+// more than the levels do. From steps that grow slowly nothing is lost.
 TEST(AmrShocks, ShockTubeLosesNothingByItsLevels) {
   constexpr double allowed = 1.;  // density 0.974, pressure 0.975, velocity 0.992
   const CaseRun adaptive("amr_shock_tube", {"Time/delt_init=0.0004", "Time/max_delt_increase=1.2"});
@@ -47,11 +46,11 @@ TEST(AmrShocks, ShockTubeLosesNothingByItsLevels) {
 }
 
 // In a coarse step of 64 fine ones a wave crosses up to 0.4 x 16 cells of the level that flags the
-// finest one: with that dilation shocks stay on it.
-TEST(AmrShocks, WideDilationHoldsShocksThroughSixtyFourSubsteps) {
+// finest one: flags are widened by that many, whatever the deck says, and shocks stay on it.
+TEST(AmrShocks, FlagsAreWidenedForSixtyFourSubsteps) {
   // Density 0.981, pressure 0.978, velocity 1.013; with dilation 1 1.70, 1.83, 2.16.
   const std::vector<std::string> start = {"Time/delt_init=0.00002", "Time/max_delt_increase=1.3"};
-  std::vector<std::string> overrides = {resolution(16), "AMR/Regridder/max_levels=4", dilation(7)};
+  std::vector<std::string> overrides = {resolution(16), "AMR/Regridder/max_levels=4", dilation(1)};
   overrides.insert(overrides.end(), start.begin(), start.end());
   const CaseRun adaptive("amr_shock_tube", overrides);
   const CaseRun uniform("amr_shock_tube", {one_level(), resolution(1024)});

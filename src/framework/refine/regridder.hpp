@@ -14,7 +14,7 @@
 // level l, P being the steps of level l in a coarse step (one on level 0; with subcycling the
 // product of the ratios below it). The stability dilation is what the deck says, or that many whole
 // cells where they are more: shocks that outrun their level cost accuracy (1.7 times the error of
-// the uniform fine grid on four levels of ratio 4, 0.98 with the wider dilation). In lockstep a wave
+// the uniform fine grid on four levels of ratio 4, 0.98 with the wider one). In lockstep a wave
 // crosses at most one cell of the finest level a step: there the regrid dilation of level l is
 // divided by the ratios of the levels between l and the finest one that is widened, rounded up.
 #pragma once
