@@ -20,6 +20,7 @@ struct BirchMurnaghanCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = false;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const {
     const double x = rho / rho0;
     if (x < 1.0) return expansion().pressure(x);

@@ -2,10 +2,10 @@
 //
 //   e = 3 N k T D(x),  cv = 3 N k [4 D(x) - 3 x/(exp x - 1)],  x = theta/T,
 //   D(x) = 3/x^3 * integral of t^3/(exp t - 1) from 0 to x.
-// Units: N atoms per kg, theta K, cv J/(kg K); the energy at 0 K is left out. Reference: Debye, Ann.
-// Phys. 39 (1912) 789; series: Abramowitz and Stegun, 27.1. D by its power series below x = 2 and
-// by the series of exponentials above: relative error 2e-15. Limits: harmonic lattice, no electrons;
-// theta does not follow the density.
+// Units: N atoms per kg, theta K, cv J/(kg K); the energy at 0 K is left out. Reference: Debye,
+// Ann. Phys. 39 (1912) 789; series: Abramowitz and Stegun, 27.1. D by its power series below x = 2
+// and by the series of exponentials above: relative error 2e-15. Limits: harmonic lattice, no
+// electrons; theta does not follow the density.
 #pragma once
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,9 @@
 // The closed set of equations of state, to be visited outside loops over cells.
 //
-// Every law gives the functions of the concept below; `visit` hands its concrete type to a row loop,
-// where they are inlined. Temperature with a specific heat that is not constant: the law gives the
-// energy above its cold curve, the heat turns it into a temperature (free functions below).
+// Every law gives the functions of the concept below; `visit` hands its concrete type to a row
+// loop, where they are inlined. Temperature with a specific heat that is not constant: the law
+// gives the energy above its cold curve, the heat turns it into a temperature (free functions
+// below).
 #pragma once
 #include <concepts>
 #include <variant>
@@ -46,6 +47,7 @@ concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double,
                 { law.highest_density() } -> std::same_as<double>;
                 { law.admissible(rho, x) } -> std::same_as<bool>;
                 { T::depends_on_energy } -> std::convertible_to<bool>;
+                { T::takes_any_heat } -> std::convertible_to<bool>;
               };
 
 using EquationOfState =
@@ -55,12 +57,9 @@ using EquationOfState =
 
 using SpecificHeat = std::variant<ConstantHeat, DebyeHeat, Nasa7Heat, PolynomialHeat>;
 
-// Laws whose pressure does not know cv: any specific heat may stand beside them.
+// Laws whose p(rho, e) and cold curve do not know cv: any specific heat may stand beside them.
 template <class T>
-concept TakesAnyHeat = Law<T> && requires(const T& law, double x) {
-  law.thermal_energy(x, x);
-  law.density_at_thermal_energy(x, x);
-};
+concept TakesAnyHeat = Law<T> && T::takes_any_heat;
 
 template <TakesAnyHeat T, class Heat>
 double temperature(const T& law, const Heat& heat, double rho, double rho_e) {

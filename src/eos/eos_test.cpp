@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "eos/bracketed_root.hpp"
 #include "eos/component_heat.hpp"
@@ -29,6 +32,110 @@ TEST(EquationOfState, IsVisitedOutsideALoop) {
       },
       water);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(p[i], 3.4 * E[i] - 4.4 * 6e8, 1e-6);
+}
+
+// One of each, with parameters of real materials.
+std::vector<EquationOfState> one_of_each() {
+  const double fit[] = {1e5, -4e5, 1400.0};
+  return {
+      IdealGas{.gamma = 1.4, .specific_heat = 717.5},
+      StiffenedGas{{.gamma = 4.4, .pinf = 6e8, .specific_heat = 1816.0}},
+      HardSphereGas{{.gamma = 1.3, .b = 1e-3, .specific_heat = 1100.0}},
+      TstGas{{.a = 300.0, .b = 1e-3, .Gamma = 1.4, .specific_heat = 1500.0}},
+      Jwl{{.A = 371.2e9,
+           .B = 3.231e9,
+           .R1 = 4.15,
+           .R2 = 0.95,
+           .om = 0.30,
+           .rho0 = 1630.0,
+           .specific_heat = 1000.0}},
+      Jwlc{{.A = 371.2e9,
+            .B = 3.231e9,
+            .C = 1.045e9,
+            .R1 = 4.15,
+            .R2 = 0.95,
+            .om = 0.30,
+            .rho0 = 1630.0,
+            .specific_heat = 1000.0}},
+      Murnaghan{{.n = 7.4, .K = 39e-11, .rho0 = 1160.0, .specific_heat = 1400.0}},
+      BirchMurnaghan{{.n = 5.0, .K = 7e-11, .rho0 = 2e3, .specific_heat = 900.0}},
+      MieGruneisen{{.C0 = 3940.0,
+                    .S = 1.489,
+                    .Gamma0 = 2.02,
+                    .rho0 = 8930.0,
+                    .T0 = 294.0,
+                    .specific_heat = 385.0}},
+      LinearGruneisen{
+          {.A = 1.3338e9, .B = 7.027e5, .rho0 = 1823.3, .T0 = 317.4, .specific_heat = 1000.0}},
+      Tillotson{.a = 0.5,
+                .b = 1.63,
+                .A = 75.2e9,
+                .B = 65e9,
+                .E0 = 5e6,
+                .Es = 3e6,
+                .Esp = 13.9e6,
+                .alpha = 5.0,
+                .beta = 5.0,
+                .rho0 = 2700.0,
+                .specific_heat = 900.0},
+      ThomsenHartkaWater{},
+      KnaussSeaWater{{}},
+      PerfectGas<Nasa7Heat>{.gas_constant = 287.0, .heat = air_heat(287.0)},
+      PerfectGas<PolynomialHeat>{.gas_constant = 300.0,
+                                 .heat = polynomial_heat(fit, 2, 350.0, 5e3)},
+  };
+}
+
+// No number, however absurd, hangs a search; what is admissible has a pressure, c and temperature.
+TEST(EquationOfState, AnswersToAnyNumber) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const double numbers[] = {0.0,    -0.0,  -1.0, -1e9,  -1e300, -infinity, 1e-305,
+                            1e-300, 1e-30, 1.0,  1e3,   2.7e3,  8.9e3,     1e6,
+                            3e9,    1e12,  1e30, 1e150, 1e300,  infinity,  nan};
+  const std::vector<EquationOfState> laws = one_of_each();
+  ASSERT_EQ(laws.size(), std::variant_size_v<EquationOfState>);
+  for (const EquationOfState& any : laws)
+    std::visit(
+        [&](const auto& law) {
+          int admissible = 0, answers = 0;
+          for (const double rho : numbers)
+            for (const double x : numbers) {
+              const double asked = law.density(x, rho) + law.bulk_modulus(rho, x) +
+                                   law.sound_speed(rho, x) + law.energy_from_temperature(rho, x);
+              answers += std::isnan(asked) ? 0 : 1;
+              if (!law.admissible(rho, x)) continue;
+              ++admissible;
+              SCOPED_TRACE(testing::Message() << any.index() << " rho " << rho << " E " << x);
+              EXPECT_TRUE(std::isfinite(law.pressure(rho, x)));
+              EXPECT_TRUE(std::isfinite(law.temperature(rho, x)));
+              EXPECT_GT(law.temperature(rho, x), 0.0);
+              EXPECT_GT(law.sound_speed_squared(rho, x), 0.0);
+            }
+          EXPECT_GT(admissible, 0) << any.index();
+          EXPECT_GT(answers, 0) << any.index();
+        },
+        any);
+}
+
+// Density at a pressure and temperature: found, or said to be missing, and never another state.
+TEST(EquationOfState, FindsDensitiesOverDecadesOfPressure) {
+  for (const EquationOfState& any : one_of_each())
+    std::visit(
+        [&](const auto& law) {
+          int found = 0;
+          for (double p = 1e-3; p < 1e13; p *= 3.7)
+            for (const double T : {280.0, 300.0, 3000.0}) {
+              const double rho = law.density(p, T);
+              if (std::isnan(rho)) continue;
+              const double E = law.energy_from_temperature(rho, T);
+              if (!law.admissible(rho, E)) continue;
+              ++found;
+              const double K = rho * law.sound_speed_squared(rho, E);
+              EXPECT_NEAR(law.pressure(rho, E), p, 1e-9 * p + 1e-11 * K) << any.index() << ' ' << T;
+            }
+          EXPECT_GE(found, 20) << any.index();
+        },
+        any);
 }
 
 TEST(EquationOfState, TakesASpecificHeatThatIsNotConstant) {

@@ -68,11 +68,12 @@ struct GruneisenForm : Curves {
                             [&](double rho) { return isotherm(rho, thermal); });
   }
 
-  bool admissible(double rho, double rho_e) const {
-    if (!(rho > 0.0 && rho < this->highest_density())) return false;
-    const double p = pressure(rho, rho_e);
-    return thermal_energy(rho, rho_e) > 0.0 && p > this->lowest_pressure() &&
-           p < std::numeric_limits<double>::infinity() && bulk_modulus(rho, p) > 0.0;
+  bool admissible(double rho, double rho_e) const {  // without branches: rows of it vectorise
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double p = pressure(rho, rho_e), modulus = bulk_modulus(rho, p);
+    const double thermal = thermal_energy(rho, rho_e);
+    return (rho > 0.0) & (rho < this->highest_density()) & (thermal > 0.0) & (thermal < infinity) &
+           (p > this->lowest_pressure()) & (modulus > 0.0) & (modulus < infinity);
   }
 
  private:

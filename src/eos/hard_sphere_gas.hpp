@@ -1,7 +1,7 @@
 // Hard-sphere gas (Noble-Abel): an ideal gas whose molecules have a volume of their own.
 //
 //   p = (gamma - 1) rho e / (1 - b rho),   e = cv T,   c^2 = gamma p / (rho (1 - b rho)).
-// Units: covolume b m^3/kg. Reference: Johnston, Ballistic Research Laboratory report ARBRL-TR-02550
+// Units: covolume b m^3/kg. Reference: Johnston, Defence Science and Technology note DSTO-TN-0670
 // (2005). Limits: rho < 1/b; no attraction. Admissible: 0 < rho < 1/b, e > 0.
 // Shock slope (gamma + 1)/2, that of the dilute gas.
 #pragma once
@@ -15,6 +15,7 @@ struct HardSphereCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
   double offset(double /*rho*/) const { return 0.0; }
   double offset_slope(double /*rho*/) const { return 0.0; }
   double gruneisen(double rho) const { return (gamma - 1.0) / (1.0 - b * rho); }

@@ -14,6 +14,7 @@ struct IdealGas {
   double specific_heat = 1.0;  // cv, J/(kg K)
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
 
   // From density (kg/m^3) and internal energy per volume (J/m^3).
   double pressure(double /*rho*/, double rho_e) const { return (gamma - 1.0) * rho_e; }
@@ -41,7 +42,8 @@ struct IdealGas {
   double lowest_pressure() const { return 0.0; }
   double highest_density() const { return std::numeric_limits<double>::infinity(); }
   bool admissible(double rho, double rho_e) const {
-    return rho > 0.0 && rho_e > 0.0 && rho_e < std::numeric_limits<double>::infinity();
+    const double e = rho_e / rho;
+    return (rho > 0.0) & (e > 0.0) & (e < std::numeric_limits<double>::infinity());
   }
 };
 

@@ -22,6 +22,7 @@ struct JwlCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const {
     const double x1 = R1 * rho0 / rho, x2 = R2 * rho0 / rho;
     return A * (1.0 - om / x1) * std::exp(-x1) + B * (1.0 - om / x2) * std::exp(-x2);

@@ -4,9 +4,9 @@
 //   e = cv T + A/(rho0 R1) exp(-R1 V) + B/(rho0 R2) exp(-R2 V) + C/(rho0 om) V^-om,
 //   c^2 = dp/drho.
 // Units: A, B, C Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee, Hornig and Kury, UCRL-50422 (1968);
-// Souers, Anderson, Mercer, McGuire and Vitello, Propellants Explos. Pyrotech. 25 (2000) 54 (JWL++).
-// Limits: no thermal pressure, so heating does not push. Admissible: rho > 0, T > 0, p > 0, c^2 > 0.
-// Shock slope om/2 + 1, as in JWL.
+// Souers, Anderson, Mercer, McGuire and Vitello, Propellants Explos. Pyrotech. 25 (2000) 54
+// (JWL++). Limits: no thermal pressure, so heating does not push. Admissible: rho > 0, T > 0, p >
+// 0, c^2 > 0. Shock slope om/2 + 1, as in JWL.
 #pragma once
 #include "eos/gruneisen_form.hpp"
 
@@ -20,6 +20,7 @@ struct JwlcCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = false;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const {
     const double V = rho0 / rho;
     return A * std::exp(-R1 * V) + B * std::exp(-R2 * V) + C * std::pow(rho / rho0, 1.0 + om);

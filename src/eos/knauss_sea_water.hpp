@@ -21,6 +21,7 @@ struct KnaussCurves {
   double specific_heat = 3990.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = false;
   double offset(double rho) const {
     return cold_pressure(rho) + a / (K * specific_heat) * cold_energy(rho);
   }

@@ -1,8 +1,8 @@
 // Linear equation of state in density and temperature (type Gruneisen of the decks).
 //
 //   p = P0 + A (rho/rho0 - 1) + B (T - T0),   alpha = B / (p_c + A),  p_c the pressure at 0 K
-//   e = cv T + [(P0 - A - B T0)(1 - 1/x) + A ln x]/rho0,  x = rho/rho0   (from the equality of mixed
-//   derivatives),   c^2 = A/rho0 + T B^2 / (cv rho^2).
+//   e = cv T + [(P0 - A - B T0)(1 - 1/x) + A ln x]/rho0,  x = rho/rho0,
+//   from the equality of mixed derivatives;   c^2 = A/rho0 + T B^2 / (cv rho^2).
 // Units: A Pa, B Pa/K, rho0 kg/m^3. Reference: the linear form of Mie and Grueneisen; a straight
 // line through one state. Limits: small changes about (rho0, T0). Admissible: rho > 0, T > 0,
 // p > P0 - A - B T0 (the pressure of vanishing density at 0 K).
@@ -20,6 +20,7 @@ struct LinearGruneisenCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = false;
   double offset(double rho) const {
     return P0 + A * (rho / rho0 - 1.0) - B * (T0 + cold_energy(rho) / specific_heat);
   }

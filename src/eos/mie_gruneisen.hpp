@@ -4,7 +4,7 @@
 //   p = rho0 C0^2 chi + Gamma0 rho0 e                                      in tension (chi < 0)
 //   T = T0 exp(Gamma0 chi) + (e - e_s)/cv,   e_s(chi) the isentrope through (rho0, T0), e_s(0) = 0:
 //   e_s = exp(Gamma0 chi) C0^2 * integral over xi of exp(-Gamma0 s) s (1 - Gamma0 s/2),
-//   s = xi/(1 + S xi), xi from 0 to chi/(1 - S chi)  (this choice removes the pole of the Hugoniot).
+//   s = xi/(1 + S xi), xi from 0 to chi/(1 - S chi), a choice that removes the Hugoniot's pole.
 // Units: C0 m/s, rho0 kg/m^3, T0 K; S and Gamma0 are numbers; e = 0 at (rho0, T0).
 // References: Menikoff and Plohr, Rev. Mod. Phys. 61 (1989) 75; McQueen et al., in High Velocity
 // Impact Phenomena (1970), chapter VII. Limits: pole at chi = 1/S; no spall. Admissible: T > 0,
@@ -23,6 +23,7 @@ struct MieGruneisenCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = false;
   double offset(double rho) const {
     const double chi = 1.0 - rho0 / rho, stiff = rho0 * C0 * C0 * chi, d = 1.0 - S * chi;
     return chi < 0.0 ? stiff : stiff * (1.0 - 0.5 * Gamma0 * chi) / (d * d);

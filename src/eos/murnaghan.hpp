@@ -33,6 +33,7 @@ struct MurnaghanCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = false;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const {
     const double x = rho / rho0;
     return x >= 1.0 ? P0 + (std::pow(x, n) - 1.0) / (n * K) : expansion().pressure(x);

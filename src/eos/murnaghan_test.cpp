@@ -30,7 +30,8 @@ TEST(Murnaghan, IsSmoothAtRestDensityAndStiffensWithN) {
   EXPECT_NEAR((K(2e8) - K(1e8)) / 1e8, 7.0, 1e-9);  // Murnaghan's assumption
 }
 
-// IAPWS-95 (2018 release, table 7), 300 K: 1005.308 kg/m^3 at 20.0022515 MPa, 1188.202 at 700.004704.
+// IAPWS-95 (2018 release, table 7), 300 K: 1005.308 kg/m^3 at 20.0022515 MPa, 1188.202 at
+// 700.004704.
 TEST(Murnaghan, ReachesThePressuresOfWater) {
   const Murnaghan water{{.n = 6.0,
                          .K = 1.0 / 2.22e9,

@@ -1,10 +1,10 @@
 // Specific heat of a gas from the NASA polynomials of fourth degree, two ranges of temperature.
 //
 //   cp/R = a1 + a2 T + a3 T^2 + a4 T^3 + a5 T^4,   cv = cp - R,   e = integral of cv from 0 K.
-// Outside [T_min, T_max] cv keeps its value at the end of the range, so that e rises for every T and
-// T(e) exists; the small jump of cv at T_mid leaves e continuous. Formation energies are left out:
-// heat of reaction is a source of its own. Units: R J/(kg K). Reference: McBride, Gordon and Reno,
-// NASA TM-4513 (1993).
+// Outside [T_min, T_max] cv keeps its value at the end of the range, so that e rises for every T
+// and T(e) exists; the small jump of cv at T_mid leaves e continuous. Formation energies are left
+// out: heat of reaction is a source of its own. Units: R J/(kg K). Reference: McBride, Gordon and
+// Reno, NASA TM-4513 (1993).
 #pragma once
 #include <algorithm>
 #include <array>
@@ -33,10 +33,18 @@ struct Nasa7Heat {
            gas_constant * (integral(high, t_high) - integral(high, T_mid)) +
            specific_heat(T_max) * hot;
   }
-  double temperature(double e) const {  // cv of every gas lies above 3/2 R, hence the bracket
+  // Newton: e is all but convex, so that a few steps do, the last one with a square that is
+  // round-off; where they do not, the bracket that cv > 3/2 R gives.
+  double temperature(double e) const {
     if (!(e > energy(T_min))) return e / specific_heat(T_min);
-    const auto excess = [&](double T) { return ValueAndSlope{energy(T) - e, specific_heat(T)}; };
-    return bracketed_root(excess, T_min, T_min + e / gas_constant, 0.4 * e / gas_constant);
+    double T = 0.4 * e / gas_constant;
+    for (int step = 0; step < 8; ++step) {
+      const double next = std::max(T - (energy(T) - e) / specific_heat(T), T_min);
+      if (std::abs(next - T) <= 1e-9 * T) return next;
+      T = next;
+    }
+    const auto excess = [&](double t) { return ValueAndSlope{energy(t) - e, specific_heat(t)}; };
+    return bracketed_root(excess, T_min, T_min + e / gas_constant, T);
   }
   double ratio(double T) const { return 1.0 + gas_constant / specific_heat(T); }  // gamma
 

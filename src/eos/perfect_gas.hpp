@@ -1,9 +1,9 @@
 // Thermally perfect gas: p = rho R T with a specific heat that depends on temperature.
 //
 //   e = integral of cv(T),   gamma(T) = 1 + R/cv(T),   c^2 = gamma(T) R T.
-// Units: R J/(kg K). Reference: Anderson, Hypersonic and High Temperature Gas Dynamics (1989), section
-// 11. Limits: no dissociation. Admissible: rho > 0, T > 0. Shock slope 1.2: gamma 1.4 when strong.
-// With a deck's gamma and cv at some temperature, R = (gamma - 1) cv.
+// Units: R J/(kg K). Reference: Anderson, Hypersonic and High Temperature Gas Dynamics (1989),
+// chapter 11. Limits: no dissociation. Admissible: rho > 0, T > 0. Shock slope 1.2: gamma 1.4 when
+// strong. With a deck's gamma and cv at some temperature, R = (gamma - 1) cv.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -16,6 +16,7 @@ struct PerfectGas {
   Heat heat;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = false;
   double pressure(double rho, double rho_e) const {
     return rho * gas_constant * temperature(rho, rho_e);
   }
@@ -43,7 +44,8 @@ struct PerfectGas {
   }
 
   bool admissible(double rho, double rho_e) const {
-    return rho > 0.0 && rho_e > 0.0 && rho_e < std::numeric_limits<double>::infinity();
+    const double e = rho_e / rho;
+    return (rho > 0.0) & (e > 0.0) & (e < std::numeric_limits<double>::infinity());
   }
   double gamma(double T) const { return 1.0 + gas_constant / heat.specific_heat(T); }
   double shock_slope() const { return 1.2; }

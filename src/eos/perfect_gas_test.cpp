@@ -31,7 +31,7 @@ TEST(PerfectGas, IsTheIdealGasWhereHeatIsConstant) {
   EXPECT_DOUBLE_EQ(gas.sound_speed(1.3, 1e5), ideal.sound_speed(1.3, 1e5));
 }
 
-// A strong shock heats air less than constant specific heats would (Anderson 1989, chapter 14).
+// A strong shock heats air less than constant specific heats would.
 TEST(PerfectGas, LosesHeatToVibration) {
   const PerfectGas<Nasa7Heat> air{.gas_constant = 287.0, .heat = air_heat(287.0)};
   EXPECT_NEAR(air.gamma(300.0), 1.40, 0.002);

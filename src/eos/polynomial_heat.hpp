@@ -48,8 +48,8 @@ struct PolynomialHeat {
   }
 };
 
-// Coefficients a_0 ... a_n as a deck lists them. InputError for a wrong number of them, a bad range,
-// or a specific heat that is not positive somewhere in the range.
+// Coefficients a_0 ... a_n as a deck lists them. InputError for a wrong number of them, a bad
+// range, or a specific heat that is not positive somewhere in the range.
 PolynomialHeat polynomial_heat(std::span<const double> coefficients, int order, double T_min,
                                double T_max);
 

@@ -18,6 +18,7 @@ struct StiffenedCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const { return -gamma * pinf - (gamma - 1.0) * q * rho; }
   double offset_slope(double /*rho*/) const { return -(gamma - 1.0) * q; }
   double gruneisen(double /*rho*/) const { return gamma - 1.0; }

@@ -22,6 +22,7 @@ struct ThomsenHartkaWater {
   double vo = 1.00008e-3;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = false;
   double pressure(double rho, double rho_e) const { return isochore(rho, temperature(rho, rho_e)); }
   double dp_drho(double rho, double rho_e) const {
     const Slopes s = slopes(rho, temperature(rho, rho_e));
@@ -39,14 +40,15 @@ struct ThomsenHartkaWater {
   }
   double sound_speed(double rho, double p) const { return std::sqrt(bulk_modulus(rho, p) / rho); }
 
-  // Newton at constant density; not a number where no state with cv > 0 has this energy.
+  // Newton at constant density, to a step whose square is round-off; not a number where no state
+  // with cv > 0 has this energy.
   double temperature(double rho, double rho_e) const {
     const double e = rho_e / rho;
     double T = std::min(To, 0.9 * hottest(rho));
     for (int step = 0; step < 30; ++step) {
       const Slopes s = slopes(rho, T);
       const double next = T - (energy(s.p, T) - e) / s.cv;
-      if (std::abs(next - T) <= 1e-14 * T) return s.cv > 0.0 ? next : no_density;
+      if (std::abs(next - T) <= 1e-9 * T) return s.cv > 0.0 ? next : no_density;
       T = std::min(std::max(next, 0.5 * T), 0.5 * (T + hottest(rho)));
     }
     return no_density;

@@ -2,12 +2,13 @@
 //
 //   eta = rho/rho0, mu = eta - 1, w = e/(E0 eta^2) + 1, y = 1/eta - 1
 //   condensed (rho >= rho0 or e <= Es):  p1 = (a + b/w) rho e + A mu + B mu^2
-//   vapour (rho < rho0 and e >= Esp):    p2 = a rho e + [b rho e/w + A mu exp(-beta y)] exp(-alpha y^2)
+//   vapour (rho < rho0 and e >= Esp):
+//     p2 = a rho e + [b rho e/w + A mu exp(-beta y)] exp(-alpha y^2)
 //   between Es and Esp: p1 + (e - Es)/(Esp - Es) (p2 - p1);  c^2 = dp/drho|e + (p/rho^2) dp/de|rho.
 // Units: A, B Pa; E0, Es, Esp J/kg (Es: incipient, Esp: complete vaporisation). References:
 // Tillotson, General Atomic report GA-3216 (1962); Melosh, Impact Cratering (1989), appendix II.
 // Limits: temperature is no part of the law: T = (e - e_c)/cv with e_c the integral of
-// (A mu + B mu^2)/rho^2 above rho0 and 0 below, good for estimates. Admissible: rho > 0, e > 0, T > 0,
+// (A mu + B mu^2)/rho^2 above rho0 and 0 below, good for estimates. Admissible: rho > 0, T > 0,
 // c^2 > 0, p above the lowest of A mu + B mu^2. Shock slope (1 + B/A + (a + b)/2)/2 (Melosh).
 #pragma once
 #include "eos/density_search.hpp"
@@ -23,6 +24,7 @@ struct Tillotson {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
   double pressure(double rho, double rho_e) const { return at(rho, rho_e / rho).p; }
   double dp_drho(double rho, double rho_e) const { return at(rho, rho_e / rho).drho; }
   double dp_de(double rho, double rho_e) const { return at(rho, rho_e / rho).de; }
@@ -70,11 +72,12 @@ struct Tillotson {
   }
 
   bool admissible(double rho, double rho_e) const {
-    if (!(rho > 0.0 && rho_e > 0.0 && rho_e < std::numeric_limits<double>::infinity()))
-      return false;
-    const State s = at(rho, rho_e / rho);
-    return thermal_energy(rho, rho_e) > 0.0 && s.p > lowest_pressure() &&
-           s.p < std::numeric_limits<double>::infinity() && s.drho + s.de * s.p / (rho * rho) > 0.0;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double e = rho_e / rho, thermal = e - cold_energy(rho);
+    const State s = at(rho, e);
+    const double c2 = s.drho + s.de * s.p / (rho * rho);
+    return rho > 0.0 && thermal > 0.0 && thermal < infinity && s.p > lowest_pressure() &&
+           c2 > 0.0 && c2 < infinity;
   }
   double shock_slope() const { return 0.5 * (1.0 + B / A + 0.5 * (a + b)); }
   double lowest_pressure() const { return A < 2.0 * B ? -0.25 * A * A / B : std::min(B - A, 0.0); }

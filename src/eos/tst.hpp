@@ -20,6 +20,7 @@ struct TstCurves {
   double specific_heat = 1.0;
 
   static constexpr bool depends_on_energy = true;
+  static constexpr bool takes_any_heat = true;
   double offset(double rho) const {
     return cold_pressure(rho) - gruneisen(rho) * rho * cold_energy(rho);
   }
