@@ -79,16 +79,16 @@ void expect_linear_data_exact(const Scene& scene, double dt, int direction) {
   const Vec3 slope{0.5, 2, 0};
   Wishes w;
   w.velocity_a[direction] = 0.5;
-  w.source = 1 + 0.5 * slope[direction];
+  w.source = 0.5 * slope[direction] - 2;
   w.outside = [=](Vec3 x, double t) {
-    return Values{64 + slope.x * x.x + slope.y * x.y + t, 3 + x.x + x.y, 0};
+    return Values{64 + slope.x * x.x + slope.y * x.y - 2 * t, 3 + x.x + x.y, 0};
   };
   w.start = [&](Vec3 x) { return w.outside(x, 0); };
   LevelRun run(scene, w);
   for (int n = 0; n < 6; ++n) {
     const double before = run.totals()[0];
     ASSERT_TRUE(run.attempt(dt));
-    EXPECT_GT(run.result.sums[0], 0);
+    EXPECT_LT(run.result.sums[0], 0);
     // Outflow and inflow differ by the slope along the flow.
     const double across = 0.5 * slope[direction] * 16 * 16 * dt;
     EXPECT_EQ(run.totals()[0] - before, run.result.sums[0] - across);
@@ -194,8 +194,8 @@ TEST_F(Cycle, WantedLabelsAndBoxesChangeNoBit) {
     ASSERT_TRUE(wanting.attempt(0.5, {mock_labels().stamp}));
     ASSERT_TRUE(many.attempt(0.5));
   }
-  EXPECT_EQ(wanting.states(), plain.states());
-  EXPECT_EQ(many.states(), plain.states());
+  EXPECT_TRUE(same_bits(wanting.states(), plain.states()));
+  EXPECT_TRUE(same_bits(many.states(), plain.states()));
 }
 
 TEST_F(Cycle, GhostLayersOfAllSlotsAreAsWideAsTheWidest) {

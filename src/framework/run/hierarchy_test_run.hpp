@@ -94,6 +94,19 @@ struct CellState {
 };
 using States = std::vector<CellState>;
 
+// Names the first cell that differs.
+inline testing::AssertionResult same_bits(const States& x, const States& y) {
+  if (x.size() != y.size())
+    return testing::AssertionFailure() << x.size() << " cells and " << y.size();
+  for (std::size_t n = 0; n < x.size(); ++n)
+    if (!(x[n] == y[n]))
+      return testing::AssertionFailure()
+             << "level " << x[n].level << " cell " << x[n].cell.x << ' ' << x[n].cell.y << ' '
+             << x[n].cell.z << " differs by " << x[n].values[0] - y[n].values[0] << ' '
+             << x[n].values[1] - y[n].values[1] << ' ' << x[n].values[2] - y[n].values[2];
+  return testing::AssertionSuccess();
+}
+
 // Of all levels, boxes and ranks, sorted by level and cell.
 inline States states_of(const Hierarchy& hierarchy) {
   std::string mine;

@@ -62,8 +62,8 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
 
 LevelSolver::~LevelSolver() = default;
 
-// Halos, interfaces between levels and redone slopes reach equally far in all slots: each is as wide
-// as the widest.
+// Halos, interfaces between levels and redone slopes reach equally far in all slots: each is as
+// wide as the widest.
 void LevelSolver::add_state_slot(SlotInfo info, Contents contents) {
   info.ghosts = halo_width(*component_);
   state_.add(info, contents);
