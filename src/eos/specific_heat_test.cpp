@@ -65,8 +65,8 @@ TEST(ComponentHeat, IsConsistent) {
              {200.0, 1000.0, 6000.0});
 }
 
-// cp of JANAF (Chase 1998), J/(mol K), at 1000 and 3000 K; monatomic H: 5/2 R. The polynomials of
-// H2O and OH rest on later spectroscopic data, hence their own tolerance at 3000 K.
+// cp of JANAF (Chase 1998), J/(mol K), at 300, 1000 (both ranges) and 3000 K; monatomic H: 5/2 R.
+// The polynomials of H2O and OH rest on later spectroscopic data, hence their own share at 3000 K.
 TEST(ComponentHeat, GivesTheValuesOfJanaf) {
   const auto cp = [](const MoleFractions& x, double T) {
     const Nasa7Heat heat = component_heat(x);
@@ -74,16 +74,19 @@ TEST(ComponentHeat, GivesTheValuesOfJanaf) {
   };
   struct Row {
     MoleFractions x;
-    double at_1000, at_3000;
+    double at_300, at_1000, at_3000;
     double share = 5e-3;
   };
-  const Row rows[] = {{{.CO2 = 1}, 54.308, 62.229},       {{.CO = 1}, 33.183, 37.217},
-                      {{.H2O = 1}, 41.268, 55.748, 2e-2}, {{.O2 = 1}, 34.870, 39.884},
-                      {{.N2 = 1}, 32.697, 37.030},        {{.OH = 1}, 30.676, 36.838, 1e-2},
-                      {{.NO = 1}, 33.987, 37.466},        {{.O = 1}, 20.915, 20.937},
-                      {{.H = 1}, 20.786, 20.786},         {{.H2 = 1}, 30.205, 37.087}};
+  const Row rows[] = {
+      {{.CO2 = 1}, 37.221, 54.308, 62.229},       {{.CO = 1}, 29.142, 33.183, 37.217},
+      {{.H2O = 1}, 33.596, 41.268, 55.748, 2e-2}, {{.O2 = 1}, 29.385, 34.870, 39.884},
+      {{.N2 = 1}, 29.125, 32.697, 37.030},        {{.OH = 1}, 29.977, 30.676, 36.838, 1e-2},
+      {{.NO = 1}, 29.841, 33.987, 37.466},        {{.O = 1}, 21.901, 20.915, 20.937},
+      {{.H = 1}, 20.786, 20.786, 20.786},         {{.H2 = 1}, 28.849, 30.205, 37.087}};
   for (const Row& row : rows) {
+    EXPECT_NEAR(cp(row.x, 300.0), row.at_300, 5e-3 * row.at_300);
     EXPECT_NEAR(cp(row.x, 1000.0), row.at_1000, 3e-3 * row.at_1000);
+    EXPECT_NEAR(cp(row.x, 1000.0 - 1e-9), row.at_1000, 3e-3 * row.at_1000);
     EXPECT_NEAR(cp(row.x, 3000.0), row.at_3000, row.share * row.at_3000);
   }
 }

@@ -25,6 +25,19 @@ TEST(TstGas, HasTheCriticalPointOfVanDerWaals) {
   EXPECT_NEAR(gas.density(pc, Tc), rho_c, 1e-4 * rho_c);  // a triple root: cube root of round-off
 }
 
+// The reference's own constants (u = -1/2, w = 3): b = 2/27 RTc/pc, a = .470507 (RTc)^2/pc,
+// vc = 4b.
+TEST(TstGas, HasTheCriticalPointOfItsReference) {
+  const double b = 1e-3, R = 400.0, Tc = 500.0, pc = R * Tc * 2.0 / (27.0 * b), rho_c = 0.25 / b;
+  const double a = 0.470507 * R * Tc * R * Tc / pc;
+  const TstGas gas{{.a = a, .b = b, .Gamma = 1.4, .specific_heat = 1000.0}};
+  const auto p = [&](double rho) {
+    return gas.pressure(rho, gas.energy_from_temperature(rho, Tc));
+  };
+  EXPECT_NEAR(p(rho_c), pc, 1e-5 * pc);
+  EXPECT_NEAR(slope_of(p, rho_c, 1e-3 * rho_c), 0.0, 1e-4 * pc / rho_c);
+}
+
 TEST(TstGas, TakesTheGasWhereGasAndLiquidAreBothPossible) {
   const double a = 200.0, b = 1e-3, Tc = 8 * a / (27 * 400.0 * b), T = 0.85 * Tc;
   const TstGas gas{{.a = a, .b = b, .u = 0.0, .w = 0.0, .Gamma = 1.4, .specific_heat = 1000.0}};
