@@ -14,6 +14,7 @@
 #include "framework/run/conservation.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
+#include "framework/task/schedule.hpp"
 #include "framework/task/task.hpp"
 #include "framework/task/thread_team.hpp"
 
@@ -70,6 +71,8 @@ struct FlagSeeds {
   double distance = 0;         // length, the same on every level
 };
 
+class LevelSolver;
+
 class Component {
  public:
   virtual ~Component() = default;
@@ -91,6 +94,10 @@ class Component {
   // With a recorder, a task marked `always` records the conserved fluxes of the faces that it
   // names, and sums count uncovered cells only.
   virtual void declare_step(TaskList& list, const StepVariant& variant) const = 0;
+  // Nodes of a step of a level before its ghost cells are filled: where particles are exchanged and
+  // projected into the interior of level.state() (which is then to be touched). A coarse step may be
+  // attempted several times: what lasts beyond it goes to the journal, in all ranks alike.
+  virtual Schedule before_sweep(LevelSolver& /*level*/) const { return {}; }
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
   virtual void declare_diagnostics(TaskList& list, int level) const = 0;
   // What happens where levels meet.

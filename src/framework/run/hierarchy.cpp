@@ -70,7 +70,7 @@ std::int64_t Hierarchy::cell_count() const {
 }
 
 Schedule Hierarchy::schedule_of(int l) {
-  Schedule s;
+  Schedule s = component_->before_sweep(level(l));
   int width = 0;
   for (const SlotInfo& slot : component_->state_slots()) width = std::max(width, slot.ghosts);
   s.push_back({HaloPoint{"ghost cells", l, width, [this, l](const StepScope& scope, StepJournal&) {
@@ -196,17 +196,18 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   StepScope scope;
   scope.time = time;
   scope.dt = dt;
-  StepJournal journal;
+  journal_.reject();
   // Ghosts of the start of the step come from states that are all at that time.
   advancing_ = false;
   for (int l = 0; l < level_count(); ++l) fill(l, time);
   advancing_ = true;
-  result_.good = run(cycle_, scope, journal) == Verdict::good;
+  result_.good = run(cycle_, scope, journal_) == Verdict::good;
   advancing_ = false;
   return result_;
 }
 
 void Hierarchy::accept() {
+  journal_.accept();
   time_ = end_;
   for (int l = 0; l < level_count(); ++l) {
     const auto n = static_cast<std::size_t>(l);
@@ -220,6 +221,7 @@ void Hierarchy::accept() {
 }
 
 void Hierarchy::reject() {
+  journal_.reject();
   for (int l = 0; l < level_count(); ++l) level(l).reject();
 }
 

@@ -115,6 +115,7 @@ class Hierarchy {
   std::optional<Regridder> regridder_;
   RefinementFlags refinement_flags_;
   Schedule cycle_;
+  StepJournal journal_;  // of the last attempt, until it is accepted or rejected
   CycleResult result_;
   // Of the attempt under way.
   int step_ = 0;

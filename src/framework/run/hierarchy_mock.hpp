@@ -55,6 +55,7 @@ struct Wishes {
   std::function<bool(Vec3, double)> flagged;          // at the centre of a cell, at a time
   std::function<bool(const Sweeping&)> inadmissible;  // new value of a cell
   std::function<double(int level)> rate;              // in place of the Courant rate
+  std::function<Schedule(LevelSolver&)> before;       // nodes before the ghost cells
   std::function<void(IntVec3 cell)> labour;           // once a row
 };
 
@@ -141,6 +142,9 @@ class HierarchyMock final : public Component {
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
+  Schedule before_sweep(LevelSolver& level) const override {
+    return wishes_->before ? wishes_->before(level) : Schedule{};
+  }
   void declare_diagnostics(TaskList& list, int level) const override;
   const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return mock_labels().flag; }
