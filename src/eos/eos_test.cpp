@@ -88,7 +88,8 @@ std::vector<EquationOfState> one_of_each() {
 
 // No number, however absurd, hangs a search; what is admissible has a pressure, c and temperature.
 TEST(EquationOfState, AnswersToAnyNumber) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  constexpr double infinity = std::numeric_limits<double>::infinity(),
+                   nan = std::numeric_limits<double>::quiet_NaN();
   const double numbers[] = {0.0,    -0.0,  -1.0, -1e9,  -1e300, -infinity, 1e-305,
                             1e-300, 1e-30, 1.0,  1e3,   2.7e3,  8.9e3,     1e6,
                             3e9,    1e12,  1e30, 1e150, 1e300,  infinity,  nan};

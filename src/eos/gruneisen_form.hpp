@@ -72,8 +72,11 @@ struct GruneisenForm : Curves {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double p = pressure(rho, rho_e), modulus = bulk_modulus(rho, p);
     const double thermal = thermal_energy(rho, rho_e);
-    return (rho > 0.0) & (rho < this->highest_density()) & (thermal > 0.0) & (thermal < infinity) &
-           (p > this->lowest_pressure()) & (modulus > 0.0) & (modulus < infinity);
+    const int state = int(rho > 0.0) & int(rho < this->highest_density());
+    const int heat = int(thermal > 0.0) & int(thermal < infinity);
+    const int force =
+        int(p > this->lowest_pressure()) & int(modulus > 0.0) & int(modulus < infinity);
+    return (state & heat & force) != 0;
   }
 
  private:

@@ -43,7 +43,7 @@ struct IdealGas {
   double highest_density() const { return std::numeric_limits<double>::infinity(); }
   bool admissible(double rho, double rho_e) const {
     const double e = rho_e / rho;
-    return (rho > 0.0) & (e > 0.0) & (e < std::numeric_limits<double>::infinity());
+    return rho > 0.0 && e > 0.0 && e < std::numeric_limits<double>::infinity();
   }
 };
 

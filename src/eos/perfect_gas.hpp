@@ -45,7 +45,7 @@ struct PerfectGas {
 
   bool admissible(double rho, double rho_e) const {
     const double e = rho_e / rho;
-    return (rho > 0.0) & (e > 0.0) & (e < std::numeric_limits<double>::infinity());
+    return rho > 0.0 && e > 0.0 && e < std::numeric_limits<double>::infinity();
   }
   double gamma(double T) const { return 1.0 + gas_constant / heat.specific_heat(T); }
   double shock_slope() const { return 1.2; }
