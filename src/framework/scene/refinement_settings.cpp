@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "framework/scene/adaptive_levels.hpp"
 #include "framework/scene/deck_values.hpp"
@@ -183,8 +184,21 @@ void read_regridder(const DeckNode& amr, const Active& active, GridSettings& gri
   });
 }
 
-void read_regions(const DeckNode& root, const DeckNode& amr, RefinementSettings& s,
-                  std::vector<Fault>& faults) {
+// Whether a cell of the coarsest level may have its centre between these bounds.
+bool may_hold_centres(const Bounds& bounds, const GridSettings& grid) {
+  constexpr double spare = 1e-9;  // of a cell, for round-off
+  const IndexBox domain = domain_of(grid, 0);
+  const Vec3 dx = grid.levels.front().spacing;
+  for (int d = 0; d < 3; ++d) {
+    const double low = std::ceil((bounds.lower[d] - grid.anchor[d]) / dx[d] - 0.5 - spare),
+                 high = std::floor((bounds.upper[d] - grid.anchor[d]) / dx[d] - 0.5 + spare);
+    if (std::max(low, 1.0 * domain.lower[d]) > std::min(high, domain.upper[d] - 1.0)) return false;
+  }
+  return true;
+}
+
+void read_regions(const DeckNode& root, const DeckNode& amr, const GridSettings& grid,
+                  RefinementSettings& s, std::vector<Fault>& faults) {
   const std::vector<const DeckNode*> nodes = amr.all("Refine");
   if (nodes.empty()) return;
   std::vector<Fault> of_labels;  // told where materials are read
@@ -212,7 +226,14 @@ void read_regions(const DeckNode& root, const DeckNode& amr, RefinementSettings&
       continue;
     }
     region.piece = geometry.object(*object, faults).piece;
-    if (region.piece != nullptr) s.regions.push_back(std::move(region));
+    if (region.piece == nullptr) continue;
+    if (!may_hold_centres(region.piece->bounds(), grid))
+      add_warning(faults, node->where,
+                  fmt::format("<Refine>: {} has no effect: no cell of the coarsest level has its "
+                              "centre there",
+                              region.name),
+                  "it must reach into the domain and be a cell wide in every direction");
+    s.regions.push_back(std::move(region));
   }
 }
 
@@ -260,7 +281,7 @@ RefinementSettings read_refinement(const DeckNode& root, GridSettings& grid, con
                     fmt::format("<{}> has no effect: no regridder makes finer levels here", tag));
     return s;
   }
-  read_regions(root, *amr, s, faults);
+  read_regions(root, *amr, grid, s, faults);
   read_errors(*amr, s, faults);
   return s;
 }

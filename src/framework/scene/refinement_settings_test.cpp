@@ -182,6 +182,20 @@ TEST(RefinementSettings, Faults) {
   }
 }
 
+TEST(RefinementSettings, ARegionWithoutCellsIsToldOf) {
+  const auto faults = [](const std::string& low, const std::string& high) {
+    return read("<AMR><Refine name=\"spot\"><geom_object><box><min>" + low + "</min><max>" + high +
+                "</max></box></geom_object></Refine><Regridder type=\"Tiled\">" + three_levels +
+                "</Regridder></AMR>")
+        .faults;
+  };
+  const std::string told = "warning: <Refine>: spot has no effect: no cell of the coarsest level";
+  EXPECT_THAT(faults("[2,0,0]", "[3,1,1]"), HasSubstr(told));       // outside of the domain
+  EXPECT_THAT(faults("[0.5,0,0]", "[0.51,1,1]"), HasSubstr(told));  // between two centres
+  EXPECT_THAT(faults("[0,0,0]", "[1,1,0.4]"), HasSubstr(told));     // below the one layer of z
+  EXPECT_EQ(faults("[0.5,0,0]", "[0.515625,1,0.5]"), "");           // up to centres
+}
+
 TEST(RefinementSettings, WhatAnEntryBringsIsSaidOnce) {
   const Read r =
       read(regridder("<max_levels>3</max_levels><cell_refinement_ratio>[[2,2,2]]"
