@@ -5,6 +5,10 @@
 
 namespace sluice::ice {
 
+bool matches_fluxes(const Scene& scene, const IceScene& ice) {
+  return !ice.classic || scene.refinement.reflux;
+}
+
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
   EffectList e;
   const IceMaterial& m = ice.materials.front();
@@ -29,10 +33,12 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
                : "what passes through the boundary is counted for the conservation report",
          {}});
   const bool refined = scene.grid.levels.size() > 1;
-  e.add({"flux record",
-         refined,
-         refined ? "levels meet: what passes their faces is made equal" : "one level",
-         {}});
+  const bool unequal = refined && !matches_fluxes(scene, ice);
+  e.add({"flux record", refined && !unequal,
+         unequal   ? "do_Refluxing is false, and the scheme classic: levels do not conserve"
+         : refined ? "levels meet: what passes their faces is made equal"
+                   : "one level",
+         unequal ? scene.refinement.reflux_where : Location{}});
   e.add({"saved intermediates", true, "only in steps that save them", scene.output.where});
   e.add({"diagnostics", true, "only in steps that save or analyse", scene.output.where});
   e.add({"heat conduction", false, "thermal_conductivity is zero", {}});

@@ -70,7 +70,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
       ice_(std::move(ice_scene)),
       effects_(find_effects(scene, ice_)),
       options_(make_options(scene, ice_)),
-      transfer_(options_.components, options_.classic),
+      transfer_(options_.components, options_.classic, matches_fluxes(scene, ice_)),
       estimates_(wanted_estimates(scene.refinement.errors)) {
   StateSlots slots;
   slots.mass = labels().mass;
@@ -144,7 +144,7 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
   o.coverage = variant.coverage;
-  o.recorder = variant.recorder;
+  o.recorder = transfer_.flux_quantities() > 0 ? variant.recorder : nullptr;
   if (o.classic)
     declare_classic(list, o, effects_);
   else

@@ -58,6 +58,9 @@ class Ice : public Component {
 // What the scene calls for and what it does not, with the deck lines.
 EffectList find_effects(const Scene& scene, const IceScene& ice);
 
+// Whether levels are made to agree on what passes between them: always, but for the classic form.
+bool matches_fluxes(const Scene& scene, const IceScene& ice);
+
 // Ids in that list, in its order.
 enum EffectId {
   effect_flow = 0,

@@ -45,7 +45,7 @@ struct FluxPlan::LocalBoxes {
 };
 
 FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, int rank)
-    : nothing(fine.boxes.empty()),
+    : nothing(fine.boxes.empty() || quantity_count == 0),
       quantities(static_cast<std::size_t>(quantity_count)),
       domain(coarse.domain),
       volume_ratio(1.0 / (static_cast<double>(fine.ratio.x) * fine.ratio.y * fine.ratio.z)) {

@@ -51,7 +51,7 @@ struct FluxPeer {
 struct FluxPlan {
   FluxPlan(const Level& coarse, const Level& fine, int quantity_count, int rank);
 
-  bool nothing = true;  // there is no finer level: known on all ranks
+  bool nothing = true;  // no finer level, or no quantities: known on all ranks
   std::size_t quantities = 0;
   IndexBox domain;  // of the coarse level
   FaceTable coarse_faces, fine_faces;

@@ -43,7 +43,8 @@ class TransferOperators {
                            const IndexBox& coarse_cells,
                            const TransferGeometry& geometry) const = 0;
 
-  // How many quantities a flux register keeps a face: mass, momenta, total energy, by material.
+  // How many quantities a flux register keeps a face: mass, momenta, total energy, by material;
+  // 0: fluxes are not matched.
   virtual int flux_quantities() const = 0;
 
   // Adds share * change to the conserved state of each listed cell, with the largest share of

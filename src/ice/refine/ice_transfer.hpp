@@ -10,20 +10,23 @@ namespace sluice::ice {
 class IceTransfer final : public TransferOperators {
  public:
   // `internal_energy`: corrections hold internal instead of total energy (classic form).
-  IceTransfer(int components, bool internal_energy)
-      : components_(components), internal_energy_(internal_energy) {}
+  // `matches_fluxes`: levels are made to agree on what passes between them.
+  IceTransfer(int components, bool internal_energy, bool matches_fluxes = true)
+      : components_(components),
+        internal_energy_(internal_energy),
+        matches_fluxes_(matches_fluxes) {}
 
   void prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
                const TransferGeometry& geometry, int order) const override;
   void restrict_to(const StateViews& fine, const StateViews& coarse, const IndexBox& coarse_cells,
                    const TransferGeometry& geometry) const override;
-  int flux_quantities() const override { return 2 + components_; }
+  int flux_quantities() const override { return matches_fluxes_ ? 2 + components_ : 0; }
   void correct(const StateViews& state, const ConservedChange& change,
                std::span<double> share) const override;
 
  private:
   int components_;  // of momentum
-  bool internal_energy_;
+  bool internal_energy_, matches_fluxes_;
 };
 
 }  // namespace sluice::ice
