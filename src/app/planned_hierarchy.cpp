@@ -56,9 +56,10 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
   if (p.adaptive) {
     p.rules.push_back({"regrids", when(s), s.where});
     p.rules.push_back({"flags are widened by",
-                       fmt::format("{} cells, at a regrid {} more; tiles stay within {} more",
-                                   triple(s.stability_dilation), triple(s.regrid_dilation),
-                                   triple(s.deletion_dilation)),
+                       fmt::format("{} cells{}; at a regrid {} more; tiles stay within {} more",
+                                   triple(s.stability_dilation),
+                                   s.lock_step ? "" : " or what a wave crosses in a coarse step",
+                                   triple(s.regrid_dilation), triple(s.deletion_dilation)),
                        s.where});
     p.rules.push_back(
         {"cells between levels", triple(s.min_boundary_cells) + " at least", s.where});

@@ -44,7 +44,7 @@ TagSpec regridder() {
               .by_default("4")
               .only_for("type", tiled),
           tag("cell_stability_dilation",
-              "flagged cells are widened by this; a level is laid anew when it holds them no more")
+              "flags are widened by at least this; a level is laid anew when it holds them no more")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
