@@ -86,6 +86,9 @@ TEST_F(PlanLevels, AreToldWithWhatDecidesThem) {
 TEST_F(PlanLevels, LockstepTakesOneSubstep) {
   const json p = plan("amr_explosion", {"--set", "AMR/useLockStep=true"});
   EXPECT_THAT(p.at("hierarchy").at("stepping").get<std::string>(), HasSubstr("lockstep"));
+  const std::string crossed = "what a wave crosses in a coarse step";
+  EXPECT_THAT(p.dump(), Not(HasSubstr(crossed)));
+  EXPECT_THAT(plan("amr_explosion").dump(), HasSubstr(crossed));
   for (const json& level : p.at("hierarchy").at("levels")) EXPECT_EQ(level.at("substeps"), 1);
 }
 
@@ -143,6 +146,33 @@ TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
   EXPECT_EQ(text_of("amr_shock_tube.uda.001/levels.txt"),
             text_of("amr_shock_tube.uda.002/levels.txt"));
   EXPECT_THAT(text_of("amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n56\t0.2"));
+}
+
+// Tiles in the corner are there with every ratio and tile size, but hold other cells.
+TEST_F(PlanLevels, ARestartWithOtherRatiosOrTilesIsRefusedByName) {
+  const auto go = [&](std::vector<std::string> words) {
+    ProcessRequest request;
+    request.words = {SLUICE_COMMAND, "run"};
+    request.words.insert(request.words.end(), words.begin(), words.end());
+    request.words.insert(request.words.end(), {"-o", folder_.string(), "--progress", "none"});
+    request.output = folder_ / "said";
+    return run_process(request);
+  };
+  ASSERT_EQ(go({deck("amr_regions"), "--max-steps", "2", "--set",
+                "DataArchiver/checkpoint/@timestepInterval=1", "--set", "AMR/Refine[2]=", "--set",
+                "AMR/Refine/geom_object/box/min=[-1,-1,-1]", "--set",
+                "AMR/Refine/geom_object/box/max=[-0.6,-0.6,1]", "--set", "AMR/Refine/@level=1"}),
+            0)
+      << text_of("said");
+  const std::string archive = (folder_ / "amr_regions.uda").string();
+  const auto restart_with = [&](const std::string& tag) {
+    EXPECT_EQ(go({"--restart", archive, "--set", "AMR/Regridder/" + tag}), 2) << tag;
+    return text_of("said");
+  };
+  EXPECT_THAT(restart_with("cell_refinement_ratio=[[4,4,1]]"),
+              HasSubstr("holds a grid of [128, 128, 1] cells on level 1"));
+  EXPECT_THAT(restart_with("min_patch_size=[[4,4,1]]"),
+              HasSubstr("holds 1024 cells on level 1, where this deck has 256"));
 }
 
 TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {

@@ -1,6 +1,7 @@
 // How the levels of a run come about: at the start, after a regrid, from a checkpoint.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "framework/archive/archive.hpp"
@@ -190,20 +191,30 @@ std::string Hierarchy::regrid_state() const {
 
 namespace {
 
-// A checkpoint continues on its own grid only.
-void check_same_grid(const Level& now, const ArchiveStep& checkpoint) {
-  const Level& then = checkpoint.grid().levels.front();
+// A checkpoint continues on its own grid only, level by level.
+void check_same_grid(const Level& now, const Level& then, const std::string& where) {
+  const std::string level = now.index == 0 ? "" : fmt::format(" on level {}", now.index);
   auto differs = [&](const char* what) {
     throw InputError(fmt::format(
-        "{} holds a grid of [{}, {}, {}] cells with another {} than the deck's [{}, {}, {}]: a "
-        "restart goes on with the same grid; leave Grid out of --set",
-        checkpoint.folder().string(), then.domain.size().x, then.domain.size().y,
-        then.domain.size().z, what, now.domain.size().x, now.domain.size().y, now.domain.size().z));
+        "{} holds a grid of [{}, {}, {}] cells{} with another {} than the deck's [{}, {}, {}]: a "
+        "restart goes on with the same grid; leave {} out of --set",
+        where, then.domain.size().x, then.domain.size().y, then.domain.size().z, level, what,
+        now.domain.size().x, now.domain.size().y, now.domain.size().z,
+        now.index == 0 ? "Grid" : "Grid and AMR"));
   };
   if (!(then.domain == now.domain)) differs("number of cells");
   if (!(then.anchor == now.anchor)) differs("lower corner");
   if (!(then.spacing == now.spacing)) differs("spacing");
   if (then.periodic != now.periodic) differs("periodicity");
+}
+
+// Tiles of another size may lie elsewhere. That no cell is missing is seen when cells are read.
+void check_same_cells(const Level& now, const Level& then, const std::string& where) {
+  if (now.cell_count() == then.cell_count()) return;
+  throw InputError(
+      fmt::format("{} holds {} cells on level {}, where this deck has {}: a restart goes on "
+                  "with the same boxes and tiles; leave Grid and AMR out of --set",
+                  where, then.cell_count(), now.index, now.cell_count()));
 }
 
 void read_level(LevelSolver& solver, const Component& component, const ArchiveStep& checkpoint) {
@@ -228,7 +239,9 @@ void read_level(LevelSolver& solver, const Component& component, const ArchiveSt
 }  // namespace
 
 void Hierarchy::restore(const ArchiveStep& checkpoint) {
-  check_same_grid(level(0).level(), checkpoint);
+  const std::vector<Level>& then = checkpoint.grid().levels;
+  for (std::size_t l = 0; l < std::min(then.size(), solvers_.size()); ++l)
+    check_same_grid(solvers_[l]->level(), then[l], checkpoint.folder().string());
   time_ = checkpoint.info().time;
   if (regridder_) {
     const auto& kept = checkpoint.info().state;
@@ -251,6 +264,8 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
                     "the same levels",
                     checkpoint.folder().string(), checkpoint.grid().levels.size(), level_count()));
   for (int l = 0; l < level_count(); ++l) {
+    check_same_cells(level(l).level(), then[static_cast<std::size_t>(l)],
+                     checkpoint.folder().string());
     read_level(level(l), *component_, checkpoint);
     level(l).touch();
   }
