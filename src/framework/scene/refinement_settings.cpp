@@ -69,6 +69,10 @@ void check_dilation(const DeckNode& node, const Active& active, RefinementSettin
                             "can leave the finer level before it is laid anew",
                             s.min_interval, least),
                 fmt::format("use at most {}", least + 1));
+  if (s.max_interval > 0 && s.max_interval < s.min_interval)
+    add_warning(faults, place_of(node, "max_timestep_interval"),
+                fmt::format("max_timestep_interval {} has no effect: min_timestep_interval is {}",
+                            s.max_interval, s.min_interval));
 }
 
 void read_intervals(const DeckNode& node, const Active& active, RefinementSettings& s,
@@ -94,6 +98,10 @@ bool read_lists(const DeckNode& node, const Active& active, bool tiled, Adaptive
   if (const DeckNode* list = node.child("cell_refinement_ratio")) {
     levels.ratios = list->as_int_vectors();
     levels.ratio_where = list->where;
+    if (const DeckNode* one = node.child("simple_refinement_ratio"))
+      add_warning(faults, one->where,
+                  "<simple_refinement_ratio> has no effect beside <cell_refinement_ratio>",
+                  "keep one of them");
   } else if (const DeckNode* one = node.child("simple_refinement_ratio")) {
     IntVec3 ratio{1, 1, 1};
     for (int d = 0; d < 3; ++d)

@@ -171,6 +171,12 @@ TEST(RefinementSettings, Faults) {
                 "warning: min_boundary_cells 0 in direction x; read as 1"},
            Case{two + ratio + tile + "<min_timestep_interval>3</min_timestep_interval>",
                 "use at most 2"},
+           Case{two + ratio + tile + "<simple_refinement_ratio>4</simple_refinement_ratio>",
+                "warning: <simple_refinement_ratio> has no effect beside"},
+           Case{two + ratio + tile +
+                    "<min_timestep_interval>2</min_timestep_interval>"
+                    "<max_timestep_interval>1</max_timestep_interval>",
+                "warning: max_timestep_interval 1 has no effect: min_timestep_interval is 2"},
            Case{two + ratio + tile + "<adaptive>false</adaptive>", "warning: <adaptive> is false"},
        }) {
     const Read r = read(regridder(c.inside));
