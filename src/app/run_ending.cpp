@@ -7,6 +7,7 @@
 #include "app/archive_picture.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
+#include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
@@ -30,7 +31,7 @@ std::string error_lines(const fs::path& folder) {
       const std::string name =
           field->components() == 1 ? variable : fmt::format("{}.{}", variable, "xyz"[c]);
       const std::string share =
-          e.relative_l1 > 0 ? fmt::format(" ({:.2g} % of the mean)", 100 * e.relative_l1) : "";
+          e.relative_l1 > 0 ? fmt::format(" ({} of the mean)", human_percent(e.relative_l1)) : "";
       text += fmt::format("  {:10} L1 {:.3e}{}, largest {:.3e}\n", name, e.l1, share, e.linf);
     }
   }

@@ -16,10 +16,6 @@
 namespace sluice {
 namespace {
 
-std::string percent(double share) {
-  return fmt::format("{:.2g} %", 100 * share);
-}
-
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -125,9 +121,9 @@ std::string runs_table(const StudyReport& report) {
       continue;
     }
     const auto order = report.observed_order(i);
-    const std::string spread = r.repeats < 2 ? "one run" : percent(r.spread);
+    const std::string spread = r.repeats < 2 ? "one run" : human_percent(r.spread);
     table.row({setting, std::to_string(r.point.cells()), std::to_string(r.steps),
-               fmt::format("{:.3e}", r.error), percent(r.norms.relative_l1),
+               fmt::format("{:.3e}", r.error), human_percent(r.norms.relative_l1),
                order ? fmt::format("{:.2f}", *order) : "", human_duration(r.seconds),
                spread + (r.repeats >= 2 && r.noisy() ? " noisy" : ""),
                report.on_front(i) ? "*" : ""});
@@ -145,7 +141,7 @@ std::string targets_table(const StudyReport& report) {
   for (const double target : report.study.targets) {
     const auto costs = costs_of_target(report, target);
     if (costs.empty()) {
-      table.row({percent(target), "not reached by any run", "", "", ""});
+      table.row({human_percent(target), "not reached by any run", "", "", ""});
       continue;
     }
     const auto text = [](const Cost& c, const std::string& value) {
@@ -156,7 +152,7 @@ std::string targets_table(const StudyReport& report) {
     for (const Cost& cost : costs) {
       if (cost.is_default) by_default = text(cost, human_duration(cost.seconds));
     }
-    table.row({percent(target), best.setting, text(best, fmt::format("{:.0f}", best.cells)),
+    table.row({human_percent(target), best.setting, text(best, fmt::format("{:.0f}", best.cells)),
                text(best, human_duration(best.seconds)), by_default});
   }
   return table.text();

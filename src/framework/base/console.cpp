@@ -105,6 +105,11 @@ std::string human_count(std::int64_t n) {
   return digits;
 }
 
+std::string human_percent(double share) {
+  const double percent = 100 * share;
+  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
 std::string human_number(double x) {
   return fmt::format("{:.4g}", x);
 }

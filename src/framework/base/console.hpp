@@ -21,6 +21,7 @@ std::string styled(std::string_view text, Style style, bool colour);
 std::string human_bytes(double bytes);       // 512 B, 1.5 KiB, 2.3 GiB
 std::string human_duration(double seconds);  // 350 us, 12.3 s, 4 min 05 s, 3 h 12 min, 2 d 03 h
 std::string human_count(std::int64_t n);     // 1,234,567
+std::string human_percent(double share);     // 0.042 %, 42 %, 114 %
 // Four significant digits: for reading, never for reading back.
 std::string human_number(double x);
 

@@ -38,6 +38,10 @@ TEST(Console, counts) {
   EXPECT_EQ(human_count(999), "999");
   EXPECT_EQ(human_count(1000), "1,000");
   EXPECT_EQ(human_count(-1234567), "-1,234,567");
+  EXPECT_EQ(human_percent(0.000424), "0.042 %");
+  EXPECT_EQ(human_percent(0.994), "99 %");
+  EXPECT_EQ(human_percent(0.996), "100 %");
+  EXPECT_EQ(human_percent(1.141), "114 %");
 }
 
 TEST(Console, colour_only_when_wanted) {

@@ -89,13 +89,14 @@ std::string levels_text(const RunReport& r) {
   }
   const double uniform = r.uniform_updates();
   if (uniform > 0)
-    text += fmt::format("{} updates: {:.2g} % of the {} of a grid that is fine everywhere\n",
+    text += fmt::format("{} updates: {} of the {} of a grid that is fine everywhere\n",
                         human_count(r.cell_updates),
-                        100.0 * static_cast<double>(r.cell_updates) / uniform,
+                        human_percent(static_cast<double>(r.cell_updates) / uniform),
                         human_count(static_cast<std::int64_t>(uniform)));
   if (r.regrid_seconds > 0)
-    text += fmt::format("{} regrid{}: {:.2g} % of the stepping time\n", r.regrids,
-                        r.regrids == 1 ? "" : "s", 100.0 * r.regrid_seconds / r.stepping_seconds);
+    text +=
+        fmt::format("{} regrid{}: {} of the stepping time\n", r.regrids, r.regrids == 1 ? "" : "s",
+                    human_percent(r.regrid_seconds / r.stepping_seconds));
   return text;
 }
 
