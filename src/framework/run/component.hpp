@@ -117,6 +117,8 @@ class Component {
   // Cells that a wave crosses in one step at its limit: flags are widened so that finer levels keep
   // it between two looks.
   virtual double courant_number() const = 0;
+  // Does a limit of the step shrink with the square of the spacing.
+  virtual bool diffusive() const { return false; }
 
   // Rates of a state, as the reductions of a step hold them (for the first step and restarts).
   virtual void measure_rates(const Warehouse& state, Reductions& rates) const = 0;

@@ -173,6 +173,7 @@ Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
   if (report.failed) {
     result_.first_fault = {report.first, l, 0, 0, 0.0};
     result_.faults = report.limited;
+    result_.unmatched = true;
     return Verdict::reject;
   }
   joint.restriction.run(fine.state(), coarse.state(), coarse.state_slots(), component_->transfer());

@@ -26,6 +26,7 @@ struct CycleResult {
   bool good = true;
   CellFault first_fault;     // of the substep that could not be had
   std::int64_t faults = 0;   // inadmissible cells there
+  bool unmatched = false;    // it was the matching of fluxes that failed
   std::vector<double> sums;  // over levels and substeps
   RunControl::Answer control;
   // The state at the start of the step holds what is no number: no smaller step can help.
@@ -125,7 +126,7 @@ class Hierarchy {
   const RunControl* control_ = nullptr;
   EventLedger* ledger_ = nullptr;
   std::size_t most_bytes_ = 0;  // of all levels since memory was returned to the system
-  int regrids_ = 0;
+  int regrids_ = 0, last_balance_ = 0;
   int layouts_ = 0;
   int balances_ = 0;
   double regrid_seconds_ = 0, balance_seconds_ = 0;

@@ -117,10 +117,11 @@ void Hierarchy::restrict_all() {
 }
 
 // With subcycling the coarser level's limit holds for the cells that a finer level gains: their
-// values lie between those of coarse cells, their steps and spacings shrink alike. In lockstep, and
-// for a level that did not exist, rates must be measured.
+// values lie between those of coarse cells, their steps and spacings shrink alike. In lockstep, with
+// diffusion, and for a level that did not exist, rates must be measured.
 void Hierarchy::measure_rates(int levels_before) {
-  const int first = scene_->refinement.lock_step ? 0 : levels_before;
+  const bool all = scene_->refinement.lock_step || component_->diffusive();
+  const int first = all ? 0 : levels_before;
   for (int l = first; l < level_count(); ++l)
     maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
 }
@@ -165,7 +166,8 @@ bool Hierarchy::regrid(int step) {
 
 bool Hierarchy::balance(int step) {
   constexpr int interval = 50;  // coarse steps: enough to measure, rare enough to cost nothing
-  if (communicator_->size() == 1 || step % interval != 0) return false;
+  if (communicator_->size() == 1 || step - last_balance_ < interval) return false;
+  last_balance_ = step;
   const auto start = std::chrono::steady_clock::now();
   bool moved = false;
   for (int l = 0; l < level_count(); ++l) {

@@ -12,6 +12,7 @@ struct LevelSolver::Variant {
   TaskList list;
   std::unique_ptr<SweepExecutor> executor;
   int layout = -1;  // of the level when it was last bound
+  int boxes = -1;   // likewise, without what joints change
 };
 
 namespace {
@@ -86,6 +87,7 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   for (const SlotInfo& s : stored) outputs_.add(s);
   halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank);
   ++layout_;
+  ++boxes_;
   ghosts_filled_ = false;
   accept();
   if (level_.boxes.empty())
@@ -154,8 +156,9 @@ SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
 
 void LevelSolver::bind(Variant& variant) {
   if (variant.layout == layout_) return;
-  variant.executor->bind(state_, next_, &outputs_);
+  variant.executor->bind(state_, next_, &outputs_, variant.boxes == boxes_);
   variant.layout = layout_;
+  variant.boxes = boxes_;
 }
 
 LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>& wanted) {
@@ -361,7 +364,7 @@ std::vector<double> LevelSolver::effect_doubles() const {
 std::vector<double> LevelSolver::box_seconds() const {
   std::vector<double> seconds(state_.local_boxes().size(), 0.0);
   for (const auto& [key, v] : variants_) {
-    if (v->layout != layout_) continue;
+    if (v->boxes != boxes_) continue;
     const std::vector<double> own = v->executor->box_seconds();
     for (std::size_t b = 0; b < own.size(); ++b) seconds[b] += own[b];
   }

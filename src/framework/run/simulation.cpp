@@ -191,6 +191,13 @@ StepInfo Simulation::step_info() const {
 
 void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
   const CellFault& f = a.first_fault;
+  if (a.unmatched)
+    throw PhysicsError(fmt::format(
+        "step {} at t = {:g}: task 'matching of fluxes' found no state that both levels can bear "
+        "even with dt = {:g}; the first cell is [{}, {}, {}] of level {}, where a finer level "
+        "begins. Try a smaller <cfl>, a wider <cell_stability_dilation>, or look at the state "
+        "before this step in the last checkpoint",
+        plan.step, plan.start, plan.dt, f.cell.x, f.cell.y, f.cell.z, f.level));
   throw PhysicsError(fmt::format(
       "step {} at t = {:g}: task 'update' left {} cell{} inadmissible even with dt = {:g}; the "
       "first is cell [{}, {}, {}] of level {}, material {}: {} is {:g}. Try a smaller <cfl>, "
@@ -291,7 +298,8 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
 // the next step will be made with.
 void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   const auto start = std::chrono::steady_clock::now();
-  if (hierarchy_.regrid(plan.step) || hierarchy_.balance(plan.step)) {
+  const bool regridded = hierarchy_.regrid(plan.step);
+  if (hierarchy_.balance(plan.step) || regridded) {
     limit_ = hierarchy_.step_limit();
     time_.remember_physics_dt(limit_.dt);
   }

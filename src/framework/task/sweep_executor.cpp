@@ -69,7 +69,8 @@ SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& 
 
 SweepExecutor::~SweepExecutor() = default;
 
-void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output) {
+void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output,
+                         bool same_boxes) {
   binding_.old_state = &old_state;
   binding_.new_state = &new_state;
   binding_.output = output;
@@ -95,7 +96,8 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
     for (Block& b : blocks_) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
   if (max(largest, largest_) != largest_) make_workers(max(largest, largest_));
   if (options_.time_boxes)
-    for (auto& w : workers_) w->boxes.assign(old_state.local_boxes().size(), 0);
+    for (auto& w : workers_)
+      if (!same_boxes || w->boxes.empty()) w->boxes.assign(old_state.local_boxes().size(), 0);
 }
 
 void SweepExecutor::rest() {

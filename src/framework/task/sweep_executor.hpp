@@ -46,7 +46,9 @@ class SweepExecutor {
 
   // Finds slots (the warehouses must have them) and remembers the warehouses. Again when the boxes
   // of the level have changed; what was counted and timed is kept.
-  void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output);
+  // With `same_boxes` what boxes cost is kept too.
+  void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output,
+            bool same_boxes = false);
   // Without boxes for a while: memory goes until the next bind, what was counted is kept.
   void rest();
   // One pass over all blocks. The result holds what this rank reduced.
