@@ -117,8 +117,8 @@ void Hierarchy::restrict_all() {
 }
 
 // With subcycling the coarser level's limit holds for the cells that a finer level gains: their
-// values lie between those of coarse cells, their steps and spacings shrink alike. In lockstep, with
-// diffusion, and for a level that did not exist, rates must be measured.
+// values lie between those of coarse cells, their steps and spacings shrink alike. In lockstep,
+// with diffusion, and for a level that did not exist, rates must be measured.
 void Hierarchy::measure_rates(int levels_before) {
   const bool all = scene_->refinement.lock_step || component_->diffusive();
   const int first = all ? 0 : levels_before;
