@@ -163,8 +163,25 @@ ArchiveWriter ArchiveWriter::resume(const fs::path& folder, const ArchiveSetup& 
   return writer;
 }
 
+namespace {
+
+// Histories that either index names: a run killed between a checkpoint and its next output has
+// named them with the checkpoint only.
+std::vector<HistoryEntry> all_histories(const ArchiveIndex& outputs,
+                                        const ArchiveIndex& checkpoints) {
+  std::vector<HistoryEntry> all = outputs.histories;
+  for (const HistoryEntry& h : checkpoints.histories)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const HistoryEntry& known) { return known.file == h.file; }))
+      all.push_back(h);
+  return all;
+}
+
+}  // namespace
+
 void ArchiveWriter::drop_later_steps(int restart_step) {
   const StepEntry start = find_step(checkpoints_.index, restart_step, folder_);
+  outputs_.index.histories = all_histories(outputs_.index, checkpoints_.index);
   for (Store* store : {&outputs_, &checkpoints_}) {
     std::erase_if(store->index.steps, [&](const StepEntry& s) { return s.step > restart_step; });
     store->index.restarts.push_back({folder_.filename().string(), restart_step});
@@ -181,13 +198,15 @@ void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Ear
   on_root([&] {
     const fs::path earlier = fs::canonical(earlier_archive);
     const ArchiveIndex old = read_index(earlier);
-    const StepEntry start = find_step(read_index(earlier / "checkpoints"), restart_step, earlier);
+    const ArchiveIndex old_checkpoints = read_index(earlier / "checkpoints");
+    const StepEntry start = find_step(old_checkpoints, restart_step, earlier);
+    const std::vector<HistoryEntry> histories = all_histories(old, old_checkpoints);
     outputs_.index.restarts = old.restarts;
     outputs_.index.restarts.push_back({earlier.filename().string(), restart_step});
     checkpoints_.index.restarts = outputs_.index.restarts;
     if (mode != Earlier::stamp_only) {
       outputs_.index.variables = old.variables;
-      outputs_.index.histories = old.histories;
+      outputs_.index.histories = histories;
       for (StepEntry s : old.steps) {
         if (s.step > restart_step) continue;
         const fs::path source = earlier / s.href;
@@ -199,7 +218,7 @@ void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Ear
         }
         outputs_.index.steps.push_back(std::move(s));
       }
-      for (const HistoryEntry& h : old.histories) {
+      for (const HistoryEntry& h : histories) {
         if (!fs::exists(earlier / h.file)) continue;
         copy_file_durably(earlier / h.file, folder_ / h.file);
         cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);

@@ -133,6 +133,28 @@ TEST(ArchiveRestart, NewArchiveAdoptsTheEarlierOutputs) {
   }
 }
 
+// Killed after a checkpoint and before the next output: only the checkpoints' index names them.
+TEST(ArchiveRestart, HistoriesGoOnAfterAKillBetweenCheckpointAndOutput) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({4, 3, 1}, {1, 1, 1});
+  fs::path old_path;
+  {
+    ArchiveWriter old = ArchiveWriter::create(setup_in(folder.path()));
+    old.write_output({0, 0, 0.1, 0.1, {}}, grid, {});
+    const std::string index = read_text(old.folder() / "index.xml");
+    old.history("TotalMass", -1, 1, 0.1, 1.0);
+    old.write_checkpoint({1, 0.1, 0.1, 0.1, {}}, grid, {});
+    EXPECT_EQ(read_text(old.folder() / "index.xml"), index);
+    old_path = old.folder();
+  }
+  ASSERT_TRUE(Archive::open(old_path).index().histories.empty());
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  writer.adopt(old_path, 1, Earlier::refer);
+  write_steps(writer, 2, 3);
+  const std::string text = dat(writer);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+}
+
 TEST(ArchiveRestart, OneWriterAtATime) {
   const TemporaryFolder folder;
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
