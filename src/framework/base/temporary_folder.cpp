@@ -33,7 +33,8 @@ fs::path disk_folder() {
 
 TemporaryFolder::TemporaryFolder(Place place) {
   const bool in_memory = place == Place::memory && ::access(memory_folder, W_OK) == 0;
-  std::string name = ((in_memory ? memory_folder : disk_folder()) / "sluice_XXXXXX").string();
+  const std::string unique(6, 'X');  // mkdtemp puts letters of its own there
+  std::string name = ((in_memory ? memory_folder : disk_folder()) / ("sluice_" + unique)).string();
   if (::mkdtemp(name.data()) == nullptr)
     throw SystemError(
         fmt::format("cannot make the temporary folder {}: {}; set TMPDIR to a folder that can be "

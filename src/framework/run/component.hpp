@@ -3,6 +3,7 @@
 // The run loop owns grids, warehouses, graphs, time and archives; a component declares its state,
 // its tasks and its outputs, fills boundaries, and turns what a step reduced into the next step.
 #pragma once
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -138,5 +139,12 @@ class Component {
   // "density", "internal energy": what a fault's kind means, with its unit and allowed range.
   virtual std::string describe_fault(int kind) const = 0;
 };
+
+// Ghost layers that every state slot gets: as many as the one that asks for most.
+inline int halo_width(const Component& component) {
+  int width = 0;
+  for (const SlotInfo& s : component.state_slots()) width = std::max(width, s.ghosts);
+  return width;
+}
 
 }  // namespace sluice

@@ -25,12 +25,12 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   const std::vector<Level>& levels = scene.grid.levels;
   SolverOptions o = options;
   o.joined = levels.size() > 1;
+  o.substeps = 1;
   if (o.team == nullptr) o.team = std::make_shared<const ThreadTeam>(options.threads);
-  int in_coarse_step = 1;
   for (const Level& level : levels) {
     substeps_.push_back(level.index == 0 ? 1 : substeps_of(level, scene.refinement.lock_step));
-    in_coarse_step *= substeps_.back();
-    o.substeps = in_coarse_step;
+    o.substeps *= substeps_.back();
+    in_coarse_step_.push_back(o.substeps);
     solvers_.push_back(std::make_unique<LevelSolver>(component, level, communicator, o));
   }
   done_.assign(levels.size(), 0);
@@ -71,8 +71,7 @@ std::int64_t Hierarchy::cell_count() const {
 
 Schedule Hierarchy::schedule_of(int l) {
   Schedule s = component_->before_sweep(level(l));
-  int width = 0;
-  for (const SlotInfo& slot : component_->state_slots()) width = std::max(width, slot.ghosts);
+  const int width = halo_width(*component_);
   s.push_back({HaloPoint{"ghost cells", l, width, [this, l](const StepScope& scope, StepJournal&) {
                            fill(l, scope.time);
                            return Verdict::good;
@@ -168,7 +167,6 @@ Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
     place.task = "matching of fluxes";
     place.value = static_cast<double>(report.limited);
     ledger_->keep("correction of fluxes limited", place);
-    fine.touch();
   }
   if (report.failed) {
     result_.first_fault = {report.first, l, 0, 0, 0.0};
@@ -213,10 +211,8 @@ void Hierarchy::accept() {
   for (int l = 0; l < level_count(); ++l) {
     const auto n = static_cast<std::size_t>(l);
     level(l).accept();
-    int substeps = 1;
-    for (std::size_t m = 0; m <= n; ++m) substeps *= substeps_[m];
     const std::int64_t cells = level(l).level().cell_count();
-    costs_[n].updates += substeps * cells;
+    costs_[n].updates += in_coarse_step_[n] * cells;
     costs_[n].most_cells = std::max(costs_[n].most_cells, cells);
   }
 }
@@ -228,12 +224,10 @@ void Hierarchy::reject() {
 
 StepLimit Hierarchy::step_limit() const {
   StepLimit limit;
-  int in_coarse_step = 1;
   for (int l = 0; l < level_count(); ++l) {
     const auto n = static_cast<std::size_t>(l);
-    in_coarse_step *= substeps_[n];
     StepLimit own = component_->step_limit(maxima_[n]);
-    own.dt *= in_coarse_step;
+    own.dt *= in_coarse_step_[n];
     if (level_count() > 1) own.reason += " on level " + std::to_string(l);
     if (l == 0 || own.dt < limit.dt) limit = own;
   }
@@ -242,8 +236,7 @@ StepLimit Hierarchy::step_limit() const {
 
 StepLimit Hierarchy::first_step_limit() const {
   StepLimit limit = step_limit();
-  int finest = 1;
-  for (int l = 0; l < level_count(); ++l) finest *= substeps_[static_cast<std::size_t>(l)];
+  const int finest = in_coarse_step_[static_cast<std::size_t>(level_count()) - 1];
   if (finest == 1) return limit;
   limit.dt /= finest;
   limit.reason = "first step: one of the finest level";
@@ -266,15 +259,13 @@ void Hierarchy::add_totals(Totals& totals) const {
 
 std::vector<LevelCost> Hierarchy::costs() const {
   std::vector<LevelCost> costs = costs_;
-  int in_coarse_step = 1;
   for (int l = 0; l < possible_levels(); ++l) {
     const auto n = static_cast<std::size_t>(l);
     costs[n].cells = level(l).level().cell_count();
     costs[n].boxes = static_cast<std::int64_t>(level(l).level().boxes.size());
     costs[n].most_cells = std::max(costs[n].most_cells, costs[n].cells);
     costs[n].domain_cells = level(l).level().domain.volume();
-    in_coarse_step *= substeps_[n];
-    costs[n].substeps = in_coarse_step;
+    costs[n].substeps = in_coarse_step_[n];
   }
   return costs;
 }

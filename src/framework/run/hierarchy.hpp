@@ -110,6 +110,7 @@ class Hierarchy {
   std::vector<std::unique_ptr<Joint>> joints_;  // by coarser level, of the levels that exist
   std::vector<int> substeps_;                   // of a level in one step of the next coarser one
   std::vector<int> done_;                       // of those, in the present step of the coarser one
+  std::vector<int> in_coarse_step_;             // substeps of a level in a coarse step
   std::vector<double> ends_;                    // of the last sweep over a level: its time
   std::vector<std::vector<double>> maxima_;     // rates by level
   std::vector<LevelCost> costs_;

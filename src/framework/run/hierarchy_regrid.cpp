@@ -18,12 +18,6 @@ bool same_boxes(const std::vector<GridBox>& a, const std::vector<GridBox>& b) {
   });
 }
 
-int halo_width(const Component& component) {
-  int width = 0;
-  for (const SlotInfo& s : component.state_slots()) width = std::max(width, s.ghosts);
-  return width;
-}
-
 }  // namespace
 
 void Hierarchy::make_joint(int coarser) {

@@ -25,12 +25,6 @@ std::vector<Label> output_labels(const TaskList& list) {
   return labels;
 }
 
-int halo_width(const Component& component) {
-  int width = 0;
-  for (const SlotInfo& s : component.state_slots()) width = std::max(width, s.ghosts);
-  return width;
-}
-
 bool contains(const std::vector<Label>& labels, Label l) {
   return std::binary_search(labels.begin(), labels.end(), l);
 }
