@@ -1,7 +1,7 @@
 // The table of decks.
 #include "properties/property_decks.hpp"
 
-#include <cstdlib>
+#include "framework/base/environment.hpp"
 
 namespace sluice::properties {
 namespace {
@@ -138,10 +138,9 @@ const std::vector<PropertyDeck>& property_decks() {
       for (const Entry& e : table)
         all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
                        with_control(e.overrides)});
-    const char* folder = std::getenv("SLUICE_DECKS");
+    const auto folder = folder_in_environment("SLUICE_DECKS");
     for (const Entry& e : collection())
-      all.push_back({e.name,
-                     folder == nullptr ? "" : std::string(folder) + "/inputs/" + e.deck + ".ups",
+      all.push_back({e.name, folder ? folder->string() + "/inputs/" + e.deck + ".ups" : "",
                      with_control(e.overrides)});
     return all;
   }();

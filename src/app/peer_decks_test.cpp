@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "app/sluice_schema.hpp"
+#include "framework/base/environment.hpp"
 #include "framework/deck/load_deck.hpp"
 
 namespace sluice {
@@ -70,10 +70,10 @@ const std::vector<std::string> good = {
 class PeerDecks : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("SLUICE_DECKS");
-    if (folder == nullptr) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
+    const std::optional<fs::path> folder = folder_in_environment("SLUICE_DECKS");
+    if (!folder) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
     back_ = fs::current_path();
-    fs::current_path(folder);
+    fs::current_path(*folder);
   }
   void TearDown() override {
     if (!back_.empty()) fs::current_path(back_);

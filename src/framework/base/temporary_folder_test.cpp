@@ -3,36 +3,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
-#include <optional>
 
 #include "framework/base/error.hpp"
+#include "framework/base/with_variable.hpp"
 
 namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
 using Place = TemporaryFolder::Place;
-
-// TMPDIR for one test.
-class WithTmpdir {
- public:
-  explicit WithTmpdir(const fs::path& folder) {
-    if (const char* before = ::getenv("TMPDIR")) before_ = before;
-    ::setenv("TMPDIR", folder.c_str(), 1);
-  }
-  ~WithTmpdir() {
-    if (before_)
-      ::setenv("TMPDIR", before_->c_str(), 1);
-    else
-      ::unsetenv("TMPDIR");
-  }
-
- private:
-  std::optional<std::string> before_;
-};
 
 TEST(TemporaryFolder, goes_away_with_all_that_is_in_it) {
   fs::path path;
@@ -51,14 +32,14 @@ TEST(TemporaryFolder, goes_away_with_all_that_is_in_it) {
 
 TEST(TemporaryFolder, lies_where_TMPDIR_says) {
   const TemporaryFolder outer;
-  const WithTmpdir tmpdir(outer.path());
+  const WithVariable tmpdir("TMPDIR", outer.path());
   const TemporaryFolder inner(Place::disk);
   EXPECT_EQ(inner.path().parent_path(), outer.path());
 }
 
 TEST(TemporaryFolder, says_which_folder_is_missing) {
   const TemporaryFolder outer;
-  const WithTmpdir tmpdir(outer / "nowhere");
+  const WithVariable tmpdir("TMPDIR", outer / "nowhere");
   EXPECT_THAT([] { TemporaryFolder folder(Place::disk); },
               testing::ThrowsMessage<SystemError>(
                   testing::AllOf(testing::HasSubstr("nowhere"), testing::HasSubstr("set TMPDIR"))));

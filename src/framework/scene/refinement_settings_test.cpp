@@ -1,9 +1,7 @@
 // <AMR> from the deck: levels that are added, every fault of them, regions and criteria.
 #include "framework/scene/refinement_settings.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-
+#include "framework/base/environment.hpp"
 #include "framework/base/error.hpp"
 #include "framework/scene/deck_text.hpp"
 #include "framework/scene/scene.hpp"
@@ -306,8 +304,8 @@ TEST(RefinementSettings, StaticLevelsKeepAMargin) {
 }
 
 TEST(RefinementSettings, ClassicDecksGetTheirLevels) {
-  const char* decks = std::getenv("SLUICE_DECKS");
-  if (decks == nullptr) GTEST_SKIP() << "SLUICE_DECKS is not set";
+  const auto decks = folder_in_environment("SLUICE_DECKS");
+  if (!decks) GTEST_SKIP() << "SLUICE_DECKS is not set";
   struct Case {
     const char* name;
     IndexBox finest;
@@ -318,8 +316,7 @@ TEST(RefinementSettings, ClassicDecksGetTheirLevels) {
                         Case{"ICE/riemann2D_AMR", {{0, 0, 0}, {384, 384, 1}}, true},
                         Case{"ICE/BW_reflect_AMR", {{0, 0, 0}, {100, 100, 100}}, true},
                         Case{"ICE/advectAMR", {{0, 0, 0}, {160, 160, 160}}, false}}) {
-    const std::filesystem::path file =
-        std::filesystem::path(decks) / "inputs" / (std::string(c.name) + ".ups");
+    const std::filesystem::path file = *decks / "inputs" / (std::string(c.name) + ".ups");
     std::vector<Fault> faults;
     const Scene s = read_scene(read_deck(file.string()), {}, faults);
     EXPECT_EQ(all_faults(faults), "") << c.name;

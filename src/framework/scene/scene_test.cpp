@@ -1,9 +1,7 @@
 // A whole deck as a scene, and all faults of a bad one at once.
 #include "framework/scene/scene.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-
+#include "framework/base/environment.hpp"
 #include "framework/scene/deck_text.hpp"
 
 namespace sluice {
@@ -158,8 +156,8 @@ TEST(Scene, ADeckWithFaultsIsNotInterpreted) {
 
 // Decks of the classic code, when SLUICE_DECKS names the folder that holds its inputs/.
 TEST(Scene, ReadsClassicDecks) {
-  const char* decks = std::getenv("SLUICE_DECKS");
-  if (decks == nullptr) GTEST_SKIP() << "SLUICE_DECKS is not set";
+  const auto decks = folder_in_environment("SLUICE_DECKS");
+  if (!decks) GTEST_SKIP() << "SLUICE_DECKS is not set";
   struct Case {
     const char* name;
     std::int64_t cells;
@@ -170,8 +168,7 @@ TEST(Scene, ReadsClassicDecks) {
                         Case{"ICE/test2", 100, 1}, Case{"ICE/test3", 100, 1},
                         Case{"ICE/test4", 100, 1}, Case{"UintahRelease/ICE/shockTube", 250, 1},
                         Case{"ICE/explosion", 1024, 2}, Case{"ICE/riemann2D_AMR", 576, 2}}) {
-    const std::filesystem::path file =
-        std::filesystem::path(decks) / "inputs" / (std::string(c.name) + ".ups");
+    const std::filesystem::path file = *decks / "inputs" / (std::string(c.name) + ".ups");
     std::vector<Fault> faults;
     const Deck deck = read_deck(file.string());
     const Scene s = read_scene(deck, {}, faults);
