@@ -1,8 +1,6 @@
 // The closed set as a whole: every law has all functions, and any heat can stand beside it.
 #include "eos/eos.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -10,7 +8,7 @@
 #include <vector>
 
 #include "eos/bracketed_root.hpp"
-#include "eos/component_heat.hpp"
+#include "eos/eos_test_support.hpp"
 
 namespace sluice::eos {
 namespace {
@@ -23,7 +21,7 @@ consteval bool all_are_laws(std::index_sequence<I...>) {
 static_assert(all_are_laws(std::make_index_sequence<std::variant_size_v<EquationOfState>>{}));
 
 TEST(EquationOfState, IsVisitedOutsideALoop) {
-  const EquationOfState water = StiffenedGas{{.gamma = 4.4, .pinf = 6e8, .specific_heat = 1816.0}};
+  const EquationOfState water = stiff_water;
   double rho[8], E[8], p[8];
   for (int i = 0; i < 8; ++i) rho[i] = 1000.0 + i, E[i] = 1e9 + 1e7 * i;
   std::visit(
@@ -31,58 +29,27 @@ TEST(EquationOfState, IsVisitedOutsideALoop) {
         for (int i = 0; i < 8; ++i) p[i] = law.pressure(rho[i], E[i]);
       },
       water);
-  for (int i = 0; i < 8; ++i) EXPECT_NEAR(p[i], 3.4 * E[i] - 4.4 * 6e8, 1e-6);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(p[i], 3.4 * (E[i] + 1.2e6 * rho[i]) - 4.4 * 6e8, 1e-6);
 }
 
 // One of each, with parameters of real materials.
 std::vector<EquationOfState> one_of_each() {
-  const double fit[] = {1e5, -4e5, 1400.0};
   return {
-      IdealGas{.gamma = 1.4, .specific_heat = 717.5},
-      StiffenedGas{{.gamma = 4.4, .pinf = 6e8, .specific_heat = 1816.0}},
-      HardSphereGas{{.gamma = 1.3, .b = 1e-3, .specific_heat = 1100.0}},
-      TstGas{{.a = 300.0, .b = 1e-3, .Gamma = 1.4, .specific_heat = 1500.0}},
-      Jwl{{.A = 371.2e9,
-           .B = 3.231e9,
-           .R1 = 4.15,
-           .R2 = 0.95,
-           .om = 0.30,
-           .rho0 = 1630.0,
-           .specific_heat = 1000.0}},
-      Jwlc{{.A = 371.2e9,
-            .B = 3.231e9,
-            .C = 1.045e9,
-            .R1 = 4.15,
-            .R2 = 0.95,
-            .om = 0.30,
-            .rho0 = 1630.0,
-            .specific_heat = 1000.0}},
-      Murnaghan{{.n = 7.4, .K = 39e-11, .rho0 = 1160.0, .specific_heat = 1400.0}},
+      air,
+      stiff_water,
+      hard_spheres,
+      attracting_gas,
+      tnt,
+      tnt_isentrope,
+      steep_solid,
       BirchMurnaghan{{.n = 5.0, .K = 7e-11, .rho0 = 2e3, .specific_heat = 900.0}},
-      MieGruneisen{{.C0 = 3940.0,
-                    .S = 1.489,
-                    .Gamma0 = 2.02,
-                    .rho0 = 8930.0,
-                    .T0 = 294.0,
-                    .specific_heat = 385.0}},
-      LinearGruneisen{
-          {.A = 1.3338e9, .B = 7.027e5, .rho0 = 1823.3, .T0 = 317.4, .specific_heat = 1000.0}},
-      Tillotson{.a = 0.5,
-                .b = 1.63,
-                .A = 75.2e9,
-                .B = 65e9,
-                .E0 = 5e6,
-                .Es = 3e6,
-                .Esp = 13.9e6,
-                .alpha = 5.0,
-                .beta = 5.0,
-                .rho0 = 2700.0,
-                .specific_heat = 900.0},
+      copper,
+      propellant,
+      aluminium,
       ThomsenHartkaWater{},
       KnaussSeaWater{{}},
-      PerfectGas<Nasa7Heat>{.gas_constant = 287.0, .heat = air_heat(287.0)},
-      PerfectGas<PolynomialHeat>{.gas_constant = 300.0,
-                                 .heat = polynomial_heat(fit, 2, 350.0, 5e3)},
+      warm_air(),
+      fitted_gas(),
   };
 }
 
@@ -140,19 +107,12 @@ TEST(EquationOfState, FindsDensitiesOverDecadesOfPressure) {
 }
 
 TEST(EquationOfState, TakesASpecificHeatThatIsNotConstant) {
-  const Jwl products{{.A = 371.2e9,
-                      .B = 3.231e9,
-                      .R1 = 4.15,
-                      .R2 = 0.95,
-                      .om = 0.30,
-                      .rho0 = 1630.0,
-                      .specific_heat = 1000.0}};
   const Nasa7Heat heat = component_heat({.CO2 = 0.3, .H2O = 0.3, .N2 = 0.4});
   for (const double rho : {0.1, 100.0, 2000.0})
     for (const double T : {300.0, 2500.0, 8000.0}) {
-      const double E = energy_from_temperature(products, heat, rho, T);
-      EXPECT_NEAR(temperature(products, heat, rho, E), T, 1e-8 * T);
-      EXPECT_NEAR(density(products, heat, products.pressure(rho, E), T), rho, 1e-10 * rho);
+      const double E = energy_from_temperature(tnt, heat, rho, T);
+      EXPECT_NEAR(temperature(tnt, heat, rho, E), T, 1e-8 * T);
+      EXPECT_NEAR(density(tnt, heat, tnt.pressure(rho, E), T), rho, 1e-10 * rho);
     }
 }
 

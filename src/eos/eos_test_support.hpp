@@ -1,4 +1,5 @@
-// Checks that every equation of state must pass, at random states of a given range.
+// Checks that every equation of state must pass, at random states of a given range, and materials
+// that several tests ask.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -6,7 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "eos/component_heat.hpp"
 #include "eos/eos.hpp"
+#include "eos/polynomial_heat.hpp"
 
 namespace sluice::eos {
 
@@ -25,6 +28,59 @@ struct Tolerances {
   double temperature = 1e-10;
   double mixed = 2e-9;  // (de/dv)_T = T (dp/dT)_v - p
 };
+
+inline constexpr IdealGas air{.gamma = 1.4, .specific_heat = 717.5};
+// Products of TNT (Dobratz and Crawford, LLNL Explosives Handbook, UCRL-52997, 1985): the law and
+// its isentrope.
+inline const Jwl tnt{{.A = 371.2e9,
+                      .B = 3.231e9,
+                      .R1 = 4.15,
+                      .R2 = 0.95,
+                      .om = 0.30,
+                      .rho0 = 1630.0,
+                      .specific_heat = 1000.0}};
+inline const Jwlc tnt_isentrope{{.A = 371.2e9,
+                                 .B = 3.231e9,
+                                 .C = 1.045e9,
+                                 .R1 = 4.15,
+                                 .R2 = 0.95,
+                                 .om = 0.30,
+                                 .rho0 = 1630.0,
+                                 .specific_heat = 1000.0}};
+inline const StiffenedGas stiff_water{
+    {.gamma = 4.4, .pinf = 6e8, .q = -1.2e6, .specific_heat = 1816.0}};
+inline const HardSphereGas hard_spheres{{.gamma = 1.3, .b = 1e-3, .specific_heat = 1100.0}};
+inline const TstGas attracting_gas{{.a = 300.0, .b = 1e-3, .Gamma = 1.4, .specific_heat = 1500.0}};
+inline const Murnaghan steep_solid{
+    {.n = 7.4, .K = 39e-11, .rho0 = 1160.0, .specific_heat = 1400.0}};
+inline const LinearGruneisen propellant{
+    {.A = 1.3338e9, .B = 7.027e5, .rho0 = 1823.3, .T0 = 317.4, .specific_heat = 1000.0}};
+inline const MieGruneisen copper{{.C0 = 3940.0,
+                                  .S = 1.489,
+                                  .Gamma0 = 2.02,
+                                  .rho0 = 8930.0,
+                                  .T0 = 294.0,
+                                  .specific_heat = 385.0}};
+// Melosh, Impact Cratering (1989), table AII.3.
+inline constexpr Tillotson aluminium{.a = 0.5,
+                                     .b = 1.63,
+                                     .A = 75.2e9,
+                                     .B = 65e9,
+                                     .E0 = 5e6,
+                                     .Es = 3e6,
+                                     .Esp = 13.9e6,
+                                     .alpha = 5.0,
+                                     .beta = 5.0,
+                                     .rho0 = 2700.0,
+                                     .specific_heat = 900.0};
+// Air and a fitted gas with the specific heat that grows with temperature.
+inline PerfectGas<Nasa7Heat> warm_air() {
+  return {.gas_constant = 287.0, .heat = air_heat(287.0)};
+}
+inline PerfectGas<PolynomialHeat> fitted_gas() {
+  const double fit[] = {1e5, -4e5, 1400.0};
+  return {.gas_constant = 300.0, .heat = polynomial_heat(fit, 2, 350.0, 5e3)};
+}
 
 // df/dx by differences of fourth order.
 template <class Function>

@@ -21,16 +21,7 @@ const Explosive hmx{{{.A = 778.3e9,
                     10.5e9,
                     42e9,
                     9110.0};
-const Explosive tnt{{{.A = 371.2e9,
-                      .B = 3.231e9,
-                      .R1 = 4.15,
-                      .R2 = 0.95,
-                      .om = 0.30,
-                      .rho0 = 1630.0,
-                      .specific_heat = 1000.0}},
-                    7.0e9,
-                    21e9,
-                    6930.0};
+const Explosive trotyl{tnt, 7.0e9, 21e9, 6930.0};
 
 TEST(Jwl, IsConsistent) {
   check_law(hmx.products, {1e-3, 4e3, 300.0, 1e4}, {.slopes = 1e-8, .mixed = 1e-8});
@@ -58,7 +49,7 @@ TEST(Jwl, IsConsistentWithNegativeB) {  // unreacted LX-17: cold curve below zer
 // Behind a steady detonation: mass and momentum give V, the Hugoniot gives e, and D = u + c.
 // (D is published to three digits: 0.3 % of D moves p by 1 %.)
 TEST(Jwl, GivesChapmanJouguetStates) {
-  for (const Explosive& x : {hmx, tnt}) {
+  for (const Explosive& x : {hmx, trotyl}) {
     const double rho0 = x.products.rho0, V = 1.0 - x.p_cj / (rho0 * x.D * x.D), rho = rho0 / V;
     const double E = (x.E0 + 0.5 * x.p_cj * (1.0 - V)) / V;
     EXPECT_NEAR(x.products.pressure(rho, E), x.p_cj, 0.03 * x.p_cj);
@@ -70,8 +61,8 @@ TEST(Jwl, GivesChapmanJouguetStates) {
 TEST(Jwl, FindsTheDensityOfAnyPressureAndTemperature) {
   for (double p = 1.0; p < 1e13; p *= 7.0)
     for (const double T : {30.0, 300.0, 3e4}) {
-      const double rho = tnt.products.density(p, T);
-      const double back = tnt.products.pressure(rho, tnt.products.energy_from_temperature(rho, T));
+      const double rho = tnt.density(p, T);
+      const double back = tnt.pressure(rho, tnt.energy_from_temperature(rho, T));
       EXPECT_NEAR(back, p, 1e-12 * p) << p << ' ' << T;
     }
 }

@@ -6,20 +6,17 @@
 namespace sluice::eos {
 namespace {
 
-const LinearGruneisen solid{
-    {.A = 1.3338e9, .B = 7.027e5, .rho0 = 1823.3, .T0 = 317.4, .specific_heat = 1000.0}};
-
 TEST(LinearGruneisen, IsConsistent) {
-  check_law(solid, {1000.0, 4e3, 100.0, 3e3});
-  check_extremes(solid, 1823.3, 1e6);
+  check_law(propellant, {1000.0, 4e3, 100.0, 3e3});
+  check_extremes(propellant, 1823.3, 1e6);
 }
 
 TEST(LinearGruneisen, PassesThroughItsReferenceState) {
-  const double E = solid.energy_from_temperature(1823.3, 317.4);
-  EXPECT_NEAR(solid.pressure(1823.3, E), 101325.0, 1e-4);
-  EXPECT_NEAR(solid.density(101325.0, 317.4), 1823.3, 1e-9);
+  const double E = propellant.energy_from_temperature(1823.3, 317.4);
+  EXPECT_NEAR(propellant.pressure(1823.3, E), 101325.0, 1e-4);
+  EXPECT_NEAR(propellant.density(101325.0, 317.4), 1823.3, 1e-9);
   const double c2 = 1.3338e9 / 1823.3 + 317.4 * std::pow(7.027e5 / 1823.3, 2) / 1000.0;
-  EXPECT_NEAR(solid.sound_speed_squared(1823.3, E), c2, 1e-9 * c2);
+  EXPECT_NEAR(propellant.sound_speed_squared(1823.3, E), c2, 1e-9 * c2);
 }
 
 }  // namespace

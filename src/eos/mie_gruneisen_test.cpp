@@ -6,13 +6,6 @@
 namespace sluice::eos {
 namespace {
 
-const MieGruneisen copper{{.C0 = 3940.0,
-                           .S = 1.489,
-                           .Gamma0 = 2.02,
-                           .rho0 = 8930.0,
-                           .T0 = 294.0,
-                           .specific_heat = 385.0}};
-
 TEST(MieGruneisen, IsConsistent) {
   check_law(copper, {8930.0, 2e4, 100.0, 1e4, 8930.0}, {.slopes = 1e-8, .mixed = 2e-8});
   check_law(copper, {5e3, 8930.0, 100.0, 1e4, 8930.0}, {.slopes = 1e-8, .mixed = 2e-8});

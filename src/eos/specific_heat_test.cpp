@@ -1,13 +1,9 @@
 // Specific heats: energy is the integral of cv, temperature inverts it, published values.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <vector>
 
-#include "eos/component_heat.hpp"
 #include "eos/constant_heat.hpp"
 #include "eos/debye_heat.hpp"
-#include "eos/polynomial_heat.hpp"
+#include "eos/eos_test_support.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::eos {
@@ -27,9 +23,7 @@ void check_heat(const Heat& heat, double low, double high, const std::vector<dou
     bool joint = false;
     for (const double t : joints) joint = joint || std::abs(T - t) < 3 * h;
     if (joint) continue;
-    const double slope = (8 * (heat.energy(T + h) - heat.energy(T - h)) -
-                          (heat.energy(T + 2 * h) - heat.energy(T - 2 * h))) /
-                         (12 * h);
+    const double slope = slope_of([&](double x) { return heat.energy(x); }, T, h);
     EXPECT_NEAR(slope, cv, 1e-8 * cv) << T;
   }
 }

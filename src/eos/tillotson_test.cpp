@@ -6,19 +6,6 @@
 namespace sluice::eos {
 namespace {
 
-// Melosh, Impact Cratering (1989), table AII.3.
-const Tillotson aluminium{.a = 0.5,
-                          .b = 1.63,
-                          .A = 75.2e9,
-                          .B = 65e9,
-                          .E0 = 5e6,
-                          .Es = 3e6,
-                          .Esp = 13.9e6,
-                          .alpha = 5.0,
-                          .beta = 5.0,
-                          .rho0 = 2700.0,
-                          .specific_heat = 900.0};
-
 TEST(Tillotson, IsConsistentInCompression) {
   check_law(aluminium, {2700.0, 8e3, 100.0, 1e5, 2700.0}, {.slopes = 1e-8}, false);
   check_extremes(aluminium, 2700.0, 1e7);

@@ -11,9 +11,8 @@ TEST(TstGas, IsConsistent) {  // propellant gas of the decks, and a gas that att
       {.a = -260.1385968, .b = 7.955153678e-4, .Gamma = 1.63, .specific_heat = 1500.0}};
   check_law(repelling, {1e-3, 1100.0, 250.0, 5e3}, {.slopes = 2e-8, .mixed = 2e-8});
   check_extremes(repelling, 1.0, 1e6);
-  const TstGas attracting{{.a = 300.0, .b = 1e-3, .Gamma = 1.4, .specific_heat = 1500.0}};
-  check_law(attracting, {1e-3, 900.0, 600.0, 5e3}, {.slopes = 2e-8, .mixed = 2e-8});
-  check_extremes(attracting, 1.0, 1e6);
+  check_law(attracting_gas, {1e-3, 900.0, 600.0, 5e3}, {.slopes = 2e-8, .mixed = 2e-8});
+  check_extremes(attracting_gas, 1.0, 1e6);
 }
 
 // Tc = 8a/(27 R b), pc = a/(27 b^2), vc = 3b, where the three roots meet.
