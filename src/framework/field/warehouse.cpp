@@ -75,6 +75,10 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   return static_cast<int>(slots_.size()) - 1;
 }
 
+bool Warehouse::any_nonzero(int slot, int c, int b, const IndexBox& region) const {
+  return any_other(view(slot, c, b), region, 0.0);
+}
+
 std::size_t Warehouse::bytes() const {
   std::size_t n = 0;
   for (const Slot& s : slots_)

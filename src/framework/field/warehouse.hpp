@@ -65,6 +65,9 @@ class Warehouse {
     const Slot& s = slots_[static_cast<std::size_t>(slot)];
     return s.views[static_cast<std::size_t>(b * s.info.components + c)];
   }
+  // Is any number (a NaN too) of a region of a view other than zero. Reads row by row and stops at
+  // the first that is.
+  bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
   std::size_t bytes() const;
 
   void swap(Warehouse& other) noexcept;

@@ -5,6 +5,7 @@
 #pragma once
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct StepVariant {
   // graph; what they hold changes when boxes are laid out anew. Null with one level.
   const FluxRecorder* recorder = nullptr;
   const LevelCoverage* coverage = nullptr;
+  int kind = 0;  // of the blocks that the graph is for: see Component::step_kinds
 };
 
 // A variable whose estimated error decides on refinement: two diagnostic labels.
@@ -95,6 +97,24 @@ class Component {
   // With a recorder, a task marked `always` records the conserved fluxes of the faces that it
   // names, and sums count uncovered cells only.
   virtual void declare_step(TaskList& list, const StepVariant& variant) const = 0;
+  // Kinds of blocks, each with a graph of its own (StepVariant::kind): a block that holds one
+  // material alone need not know of the others. The last kind is the general one, right for every
+  // block and taken by all with force_all; the others only leave out work whose result is known, so
+  // that no choice changes a bit of the state, of reductions, of fluxes recorded (all quantities
+  // are recorded by each kind) or of step labels. Graphs of kinds that do not occur are not made.
+  virtual int step_kinds() const { return 1; }
+  // The kind of a block: a function of the old state alone, in the block and all ghost layers
+  // around it. Asked in every step; Warehouse::any_nonzero is made for it.
+  virtual int step_kind(const Warehouse& /*old_state*/, int /*local_box*/,
+                        const IndexBox& /*cells_with_halo*/) const {
+    return 0;
+  }
+  // What a state slot or step label that a kind's graph does not write holds throughout a block of
+  // that kind after the step; nothing: it is left as it is. Asked with several kinds only.
+  virtual std::optional<double> absent_value(Label /*label*/, int /*material*/,
+                                             int /*kind*/) const {
+    return 0.0;
+  }
   // Nodes of a step of a level before its ghost cells are filled: where particles are exchanged and
   // projected into the interior of level.state() (which is then to be touched). A coarse step may
   // be attempted several times: what lasts beyond it goes to the journal, in all ranks alike.
