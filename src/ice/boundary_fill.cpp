@@ -10,7 +10,7 @@ namespace sluice::ice {
 BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
                            int level)
     : gravity_(scene.constants.gravity),
-      gas_(material.gas),
+      fluid_(material.fluid),
       viscous_(material.viscosity > 0),
       slots_(slots),
       level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
@@ -181,28 +181,28 @@ struct BoundaryFill::SideRules {
   }
 
   void general(const StateViews& v, IntVec3 ghost, IntVec3 source) const {
-    const eos::IdealGas& gas = fill.gas_;
+    const Fluid& fluid = fill.fluid_;
     const double distance = std::abs(ghost[d] - source[d]) * fill.level_->spacing[d];
     const double source_rho = v.mass(source), source_E = v.energy(source);
     double rho = rule.fixed_density ? rule.density : source_rho - rule.density_gradient * distance;
-    const double p_source = gas.pressure(source_rho, source_E);
+    const double p_source = fluid.pressure(source_rho, source_E);
     const bool given_T = rule.fixed_temperature || rule.temperature_gradient != 0;
     const double T = rule.fixed_temperature ? rule.temperature
-                                            : gas.temperature(source_rho, source_E) -
+                                            : fluid.temperature(source_rho, source_E) -
                                                   rule.temperature_gradient * distance;
     double p;
     if (rule.fixed_pressure) {
       p = rule.pressure;
     } else if (rule.fixed_density && given_T) {
-      p = gas.pressure(rho, gas.energy_from_temperature(rho, T));
+      p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
     } else {
       p = p_source - rule.pressure_gradient * distance;
-      if (given_T && !rule.fixed_density) rho = gas.density(p, T);
+      if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
       p += hydrostatic(v, source, ghost, rho);
     }
-    if (given_T && !rule.fixed_density) rho = gas.density(p, T);
+    if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
     v.mass(ghost) = rho;
-    v.energy(ghost) = gas.energy_from_pressure(rho, p);
+    v.energy(ghost) = fluid.energy_from_pressure(rho, p, T);
     for (std::size_t c = 0; c < v.momentum.size(); ++c)
       v.momentum[c](ghost) = rho * velocity(v, source, c, distance);
   }

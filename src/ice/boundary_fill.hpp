@@ -85,7 +85,7 @@ class BoundaryFill {
   IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
 
   Vec3 gravity_;
-  eos::IdealGas gas_;
+  Fluid fluid_;
   bool viscous_;
   StateSlots slots_;
   const Level* level_;

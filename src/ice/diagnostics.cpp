@@ -25,18 +25,18 @@ class Quantities {
     add(labels().rho_micro, 1, rho_);
     add(labels().sum_rho, 1, rho_);
     declare_velocity();
-    pressure_ = declare_of_energy(labels().pressure, [gas = o_.gas](double rho, double energy) {
-      return gas.pressure(rho, energy);
+    pressure_ = declare_of_energy(labels().pressure, [fluid = o_.fluid](double rho, double energy) {
+      return fluid.pressure(rho, energy);
     });
-    temperature_ = declare_of_energy(labels().temperature, [gas = o_.gas](double rho, double e) {
-      return gas.temperature(rho, e);
-    });
+    temperature_ = declare_of_energy(
+        labels().temperature,
+        [fluid = o_.fluid](double rho, double e) { return fluid.temperature(rho, e); });
     declare_pointwise();
     declare_mach();
-    declare_gradient(rho_, labels().gradient_rho);
-    declare_gradient(temperature_, labels().gradient_temperature);
-    declare_gradient(pressure_, labels().gradient_pressure);
-    declare_divergence();
+    declare_slopes(rho_, labels().gradient_rho);
+    declare_slopes(temperature_, labels().gradient_temperature);
+    declare_slopes(pressure_, labels().gradient_pressure);
+    declare_slopes(velocity_, labels().divergence_velocity);
     declare_vorticity();
   }
   std::vector<DiagnosticQuantity> all() && { return std::move(all_); }
@@ -107,20 +107,20 @@ class Quantities {
 
   void declare_pointwise() {
     const Labels& l = labels();
-    const eos::IdealGas gas = o_.gas;
+    const Fluid fluid = o_.fluid;
     declare_of_pressure(l.specific_volume, [](double rho, double) { return 1.0 / rho; });
     declare_of_pressure(l.sound_speed,
-                        [gas](double rho, double p) { return gas.sound_speed(rho, p); });
-    declare_of_pressure(l.compressibility, [gas](double rho, double p) {
-      const double c = gas.sound_speed(rho, p);
+                        [fluid](double rho, double p) { return fluid.sound_speed(rho, p); });
+    declare_of_pressure(l.compressibility, [fluid](double rho, double p) {
+      const double c = fluid.sound_speed(rho, p);
       return 1.0 / (rho * c * c);
     });
     declare_constant(l.volume_fraction, 1.0);
     declare_constant(l.gradient_volume_fraction, 0.0);
     declare_constant(l.viscosity, o_.viscosity);
     declare_constant(l.thermal_conductivity, 0.0);
-    declare_constant(l.gamma, gas.gamma);
-    declare_constant(l.specific_heat, gas.specific_heat);
+    declare_constant(l.gamma, fluid.gamma);
+    declare_constant(l.specific_heat, fluid.specific_heat);
   }
 
   void declare_mach() {
@@ -128,55 +128,32 @@ class Quantities {
     TaskBuilder t = task(labels().mach);
     const In rho = t.read(rho_), pressure = t.read(pressure_), u = t.read(velocity_);
     const Out out = t.write(v);
-    t.kernel([=, gas = o_.gas](const Row& row) {
+    t.kernel([=, fluid = o_.fluid](const Row& row) {
       const double* r = row(rho);
       const double* q = row(pressure);
       const double* w[3] = {row(u, 0), row(u, 1), row(u, 2)};
       double* to = row(out);
       for (int i = 0; i < row.count(); ++i)
         to[i] = std::sqrt(w[0][i] * w[0][i] + w[1][i] * w[1][i] + w[2][i] * w[2][i]) /
-                gas.sound_speed(r[i], q[i]);
+                fluid.sound_speed(r[i], q[i]);
     });
   }
 
-  // Magnitude of the gradient of a cell variable.
-  void declare_gradient(VariableId of, Label label) {
+  // Root of the sum over the axes of the squared slope along each: of a number, the magnitude of its
+  // gradient; of a vector, each component along its own axis.
+  void declare_slopes(VariableId of, Label label) {
     const VariableId v = fresh(label);
     TaskBuilder t = task(label);
     const In in = t.read(of, Stencil::box(1));
     const Out out = t.write(v);
-    t.kernel([=, axes = o_.axes](const Row& row) {
+    t.kernel([=, vector = of == velocity_, axes = o_.axes](const Row& row) {
       double* to = row(out);
       const double* low[3];
       const double* high[3];
       for (int a = 0; a < axes.count; ++a) {
-        low[a] = row(in, 0, a, -1);
-        high[a] = row(in, 0, a, 1);
-      }
-      for (int i = 0; i < row.count(); ++i) {
-        double sum = 0;
-        for (int a = 0; a < axes.count; ++a) {
-          const double slope =
-              (high[a][i] - low[a][i]) / (2.0 * row.step().spacing[axes.direction[a]]);
-          sum += slope * slope;
-        }
-        to[i] = std::sqrt(sum);
-      }
-    });
-  }
-
-  void declare_divergence() {
-    const VariableId v = fresh(labels().divergence_velocity);
-    TaskBuilder t = task(labels().divergence_velocity);
-    const In u = t.read(velocity_, Stencil::box(1));
-    const Out out = t.write(v);
-    t.kernel([=, axes = o_.axes](const Row& row) {
-      double* to = row(out);
-      const double* low[3];
-      const double* high[3];
-      for (int a = 0; a < axes.count; ++a) {
-        low[a] = row(u, axes.direction[a], a, -1);
-        high[a] = row(u, axes.direction[a], a, 1);
+        const int component = vector ? axes.direction[a] : 0;
+        low[a] = row(in, component, a, -1);
+        high[a] = row(in, component, a, 1);
       }
       for (int i = 0; i < row.count(); ++i) {
         double sum = 0;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "framework/task/reductions.hpp"
+#include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 
@@ -56,6 +57,7 @@ struct RateHandles {
   Out rho, momentum, energy;        // new state
   In sound;                         // conservative rule only
   std::array<In, 3> face_velocity;  // conservative rule only
+  Out closure;                      // pressure and modulus; not for ideal gases
 };
 
 struct RateConstants {
@@ -79,19 +81,18 @@ inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants&
   return x;
 }
 
-template <int D>
-void rate_row(const Row& row, const RateHandles& h, const RateConstants& x,
-              const eos::IdealGas& gas) {
+// `modulus`(i): rho c^2 of cell i.
+template <int D, class Modulus>
+void rate_row(const Row& row, const RateHandles& h, const RateConstants& x, Modulus modulus) {
   const int n = row.count();
   const double* __restrict r = row(h.rho);
-  const double* __restrict E = row(h.energy);
   const double* m[3];
   for (int d = 0; d < D; ++d) m[d] = row(h.momentum, d);
   std::int64_t deck = 0, flow = 0, sound = 0;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double w = 1.0 / r[i];
-    const double c = std::sqrt(gas.gamma * gas.pressure(r[i], E[i]) * w);
+    const double c = std::sqrt(modulus(i) * w);
     double deck_rate = 0, flow_rate = 0, sound_rate = 0;
     for (int d = 0; d < D; ++d) {
       const double speed = std::fabs(m[d][i]) * w;
@@ -161,7 +162,15 @@ inline void diffusion_rate_row(const Row& row, const RateHandles& h, double weig
 template <int D>
 void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
   const RateConstants x = rate_constants(o, row.step());
-  rate_row<D>(row, h, x, o.gas);
+  if (const eos::IdealGas* gas = o.fluid.ideal()) {
+    rate_row<D>(row, h, x, [gas = *gas, r = row(h.rho), E = row(h.energy)](int i) {
+      return gas.gamma * gas.pressure(r[i], E[i]);
+    });
+  } else {
+    pressure_and_modulus_row(o.fluid, row.count(), row(h.rho), row(h.energy), row(h.closure, 0),
+                             row(h.closure, 1));
+    rate_row<D>(row, h, x, [K = row(h.closure, 1)](int i) { return K[i]; });
+  }
   if (x.conservative) outflow_rate_row<D>(row, h, x);
   if (!o.viscous) return;
   double inverse_dx2 = 0;

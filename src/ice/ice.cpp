@@ -26,7 +26,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
     if (scene.directions[static_cast<std::size_t>(d)].velocity == VelocityComponent::carried)
       o.direction[static_cast<std::size_t>(o.components++)] = d;
   const IceMaterial& m = ice.materials.front();
-  o.gas = m.gas;
+  o.fluid = m.fluid;
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -125,7 +125,7 @@ void Ice::initialise(Warehouse& state) const {
     for_each_cell(cells, [&](IntVec3 cell) {
       state.view(mass, 0, b)(cell) = fill.density[n];
       state.view(energy, 0, b)(cell) =
-          m.gas.energy_from_pressure(fill.density[n], fill.pressure[n]);
+          m.fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum, c, b)(cell) =
             fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
@@ -177,7 +177,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const double rho = r(cell);
-      const double c = options_.gas.sound_speed(rho, options_.gas.pressure(rho, E(cell)));
+      const double c = options_.fluid.sound_speed(rho, options_.fluid.pressure(rho, E(cell)));
       double deck = 0, outflow = 0, flow = 0, sound = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];

@@ -35,8 +35,7 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.index = index;
   m.name = node.attribute("name").value_or("");
   m.where = node.where;
-  m.gas.gamma = node.real("gamma");
-  m.gas.specific_heat = node.real("specific_heat");
+  m.fluid = ideal_gas(node.real("gamma"), node.real("specific_heat"));
   m.viscosity = node.real("dynamic_viscosity");
   m.viscosity_where = place(node.child("dynamic_viscosity"));
   for (const DeckNode* object : node.all("geom_object"))

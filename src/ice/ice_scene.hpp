@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "eos/ideal_gas.hpp"
 #include "framework/scene/scene.hpp"
+#include "ice/fluid.hpp"
 
 namespace sluice::ice {
 
 struct IceMaterial {
   std::string name;
   int index = 0;
-  eos::IdealGas gas;
+  Fluid fluid;
   double viscosity = 0;  // dynamic, Pa s
   std::vector<GeomObject> objects;
   Location where, viscosity_where;

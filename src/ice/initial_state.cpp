@@ -52,8 +52,8 @@ void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& leve
   evaluate(f.temperature, level, fill.cells, fill.temperature);
   for (std::size_t d = 0; d < 3; ++d) evaluate(f.velocity[d], level, fill.cells, fill.velocity[d]);
   for (std::size_t n = 0; n < fill.density.size(); ++n)
-    fill.pressure[n] = m.gas.pressure(
-        fill.density[n], m.gas.energy_from_temperature(fill.density[n], fill.temperature[n]));
+    fill.pressure[n] = m.fluid.pressure(
+        fill.density[n], m.fluid.energy_from_temperature(fill.density[n], fill.temperature[n]));
   evaluate(f.pressure, level, fill.cells, fill.pressure);
 }
 
@@ -123,9 +123,9 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
     v->assign(count, 0.0);
   apply_objects(material, level, fill);
   for (std::size_t n = 0; n < count; ++n)
-    fill.pressure[n] = material.gas.pressure(
+    fill.pressure[n] = material.fluid.pressure(
         fill.density[n],
-        material.gas.energy_from_temperature(fill.density[n], fill.temperature[n]));
+        material.fluid.energy_from_temperature(fill.density[n], fill.temperature[n]));
   if (scene.formula) apply_formula(*scene.formula, material, level, fill);
   if (hydrostatic) apply_hydrostatics(constants, coarsest, level, fill);
   check_admissible(material, fill);

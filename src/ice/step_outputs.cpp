@@ -1,4 +1,5 @@
 // Saved labels that only exist inside a step.
+#include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
 
@@ -22,13 +23,12 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
       list.task("save " + labels().pressure_change.name(), effect_saved_intermediates);
   const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
   const Out out = task.write(list.output(labels().pressure_change, 0));
-  const eos::IdealGas gas = o.gas;
+  const Fluid fluid = o.fluid;
   task.kernel([=](const Row& row) {
     const double* before = row(p);
-    const double* r = row(rho);
-    const double* e = row(E);
     double* change = row(out);
-    for (int i = 0; i < row.count(); ++i) change[i] = gas.pressure(r[i], e[i]) - before[i];
+    pressure_row(fluid, row.count(), row(rho), row(E), change);
+    for (int i = 0; i < row.count(); ++i) change[i] -= before[i];
   });
 }
 

@@ -3,7 +3,7 @@
 //   u_L = u_a + su_a/2 - (h/rho_a) sp_a - UT_a      p_L = P_a + (1/2 + h u_a) sp_a
 //   u_R = u_b - su_b/2 - (h/rho_b) sp_b - UT_b      p_R = P_b - (1/2 - h u_b) sp_b
 // (h u only in 2-D and 3-D: the states are Lagrangian along d, Eulerian across it), floored at a
-// tenth of the cell's pressure. Impedances of Dukowicz, J. Comput. Phys. 61 (1985) 119, with one
+// tenth of the cell's pressure above the lowest one of its law. Impedances of Dukowicz, J. Comput. Phys. 61 (1985) 119, with one
 // correction; A = shock slope dUs/du:
 //   z_L = rho_a (c_a + A/2 max(0,du)), z_R alike;  u0 = ((z_L u_L + z_R u_R) + (p_L-p_R))/(z_L+z_R)
 //   z_L = rho_a (c_a + A max(0,u_L-u0)),  z_R = rho_b (c_b + A max(0,u0-u_R))
@@ -57,6 +57,7 @@ struct FaceConstants {
   double half_courant = 0;  // h = dt/(2 dx)
   double g_dx = 0;
   double shock_slope = 1;
+  double pi = 0;  // minus the lowest pressure of the law
 };
 
 // Rows of the two cells of each face: a on the low side, b on the high side.
@@ -95,7 +96,7 @@ struct FaceRows {
         p = Pa[i] + (0.5 + k.half_courant * ua[i]) * spa[i];
         if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i]);
       }
-      p = larger(p, 0.1 * pa[i]);
+      p = larger(p, 0.1 * (pa[i] + k.pi) - k.pi);
     }
     if constexpr (Gravity) p += 0.5 * k.g_dx * ra[i];
     return {u, p};
@@ -110,7 +111,7 @@ struct FaceRows {
         p = Pb[i] - (0.5 - k.half_courant * ub[i]) * spb[i];
         if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i]);
       }
-      p = larger(p, 0.1 * pb[i]);
+      p = larger(p, 0.1 * (pb[i] + k.pi) - k.pi);
     }
     if constexpr (Gravity) p -= 0.5 * k.g_dx * rb[i];
     return {u, p};
@@ -177,13 +178,15 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     const auto face = static_cast<std::size_t>(axis);
     h.face_velocity = task.write(v.face_velocity[face]);
     h.face_pressure = task.write(v.face_pressure[face]);
+    const double shock_slope = o.fluid.shock_slope(), pi = -o.fluid.lowest_pressure();
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double dx = row.step().spacing[direction];
         FaceConstants k;
         k.half_courant = 0.5 * row.step().dt / dx;
         k.g_dx = o.gravity[direction] * dx;
-        k.shock_slope = o.gas.shock_slope();
+        k.shock_slope = shock_slope;
+        k.pi = pi;
         if (o.second_order && o.gravity_on)
           face_row<D, true, true>(row, h, axis, k, o);
         else if (o.second_order)

@@ -9,6 +9,7 @@
 // energy that the cell gains is taken away: no kinetic energy is ever subtracted. Viscous stress
 // adds its own defect, sum_d l_d [t_f+ . (u_f+ - ub) - t_f- . (u_f- - ub)] with t_f the stress
 // vector on the face and u_f the mean of the two cells: friction becomes heat, exactly.
+#include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/impulse.hpp"
 #include "ice/limiters.hpp"
@@ -20,7 +21,7 @@ struct Handles {
   In inverse_rho, velocity, energy;
   std::array<In, 3> face_velocity;
   ImpulseHandles forces;
-  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
+  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
 };
 
 template <int D, int C>
@@ -148,12 +149,16 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.energy_star = task.write(v.energy_star);
   h.courant = task.write(v.courant);
   h.inverse_courant = task.write(v.inverse_courant);
+  const bool scaled = o.fluid.ideal() == nullptr;
+  if (scaled) h.energy_scale = task.write(v.energy_scale);
   h.forces.impulse = task.write(v.impulse);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       momentum_rows<D, C>(row, h, s, o.viscous);
       energy_rows<D, C>(row, h, s, o.viscous);
+      if (scaled)
+        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));
     });
   });
 }

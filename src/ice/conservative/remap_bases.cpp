@@ -4,7 +4,7 @@
 //   put_t: + h rho su_t for rho; + h (E + p) su_t for E; + h (sp_t/rho + g_t dx_t) for u_t only
 // The terms put half of the transverse Lagrangian change back, so that the face value is that of
 // the middle of the step; without them the order falls to one. rho and E are floored at a tenth
-// of their Lagrangian value.
+// of their Lagrangian value, E of a law with another zero at E_L - .9 (p + pi)/G.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Handles {
   In rho, energy, velocity, pressure, inverse_rho, velocity_slope, pressure_slope, mask;
-  In rho_L, energy_L, velocity_L;
+  In rho_L, energy_L, velocity_L, energy_scale;
   std::array<Out, 3> base;
 };
 
@@ -49,9 +49,21 @@ inline double advected(const Quantity& q, const Context& x, int t, int i) {
          central_slope(q.centre[i] - q.minus[t][i], q.plus[t][i] - q.centre[i]);
 }
 
+struct NoFloor {
+  double operator()(double value, int /*i*/) const { return value; }
+};
+struct TenthOf {
+  const double* L;
+  double operator()(double value, int i) const { return larger(value, 0.1 * L[i]); }
+};
+struct BelowBy {  // at most .9 scales below L
+  const double *L, *scale;
+  double operator()(double value, int i) const { return larger(value, L[i] - 0.9 * scale[i]); }
+};
+
 // base_d = L - sum of the others' changes; `change(t, i)` is the whole bracket above.
-template <int D, bool Masked, class Change>
-void write_bases(const Context& x, const double* __restrict L, double* const* out, double floor,
+template <int D, bool Masked, class Floor, class Change>
+void write_bases(const Context& x, const double* __restrict L, double* const* out, Floor floor,
                  Change change) {
   double* __restrict b0 = out[0];
   double* __restrict b1 = out[1];
@@ -59,24 +71,21 @@ void write_bases(const Context& x, const double* __restrict L, double* const* ou
 #pragma GCC ivdep
   for (int i = 0; i < x.n; ++i) {
     const double m = Masked ? x.mask[i] : 1.0;
-    const double bound = floor * L[i];
     const double t0 = m * change(0, i), t1 = m * change(1, i);
     if constexpr (D == 2) {
-      const double r0 = L[i] - t1, r1 = L[i] - t0;
-      b0[i] = floor > 0 ? larger(r0, bound) : r0;
-      b1[i] = floor > 0 ? larger(r1, bound) : r1;
+      b0[i] = floor(L[i] - t1, i);
+      b1[i] = floor(L[i] - t0, i);
     } else {
       const double t2 = m * change(2, i);
-      const double r0 = L[i] - (t1 + t2), r1 = L[i] - (t0 + t2), r2 = L[i] - (t0 + t1);
-      b0[i] = floor > 0 ? larger(r0, bound) : r0;
-      b1[i] = floor > 0 ? larger(r1, bound) : r1;
-      b2[i] = floor > 0 ? larger(r2, bound) : r2;
+      b0[i] = floor(L[i] - (t1 + t2), i);
+      b1[i] = floor(L[i] - (t0 + t2), i);
+      b2[i] = floor(L[i] - (t0 + t1), i);
     }
   }
 }
 
 template <int D, int C, bool Masked>
-void base_rows(const Row& row, const Handles& h, const Axes& axes, Vec3 gravity) {
+void base_rows(const Row& row, const Handles& h, const Axes& axes, Vec3 gravity, bool scaled) {
   Context x;
   x.n = row.count();
   x.mask = Masked ? row(h.mask) : nullptr;
@@ -96,20 +105,27 @@ void base_rows(const Row& row, const Handles& h, const Axes& axes, Vec3 gravity)
   double* out[3];
   outputs(0, out);
   const Quantity rho = quantity<D>(row, h.rho, 0);
-  write_bases<D, Masked>(x, row(h.rho_L), out, 0.1, [&](int t, int i) {
+  const double* rho_L = row(h.rho_L);
+  write_bases<D, Masked>(x, rho_L, out, TenthOf{rho_L}, [&](int t, int i) {
     return advected(rho, x, t, i) - x.h[t] * rho.centre[i] * su[t][i];
   });
   outputs(1, out);
   const Quantity E = quantity<D>(row, h.energy, 0);
   const double* p = row(h.pressure);
-  write_bases<D, Masked>(x, row(h.energy_L), out, 0.1, [&](int t, int i) {
+  const auto change_of_energy = [&](int t, int i) {
     return advected(E, x, t, i) - x.h[t] * (E.centre[i] + p[i]) * su[t][i];
-  });
+  };
+  const double* energy_L = row(h.energy_L);
+  if (scaled)
+    write_bases<D, Masked>(x, energy_L, out, BelowBy{energy_L, row(h.energy_scale)},
+                           change_of_energy);
+  else
+    write_bases<D, Masked>(x, energy_L, out, TenthOf{energy_L}, change_of_energy);
   const double* w = row(h.inverse_rho);
   for (int c = 0; c < C; ++c) {
     outputs(2 + c, out);
     const Quantity u = quantity<D>(row, h.velocity, c);
-    write_bases<D, Masked>(x, row(h.velocity_L, c), out, 0.0, [&](int t, int i) {
+    write_bases<D, Masked>(x, row(h.velocity_L, c), out, NoFloor{}, [&](int t, int i) {
       const double put = t == c ? x.h[t] * (w[i] * sp[t][i] + x.g_dx[t]) : 0.0;
       return advected(u, x, t, i) - put;
     });
@@ -133,6 +149,8 @@ void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptio
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);
   h.velocity_L = task.read(v.velocity_L);
+  const bool scaled = o.fluid.ideal() == nullptr;
+  if (scaled) h.energy_scale = task.read(v.energy_scale);
   for (int d = 0; d < o.axes.count; ++d)
     h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
   const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
@@ -140,9 +158,9 @@ void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptio
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
         if (o.masked)
-          base_rows<D, C, true>(row, h, o.axes, gravity);
+          base_rows<D, C, true>(row, h, o.axes, gravity, scaled);
         else
-          base_rows<D, C, false>(row, h, o.axes, gravity);
+          base_rows<D, C, false>(row, h, o.axes, gravity, scaled);
       });
   });
 }

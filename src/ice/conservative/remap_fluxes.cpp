@@ -5,6 +5,8 @@
 //   e_s   = base + s (1-nu)/2 Q3(D E;   nu, 2)/J, .1 E_L   <= e_s   <= E_L   (.75+.25 N)/N_
 //   F = H rho_s,  f = min(|F|/rho, .99),  U = base + s (1-f)/2 Q3(D u; f, 2)
 //   d2 = |U - v|^2,  K = -(1/2) d2/(1-f) d2/(d2 + .25 E_L/rho_L),  G = H e_s + F K
+// (laws other than ideal gases: E_L - .9 S <= e_s <= E_L + S ((.75+.25 N)/N_ - 1) with the energy
+// scale S = (p_L + pi)/G in place of E_L, also in K)
 // with differences D of the old state, v the donor's Lagrangian velocity. Only the density has the
 // sharp bound 2/N: it keeps contacts in slow flow two to three cells wide, while a sharp bound on
 // energy or velocity would empty cold cells of energy. K, the correction of the kinetic-energy
@@ -17,7 +19,7 @@ namespace {
 
 struct Handles {
   In rho, energy, velocity, inverse_rho, face_velocity, mask;
-  In inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, base;
+  In inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, base, energy_scale;
   Out flux;
 };
 
@@ -38,7 +40,7 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
   return upwind_slope(left ? high : low, middle, nu, B);
 }
 
-template <int D, int C, bool Second, bool Masked>
+template <int D, int C, bool Second, bool Masked, bool Scaled>
 void flux_row(const Row& row, const Handles& h, int axis, double l) {
   const int n = row.count();
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
@@ -50,6 +52,8 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
   const double* __restrict rLb = row(h.rho_L);
   const double* __restrict ELa = a(h.energy_L);
   const double* __restrict ELb = row(h.energy_L);
+  const double* __restrict sca = Scaled ? a(h.energy_scale) : ELa;
+  const double* __restrict scb = Scaled ? row(h.energy_scale) : ELb;
   const double* __restrict Na = a(h.courant);
   const double* __restrict Nb = row(h.courant);
   const double* __restrict iNa = a(h.inverse_courant);
@@ -88,6 +92,7 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
     const double iJ = left ? iJb[i] : iJa[i];
     const double rL = left ? rLb[i] : rLa[i];
     const double EL = left ? ELb[i] : ELa[i];
+    const double sc = Scaled ? (left ? scb[i] : sca[i]) : EL;
     double rs = left ? rBb[i] : rBa[i];
     double es = left ? EBb[i] : EBa[i];
     const double m = Masked ? (left ? mb[i] : ma[i]) : 1.0;
@@ -99,7 +104,10 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
       rs += weight * donor_slope(R, i, left, nu, 2.0 * iN);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
-      es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
+      if constexpr (Scaled)
+        es = smaller(larger(es, EL - 0.9 * sc), EL + sc * ((0.75 + 0.25 * N) * iN - 1.0));
+      else
+        es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
     }
     const double flow = H * rs;
     const double f = smaller(std::fabs(flow) * (left ? wb[i] : wa[i]), 0.99);
@@ -115,10 +123,20 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
     }
     if constexpr (C > D) d2 += carried;
     // K = -(1/2) d2^2 rho_L / ((1-f)(d2 rho_L + E_L/4))
-    const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * EL));
+    const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * sc));
     F[i] = flow;
     G[i] = H * es + flow * K;
   }
+}
+
+template <int D, int C, bool Scaled>
+void flux_row_of(const Row& row, const Handles& h, int axis, double l, const SchemeOptions& o) {
+  if (!o.second_order)
+    flux_row<D, C, false, false, Scaled>(row, h, axis, l);
+  else if (o.masked)
+    flux_row<D, C, true, true, Scaled>(row, h, axis, l);
+  else
+    flux_row<D, C, true, false, Scaled>(row, h, axis, l);
 }
 
 }  // namespace
@@ -145,6 +163,8 @@ void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOpti
     h.rho_L = task.read(v.rho_L, both);
     h.energy_L = task.read(v.energy_L, both);
     h.velocity_L = task.read(v.velocity_L, both);
+    const bool scaled = o.fluid.ideal() == nullptr;
+    if (scaled) h.energy_scale = task.read(v.energy_scale, both);
     h.courant = task.read(v.courant, both);
     h.inverse_courant = task.read(v.inverse_courant, both);
     if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[face], both);
@@ -152,12 +172,10 @@ void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOpti
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
-        if (!o.second_order)
-          flux_row<D, C, false, false>(row, h, axis, l);
-        else if (o.masked)
-          flux_row<D, C, true, true>(row, h, axis, l);
+        if (scaled)
+          flux_row_of<D, C, true>(row, h, axis, l, o);
         else
-          flux_row<D, C, true, false>(row, h, axis, l);
+          flux_row_of<D, C, false>(row, h, axis, l, o);
       });
     });
   }

@@ -12,7 +12,7 @@ namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In rho, momentum, impulse, velocity_L, energy_star, inverse_J;
+  In rho, momentum, impulse, velocity_L, energy_star, inverse_J, energy_scale;
   std::array<In, 3> flux;
   RateHandles next;  // the new state
 };
@@ -86,8 +86,19 @@ void update_row(const Row& row, const Handles& h) {
   }
 }
 
-void check_row(const Row& row, const Handles& h, const Axes& axes) {
+// An ideal gas needs a positive energy, any other law says itself what it bears.
+void check_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   const auto inverse = [](double x) { return 1.0 / x; };
+  const Axes& axes = o.axes;
+  if (o.fluid.ideal() == nullptr) {
+    admissible_row(o.fluid, row.count(), row(h.next.rho), row(h.next.energy),
+                   row(h.next.closure, 2));
+    return admissible_row<4>(row, axes,
+                             {{{row(h.next.rho), fault_density},
+                               {row(h.inverse_J), fault_volume, inverse},
+                               {row(h.next.closure, 2), fault_state},
+                               {row(h.energy_scale), fault_energy}}});
+  }
   admissible_row<4>(row, axes,
                     {{{row(h.next.rho), fault_density},
                       {row(h.inverse_J), fault_volume, inverse},
@@ -113,6 +124,9 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
   h.next.rho = task.write(v.rho_new);
   h.next.momentum = task.write(v.momentum_new);
   h.next.energy = task.write(v.energy_new);
+  if (o.fluid.ideal() != nullptr) return h;
+  h.energy_scale = task.read(v.energy_scale);
+  h.next.closure = task.write(v.closure);
   return h;
 }
 
@@ -124,7 +138,7 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_row<D, C>(row, h);
-      check_row(row, h, o.axes);
+      check_row(row, h, o);
       rates_of_row<D>(row, h.next, o);
     });
   });

@@ -50,6 +50,10 @@ SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptio
   v.rho_L = list.temporary("Lagrangian density");
   v.energy_L = list.temporary("Lagrangian energy");
   v.velocity_L = list.temporary("Lagrangian velocity", C);
+  if (o.fluid.ideal() == nullptr) {
+    v.energy_scale = list.temporary("energy scale");
+    v.closure = list.temporary("closure of the new state", 3);
+  }
   v.courant = list.temporary("outflow Courant number");
   v.inverse_courant = list.temporary("1/outflow Courant number");
   return v;

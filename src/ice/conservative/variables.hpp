@@ -5,9 +5,9 @@
 #pragma once
 #include <array>
 
-#include "eos/ideal_gas.hpp"
 #include "framework/grid/index_box.hpp"
 #include "framework/task/task.hpp"
+#include "ice/fluid.hpp"
 
 namespace sluice {
 class LevelCoverage;
@@ -22,7 +22,7 @@ struct SchemeOptions {
   Axes axes;
   int components = 1;                     // of momentum, axes.count <= components <= 3
   std::array<int, 3> direction{0, 1, 2};  // level direction of each component
-  eos::IdealGas gas;
+  Fluid fluid;
   bool classic = false;  // the classic form, see classic/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
@@ -58,6 +58,8 @@ struct SchemeVariables {
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
+  VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
+  VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
@@ -87,7 +89,13 @@ struct StepSlots {
   static constexpr int sums_with_gravity = 12;
 };
 
-enum FaultKind { fault_density = 0, fault_energy = 1, fault_volume = 2, fault_outflow = 3 };
+enum FaultKind {
+  fault_density = 0,
+  fault_energy = 1,
+  fault_volume = 2,
+  fault_outflow = 3,
+  fault_state = 4
+};
 
 // Calls f.operator()<D, C>() for D active axes and C momentum components.
 template <class F>

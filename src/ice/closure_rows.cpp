@@ -1,0 +1,70 @@
+// Row loops over every law.
+#include "ice/closure_rows.hpp"
+
+#include <cmath>
+#include <type_traits>
+
+namespace sluice::ice {
+
+void pressure_and_modulus_row(const Fluid& fluid, int n, const double* __restrict rho,
+                              const double* __restrict rho_e, double* __restrict p,
+                              double* __restrict K) {
+  std::visit(
+      [&](const auto& law) {
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) {
+          p[i] = law.pressure(rho[i], rho_e[i]);
+          K[i] = law.bulk_modulus(rho[i], p[i]);
+        }
+      },
+      fluid.law);
+}
+
+void pressure_row(const Fluid& fluid, int n, const double* __restrict rho,
+                  const double* __restrict rho_e, double* __restrict p) {
+  std::visit(
+      [&](const auto& law) {
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) p[i] = law.pressure(rho[i], rho_e[i]);
+      },
+      fluid.law);
+}
+
+void modulus_row(const Fluid& fluid, int n, const double* __restrict rho,
+                 const double* __restrict p, double* __restrict K) {
+  std::visit(
+      [&](const auto& law) {
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) K[i] = law.bulk_modulus(rho[i], p[i]);
+      },
+      fluid.law);
+}
+
+void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
+                      const double* __restrict rho_e, double* __restrict scale) {
+  std::visit(
+      [&](const auto& law) {
+        const double pi = -law.lowest_pressure();
+        if constexpr (std::decay_t<decltype(law)>::depends_on_energy) {
+#pragma GCC ivdep
+          for (int i = 0; i < n; ++i)
+            scale[i] = (law.pressure(rho[i], rho_e[i]) + pi) * rho[i] / law.dp_de(rho[i], rho_e[i]);
+        } else {
+#pragma GCC ivdep
+          for (int i = 0; i < n; ++i) scale[i] = rho[i] * law.thermal_energy(rho[i], rho_e[i]);
+        }
+      },
+      fluid.law);
+}
+
+void admissible_row(const Fluid& fluid, int n, const double* __restrict rho,
+                    const double* __restrict rho_e, double* __restrict admissible) {
+  std::visit(
+      [&](const auto& law) {
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) admissible[i] = law.admissible(rho[i], rho_e[i]) ? 1.0 : 0.0;
+      },
+      fluid.law);
+}
+
+}  // namespace sluice::ice
