@@ -221,5 +221,25 @@ TEST(Obsolete, TagsMapOrDropWithOneWarningEach) {
   EXPECT_EQ(to_xml(*deck.root), before);
 }
 
+TEST(Obsolete, WhatHasNoEffectIsToldOfByLineAndStays) {
+  Deck deck = read_deck_text(
+      "<Uintah_specification>\n"
+      "<LoadBalancer type='DLB'>\n"
+      "<gainThreshold>0.1</gainThreshold>\n"
+      "<costAlgorithm>Model</costAlgorithm>\n"
+      "</LoadBalancer>\n"
+      "</Uintah_specification>",
+      "balanced.ups");
+  const std::string before = to_xml(*deck.root);
+  drop_obsolete(*deck.root, deck.faults);
+  EXPECT_EQ(to_xml(*deck.root), before);
+  ASSERT_EQ(deck.faults.size(), 2u);
+  EXPECT_EQ(deck.faults[0].severity, Severity::warning);
+  EXPECT_EQ(deck.faults[0].where.line, 2);
+  EXPECT_EQ(deck.faults[0].message, "<LoadBalancer type> has no effect");
+  EXPECT_EQ(deck.faults[1].where.line, 4);
+  EXPECT_EQ(deck.faults[1].message, "<costAlgorithm> has no effect");
+}
+
 }  // namespace
 }  // namespace sluice

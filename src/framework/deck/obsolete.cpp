@@ -1,5 +1,5 @@
-// The closed table of obsolete tags and values: each maps to today's form or is dropped, with one
-// warning that names its place. What stands in no row and no schema is an error.
+// The closed table of obsolete tags and values: each maps to today's form, is dropped, or stays and
+// does nothing, with one warning that names its place. What is in no row and no schema is an error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +11,17 @@
 namespace sluice {
 namespace {
 
-enum class Action { drop, rename, change_value, change_attribute, whole_number };
+enum class Action { drop, rename, change_value, change_attribute, whole_number, no_effect };
 
 struct Row {
   const char* path;  // the last parts of the tag's path
   Action action;
-  const char* from;  // value, or attribute=value, that must be there
+  const char* from;  // value, attribute=value or attribute that must be there
   const char* to;    // new name, value or attribute=value
   const char* reason;
 };
+
+constexpr const char* measured_cost = "boxes are dealt out to ranks by measured cost";
 
 // clang-format off
 constexpr Row table[] = {
@@ -81,6 +83,9 @@ class Updater {
         case Action::whole_number:
           make_whole(node, row);
           break;
+        case Action::no_effect:
+          tell_of_no_effect(node, row);
+          break;
       }
     }
     return false;
@@ -98,6 +103,13 @@ class Updater {
            row.reason);
       text = row.to;
     }
+  }
+
+  // A tag, or one attribute of it.
+  void tell_of_no_effect(const DeckNode& node, const Row& row) {
+    if (row.from != nullptr && !node.attribute(row.from)) return;
+    const std::string attribute = row.from == nullptr ? "" : " " + std::string(row.from);
+    warn(node, fmt::format("<{}{}> has no effect", node.name, attribute), row.reason);
   }
 
   // An integer attribute written as a real number: 4.0.

@@ -98,7 +98,8 @@ TagSpec error_estimate() {
                         attribute("tolerance", "largest error, as a share of the variable's range")
                             .once()
                             .real()
-                            .above(0)});
+                            .above(0)
+                            .at_most(1)});
 }
 
 TagSpec cost(const std::string& name, const std::string& doc) {

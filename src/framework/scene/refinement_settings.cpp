@@ -255,10 +255,10 @@ void read_errors(const DeckNode& amr, RefinementSettings& s, std::vector<Fault>&
       e.where = node->where;
       if (e.label.empty())
         throw InputError("<ErrorEstimate> has no variable; name one, as variable=\"rho_CC\"");
-      if (!(e.tolerance > 0))
+      if (!(e.tolerance > 0 && e.tolerance <= 1))
         throw InputError(fmt::format(
-            "<ErrorEstimate>: tolerance {}; it must be greater than 0, as tolerance=\"0.01\" for "
-            "one percent of the variable's range",
+            "<ErrorEstimate>: tolerance {}; it must be greater than 0 and at most 1, as "
+            "tolerance=\"0.01\" for one percent of the variable's range",
             e.tolerance));
       s.errors.push_back(std::move(e));
     });

@@ -263,6 +263,9 @@ TEST(RefinementSettings, RegionsAndErrorEstimates) {
   EXPECT_THAT(with("<ErrorEstimate tolerance=\"1\"/>").faults, HasSubstr("has no variable"));
   EXPECT_THAT(with("<ErrorEstimate variable=\"rho_CC\" tolerance=\"0\"/>").faults,
               HasSubstr("tolerance 0; it must be greater than 0"));
+  EXPECT_THAT(with("<ErrorEstimate variable=\"rho_CC\" tolerance=\"1.5\"/>").faults,
+              HasSubstr("tolerance 1.5; it must be greater than 0 and at most 1"));
+  EXPECT_EQ(with("<ErrorEstimate variable=\"rho_CC\" tolerance=\"1\"/>").faults, "");
   const Read idle = read("<AMR><Refine>" + box + "</Refine></AMR>");
   EXPECT_THAT(idle.faults, HasSubstr("warning: <Refine> has no effect"));
   EXPECT_TRUE(idle.settings.regions.empty());
