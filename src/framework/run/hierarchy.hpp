@@ -59,6 +59,9 @@ class Hierarchy {
   void reject();
   // The step that the physics allows next, as a step of the coarsest level.
   StepLimit step_limit() const;
+  // What it rests on, by level; a restart sets those of its checkpoint.
+  const std::vector<std::vector<double>>& rates() const { return maxima_; }
+  void set_rates(std::vector<std::vector<double>> rates) { maxima_ = std::move(rates); }
   // Of the first step of a run: no longer than one step of the finest level. What bursts at the
   // start is faster than its state at rest tells, and refined levels follow only afterwards.
   StepLimit first_step_limit() const;

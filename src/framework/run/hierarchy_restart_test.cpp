@@ -113,6 +113,18 @@ TEST_F(RestartOnLevels, KeepsMassesAcrossTheRestart) {
   EXPECT_LE(rest.worst_drift, 1e-14);
 }
 
+// Substeps of the deck as it is now, of the finest level's rate: 8 in a coarse step, or 1.
+TEST_F(RestartOnLevels, StepsInLockStepWhereTheDeckSaysSoNow) {
+  Scene scene = saving(adaptive_scene());
+  const RunReport half = run("half", scene, 7);
+  const double start = last_checkpoint(half).info().time;
+  const double subcycled = run("rest", scene, 8, half.archive.value()).time - start;
+  scene.refinement.lock_step = true;
+  const double locked = run("locked", scene, 8, half.archive.value()).time - start;
+  EXPECT_EQ(half.last_step, 7);
+  EXPECT_EQ(subcycled, 8 * locked);
+}
+
 // A run by hand, with the work of all cells in one corner of the domain.
 class HierarchyOnRanks : public OnLevels {};
 

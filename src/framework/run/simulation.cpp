@@ -17,15 +17,6 @@ namespace {
 
 constexpr int smaller_attempts = 20;  // halvings of a step before the run ends
 
-std::vector<std::string> conserved_names(const Component& component) {
-  std::vector<std::string> names;
-  for (int m = 0; m < component.material_count(); ++m)
-    names.push_back("mass of material " + std::to_string(m));
-  for (const char* d : {"x", "y", "z"}) names.push_back(std::string("momentum ") + d);
-  names.emplace_back("total energy");
-  return names;
-}
-
 ArchiveSetup archive_setup(const Scene& scene, const RunOptions& o) {
   ArchiveSetup setup;
   setup.parent = o.parent;
@@ -51,19 +42,13 @@ SolverOptions solver_options(const RunOptions& o) {
   return s;
 }
 
-ConservedTotal single(double q) {
-  ConservedTotal t;
-  t.add(q);
-  return t;
-}
+using Rates = std::vector<std::vector<double>>;
 
-void merge_ranks(ConservedTotal& total, Communicator& communicator) {
-  if (communicator.size() == 1) return;
-  Reduction all;
-  const auto sum = all.add_sum(total.sum), magnitude = all.add_sum(total.magnitude);
-  communicator.reduce(all);
-  total.sum = all.sum(sum);
-  total.magnitude = all.sum(magnitude);
+bool all_finite(const Rates& rates) {
+  for (const std::vector<double>& level : rates)
+    for (double rate : level)
+      if (!std::isfinite(rate)) return false;
+  return true;
 }
 
 }  // namespace
@@ -82,37 +67,6 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
 
 Simulation::~Simulation() = default;
 
-Totals Simulation::totals() {
-  Totals t;
-  hierarchy_.add_totals(t);
-  for (ConservedTotal& m : t.mass) merge_ranks(m, communicator_);
-  for (ConservedTotal& m : t.momentum) merge_ranks(m, communicator_);
-  merge_ranks(t.internal_energy, communicator_);
-  merge_ranks(t.kinetic_energy, communicator_);
-  return t;
-}
-
-void Simulation::set_totals(bool at_start) {
-  const Totals t = totals();
-  int q = 0;
-  auto set = [&](const ConservedTotal& total) {
-    if (at_start) conservation_.set_start(q, total);
-    conservation_.set_now(q++, total);
-  };
-  step_start_ = {};
-  for (const ConservedTotal& m : t.mass) {
-    set(m);
-    step_start_.mass.push_back(m.sum.value());
-  }
-  for (int d = 0; d < 3; ++d) {
-    set(t.momentum[d]);
-    step_start_.momentum[d] = t.momentum[d].sum.value();
-  }
-  ConservedTotal energy = t.internal_energy;
-  energy.merge(t.kinetic_energy);
-  set(energy);
-}
-
 void Simulation::restart_from(const ArchiveStep& checkpoint) {
   hierarchy_.restore(checkpoint);
   const std::map<std::string, std::string>& kept = checkpoint.info().state;
@@ -122,8 +76,22 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   ledger_ = EventLedger::from_json(nlohmann::json::parse(kept.at("events")));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
     analysis_.restore(sampled->second);
-  limit_.dt = time_.state().physics_dt;
-  limit_.reason = "checkpoint";
+  limit_ = limit_at_restart(kept);
+  time_.remember_physics_dt(limit_.dt);
+}
+
+// Of the rates that the checkpoint keeps, with the cfl and the substeps of the deck as it is now. A
+// state alone does not tell them: those of face velocities are of the step before.
+StepLimit Simulation::limit_at_restart(const std::map<std::string, std::string>& kept) {
+  const auto found = kept.find("rates");
+  Rates rates = found == kept.end() ? Rates() : Rates(nlohmann::json::parse(found->second));
+  rates.resize(static_cast<std::size_t>(hierarchy_.possible_levels()));
+  for (int l = 0; l < hierarchy_.level_count(); ++l)
+    if (static_cast<int>(rates[static_cast<std::size_t>(l)].size()) !=
+        component_.reduction_maxima())
+      return {time_.state().physics_dt, "checkpoint"};
+  hierarchy_.set_rates(std::move(rates));
+  return hierarchy_.step_limit();
 }
 
 void Simulation::start() {
@@ -183,6 +151,8 @@ StepInfo Simulation::step_info() const {
   info.state["time"] = to_json_text(t);
   info.state["conservation"] = conservation_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
+  if (all_finite(hierarchy_.rates()))
+    info.state["rates"] = nlohmann::json(hierarchy_.rates()).dump();
   if (analysis_.any()) info.state["analysis"] = analysis_.state();
   if (const std::string regrid = hierarchy_.regrid_state(); !regrid.empty())
     info.state["regrid"] = regrid;
@@ -255,23 +225,6 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
       fail(plan, result);
     }
   }
-}
-
-void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
-  const bool joined = hierarchy_.possible_levels() > 1;
-  const StepBalance b = component_.balance(sums, joined ? nullptr : &step_start_, plan.dt);
-  int q = 0;
-  for (std::size_t m = 0; m < b.mass.size(); ++m) {
-    conservation_.add_boundary(q++, single(b.mass[m]));
-    step_start_.mass[m] += b.mass[m];
-  }
-  for (int d = 0; d < 3; ++d) {
-    conservation_.add_boundary(q, single(b.momentum[d]));
-    conservation_.add_sources(q++, single(b.momentum_of_forces[d]));
-    step_start_.momentum[d] += b.momentum[d] + b.momentum_of_forces[d];
-  }
-  conservation_.add_boundary(q, single(b.energy));
-  conservation_.add_sources(q, single(b.energy_of_forces));
 }
 
 void Simulation::sample_levels() {
@@ -373,18 +326,6 @@ RunReport Simulation::run() {
   }
   if (output_ != nullptr) output_->finish(to_json(r).dump(2) + "\n");
   return r;
-}
-
-// By conserved quantity: the momentum that the energy could carry; others are what they are.
-std::vector<double> Simulation::natural_sizes() const {
-  const int masses = component_.material_count(), energy = masses + 3;
-  double mass = 0;
-  for (int m = 0; m < masses; ++m) mass += std::fabs(conservation_.now(m));
-  std::vector<double> natural(static_cast<std::size_t>(conservation_.count()), 0.0);
-  for (int d = 0; d < 3; ++d)
-    natural[static_cast<std::size_t>(masses + d)] =
-        std::sqrt(2 * mass * std::fabs(conservation_.now(energy)));
-  return natural;
 }
 
 RunReport Simulation::report() const {

@@ -47,6 +47,7 @@ class Simulation {
  private:
   void start();
   void restart_from(const ArchiveStep& checkpoint);
+  StepLimit limit_at_restart(const std::map<std::string, std::string>& kept);
   bool step();  // false when the run has ended
   std::vector<Label> labels_to_store(const StepPlan& plan) const;
   StepPlan advance(StepPlan plan, CycleResult& result);
@@ -55,6 +56,7 @@ class Simulation {
   void prepare_next(const StepPlan& plan, const StepEnd& end);
   void sample_levels();
   void flush_samples();
+  static std::vector<std::string> conserved_names(const Component& component);
   Totals totals();
   void set_totals(bool at_start);
   StepInfo step_info() const;

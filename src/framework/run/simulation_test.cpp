@@ -152,6 +152,23 @@ TEST_F(Runs, ARestartOnOtherBoxesGivesTheSameBits) {
   EXPECT_EQ(rest.conservation_json, whole.conservation_json);
 }
 
+TEST_F(Runs, ARestartStepsAsTheDeckSaysNow) {
+  const Scene scene = saving_tube();
+  RunOptions o = options("half");
+  o.limits.max_steps = 10;
+  const RunReport half = run(scene, mock(scene), o);
+  o = options("rest");
+  o.restart = half.archive.value();
+  o.limits.max_steps = 10;  // one step from the checkpoint of step 9
+  MockComponent slower = mock(scene);
+  slower.greed = 0.25;
+  const RunReport rest = run(scene, slower, o);
+  EXPECT_EQ(rest.steps, 1);
+  const double cell = scene.grid.levels.front().spacing.x;
+  EXPECT_EQ(half.time, 10 * 0.5 * cell);
+  EXPECT_EQ(rest.time, 9 * 0.5 * cell + 0.25 * cell);
+}
+
 TEST_F(Runs, UnknownLabelsAreRefusedWithTheNearestName) {
   Scene scene = saving_tube();
   scene.output.saves.front().label = "mock_flx";

@@ -1,0 +1,95 @@
+// What a run has of each conserved quantity, and what came in through boundaries and from sources.
+#include <cmath>
+
+#include "framework/run/simulation.hpp"
+
+namespace sluice {
+namespace {
+
+ConservedTotal single(double q) {
+  ConservedTotal t;
+  t.add(q);
+  return t;
+}
+
+void merge_ranks(ConservedTotal& total, Communicator& communicator) {
+  if (communicator.size() == 1) return;
+  Reduction all;
+  const auto sum = all.add_sum(total.sum), magnitude = all.add_sum(total.magnitude);
+  communicator.reduce(all);
+  total.sum = all.sum(sum);
+  total.magnitude = all.sum(magnitude);
+}
+
+}  // namespace
+
+std::vector<std::string> Simulation::conserved_names(const Component& component) {
+  std::vector<std::string> names;
+  for (int m = 0; m < component.material_count(); ++m)
+    names.push_back("mass of material " + std::to_string(m));
+  for (const char* d : {"x", "y", "z"}) names.push_back(std::string("momentum ") + d);
+  names.emplace_back("total energy");
+  return names;
+}
+
+Totals Simulation::totals() {
+  Totals t;
+  hierarchy_.add_totals(t);
+  for (ConservedTotal& m : t.mass) merge_ranks(m, communicator_);
+  for (ConservedTotal& m : t.momentum) merge_ranks(m, communicator_);
+  merge_ranks(t.internal_energy, communicator_);
+  merge_ranks(t.kinetic_energy, communicator_);
+  return t;
+}
+
+void Simulation::set_totals(bool at_start) {
+  const Totals t = totals();
+  int q = 0;
+  auto set = [&](const ConservedTotal& total) {
+    if (at_start) conservation_.set_start(q, total);
+    conservation_.set_now(q++, total);
+  };
+  step_start_ = {};
+  for (const ConservedTotal& m : t.mass) {
+    set(m);
+    step_start_.mass.push_back(m.sum.value());
+  }
+  for (int d = 0; d < 3; ++d) {
+    set(t.momentum[d]);
+    step_start_.momentum[d] = t.momentum[d].sum.value();
+  }
+  ConservedTotal energy = t.internal_energy;
+  energy.merge(t.kinetic_energy);
+  set(energy);
+}
+
+void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
+  const bool joined = hierarchy_.possible_levels() > 1;
+  const StepBalance b = component_.balance(sums, joined ? nullptr : &step_start_, plan.dt);
+  int q = 0;
+  for (std::size_t m = 0; m < b.mass.size(); ++m) {
+    conservation_.add_boundary(q++, single(b.mass[m]));
+    step_start_.mass[m] += b.mass[m];
+  }
+  for (int d = 0; d < 3; ++d) {
+    conservation_.add_boundary(q, single(b.momentum[d]));
+    conservation_.add_sources(q++, single(b.momentum_of_forces[d]));
+    step_start_.momentum[d] += b.momentum[d] + b.momentum_of_forces[d];
+  }
+  conservation_.add_boundary(q, single(b.energy));
+  conservation_.add_sources(q, single(b.energy_of_forces));
+}
+
+// By conserved quantity: the momentum that the energy could carry; others are what they are.
+std::vector<double> Simulation::natural_sizes() const {
+  const int masses = component_.material_count(), energy = masses + 3;
+  double mass = 0;
+  for (int m = 0; m < masses; ++m) mass += std::fabs(conservation_.now(m));
+  std::vector<double> natural(static_cast<std::size_t>(conservation_.count()), 0.0);
+  for (int d = 0; d < 3; ++d)
+    natural[static_cast<std::size_t>(masses + d)] =
+        std::sqrt(2 * mass * std::fabs(conservation_.now(energy)));
+  return natural;
+}
+
+}  // namespace sluice
