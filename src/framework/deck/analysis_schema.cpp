@@ -4,7 +4,10 @@
 namespace sluice {
 namespace {
 
-const std::vector<std::string> sampled = {"minMax", "lineExtract"};
+using Names = std::vector<std::string>;
+
+const Names sampled = {"minMax", "lineExtract", "planeExtract"};
+const Names with_variables = sampled;
 
 TagSpec analyze() {
   return tag("analyze", "a variable that is looked at")
@@ -13,21 +16,63 @@ TagSpec analyze() {
           {attribute("label", "name of the variable").once().text(),
            attribute("matl", "index of its material").integer().at_least(0),
            attribute("level", "indices of its levels").index_set(),
-           attribute("computeReynoldsStress", "accepted without effect").text(),
-           attribute("fluidVelocityLabel", "accepted without effect").text(),
-           attribute("weighting", "accepted without effect").words({"none", "nCells", "mass"})});
+           attribute("computeReynoldsStress", "statistics: also the covariances of its components")
+               .boolean(),
+           attribute("fluidVelocityLabel", "turbulentFluxes: this is the velocity").text(),
+           attribute("weighting", "how cells of a plane count: sum, mean, mean by <weight>")
+               .words({"none", "nCells", "mass"})});
+}
+
+TagSpec corner(const char* name, const char* doc) {
+  return tag(name, doc).once().vector().unit("length");
 }
 
 TagSpec line() {
   return tag("line", "a line along which values are taken")
       .at_least_once()
       .attribute(attribute("name", "name of the line and its files").once().text())
-      .with_children({tag("startingPt", "begin of the line").once().vector().unit("length"),
-                      tag("endingPt", "end of the line").once().vector().unit("length"),
+      .with_children({corner("startingPt", "begin of the line"),
+                      corner("endingPt", "end of the line"),
                       tag("stepSize", "distance of the points; absent: every cell")
                           .real()
                           .above(0)
                           .unit("length")});
+}
+
+TagSpec plane() {
+  return tag("plane", "a rectangle along two axes of which all cells are taken")
+      .at_least_once()
+      .attribute(attribute("name", "name of the plane and its files").once().text())
+      .with_children({corner("startingPt", "one corner"),
+                      corner("endingPt", "the opposite corner; one coordinate is the same")});
+}
+
+// Where modules look.
+Names names_of(const char* one) {
+  return {one};
+}
+std::vector<TagSpec> places() {
+  return {tag("lines", "where it is looked at")
+              .once()
+              .child(line())
+              .only_for("name", names_of("lineExtract")),
+          tag("planes", "where it is looked at")
+              .once()
+              .child(plane())
+              .only_for("name", names_of("planeExtract"))};
+}
+
+// When samples are taken.
+std::vector<TagSpec> times() {
+  return {
+      tag("samplingFrequency", "samples per unit of time")
+          .once()
+          .real()
+          .above(0)
+          .unit("1/time")
+          .only_for("name", sampled),
+      tag("timeStart", "begin of sampling").once().real().unit("time").only_for("name", sampled),
+      tag("timeStop", "end of sampling").once().real().unit("time").only_for("name", sampled)};
 }
 
 }  // namespace
@@ -36,41 +81,22 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(
-              attribute("name", "which analysis")
-                  .once()
-                  .words({"minMax", "lineExtract", "vorticity"})
-                  .not_built({"controlVolFluxes", "firstLawThermo", "flatPlate_heatFlux",
-                              "momentumAnalysis", "particleExtract", "planeAverage",
-                              "planeAvgTurbFluxes", "planeExtract", "radiometer", "spatialAvg",
-                              "statistics", "SGS_ReynoldsStress", "turbulentFluxes"}))
+          .attribute(attribute("name", "which analysis")
+                         .once()
+                         .words({"minMax", "lineExtract", "planeExtract", "vorticity"})
+                         .not_built({"controlVolFluxes", "firstLawThermo", "flatPlate_heatFlux",
+                                     "momentumAnalysis", "particleExtract", "planeAverage",
+                                     "planeAvgTurbFluxes", "radiometer", "spatialAvg", "statistics",
+                                     "SGS_ReynoldsStress", "turbulentFluxes"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
-                          tag("materialIndex", "index of the material").integer().at_least(0),
-                          tag("samplingFrequency", "samples per unit of time")
-                              .once()
-                              .real()
-                              .above(0)
-                              .unit("1/time")
-                              .only_for("name", sampled),
-                          tag("timeStart", "begin of sampling")
-                              .once()
-                              .real()
-                              .unit("time")
-                              .only_for("name", sampled),
-                          tag("timeStop", "end of sampling")
-                              .once()
-                              .real()
-                              .unit("time")
-                              .only_for("name", sampled),
-                          tag("Variables", "what is looked at")
+                          tag("materialIndex", "index of the material").integer().at_least(0)})
+          .with_children(times())
+          .with_children({tag("Variables", "what is looked at")
                               .once()
                               .child(analyze())
-                              .only_for("name", sampled),
-                          tag("lines", "where it is looked at")
-                              .once()
-                              .child(line())
-                              .only_for("name", {"lineExtract"})});
+                              .only_for("name", with_variables)})
+          .with_children(places());
   schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
 }
 

@@ -26,13 +26,13 @@ bool holds_sample(const std::string& text) {
   return false;
 }
 
+}  // namespace
+
 void make_folders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail_system("create folder", folder, error.value());
 }
-
-}  // namespace
 
 std::string lines_up_to(const std::string& text, int time_column, double time) {
   std::size_t kept = 0;

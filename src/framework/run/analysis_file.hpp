@@ -32,6 +32,9 @@ class AnalysisFile {
   std::string pending_;
 };
 
+// A folder and those above it, where they are not there yet.
+void make_folders(const std::filesystem::path& folder);
+
 // The part of a text up to and including the last whole line whose time is at most `time`.
 std::string lines_up_to(const std::string& text, int time_column, double time);
 

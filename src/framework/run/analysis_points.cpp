@@ -13,19 +13,8 @@ constexpr int time_column = 4;  // after X Y Z Timestep
 
 std::string header_line(const std::vector<AnalysedQuantity>& quantities) {
   std::string header = "# X Y Z Timestep Time";
-  for (const AnalysedQuantity& q : quantities)
-    for (int c = 0; c < q.components; ++c)
-      header += fmt::format(" {}_{}{}", q.label.name(), q.material,
-                            q.components == 1 ? "" : std::string(".") + "xyz"[c]);
+  for (const AnalysedQuantity& q : quantities) header += columns_of(q);
   return header + "\n";
-}
-
-// By box of a level: its number among the boxes of its owner.
-std::vector<int> local_numbers(const std::vector<GridBox>& boxes) {
-  std::vector<int> numbers;
-  std::map<int, int> next;  // by owner
-  for (const GridBox& b : boxes) numbers.push_back(next[b.owner]++);
-  return numbers;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "framework/deck/nearest_name.hpp"
 #include "framework/run/analysis_extremes.hpp"
 #include "framework/run/analysis_line.hpp"
+#include "framework/run/analysis_plane.hpp"
 
 namespace sluice {
 namespace {
@@ -17,10 +18,37 @@ constexpr std::size_t most_pending_lines = 50000;  // in memory before they are 
 
 // Names in an archive's folder that belong to others.
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string> others = {"MinMax",    "checkpoints", "index.xml",
-                                               "input.xml", "levels.txt",  "run.json"};
+  static const std::set<std::string> others = {"MinMax",    "planeAverage", "planarAveTurbFluxes",
+                                               "points",    "checkpoints",  "index.xml",
+                                               "input.xml", "levels.txt",   "run.json"};
   return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
                                     name.find_first_not_of("0123456789", 1) == name.npos);
+}
+
+// The modules that sample labels level by level; others are fields, or nothing at all.
+bool samples_levels(const std::string& module) {
+  static const std::set<std::string> names = {"minMax", "lineExtract", "planeExtract"};
+  return names.count(module) > 0;
+}
+
+std::unique_ptr<LevelSampler> line_sampler(const AnalysisModule& m, const Level& level,
+                                           std::vector<AnalysedQuantity> quantities) {
+  std::vector<SampledLine> lines;
+  for (const AnalysedLine& line : m.lines)
+    if (LineCells found = cells_on_line(line, level); !found.cells.empty())
+      lines.push_back({line.name, std::move(found.cells)});
+  if (lines.empty()) return nullptr;
+  return std::make_unique<PointsSampler>(level, std::move(quantities), lines);
+}
+
+std::unique_ptr<LevelSampler> plane_sampler(const AnalysisModule& m, const Level& level,
+                                            std::vector<AnalysedQuantity> quantities) {
+  std::vector<SampledPlane> planes;
+  for (const AnalysedPlane& plane : m.planes)
+    if (const PlaneCells found = cells_in_plane(plane, level); !found.cells.empty())
+      planes.push_back({plane.name, found.cells});
+  if (planes.empty()) return nullptr;
+  return std::make_unique<PlaneSampler>(level, std::move(quantities), planes);
 }
 
 void sort_once(std::vector<Label>& labels) {
@@ -39,11 +67,11 @@ bool sample_is_due(const AnalysisModule& m, std::optional<double> last, double t
 AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)
     : hierarchy_(&hierarchy), communicator_(&communicator) {
-  std::set<std::string> line_names;
+  std::set<std::string> names;
   for (const AnalysisModule& m : scene.analysis.modules) {
-    if (m.name != "minMax" && m.name != "lineExtract") continue;
+    if (!samples_levels(m.name)) continue;
     for (const AnalysedVariable& v : m.variables) find_quantity(v);  // also if on no level
-    check_lines(m, line_names);
+    check_places(m, names);
     Module module;
     module.settings = &m;
     for (int l = 0; l < hierarchy.possible_levels(); ++l)
@@ -74,22 +102,30 @@ std::vector<AnalysedQuantity> AnalysisRecorder::quantities_on(const AnalysisModu
   return quantities;
 }
 
-void AnalysisRecorder::check_lines(const AnalysisModule& m, std::set<std::string>& names) {
+void AnalysisRecorder::check_place(const char* kind, const std::string& name, const Location& where,
+                                   bool outside, bool clipped, std::set<std::string>& names) {
+  if (is_reserved(name) || !names.insert(name).second)
+    throw InputError(fmt::format(
+        "{}: <{} name=\"{}\">: another one or a part of the archive has this name; choose "
+        "another name",
+        to_string(where), kind, name));
+  if (outside)
+    warnings_.push_back(fmt::format("{}: {} '{}' lies outside the domain: nothing is taken",
+                                    to_string(where), kind, name));
+  else if (clipped)
+    warnings_.push_back(fmt::format("{}: {} '{}' leaves the domain: only the part inside is taken",
+                                    to_string(where), kind, name));
+}
+
+void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::string>& names) {
+  const Level& level = hierarchy_->level(0).level();
   for (const AnalysedLine& line : m.lines) {
-    if (is_reserved(line.name) || !names.insert(line.name).second)
-      throw InputError(
-          fmt::format("{}: <line name=\"{}\">: another line or a part of the archive "
-                      "has this name; choose another one",
-                      to_string(line.where), line.name));
-    const LineCells found = cells_on_line(line, hierarchy_->level(0).level());
-    if (found.cells.empty())
-      warnings_.push_back(fmt::format("{}: line '{}' lies outside the domain: nothing is taken",
-                                      to_string(line.where), line.name));
-    else if (found.clipped)
-      warnings_.push_back(
-          fmt::format("{}: line '{}' leaves the domain: only the part inside is "
-                      "taken",
-                      to_string(line.where), line.name));
+    const LineCells found = cells_on_line(line, level);
+    check_place("line", line.name, line.where, found.cells.empty(), found.clipped, names);
+  }
+  for (const AnalysedPlane& plane : m.planes) {
+    const PlaneCells found = cells_in_plane(plane, level);
+    check_place("plane", plane.name, plane.where, found.cells.empty(), found.clipped, names);
   }
 }
 
@@ -98,12 +134,8 @@ std::unique_ptr<LevelSampler> AnalysisRecorder::make_sampler(const AnalysisModul
   if (quantities.empty()) return nullptr;
   if (m.name == "minMax") return std::make_unique<ExtremesSampler>(l, quantities);
   const Level& level = hierarchy_->level(l).level();
-  std::vector<SampledLine> lines;
-  for (const AnalysedLine& line : m.lines)
-    if (LineCells found = cells_on_line(line, level); !found.cells.empty())
-      lines.push_back({line.name, std::move(found.cells)});
-  if (lines.empty()) return nullptr;
-  return std::make_unique<PointsSampler>(level, std::move(quantities), lines);
+  if (m.name == "planeExtract") return plane_sampler(m, level, std::move(quantities));
+  return line_sampler(m, level, std::move(quantities));
 }
 
 void AnalysisRecorder::open(const std::filesystem::path& folder) {

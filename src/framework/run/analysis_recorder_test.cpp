@@ -145,6 +145,26 @@ TEST_F(Recorded, ALineOutsideTheDomainIsToldOnceForAllLevels) {
   EXPECT_FALSE(exists("away"));
 }
 
+TEST_F(Recorded, PlanesAreClippedAndNeedNamesOfTheirOwn) {
+  AnalysisModule planes = module_of("planeExtract", {variable("mock_square")});
+  AnalysedPlane plane;
+  plane.name = "wall";
+  plane.start = {4, 0, 0.5};
+  plane.end = {6, 1, 0.5};
+  planes.planes = {plane};
+  scene_.analysis.modules = {planes};
+  AnalysisRecorder r = recorder();
+  EXPECT_THAT(r.warnings(), ElementsAre(HasSubstr("plane 'wall' leaves the domain")));
+  r.sample(7, 0.5);
+  r.flush();
+  EXPECT_THAT(text("wall/t00007/L-0/mock_square_0.dat"), HasSubstr("\n4.0625 0.5 0.5 "));
+  EXPECT_FALSE(exists("wall/t00007/L-1")) << "level 1 ends before";
+  for (const char* taken : {"planeAverage", "t00010", "MinMax"}) {
+    scene_.analysis.modules[0].planes[0].name = taken;
+    EXPECT_THROW(recorder(), InputError) << taken;
+  }
+}
+
 TEST_F(Recorded, UnknownLabelsAreRefusedOnWhateverLevel) {
   scene_.analysis.modules = {module_of("minMax", {variable("mock_squar", "1")})};
   try {

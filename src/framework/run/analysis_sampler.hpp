@@ -18,6 +18,12 @@ struct AnalysedQuantity {
   int components = 1;
 };
 
+// " label_0" or " label_0.x label_0.y label_0.z": the heads of its columns.
+std::string columns_of(const AnalysedQuantity& quantity);
+
+// By box of a level: its number among the boxes of its owner.
+std::vector<int> local_numbers(const std::vector<GridBox>& boxes);
+
 // The numbers that all ranks have packed.
 class RankNumbers {
  public:

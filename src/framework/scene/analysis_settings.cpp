@@ -28,6 +28,10 @@ void check_material(int index, const std::vector<std::string>& materials) {
                                  materials.size()));
 }
 
+Weighting weighting_of(const std::string& word) {
+  return word == "nCells" ? Weighting::cells : word == "mass" ? Weighting::mass : Weighting::none;
+}
+
 AnalysedVariable read_variable(const DeckNode& node, int default_material,
                                const std::vector<std::string>& materials) {
   AnalysedVariable v;
@@ -37,21 +41,41 @@ AnalysedVariable read_variable(const DeckNode& node, int default_material,
   v.material = integer_attribute(node, "matl").value_or(default_material);
   check_material(v.material, materials);
   v.levels = read_index_set(node.attribute("level").value_or(""));
+  v.weighting = weighting_of(node.attribute("weighting").value_or("none"));
+  v.reynolds_stress = true_attribute(node, "computeReynoldsStress");
+  v.fluid_velocity = node.attribute("fluidVelocityLabel").has_value() &&
+                     node.attribute("fluidVelocityLabel") != "false";
   return v;
 }
 
-AnalysedLine read_line(const DeckNode& node) {
-  AnalysedLine line;
-  line.where = node.where;
-  line.name = node.attribute("name").value_or("");
-  if (line.name.empty()) throw InputError("<line>: no name; its files are named after it");
-  if (line.name.find('/') != std::string::npos || line.name.front() == '.')
-    throw InputError(fmt::format("<line>: '{}' cannot be a folder's name", line.name));
-  line.start = node.vector("startingPt");
-  line.end = node.vector("endingPt");
-  line.step = real_or(node, "stepSize", 0);
-  if (line.step < 0) throw InputError("<line>: stepSize must be greater than 0");
-  return line;
+int normal_of(const std::string& orientation) {
+  return orientation == "YZ" ? 0 : orientation == "XZ" ? 1 : 2;
+}
+
+void read_averages(const DeckNode& node, const std::vector<std::string>& materials,
+                   AnalysisModule& m, std::vector<Fault>& faults) {
+  m.plane_normal = normal_of(text_or(node, "planeOrientation", "XY"));
+  if (const DeckNode* weight = node.child("weight"))
+    m.weight = weight->attribute("label").value_or("");
+  if (const DeckNode* velocity = node.child("velocity"))
+    collect(faults, velocity->where,
+            [&] { m.velocity = read_variable(*velocity, m.material, materials); });
+  for (const AnalysedVariable& v : m.variables)
+    if (v.weighting == Weighting::mass && m.weight.empty())
+      add_error(
+          faults, v.where,
+          fmt::format("<analyze label=\"{}\" weighting=\"mass\">: weighted by what?", v.label),
+          "name it in the module: <weight label=\"mass_adv\"/>");
+}
+
+// What one of the variables must be for this module.
+void check_velocity(const AnalysisModule& m) {
+  if (m.name != "turbulentFluxes") return;
+  for (const AnalysedVariable& v : m.variables)
+    if (v.fluid_velocity) return;
+  throw InputError(
+      "<Module name=\"turbulentFluxes\">: which variable is the velocity? Add "
+      "fluidVelocityLabel=\"true\" to its <analyze>");
 }
 
 void read_module(const DeckNode& node, const std::vector<std::string>& materials, AnalysisModule& m,
@@ -66,13 +90,19 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
   m.time_start = real_or(node, "timeStart", 0);
   m.time_stop = real_or(node, "timeStop", std::numeric_limits<double>::max());
   if (m.sampling_frequency < 0) throw InputError("<Module>: samplingFrequency must be at least 0");
+  if (m.time_start > m.time_stop)
+    throw InputError(
+        fmt::format("<Module>: timeStart {} lies after timeStop {}: nothing is sampled",
+                    m.time_start, m.time_stop));
   if (const DeckNode* variables = node.child("Variables"))
     for (const DeckNode* v : variables->all("analyze"))
       collect(faults, v->where,
               [&] { m.variables.push_back(read_variable(*v, m.material, materials)); });
-  if (const DeckNode* lines = node.child("lines"))
-    for (const DeckNode* l : lines->all("line"))
-      collect(faults, l->where, [&] { m.lines.push_back(read_line(*l)); });
+  m.higher_order = boolean_or(node, "computeHigherOrderStats", false);
+  m.energy_factor = real_or(node, "engy_convt_factor", 1);
+  read_averages(node, materials, m, faults);
+  read_analysis_places(node, m, faults);
+  check_velocity(m);
 }
 
 }  // namespace

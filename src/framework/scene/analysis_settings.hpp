@@ -1,5 +1,7 @@
 // The deck's <DataAnalysis>: what is looked at while the run goes on.
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,10 +9,16 @@
 
 namespace sluice {
 
+// How cells count in an average over a plane.
+enum class Weighting { none, cells, mass };  // sum; sum / cells; sum of w q / sum of w
+
 struct AnalysedVariable {
   std::string label;
   int material = 0;
   IndexSet levels;
+  Weighting weighting = Weighting::none;
+  bool reynolds_stress = false;  // computeReynoldsStress
+  bool fluid_velocity = false;   // fluidVelocityLabel
   Location where;
 };
 
@@ -21,9 +29,39 @@ struct AnalysedLine {
   Location where;
 };
 
+// A rectangle along two axes: two opposite corners.
+struct AnalysedPlane {
+  std::string name;
+  Vec3 start{}, end{};
+  int normal = 0;  // the direction in which the corners agree
+  Location where;
+};
+
+struct AnalysedPoint {
+  std::string name;
+  Vec3 position{};
+  Location where;
+};
+
+// A side of a control volume through which fluxes count.
+struct VolumeSide {
+  bool counts = false;
+  bool whole = true;  // else only the rectangle of these corners
+  Vec3 start{}, end{};
+};
+
+// Whole domain, or a box.
+struct ControlVolume {
+  std::string name;
+  bool whole = true;
+  Vec3 low{}, high{};
+  std::array<VolumeSide, 6> sides;  // x-, x+, y-, y+, z-, z+
+  Location where;
+};
+
 // A sample is taken when time_start <= t + dt <= time_stop and t + dt >= last + 1/frequency.
 struct AnalysisModule {
-  std::string name;               // minMax, lineExtract, vorticity
+  std::string name;               // minMax, lineExtract, vorticity, ...
   std::string material_name;      // <material>, or empty
   int material = 0;               // default of variables that name none
   double sampling_frequency = 0;  // per unit time; 0: every step
@@ -31,6 +69,14 @@ struct AnalysisModule {
   double time_stop = 0;
   std::vector<AnalysedVariable> variables;
   std::vector<AnalysedLine> lines;
+  std::vector<AnalysedPlane> planes;
+  std::vector<AnalysedPoint> points;
+  std::vector<ControlVolume> volumes;
+  int plane_normal = 2;                      // planeOrientation
+  std::string weight;                        // label of the weight of Weighting::mass
+  std::optional<AnalysedVariable> velocity;  // of planeAvgTurbFluxes
+  bool higher_order = false;                 // computeHigherOrderStats
+  double energy_factor = 1;                  // engy_convt_factor
   Location where;
 };
 
@@ -42,5 +88,8 @@ struct AnalysisSettings {
 AnalysisSettings read_analysis_settings(const DeckNode* node,
                                         const std::vector<std::string>& materials,
                                         std::vector<Fault>& faults);
+
+// Where a module looks: its lines, planes, points and control volumes. (analysis_places.cpp)
+void read_analysis_places(const DeckNode& module, AnalysisModule& m, std::vector<Fault>& faults);
 
 }  // namespace sluice

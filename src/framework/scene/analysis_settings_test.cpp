@@ -46,6 +46,35 @@ TEST(AnalysisSettings, ModulesWithVariablesAndLines) {
   EXPECT_EQ(a.modules[1].material, 0);
 }
 
+TEST(AnalysisSettings, PlanesPointsAndControlVolumes) {
+  const AnalysisSettings a = read(R"(
+    <Module name="planeAverage"><planeOrientation>XZ</planeOrientation><weight label="mass_adv"/>
+      <Variables><analyze label="rho_CC" weighting="mass"/><analyze label="press_CC"/>
+      </Variables></Module>
+    <Module name="planeExtract"><planes><plane name="p"><startingPt>[1,0.5,0]</startingPt>
+      <endingPt>[0,0.5,1]</endingPt></plane></planes></Module>
+    <Module name="controlVolFluxes"><controlVolumes><box label="b"><min>[0,0,0]</min>
+      <max>[1,2,3]</max></box></controlVolumes></Module>
+    <Module name="firstLawThermo"><engy_convt_factor>0.001</engy_convt_factor><controlVolume>
+      <Face side="x+" extents="entireFace"/><Face side="z-" extents="partialFace">
+      <startPt>[0,1,0]</startPt><endPt>[1,0,0]</endPt></Face></controlVolume></Module>)");
+  ASSERT_EQ(a.modules.size(), 4u);
+  EXPECT_EQ(a.modules[0].plane_normal, 1);
+  EXPECT_EQ(a.modules[0].weight, "mass_adv");
+  EXPECT_EQ(a.modules[0].variables[0].weighting, Weighting::mass);
+  EXPECT_EQ(a.modules[0].variables[1].weighting, Weighting::none);
+  EXPECT_EQ(a.modules[1].planes[0].normal, 1);
+  EXPECT_EQ(a.modules[1].planes[0].start, (Vec3{0, 0.5, 0})) << "corners are sorted";
+  EXPECT_EQ(a.modules[2].volumes[0].high, (Vec3{1, 2, 3}));
+  const ControlVolume& domain = a.modules[3].volumes[0];
+  EXPECT_EQ(a.modules[3].energy_factor, 0.001);
+  EXPECT_TRUE(domain.whole);
+  EXPECT_FALSE(domain.sides[0].counts);
+  EXPECT_TRUE(domain.sides[1].counts && domain.sides[1].whole);
+  EXPECT_FALSE(domain.sides[4].whole);
+  EXPECT_EQ(domain.sides[4].end, (Vec3{1, 1, 0}));
+}
+
 TEST(AnalysisSettings, NothingWithoutTheBlock) {
   std::vector<Fault> faults;
   EXPECT_TRUE(read_analysis_settings(nullptr, {}, faults).modules.empty());
@@ -69,6 +98,28 @@ TEST(AnalysisSettings, Faults) {
       {"<Module name=\"lineExtract\"><lines><line name=\"../up\"><startingPt>[0,0,0]</startingPt>"
        "<endingPt>[0,0,0]</endingPt></line></lines></Module>",
        "cannot be a folder's name"},
+      {"<Module name=\"planeExtract\"><planes><plane name=\"p\"><startingPt>[0,0,0]</startingPt>"
+       "<endingPt>[1,1,1]</endingPt></plane></planes></Module>",
+       "agree in 0 coordinates"},
+      {"<Module name=\"planeExtract\"><planes><plane name=\"p\"><startingPt>[0,0,0]</startingPt>"
+       "<endingPt>[0,0,1]</endingPt></plane></planes></Module>",
+       "for a line use lineExtract"},
+      {"<Module name=\"minMax\"><timeStart>2</timeStart><timeStop>1</timeStop></Module>",
+       "lies after timeStop"},
+      {"<Module name=\"planeAverage\"><Variables><analyze label=\"T\" weighting=\"mass\"/>"
+       "</Variables></Module>",
+       "weighted by what?"},
+      {"<Module name=\"turbulentFluxes\"><Variables><analyze label=\"T\"/></Variables></Module>",
+       "fluidVelocityLabel"},
+      {"<Module name=\"controlVolFluxes\"><controlVolumes><box label=\"b\"><min>[0,0,0]</min>"
+       "<max>[1,0,1]</max></box></controlVolumes></Module>",
+       "not below max 0 in direction y"},
+      {"<Module name=\"momentumAnalysis\"><controlVolume><Face side=\"x-\" extents=\"entireFace\"/>"
+       "<Face side=\"x-\" extents=\"entireFace\"/></controlVolume></Module>",
+       "named twice"},
+      {"<Module name=\"momentumAnalysis\"><controlVolume><Face side=\"x-\" "
+       "extents=\"partialFace\"/></controlVolume></Module>",
+       "needs <startPt> and <endPt>"},
   };
   for (const Case& c : cases) {
     std::string said;

@@ -1,0 +1,141 @@
+// The cells of planes, and their values in the order of cells whatever boxes hold them.
+#include "framework/run/analysis_plane.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double rounding = 1e-9;  // share of a cell: decimal numbers of a deck
+
+// Cells along one direction that hold more of [from, to] than an end; at least the one of `from`.
+void cells_along(double from, double to, const Level& level, int d, PlaneCells& found) {
+  const double low = (from - level.anchor[d]) / level.spacing[d];
+  const double high = (to - level.anchor[d]) / level.spacing[d];
+  const double begin = level.domain.lower[d], end = level.domain.upper[d];
+  if (low < begin - rounding || high > end + rounding) found.clipped = true;
+  if (high < begin - rounding || low > end + rounding) {
+    found.cells.upper[d] = found.cells.lower[d];
+    return;
+  }
+  const double first = std::clamp(std::floor(low + rounding), begin, end - 1);
+  const double last = std::clamp(std::ceil(high - rounding), first + 1, end);
+  found.cells.lower[d] = static_cast<int>(first);
+  found.cells.upper[d] = static_cast<int>(last);
+}
+
+}  // namespace
+
+PlaneCells cells_in_plane(const AnalysedPlane& plane, const Level& level) {
+  PlaneCells found;
+  for (int d = 0; d < 3; ++d) cells_along(plane.start[d], plane.end[d], level, d, found);
+  if (found.cells.empty()) found.cells = {};
+  return found;
+}
+
+PlaneSampler::PlaneSampler(const Level& level, std::vector<AnalysedQuantity> quantities,
+                           const std::vector<SampledPlane>& planes)
+    : LevelSampler(std::move(quantities)), geometry_(level) {
+  geometry_.boxes.clear();
+  for (const SampledPlane& p : planes)
+    planes_.push_back({p, {}, SnapshotFiles(p.name, level.index)});
+}
+
+void PlaneSampler::lay_out(const Level& level) {
+  lines_ = 0;
+  const std::vector<int> numbers = local_numbers(level.boxes);
+  for (Plane& plane : planes_) {
+    plane.pieces.clear();
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+      const IndexBox cells = intersection(level.boxes[b].cells, plane.where.cells);
+      if (cells.empty()) continue;
+      plane.pieces.push_back({cells, level.boxes[b].owner, numbers[b]});
+      lines_ += static_cast<std::size_t>(cells.volume()) * quantities_.size();
+    }
+  }
+}
+
+// Both faces of every cell: a face between two boxes has the same value in both.
+IndexBox PlaneSampler::indices_of(const IndexBox& cells, Label label) const {
+  const int d = face_direction(label.info().centring);
+  if (d < 0 || !geometry_.active[static_cast<std::size_t>(d)]) return cells;
+  return cells.grown(d, 0, 1);
+}
+
+void PlaneSampler::pack(const Warehouse& outputs, int rank, std::vector<double>& numbers) const {
+  for (const Plane& plane : planes_)
+    for (const AnalysedQuantity& q : quantities_) {
+      const int slot = outputs.find(q.label, q.material);
+      for (const Piece& p : plane.pieces) {
+        if (p.owner != rank) continue;
+        for (int c = 0; c < q.components; ++c) {
+          const ConstRealView v = outputs.view(slot, c, p.box);
+          for_each_cell(indices_of(p.cells, q.label), [&](IntVec3 i) { numbers.push_back(v(i)); });
+        }
+      }
+    }
+}
+
+std::string PlaneSampler::text_of(const Plane& plane, const AnalysedQuantity& q,
+                                  RankNumbers& numbers, double time) const {
+  const IndexBox all = indices_of(plane.where.cells, q.label);
+  const auto n = static_cast<std::size_t>(all.volume());
+  const auto components = static_cast<std::size_t>(q.components);
+  std::vector<double> values(n * components);
+  std::vector<char> held(n, 0);
+  const IntVec3 size = all.size();
+  auto place = [&](IntVec3 i) {
+    const IntVec3 at = i - all.lower;
+    return static_cast<std::size_t>(at.x) +
+           static_cast<std::size_t>(size.x) *
+               (static_cast<std::size_t>(at.y) +
+                static_cast<std::size_t>(size.y) * static_cast<std::size_t>(at.z));
+  };
+  for (const Piece& p : plane.pieces) {
+    const IndexBox indices = indices_of(p.cells, q.label);
+    for (std::size_t c = 0; c < components; ++c) {
+      const double* next = numbers.take(p.owner, static_cast<std::size_t>(indices.volume()));
+      for_each_cell(indices, [&](IntVec3 i) {
+        values[place(i) * components + c] = *next++;
+        held[place(i)] = 1;
+      });
+    }
+  }
+  std::string text = snapshot_head(time) + fmt::format("# X Y Z{}\n", columns_of(q));
+  const int face = face_direction(q.label.info().centring);
+  for_each_cell(all, [&](IntVec3 i) {
+    const std::size_t at = place(i);
+    if (held[at] == 0) return;
+    Vec3 x = geometry_.centre(i);
+    if (face >= 0) x[face] -= 0.5 * geometry_.spacing[face];
+    fmt::format_to(std::back_inserter(text), "{:.17g} {:.17g} {:.17g}", x.x, x.y, x.z);
+    for (std::size_t c = 0; c < components; ++c)
+      fmt::format_to(std::back_inserter(text), " {:.17g}", values[at * components + c]);
+    text += '\n';
+  });
+  return text;
+}
+
+void PlaneSampler::write(RankNumbers& numbers, int step, double time) {
+  for (Plane& plane : planes_)
+    for (const AnalysedQuantity& q : quantities_) {
+      if (plane.pieces.empty()) continue;
+      plane.files.add(step, fmt::format("{}_{}.dat", q.label.name(), q.material),
+                      text_of(plane, q, numbers, time));
+    }
+}
+
+void PlaneSampler::flush(const fs::path& folder) {
+  for (Plane& plane : planes_) plane.files.flush(folder);
+}
+
+void PlaneSampler::adopt(const fs::path& earlier, const fs::path& folder, double time) const {
+  for (const Plane& plane : planes_) plane.files.adopt(earlier, folder, time);
+}
+
+}  // namespace sluice

@@ -1,0 +1,142 @@
+// Lines, planes, points and control volumes of the deck's <DataAnalysis>.
+#include <fmt/format.h>
+
+#include "framework/scene/analysis_settings.hpp"
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr const char* side_names[6] = {"x-", "x+", "y-", "y+", "z-", "z+"};
+
+// Files and folders are named after what is looked at.
+std::string file_name(const DeckNode& node, const char* attribute) {
+  const std::string name = node.attribute(attribute).value_or("");
+  if (name.empty())
+    throw InputError(
+        fmt::format("<{}>: no {}; its files are named after it", node.name, attribute));
+  if (name.find('/') != std::string::npos || name.front() == '.')
+    throw InputError(fmt::format("<{}>: '{}' cannot be a folder's name", node.name, name));
+  return name;
+}
+
+AnalysedLine read_line(const DeckNode& node) {
+  AnalysedLine line;
+  line.where = node.where;
+  line.name = file_name(node, "name");
+  line.start = node.vector("startingPt");
+  line.end = node.vector("endingPt");
+  line.step = real_or(node, "stepSize", 0);
+  if (line.step < 0) throw InputError("<line>: stepSize must be greater than 0");
+  return line;
+}
+
+AnalysedPlane read_plane(const DeckNode& node) {
+  AnalysedPlane plane;
+  plane.where = node.where;
+  plane.name = file_name(node, "name");
+  plane.start = node.vector("startingPt");
+  plane.end = node.vector("endingPt");
+  int flat = 0;
+  for (int d = 0; d < 3; ++d) {
+    if (plane.start[d] == plane.end[d]) {
+      plane.normal = d;
+      ++flat;
+    } else if (plane.start[d] > plane.end[d]) {
+      std::swap(plane.start[d], plane.end[d]);
+    }
+  }
+  if (flat != 1)
+    throw InputError(fmt::format(
+        "<plane name=\"{}\">: startingPt and endingPt agree in {} coordinates; the corners of a "
+        "plane along the axes agree in exactly one (for a line use lineExtract)",
+        plane.name, flat));
+  return plane;
+}
+
+AnalysedPoint read_point(const DeckNode& node) {
+  AnalysedPoint point;
+  point.where = node.where;
+  point.name = file_name(node, "name");
+  point.position = node.vector("position");
+  return point;
+}
+
+void read_corners(const DeckNode& box, ControlVolume& v) {
+  v.whole = false;
+  v.low = box.vector("min");
+  v.high = box.vector("max");
+  for (int d = 0; d < 3; ++d)
+    if (!(v.low[d] < v.high[d]))
+      throw InputError(fmt::format("<box>: min {} is not below max {} in direction {}", v.low[d],
+                                   v.high[d], "xyz"[d]));
+}
+
+// A box of <controlVolumes>: all of its sides count.
+ControlVolume read_box(const DeckNode& node) {
+  ControlVolume v;
+  v.where = node.where;
+  v.name = file_name(node, "label");
+  read_corners(node, v);
+  for (VolumeSide& s : v.sides) s.counts = true;
+  return v;
+}
+
+void read_side(const DeckNode& face, ControlVolume& v) {
+  const std::string side = face.attribute("side").value_or("");
+  for (std::size_t s = 0; s < 6; ++s) {
+    if (side != side_names[s]) continue;
+    if (v.sides[s].counts)
+      throw InputError(fmt::format("<Face side=\"{}\"> is named twice; once is enough", side));
+    v.sides[s].counts = true;
+    v.sides[s].whole = face.attribute("extents").value_or("entireFace") == "entireFace";
+    if (v.sides[s].whole) return;
+    if (face.child("startPt") == nullptr || face.child("endPt") == nullptr)
+      throw InputError(fmt::format(
+          "<Face side=\"{}\">: a partialFace needs <startPt> and <endPt>, its corners", side));
+    v.sides[s].start = face.vector("startPt");
+    v.sides[s].end = face.vector("endPt");
+    for (int d = 0; d < 3; ++d)
+      if (v.sides[s].start[d] > v.sides[s].end[d])
+        std::swap(v.sides[s].start[d], v.sides[s].end[d]);
+    return;
+  }
+  throw InputError(
+      fmt::format("<Face side=\"{}\">: a side is one of x-, x+, y-, y+, z-, z+", side));
+}
+
+// The one volume of a budget: the domain unless a box is given; without faces, all of them count.
+ControlVolume read_volume(const DeckNode& node, const std::string& name) {
+  ControlVolume v;
+  v.where = node.where;
+  v.name = name;
+  if (const DeckNode* box = node.child("box")) read_corners(*box, v);
+  const auto faces = node.all("Face");
+  for (const DeckNode* face : faces) read_side(*face, v);
+  if (faces.empty())
+    for (VolumeSide& s : v.sides) s.counts = true;
+  return v;
+}
+
+// Entries of a list of places.
+template <class Place, class Read>
+void read_list(const DeckNode& module, const char* list, const char* entry, Read read,
+               std::vector<Place>& places, std::vector<Fault>& faults) {
+  const DeckNode* node = module.child(list);
+  if (node == nullptr) return;
+  for (const DeckNode* e : node->all(entry))
+    collect(faults, e->where, [&] { places.push_back(read(*e)); });
+}
+
+}  // namespace
+
+void read_analysis_places(const DeckNode& module, AnalysisModule& m, std::vector<Fault>& faults) {
+  read_list(module, "lines", "line", read_line, m.lines, faults);
+  read_list(module, "planes", "plane", read_plane, m.planes, faults);
+  read_list(module, "points", "point", read_point, m.points, faults);
+  read_list(module, "controlVolumes", "box", read_box, m.volumes, faults);
+  if (const DeckNode* volume = module.child("controlVolume"))
+    collect(faults, volume->where, [&] { m.volumes.push_back(read_volume(*volume, m.name)); });
+}
+
+}  // namespace sluice
