@@ -39,6 +39,15 @@ bool any_other(const ConstRealView& v, const IndexBox& region, double value) {
                  [&](std::ptrdiff_t row) { return row_differs(v.data + row, n, value); });
 }
 
+void fill(const RealView& v, const IndexBox& region, double value) {
+  const int along = row_direction(v);
+  const int n = region.size()[along];
+  any_row(v, region, along, [&](std::ptrdiff_t offset) {
+    std::fill_n(v.data + offset, n, value);
+    return false;
+  });
+}
+
 void fill_where_other(const RealView& v, const IndexBox& region, double value) {
   const int along = row_direction(v);
   const int n = region.size()[along];

@@ -40,6 +40,7 @@ using ConstRealView = ArrayView<const double>;
 
 // Does a region hold anything but `value` (a NaN is another). Row by row, up to the first that is.
 bool any_other(const ConstRealView& v, const IndexBox& region, double value);
+void fill(const RealView& v, const IndexBox& region, double value);
 // Writes `value` where it is not yet: memory that was never written stays unwritten.
 void fill_where_other(const RealView& v, const IndexBox& region, double value);
 

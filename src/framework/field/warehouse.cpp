@@ -2,6 +2,7 @@
 #include "framework/field/warehouse.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -71,12 +72,39 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
       slot.views.push_back(lay_out(slot.arrays.back().data(), box, *level_));
     }
   }
+  slot.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
   slots_.push_back(std::move(slot));
   return static_cast<int>(slots_.size()) - 1;
 }
 
 bool Warehouse::any_nonzero(int slot, int c, int b, const IndexBox& region) const {
-  return any_other(view(slot, c, b), region, 0.0);
+  const RealView v = view(slot, c, b);
+  if (blocks_.size() == 0) return any_other(v, region, 0.0);
+  const bool inside = blocks_.any_block(b, region, [&](int block, const IndexBox& cells) {
+    const double value = uniform(slot, block);
+    return std::isnan(value) ? any_other(v, intersection(region, cells), 0.0) : value != 0.0;
+  });
+  if (inside) return true;
+  // The ghost cells, side by side.
+  IndexBox rest = region;
+  const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
+  for (int d = 0; d < 3; ++d) {
+    IndexBox low = rest, high = rest;
+    low.upper[d] = rest.lower[d] = std::min(std::max(rest.lower[d], cells.lower[d]), rest.upper[d]);
+    high.lower[d] = rest.upper[d] =
+        std::max(std::min(rest.upper[d], cells.upper[d]), rest.lower[d]);
+    if (any_other(v, low, 0.0) || any_other(v, high, 0.0)) return true;
+  }
+  return false;
+}
+
+void Warehouse::cut(IntVec3 extents) {
+  blocks_ = BlockLattice(local_, extents);
+  forget();
+}
+
+void Warehouse::forget() {
+  for (Slot& s : slots_) s.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
 }
 
 std::size_t Warehouse::bytes() const {
@@ -90,6 +118,7 @@ void Warehouse::swap(Warehouse& other) noexcept {
   std::swap(level_, other.level_);
   std::swap(local_, other.local_);
   std::swap(slots_, other.slots_);
+  std::swap(blocks_, other.blocks_);
 }
 
 }  // namespace sluice

@@ -3,11 +3,17 @@
 // A *slot* is one label of one material. Every slot holds, for every local box, one array a
 // component: the interior cells plus the slot's ghost layers (none in inactive directions). Slots
 // are added while a graph is compiled; nothing is allocated inside a step.
+//
+// A warehouse may remember which of its blocks are *uniform*: known to hold one value in all cells
+// and components of a slot, so that nobody need look or write it again. Whoever writes interior
+// cells says so (forget); ghost cells are never known.
 #pragma once
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "framework/field/array_view.hpp"
+#include "framework/field/block_lattice.hpp"
 #include "framework/field/label.hpp"
 #include "framework/grid/level.hpp"
 
@@ -65,8 +71,20 @@ class Warehouse {
     const Slot& s = slots_[static_cast<std::size_t>(slot)];
     return s.views[static_cast<std::size_t>(b * s.info.components + c)];
   }
-  // Is any number (a NaN too) of a region of a view other than zero. Reads row by row and stops at
-  // the first that is.
+  // Cuts the boxes into blocks, of which nothing is known yet.
+  void cut(IntVec3 extents);
+  const BlockLattice& blocks() const { return blocks_; }
+  // What a block is known to hold throughout; NaN where it is not known to be uniform.
+  double uniform(int slot, int block) const {
+    return slots_[static_cast<std::size_t>(slot)].uniform[static_cast<std::size_t>(block)];
+  }
+  void set_uniform(int slot, int block, double value) {
+    slots_[static_cast<std::size_t>(slot)].uniform[static_cast<std::size_t>(block)] = value;
+  }
+  void forget(int slot, int block) { set_uniform(slot, block, unknown); }
+  void forget();  // all slots and blocks
+  // Is any number (a NaN too) of a region of a view other than zero. Reads what is not known, row by
+  // row, and stops at the first that is.
   bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
   std::size_t bytes() const;
 
@@ -77,10 +95,13 @@ class Warehouse {
     SlotInfo info;
     std::vector<AlignedArray> arrays;
     std::vector<RealView> views;
+    std::vector<double> uniform;  // by block
   };
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Level* level_;
   std::vector<GridBox> local_;
   std::vector<Slot> slots_;
+  BlockLattice blocks_;
 };
 
 }  // namespace sluice

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
 
 struct LevelSolver::Variant {
-  TaskList list;
+  std::vector<std::unique_ptr<TaskList>> lists;  // by kind, those that were met
   std::unique_ptr<SweepExecutor> executor;
   int layout = -1;  // of the level when it was last bound
   int boxes = -1;   // likewise, without what joints change
@@ -17,12 +19,24 @@ struct LevelSolver::Variant {
 
 namespace {
 
-std::vector<Label> output_labels(const TaskList& list) {
-  std::vector<Label> labels;
+std::vector<Variable> outputs_of(const TaskList& list) {
+  std::vector<Variable> outputs;
   for (const Variable& v : list.variables())
-    if (v.storage == Storage::output) labels.push_back(v.label);
+    if (v.storage == Storage::output) outputs.push_back(v);
+  return outputs;
+}
+
+std::vector<Label> labels_of(const std::vector<Variable>& variables) {
+  std::vector<Label> labels;
+  for (const Variable& v : variables) labels.push_back(v.label);
   std::sort(labels.begin(), labels.end());
   return labels;
+}
+
+bool writes(const TaskList& list, Storage storage, Label label, int material) {
+  for (const Variable& v : list.variables())
+    if (v.storage == storage && v.label == label && v.material == material) return true;
+  return false;
 }
 
 bool contains(const std::vector<Label>& labels, Label l) {
@@ -49,10 +63,15 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
   }
   halo_ = std::make_unique<HaloExchange>(level_, halo_width(component), communicator.rank());
   TaskList step, diagnostic;
-  component.declare_step(step, {level.index});
+  StepVariant general;
+  general.level = level.index;
+  general.kind = component.step_kinds() - 1;
+  component.declare_step(step, general);
   component.declare_diagnostics(diagnostic, level.index);
-  step_labels_ = output_labels(step);
-  diagnostic_labels_ = output_labels(diagnostic);
+  step_outputs_ = outputs_of(step);
+  diagnostic_outputs_ = outputs_of(diagnostic);
+  step_labels_ = labels_of(step_outputs_);
+  diagnostic_labels_ = labels_of(diagnostic_outputs_);
 }
 
 LevelSolver::~LevelSolver() = default;
@@ -103,29 +122,65 @@ bool LevelSolver::is_diagnostic_label(Label label) const {
   return contains(diagnostic_labels_, label);
 }
 
-std::unique_ptr<LevelSolver::Variant> LevelSolver::compile_variant(
-    bool masked, bool diagnostic, const std::vector<Label>& wanted) {
-  auto v = std::make_unique<Variant>();
-  if (diagnostic)
-    component_->declare_diagnostics(v->list, level_.index);
-  else
-    component_->declare_step(v->list, {level_.index, masked, options_.joined ? &recorder_ : nullptr,
-                                       options_.joined ? &coverage_ : nullptr});
+bool LevelSolver::chooses_kinds() const {
+  return component_->step_kinds() > 1 && !options_.force_all;
+}
+
+std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, bool diagnostic,
+                                                                const std::vector<Label>& wanted) {
+  for (const Variable& v : diagnostic ? diagnostic_outputs_ : step_outputs_)
+    if (contains(wanted, v.label))
+      outputs_.add({v.label, v.material, v.components, v.face_direction >= 0 ? 1 : 0});
+  auto variant = std::make_unique<Variant>();
+  SweepKinds kinds;
+  kinds.count = diagnostic ? 1 : component_->step_kinds();
+  kinds.halo = level_.ghosts(halo_width(*component_));
+  variant->lists.resize(static_cast<std::size_t>(kinds.count));
+  kinds.graph = [this, masked, diagnostic, wanted, v = variant.get()](int kind) {
+    auto& list = v->lists[static_cast<std::size_t>(kind)];
+    list = std::make_unique<TaskList>();
+    if (diagnostic)
+      component_->declare_diagnostics(*list, level_.index);
+    else
+      component_->declare_step(*list, {level_.index, masked, options_.joined ? &recorder_ : nullptr,
+                                       options_.joined ? &coverage_ : nullptr, kind});
+    SweepGraph graph = graph_of(*list, wanted);
+    if (v->lists.size() > 1) graph.absent = absent_slots(*list, kind, wanted);
+    return graph;
+  };
+  if (!diagnostic && chooses_kinds())
+    kinds.kind_of = [this](const Warehouse& state, int box, const IndexBox& cells) {
+      return component_->step_kind(state, box, cells);
+    };
+  variant->executor = std::make_unique<SweepExecutor>(std::move(kinds), level_,
+                                                      sweep_options(diagnostic, !wanted.empty()));
+  return variant;
+}
+
+SweepGraph LevelSolver::graph_of(const TaskList& list, const std::vector<Label>& wanted) const {
   std::vector<VariableId> wanted_variables;
-  for (std::size_t n = 0; n < v->list.variables().size(); ++n) {
-    const Variable& variable = v->list.variables()[n];
-    const bool output = variable.storage == Storage::output;
-    if (variable.storage != Storage::new_state && !(output && contains(wanted, variable.label)))
-      continue;
-    wanted_variables.push_back({static_cast<int>(n)});
-    if (output)
-      outputs_.add({variable.label, variable.material, variable.components,
-                    variable.face_direction >= 0 ? 1 : 0});
+  for (std::size_t n = 0; n < list.variables().size(); ++n) {
+    const Variable& v = list.variables()[n];
+    if (v.storage == Storage::new_state ||
+        (v.storage == Storage::output && contains(wanted, v.label)))
+      wanted_variables.push_back({static_cast<int>(n)});
   }
-  v->executor = std::make_unique<SweepExecutor>(
-      v->list, compile(v->list, component_->effects(), wanted_variables, active_axes(level_)),
-      level_, sweep_options(diagnostic, !wanted.empty()));
-  return v;
+  return {&list, compile(list, component_->effects(), wanted_variables, active_axes(level_)), {}};
+}
+
+// What the graph of a kind leaves to be filled.
+std::vector<AbsentSlot> LevelSolver::absent_slots(const TaskList& list, int kind,
+                                                  const std::vector<Label>& wanted) const {
+  std::vector<AbsentSlot> absent;
+  auto add = [&](Label label, int material, bool output, int face_direction) {
+    if (writes(list, output ? Storage::output : Storage::new_state, label, material)) return;
+    if (const auto value = component_->absent_value(label, material, kind))
+      absent.push_back({label, material, *value, output, face_direction});
+  };
+  for (const SlotInfo& s : component_->state_slots()) add(s.label, s.material, false, -1);
+  for (const Variable& v : step_outputs_)
+    if (contains(wanted, v.label)) add(v.label, v.material, true, v.face_direction);
+  return absent;
 }
 
 SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
@@ -150,6 +205,11 @@ SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
 
 void LevelSolver::bind(Variant& variant) {
   if (variant.layout == layout_) return;
+  if (chooses_kinds()) {
+    const IntVec3 extents = variant.executor->block_extents(state_.local_boxes());
+    for (Warehouse* w : {&state_, &next_, &start_})
+      if (w->blocks().extents() != extents) w->cut(extents);
+  }
   variant.executor->bind(state_, next_, &outputs_, variant.boxes == boxes_);
   variant.layout = layout_;
   variant.boxes = boxes_;
@@ -157,14 +217,14 @@ void LevelSolver::bind(Variant& variant) {
 
 LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>& wanted) {
   auto& v = variants_[{masked, wanted}];
-  if (v == nullptr) v = compile_variant(masked, false, wanted);
+  if (v == nullptr) v = make_variant(masked, false, wanted);
   bind(*v);
   return *v;
 }
 
 LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted) {
   auto& v = diagnostics_[{false, wanted}];
-  if (v == nullptr) v = compile_variant(false, true, wanted);
+  if (v == nullptr) v = make_variant(false, true, wanted);
   bind(*v);
   return *v;
 }
@@ -318,40 +378,56 @@ std::vector<double> LevelSolver::initial_rates() {
 
 std::vector<double> LevelSolver::effect_seconds() const {
   std::vector<double> seconds(static_cast<std::size_t>(component_->effects().size()), 0.0);
-  for (const auto& [key, v] : variants_) {
-    const std::vector<double> tasks = v->executor->task_seconds();
-    for (std::size_t t = 0; t < tasks.size(); ++t) {
-      const auto task = static_cast<std::size_t>(v->executor->plan().tasks[t].task);
-      seconds[static_cast<std::size_t>(v->list.tasks()[task].effect)] += tasks[t];
+  for (const auto& [key, v] : variants_)
+    for (int kind = 0; kind < v->executor->kinds(); ++kind) {
+      if (!v->executor->met(kind)) continue;
+      const TaskList& list = v->executor->list(kind);
+      const SweepPlan& plan = v->executor->plan(kind);
+      const std::vector<double> tasks = v->executor->task_seconds(kind);
+      for (std::size_t t = 0; t < tasks.size(); ++t) {
+        const auto task = static_cast<std::size_t>(plan.tasks[t].task);
+        seconds[static_cast<std::size_t>(list.tasks()[task].effect)] += tasks[t];
+      }
     }
-  }
   return seconds;
 }
 
-const SweepPlan& LevelSolver::plain_plan() {
-  return variant(false, {}).executor->plan();
+const SweepPlan& LevelSolver::plain_plan(int kind) {
+  return variant(false, {}).executor->plan(kind);
 }
 
 std::vector<int> LevelSolver::effect_tasks() const {
-  std::vector<int> count(static_cast<std::size_t>(component_->effects().size()), 0);
+  std::vector<int> most(static_cast<std::size_t>(component_->effects().size()), 0);
   const auto plain = variants_.find({false, {}});
-  if (plain == variants_.end()) return count;
-  for (const PlannedTask& p : plain->second->executor->plan().tasks)
-    ++count[static_cast<std::size_t>(
-        plain->second->list.tasks()[static_cast<std::size_t>(p.task)].effect)];
-  return count;
+  if (plain == variants_.end()) return most;
+  SweepExecutor& executor = *plain->second->executor;
+  for (int kind = 0; kind < executor.kinds(); ++kind) {
+    if (!executor.met(kind)) continue;
+    std::vector<int> count(most.size(), 0);
+    for (const PlannedTask& p : executor.plan(kind).tasks)
+      ++count[static_cast<std::size_t>(
+          executor.list(kind).tasks()[static_cast<std::size_t>(p.task)].effect)];
+    for (std::size_t e = 0; e < most.size(); ++e) most[e] = std::max(most[e], count[e]);
+  }
+  return most;
 }
 
 std::vector<double> LevelSolver::effect_doubles() const {
   std::vector<double> doubles(static_cast<std::size_t>(component_->effects().size()), 0.0);
   const auto plain = variants_.find({false, {}});
   if (plain == variants_.end()) return doubles;
-  for (const Task& t : plain->second->list.tasks())
-    for (VariableId v : t.writes)
-      if (plain->second->executor->plan().used[static_cast<std::size_t>(v.index)] &&
-          plain->second->list[v].storage == Storage::new_state)
-        doubles[static_cast<std::size_t>(t.effect)] +=
-            2.0 * plain->second->list[v].components;  // old and new
+  SweepExecutor& executor = *plain->second->executor;
+  std::set<std::pair<Label, int>> counted;  // kinds write the same slots
+  for (int kind = executor.kinds() - 1; kind >= 0; --kind) {
+    if (!executor.met(kind)) continue;
+    const TaskList& list = executor.list(kind);
+    for (const Task& t : list.tasks())
+      for (VariableId v : t.writes)
+        if (executor.plan(kind).used[static_cast<std::size_t>(v.index)] &&
+            list[v].storage == Storage::new_state &&
+            counted.insert({list[v].label, list[v].material}).second)
+          doubles[static_cast<std::size_t>(t.effect)] += 2.0 * list[v].components;  // old and new
+  }
   return doubles;
 }
 
@@ -390,9 +466,15 @@ std::size_t LevelSolver::message_bytes() const {
   return halo_->message_bytes(components);
 }
 
-std::string LevelSolver::graph_as_dot() {
-  Variant& v = variant(false, {});
-  return to_dot(v.list, component_->effects(), v.executor->plan());
+std::string LevelSolver::graph_as_dot(int kind) {
+  SweepExecutor& executor = *variant(false, {}).executor;
+  return to_dot(executor.list(kind), component_->effects(), executor.plan(kind));
+}
+
+std::int64_t LevelSolver::blocks_run(int kind) const {
+  std::int64_t n = 0;
+  for (const auto& [key, v] : variants_) n += v->executor->blocks_run(kind);
+  return n;
 }
 
 }  // namespace sluice

@@ -73,8 +73,11 @@ class LevelSolver {
   // Fills all ghost cells of the current state, unless it was done already. `interface`, where
   // given, fills those at the interface with a coarser level, before the boundary of the domain.
   void fill_ghosts(double time, const std::function<void(Warehouse&)>& interface = nullptr);
-  // The interior of the state was changed: ghosts are to be filled anew.
-  void touch() { ghosts_filled_ = false; }
+  // The interior of the state was changed: ghosts are to be filled anew, blocks to be looked at.
+  void touch() {
+    ghosts_filled_ = false;
+    state_.forget();
+  }
   // One attempt at a step from the current state; ghosts must be filled. Step labels in `wanted`
   // are stored in outputs().
   const StepAttempt& attempt(double time, double dt, const std::vector<Label>& wanted,
@@ -106,21 +109,28 @@ class LevelSolver {
 
   // What was spent so far.
   std::vector<double> effect_seconds() const;  // by effect
-  std::vector<int> effect_tasks() const;       // tasks of the plain step, by effect
+  // Tasks of the plain step, by effect: the most of any kind of block that occurred.
+  std::vector<int> effect_tasks() const;
   std::vector<double> effect_doubles() const;  // doubles a cell of scratch rings, by effect
   std::vector<double> box_seconds() const;     // by local box, since the level was laid out
   std::int64_t blocks_run() const, blocks_asleep() const;
+  std::int64_t blocks_run(int kind) const;
   std::size_t memory_bytes() const;
   std::size_t message_bytes() const;
-  std::string graph_as_dot();
-  const SweepPlan& plain_plan();
+  // Of the plain step; of the last kind where none is named.
+  std::string graph_as_dot(int kind = -1);
+  const SweepPlan& plain_plan(int kind = -1);
 
  private:
   struct Variant;
   Variant& variant(bool masked, const std::vector<Label>& wanted);
   Variant& diagnostics(const std::vector<Label>& wanted);
-  std::unique_ptr<Variant> compile_variant(bool masked, bool diagnostic,
-                                           const std::vector<Label>& wanted);
+  bool chooses_kinds() const;
+  std::unique_ptr<Variant> make_variant(bool masked, bool diagnostic,
+                                        const std::vector<Label>& wanted);
+  SweepGraph graph_of(const TaskList& list, const std::vector<Label>& wanted) const;
+  std::vector<AbsentSlot> absent_slots(const TaskList& list, int kind,
+                                       const std::vector<Label>& wanted) const;
   void reduce(const Reductions& local, const RunControl* control);
   CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
@@ -139,6 +149,7 @@ class LevelSolver {
   std::shared_ptr<const ThreadTeam> team_;
   std::unique_ptr<HaloExchange> halo_;
   std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_, diagnostics_;
+  std::vector<Variable> step_outputs_, diagnostic_outputs_;
   std::vector<Label> step_labels_, diagnostic_labels_;
   Reductions last_;
   StepAttempt attempt_;

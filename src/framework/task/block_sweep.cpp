@@ -2,6 +2,7 @@
 #include "framework/task/block_sweep.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace sluice {
 namespace {
@@ -45,14 +46,16 @@ std::ptrdiff_t buffer_size(const PlannedBuffer& b, IntVec3 block, const Axes& ax
 }  // namespace
 
 BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level& level,
-                       const StateBinding& binding, IntVec3 largest_block)
-    : list_(&list), plan_(&plan), level_(&level), binding_(&binding) {
+                       const StateBinding& binding, IntVec3 largest_block,
+                       std::shared_ptr<AlignedArray> scratch)
+    : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
   bound_.resize(list.variables().size());
   components_.resize(list.variables().size());
   std::ptrdiff_t total = 0;
   for (const PlannedBuffer& b : plan.buffers)
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
-  scratch_ = AlignedArray(static_cast<std::size_t>(total));
+  if (scratch_->size() < static_cast<std::size_t>(total))
+    *scratch_ = AlignedArray(static_cast<std::size_t>(total));
   windows_.reserve(plan.tasks.size());
   for (const PlannedTask& p : plan.tasks) {
     const Task& t = list.tasks()[static_cast<std::size_t>(p.task)];
@@ -90,7 +93,7 @@ void BlockSweep::bind_states(int box) {
 }
 
 void BlockSweep::bind_scratch(const IndexBox& block) {
-  double* next = scratch_.data();
+  double* next = scratch_->data();
   for (const PlannedBuffer& p : plan_->buffers) {
     BoundArray& b = bound_[static_cast<std::size_t>(p.variable.index)];
     b = {};

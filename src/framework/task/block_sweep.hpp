@@ -5,6 +5,7 @@
 // nothing is exchanged inside the sweep: what neighbours would send is recomputed.
 #pragma once
 #include <chrono>
+#include <memory>
 #include <vector>
 
 #include "framework/field/warehouse.hpp"
@@ -27,16 +28,19 @@ using TaskTimes = std::vector<std::int64_t>;
 // The working state of one thread.
 class BlockSweep {
  public:
-  // `largest_block`: extents that no block exceeds; scratch memory is sized for it once.
+  // `largest_block`: extents that no block exceeds; scratch memory is sized for it once. Sweeps
+  // that never run at the same time may share it.
   BlockSweep(const TaskList& list, const SweepPlan& plan, const Level& level,
-             const StateBinding& binding, IntVec3 largest_block);
+             const StateBinding& binding, IntVec3 largest_block,
+             std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>());
 
   // Computes one block (a part of local box number `box`); reductions are added to `reductions`.
   // With `times`, each task's time is added to it.
   void run(const StepConstants& step, int box, const IndexBox& block, Reductions& reductions,
            TaskTimes* times = nullptr);
 
-  std::size_t scratch_bytes() const { return scratch_.size() * sizeof(double); }
+  // Of all that share it.
+  std::size_t scratch_bytes() const { return scratch_->size() * sizeof(double); }
 
  private:
   void bind_states(int box);
@@ -47,7 +51,7 @@ class BlockSweep {
   const SweepPlan* plan_;
   const Level* level_;
   const StateBinding* binding_;
-  AlignedArray scratch_;
+  std::shared_ptr<AlignedArray> scratch_;
   std::vector<BoundArray> bound_;                               // by variable
   std::vector<std::vector<double*>> components_;                // by variable: arrays of states
   std::vector<std::vector<const BoundArray*>> reads_, writes_;  // by planned task

@@ -1,99 +1,136 @@
-// Blocks, threads, sleeping blocks.
+// Blocks, kinds, threads, sleeping blocks.
 #include "framework/task/sweep_executor.hpp"
 
 #include <chrono>
-#include <cstring>
 #include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "framework/field/array_view.hpp"
 
 namespace sluice {
 
-struct SweepExecutor::Worker {
-  Worker(const TaskList& list, const SweepPlan& plan, const Level& level,
-         const StateBinding& binding, IntVec3 largest, const SweepOptions& o)
-      : sweep(list, plan, level, binding, largest),
-        reductions(o.maxima, o.sums),
-        times(plan.tasks.size(), 0) {}
-  BlockSweep sweep;
-  Reductions reductions;
+// What was counted and timed of one kind.
+struct SweepExecutor::Tally {
+  std::int64_t run = 0, sampled = 0;
   TaskTimes times;
-  TaskTimes boxes;  // by local box
-  std::int64_t run = 0, asleep = 0, sampled = 0;
+
+  void add(const Tally& other) {
+    run += other.run;
+    sampled += other.sampled;
+    if (times.size() < other.times.size()) times.resize(other.times.size(), 0);
+    for (std::size_t t = 0; t < other.times.size(); ++t) times[t] += other.times[t];
+  }
 };
 
-IntVec3 default_block(const Level& level) {
-  // Measured best: long rows, and as few recomputed ghosts as the cache allows. By active axes.
-  constexpr int extents[3][3] = {{512, 1, 1}, {256, 64, 1}, {128, 48, 128}};
-  IntVec3 b = level.domain.size();
-  int axis = 0;
-  for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)])
-      b[d] = std::min(b[d], extents[level.active_count() - 1][axis++]);
-  return b;
-}
-
-// Cuts the second axis (the only one in 1-D) so that every thread gets as many blocks.
-IntVec3 even_blocks(IntVec3 extents, const std::vector<GridBox>& boxes, const Axes& axes,
-                    int threads) {
-  constexpr int fewest_cells = 8;  // a thinner block recomputes more ghosts than cells
-  if (threads == 1 || boxes.empty()) return extents;
-  const int d = axes.direction[axes.count > 1 ? 1 : 0];
-  const int n = boxes.front().cells.size()[d];
-  int pieces = (n + extents[d] - 1) / extents[d];
-  pieces = (pieces + threads - 1) / threads * threads;
-  if (n / pieces >= fewest_cells) extents[d] = (n + pieces - 1) / pieces;
-  return extents;
-}
-
-std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents) {
-  std::vector<Block> blocks;
-  for (std::size_t n = 0; n < boxes.size(); ++n) {
-    const IndexBox& box = boxes[n].cells;
-    IntVec3 pieces{};
-    for (int d = 0; d < 3; ++d)
-      pieces[d] = std::max(1, (box.size()[d] + extents[d] - 1) / extents[d]);
-    for (const IndexBox& piece : split(box, pieces))
-      blocks.push_back({static_cast<int>(n), piece, true});
+// A graph as it is bound to warehouses.
+struct SweepExecutor::Graph {
+  explicit Graph(SweepGraph g)
+      : list(g.list), plan(std::move(g.plan)), absent(std::move(g.absent)) {
+    kept.times.assign(plan.tasks.size(), 0);
   }
-  return blocks;
-}
+  const TaskList* list;
+  SweepPlan plan;
+  std::vector<AbsentSlot> absent;
+  StateBinding binding;
+  std::vector<int> written;       // slots of the new state
+  std::vector<int> absent_slots;  // of `absent`, in the new state or among the outputs
+  Tally kept;                     // before the workers were made anew
+};
 
-SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& level,
-                             const SweepOptions& options)
-    : list_(&list),
-      plan_(std::move(plan)),
+struct SweepExecutor::Worker {
+  Worker(int kinds, const SweepOptions& o)
+      : sweeps(static_cast<std::size_t>(kinds)),
+        tallies(static_cast<std::size_t>(kinds)),
+        reductions(o.maxima, o.sums) {}
+  std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>();
+  std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
+  std::vector<Tally> tallies;                       // by kind
+  Reductions reductions;
+  TaskTimes boxes;  // by local box
+  std::int64_t asleep = 0;
+};
+
+SweepExecutor::SweepExecutor(SweepKinds kinds, const Level& level, const SweepOptions& options)
+    : kinds_(std::move(kinds)),
+      graphs_(static_cast<std::size_t>(kinds_.count)),
       level_(&level),
       options_(options),
       team_(options.team != nullptr ? options.team
                                     : std::make_shared<const ThreadTeam>(options.threads)),
-      total_(options.maxima, options.sums) {}
+      total_(options.maxima, options.sums) {
+  if (!kinds_.kind_of) meet(kinds_.count - 1);
+}
+
+SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& level,
+                             const SweepOptions& options)
+    : SweepExecutor(SweepKinds{1,
+                               [&](int) {
+                                 return SweepGraph{&list, std::move(plan), {}};
+                               },
+                               {},
+                               {}},
+                    level, options) {
+  kinds_.graph = {};  // what it refers to ends here
+}
 
 SweepExecutor::~SweepExecutor() = default;
 
+SweepExecutor::Graph& SweepExecutor::meet(int kind) {
+  auto& graph = graphs_[static_cast<std::size_t>(kind)];
+  if (graph != nullptr) return *graph;
+  graph = std::make_unique<Graph>(kinds_.graph(kind));
+  if (old_state_ != nullptr) bind(*graph);
+  for (auto& w : workers_) make_sweep(*w, kind);
+  return *graph;
+}
+
+void SweepExecutor::bind(Graph& graph) const {
+  const TaskList& list = *graph.list;
+  graph.binding = {old_state_, new_state_, output_, {}};
+  graph.binding.slot.assign(list.variables().size(), -1);
+  graph.written.clear();
+  graph.absent_slots.clear();
+  auto find = [](const Warehouse* w, Label label, int material, const std::string& name) {
+    const int slot = w == nullptr ? -1 : w->find(label, material);
+    if (slot < 0) throw std::logic_error("no storage for '" + name + "'");
+    return slot;
+  };
+  for (std::size_t v = 0; v < list.variables().size(); ++v) {
+    const Variable& variable = list.variables()[v];
+    if (variable.storage == Storage::temporary || !graph.plan.used[v]) continue;
+    const Warehouse* w = variable.storage == Storage::old_state   ? old_state_
+                         : variable.storage == Storage::new_state ? new_state_
+                                                                  : output_;
+    graph.binding.slot[v] = find(w, variable.label, variable.material, variable.name);
+    if (variable.storage == Storage::new_state) graph.written.push_back(graph.binding.slot[v]);
+  }
+  for (const AbsentSlot& a : graph.absent)
+    graph.absent_slots.push_back(
+        find(a.output ? output_ : new_state_, a.label, a.material, a.label.name()));
+}
+
+IntVec3 SweepExecutor::block_extents(const std::vector<GridBox>& local_boxes) const {
+  if (options_.block != IntVec3{}) return options_.block;
+  return even_blocks(default_block(*level_), *level_, local_boxes, team_->size());
+}
+
 void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output,
                          bool same_boxes) {
-  binding_.old_state = &old_state;
-  binding_.new_state = &new_state;
-  binding_.output = output;
-  binding_.slot.assign(list_->variables().size(), -1);
-  for (std::size_t v = 0; v < list_->variables().size(); ++v) {
-    const Variable& variable = list_->variables()[v];
-    if (variable.storage == Storage::temporary || !plan_.used[v]) continue;
-    const Warehouse* w = variable.storage == Storage::old_state   ? &old_state
-                         : variable.storage == Storage::new_state ? &new_state
-                                                                  : output;
-    const int slot = w == nullptr ? -1 : w->find(variable.label, variable.material);
-    if (slot < 0) throw std::logic_error("no storage for '" + variable.name + "'");
-    binding_.slot[v] = slot;
-  }
-  IntVec3 extents = options_.block;
-  if (extents == IntVec3{})
-    extents =
-        even_blocks(default_block(*level_), old_state.local_boxes(), plan_.axes, team_->size());
+  old_state_ = &old_state;
+  new_state_ = &new_state;
+  output_ = output;
+  for (auto& graph : graphs_)
+    if (graph != nullptr) bind(*graph);
+  const IntVec3 extents = block_extents(old_state.local_boxes());
   blocks_ = place_blocks(old_state.local_boxes(), extents);
+  remembers_ = new_state.blocks().extents() == extents;
   IntVec3 largest{1, 1, 1};
   for (const Block& b : blocks_) largest = max(largest, b.cells.size());
-  if (options_.never_sleeps)
-    for (Block& b : blocks_) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+  for (Block& b : blocks_) {
+    b.kind = kinds_.count - 1;
+    if (options_.never_sleeps) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+  }
   if (max(largest, largest_) != largest_) make_workers(max(largest, largest_));
   if (options_.time_boxes)
     for (auto& w : workers_)
@@ -113,86 +150,81 @@ void SweepExecutor::make_workers(IntVec3 largest) {
   workers_.resize(static_cast<std::size_t>(team_->size()));
   // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
   team_->for_each(workers_.size(), [&](std::size_t n, int) {
-    workers_[n] = std::make_unique<Worker>(*list_, plan_, *level_, binding_, largest, options_);
+    workers_[n] = std::make_unique<Worker>(kinds_.count, options_);
+    for (int kind = 0; kind < kinds_.count; ++kind)
+      if (met(kind)) make_sweep(*workers_[n], kind);
   });
+}
+
+void SweepExecutor::make_sweep(Worker& worker, int kind) const {
+  const auto k = static_cast<std::size_t>(kind);
+  const Graph& graph = *graphs_[k];
+  worker.sweeps[k] = std::make_unique<BlockSweep>(*graph.list, graph.plan, *level_, graph.binding,
+                                                  largest_, worker.scratch);
+  worker.tallies[k].times.assign(graph.plan.tasks.size(), 0);
 }
 
 // What the workers counted and timed, before they are made anew.
 void SweepExecutor::keep_counts() {
-  times_.resize(plan_.tasks.size(), 0);
   for (const auto& w : workers_) {
-    kept_run_ += w->run;
     kept_asleep_ += w->asleep;
-    kept_sampled_ += w->sampled;
-    for (std::size_t t = 0; t < times_.size(); ++t) times_[t] += w->times[t];
+    for (std::size_t k = 0; k < graphs_.size(); ++k)
+      if (graphs_[k] != nullptr) graphs_[k]->kept.add(w->tallies[k]);
   }
 }
 
-bool SweepExecutor::is_quiet(const Block& block) const {
-  for (VariableId id : plan_.states_read) {
-    const Variable& variable = (*list_)[id];
-    const int slot = binding_.slot[static_cast<std::size_t>(id.index)];
+SweepExecutor::Tally SweepExecutor::tally(int kind) const {
+  const auto k = static_cast<std::size_t>(kind);
+  Tally sum;
+  if (graphs_[k] != nullptr) sum = graphs_[k]->kept;
+  for (const auto& w : workers_) sum.add(w->tallies[k]);
+  return sum;
+}
+
+bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
+  for (VariableId id : graph.plan.states_read) {
+    const Variable& variable = (*graph.list)[id];
+    const int slot = graph.binding.slot[static_cast<std::size_t>(id.index)];
     for (int c = 0; c < variable.components; ++c) {
-      const RealView v = binding_.old_state->view(slot, c, block.box);
-      const IndexBox seen = intersection(block.cells.grown(plan_.halo), v.box);
-      const int along = plan_.axes.direction[0];
-      IndexBox starts = seen;
-      starts.upper[along] = starts.lower[along] + 1;
-      const double first = v.data[v.offset(seen.lower)];
-      const int n = seen.size()[along];
-      bool same = true;
-      const IntVec3 size = starts.size();
-      for (int k = 0; k < size.z && same; ++k)
-        for (int j = 0; j < size.y && same; ++j)
-          for (int i = 0; i < size.x && same; ++i) {
-            const double* row = v.data + v.offset(starts.lower + IntVec3{i, j, k});
-            int different = 0;
-            for (int x = 0; x < n; ++x) different += row[x] != first;
-            same = different == 0;
-          }
-      if (!same) return false;
+      const RealView v = old_state_->view(slot, c, block.box);
+      const IndexBox seen = intersection(block.cells.grown(graph.plan.halo), v.box);
+      if (any_other(v, seen, v(seen.lower))) return false;
     }
   }
   return true;
 }
 
 void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
+  const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
+  BlockSweep& sweep = *worker.sweeps[static_cast<std::size_t>(block.kind)];
   // Peel off the cells along the boundary of the domain, side by side, each cell once.
   IndexBox rest = block.cells;
-  for (int a = 0; a < plan_.axes.count && !rest.empty(); ++a) {
-    const int d = plan_.axes.direction[a];
+  for (int a = 0; a < graph.plan.axes.count && !rest.empty(); ++a) {
+    const int d = graph.plan.axes.direction[a];
     if (level_->periodic[static_cast<std::size_t>(d)]) continue;
     if (rest.lower[d] == level_->domain.lower[d]) {
       IndexBox strip = rest;
       strip.upper[d] = strip.lower[d] + 1;
-      worker.sweep.run(step, block.box, strip, worker.reductions);
+      sweep.run(step, block.box, strip, worker.reductions);
       rest.lower[d] += 1;
     }
     if (!rest.empty() && rest.upper[d] == level_->domain.upper[d]) {
       IndexBox strip = rest;
       strip.lower[d] = strip.upper[d] - 1;
-      worker.sweep.run(step, block.box, strip, worker.reductions);
+      sweep.run(step, block.box, strip, worker.reductions);
       rest.upper[d] -= 1;
     }
   }
   if (rest.empty()) return;
-  worker.sweep.run(step, block.box, {rest.lower, rest.lower + IntVec3{1, 1, 1}}, worker.reductions);
-  for (std::size_t v = 0; v < list_->variables().size(); ++v) {
-    const Variable& variable = list_->variables()[v];
-    if (variable.storage != Storage::new_state || !plan_.used[v]) continue;
-    const int from = binding_.old_state->find(variable.label, variable.material);
+  sweep.run(step, block.box, {rest.lower, rest.lower + IntVec3{1, 1, 1}}, worker.reductions);
+  for (std::size_t v = 0; v < graph.list->variables().size(); ++v) {
+    const Variable& variable = graph.list->variables()[v];
+    if (variable.storage != Storage::new_state || !graph.plan.used[v]) continue;
+    const int from = old_state_->find(variable.label, variable.material);
     for (int c = 0; c < variable.components; ++c) {
-      const RealView old = binding_.old_state->view(from, c, block.box);
-      const RealView now = binding_.new_state->view(binding_.slot[v], c, block.box);
-      const double value = old.data[old.offset(rest.lower)];
-      const int along = plan_.axes.direction[0];
-      IndexBox starts = rest;
-      starts.upper[along] = starts.lower[along] + 1;
-      const int n = rest.size()[along];
-      for_each_cell(starts, [&](IntVec3 cell) {
-        double* row = now.data + now.offset(cell);
-        for (int x = 0; x < n; ++x) row[x] = value;
-      });
+      const RealView old = old_state_->view(from, c, block.box);
+      const RealView now = new_state_->view(graph.binding.slot[v], c, block.box);
+      fill(now, rest, old(rest.lower));
     }
   }
 }
@@ -214,59 +246,112 @@ std::vector<double> SweepExecutor::box_seconds() const {
   return seconds;
 }
 
+// Kinds are chosen anew in every sweep, and their graphs made when they are first met.
+void SweepExecutor::choose_kinds() {
+  team_->for_each(blocks_.size(), [&](std::size_t n, int) {
+    Block& block = blocks_[n];
+    block.kind = kinds_.kind_of(*old_state_, block.box, block.cells.grown(kinds_.halo));
+  });
+  for (const Block& block : blocks_) {
+    if (block.kind < 0 || block.kind >= kinds_.count)
+      throw std::logic_error("a block is of kind " + std::to_string(block.kind) + " of " +
+                             std::to_string(kinds_.count));
+    if (!met(block.kind)) meet(block.kind);
+  }
+}
+
+// What the graph of a block does not write, where it is not there already.
+void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
+  const Block& block = blocks_[n];
+  const int number = static_cast<int>(n);
+  if (remembers_)
+    for (const int slot : graph.written) new_state_->forget(slot, number);
+  for (std::size_t a = 0; a < graph.absent.size(); ++a) {
+    const AbsentSlot& absent = graph.absent[a];
+    const int slot = graph.absent_slots[a];
+    Warehouse& warehouse = absent.output ? *output_ : *new_state_;
+    const bool remembered = remembers_ && !absent.output;
+    if (remembered && new_state_->uniform(slot, number) == absent.value) continue;
+    IndexBox cells = block.cells;
+    // The closing face of the box; others are the low faces of another block.
+    const int d = absent.face_direction;
+    const IndexBox& box = warehouse.local_boxes()[static_cast<std::size_t>(block.box)].cells;
+    if (d >= 0 && level_->active[static_cast<std::size_t>(d)] && cells.upper[d] == box.upper[d])
+      ++cells.upper[d];
+    for (int c = 0; c < warehouse.info(slot).components; ++c)
+      fill_where_other(warehouse.view(slot, c, block.box), cells, absent.value);
+    if (remembered) new_state_->set_uniform(slot, number, absent.value);
+  }
+}
+
 void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::size_t n) {
   const Block& block = blocks_[n];
-  if (options_.quiet_blocks && block.may_sleep && is_quiet(block)) {
+  const auto kind = static_cast<std::size_t>(block.kind);
+  const Graph& graph = *graphs_[kind];
+  leave_absent(graph, n);
+  if (options_.quiet_blocks && block.may_sleep && is_quiet(graph, block)) {
     sleep(worker, step, block);
     ++worker.asleep;
     return;
   }
+  Tally& tally = worker.tallies[kind];
   const auto every = static_cast<std::size_t>(options_.sample_every);
   const bool sample =
       every > 0 && (n + static_cast<std::size_t>(passes_) * blocks_.size()) % every == 0;
-  worker.sweep.run(step, block.box, block.cells, worker.reductions,
-                   sample ? &worker.times : nullptr);
-  ++worker.run;
-  if (sample) ++worker.sampled;
+  worker.sweeps[kind]->run(step, block.box, block.cells, worker.reductions,
+                           sample ? &tally.times : nullptr);
+  ++tally.run;
+  if (sample) ++tally.sampled;
 }
 
 const Reductions& SweepExecutor::run(const StepConstants& step) {
   for (auto& w : workers_) w->reductions.clear();
+  if (kinds_.kind_of) choose_kinds();
+  if (!remembers_ && new_state_->blocks().size() > 0) new_state_->forget();
   team_->for_each(blocks_.size(), [&](std::size_t n, int thread) {
     Worker& worker = *workers_[static_cast<std::size_t>(thread)];
     options_.time_boxes ? run_timed_block(worker, step, n) : run_block(worker, step, n);
   });
   total_.clear();
-  blocks_run_ = kept_run_;
+  blocks_run_ = 0;
   blocks_asleep_ = kept_asleep_;
   for (auto& w : workers_) {
     total_.merge(w->reductions);
-    blocks_run_ += w->run;
     blocks_asleep_ += w->asleep;
   }
+  for (int kind = 0; kind < kinds_.count; ++kind) blocks_run_ += blocks_run(kind);
   ++passes_;
   return total_;
 }
 
-std::size_t SweepExecutor::scratch_bytes() const {
-  std::size_t n = 0;
-  for (const auto& w : workers_) n += w->sweep.scratch_bytes();
+const SweepPlan& SweepExecutor::plan(int kind) {
+  return meet(kind < 0 ? kinds_.count - 1 : kind).plan;
+}
+
+const TaskList& SweepExecutor::list(int kind) {
+  return *meet(kind < 0 ? kinds_.count - 1 : kind).list;
+}
+
+std::int64_t SweepExecutor::blocks_run(int kind) const {
+  const auto k = static_cast<std::size_t>(kind);
+  std::int64_t n = graphs_[k] != nullptr ? graphs_[k]->kept.run : 0;
+  for (const auto& w : workers_) n += w->tallies[k].run;
   return n;
 }
 
-std::vector<double> SweepExecutor::task_seconds() const {
-  std::vector<double> seconds(plan_.tasks.size(), 0.0);
-  std::int64_t sampled = kept_sampled_, run = kept_run_;
-  for (std::size_t t = 0; t < times_.size(); ++t)
-    seconds[t] += 1e-9 * static_cast<double>(times_[t]);
-  for (const auto& w : workers_) {
-    sampled += w->sampled;
-    run += w->run;
-    for (std::size_t t = 0; t < seconds.size(); ++t)
-      seconds[t] += 1e-9 * static_cast<double>(w->times[t]);
-  }
-  const double scale = sampled > 0 ? static_cast<double>(run) / static_cast<double>(sampled) : 0.0;
-  for (double& s : seconds) s *= scale;
+std::size_t SweepExecutor::scratch_bytes() const {
+  std::size_t n = 0;
+  for (const auto& w : workers_) n += w->scratch->size() * sizeof(double);
+  return n;
+}
+
+std::vector<double> SweepExecutor::task_seconds(int kind) const {
+  const Tally t = tally(kind);
+  std::vector<double> seconds(t.times.size(), 0.0);
+  const double scale =
+      t.sampled > 0 ? static_cast<double>(t.run) / static_cast<double>(t.sampled) : 0.0;
+  for (std::size_t n = 0; n < seconds.size(); ++n)
+    seconds[n] = 1e-9 * scale * static_cast<double>(t.times[n]);
   return seconds;
 }
 

@@ -1,15 +1,18 @@
 // Runs a sweep over all local boxes of a level: placement on blocks and threads.
 //
 // Blocks are windows of boxes sized for the cache. Their number and shape change nothing in the
-// results. A block whose old state is uniform over itself and the whole stencil sleeps: its state
-// is copied, and only the cells that touch the boundary of the domain (they account for what passes
-// through it) and one cell besides (it gives its time-step rate) are computed.
+// results. Each runs the graph of its kind, found anew from the old state in every sweep. A block
+// whose old state is uniform over itself and the whole stencil sleeps: its state is copied, and
+// only the cells that touch the boundary of the domain (they account for what passes through it)
+// and one cell besides (it gives its time-step rate) are computed.
 #pragma once
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "framework/task/block_sweep.hpp"
+#include "framework/task/sweep_blocks.hpp"
+#include "framework/task/sweep_kinds.hpp"
 #include "framework/task/thread_team.hpp"
 
 namespace sluice {
@@ -26,67 +29,73 @@ struct SweepOptions {
   std::function<bool(int, const IndexBox&)> never_sleeps;
 };
 
-struct Block {
-  int box = 0;  // local box number
-  IndexBox cells;
-  bool may_sleep = true;
-};
-
-// Cuts the local boxes of a level into blocks no larger than `extents`.
-std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
-IntVec3 default_block(const Level& level);
-IntVec3 even_blocks(IntVec3 extents, const std::vector<GridBox>& boxes, const Axes& axes,
-                    int threads);
-
 class SweepExecutor {
  public:
+  SweepExecutor(SweepKinds kinds, const Level& level, const SweepOptions& options);
+  // One kind only.
   SweepExecutor(const TaskList& list, SweepPlan plan, const Level& level,
                 const SweepOptions& options);
   ~SweepExecutor();
 
   // Finds slots (the warehouses must have them) and remembers the warehouses. Again when the boxes
   // of the level have changed; what was counted and timed is kept.
-  // With `same_boxes` what boxes cost is kept too.
+  // With `same_boxes` what boxes cost is kept too. A new state that is cut as the sweep is
+  // (block_extents) remembers which blocks hold nothing but an absent value.
   void bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output,
             bool same_boxes = false);
+  IntVec3 block_extents(const std::vector<GridBox>& local_boxes) const;
   // Without boxes for a while: memory goes until the next bind, what was counted is kept.
   void rest();
   // One pass over all blocks. The result holds what this rank reduced.
   const Reductions& run(const StepConstants& step);
 
-  const SweepPlan& plan() const { return plan_; }
-  const TaskList& list() const { return *list_; }
+  int kinds() const { return kinds_.count; }
+  bool met(int kind) const { return graphs_[static_cast<std::size_t>(kind)] != nullptr; }
+  // Of the last kind where none is given; compiled if need be.
+  const SweepPlan& plan(int kind = -1);
+  const TaskList& list(int kind = -1);
+
   std::int64_t blocks_run() const { return blocks_run_; }  // since construction
+  std::int64_t blocks_run(int kind) const;
   std::int64_t blocks_asleep() const { return blocks_asleep_; }
   std::size_t scratch_bytes() const;
   // Seconds spent in each local box since the last bind, where boxes are timed.
   std::vector<double> box_seconds() const;
-  // Seconds per planned task, scaled up from the sampled blocks.
-  std::vector<double> task_seconds() const;
+  // Seconds per planned task of a kind that was met, scaled up from the sampled blocks.
+  std::vector<double> task_seconds(int kind = 0) const;
 
  private:
+  struct Graph;
+  struct Tally;
   struct Worker;
+  Graph& meet(int kind);
+  void bind(Graph& graph) const;
+  void choose_kinds();
   void make_workers(IntVec3 largest);
+  void make_sweep(Worker& worker, int kind) const;
   void keep_counts();
+  Tally tally(int kind) const;
   void run_timed_block(Worker& worker, const StepConstants& step, std::size_t n);
   void run_block(Worker& worker, const StepConstants& step, std::size_t n);
-  bool is_quiet(const Block& block) const;
+  void leave_absent(const Graph& graph, std::size_t n);
+  bool is_quiet(const Graph& graph, const Block& block) const;
   void sleep(Worker& worker, const StepConstants& step, const Block& block);
 
-  const TaskList* list_;
-  SweepPlan plan_;
+  SweepKinds kinds_;
+  std::vector<std::unique_ptr<Graph>> graphs_;  // by kind, those that were met
   const Level* level_;
   SweepOptions options_;
   std::shared_ptr<const ThreadTeam> team_;
-  StateBinding binding_;
+  const Warehouse* old_state_ = nullptr;
+  Warehouse* new_state_ = nullptr;
+  Warehouse* output_ = nullptr;
+  bool remembers_ = false;  // the new state is cut into the same blocks
   std::vector<Block> blocks_;
   std::vector<std::unique_ptr<Worker>> workers_;
   IntVec3 largest_{};  // block that the workers' memory holds
   Reductions total_;
   std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
-  // Counted and timed before the last bind.
-  std::int64_t kept_run_ = 0, kept_asleep_ = 0, kept_sampled_ = 0;
-  TaskTimes times_;
+  std::int64_t kept_asleep_ = 0;  // counted before the workers were made anew
 };
 
 }  // namespace sluice

@@ -1,0 +1,25 @@
+// How the local boxes of a level are cut into blocks for a sweep.
+#pragma once
+#include <vector>
+
+#include "framework/grid/level.hpp"
+
+namespace sluice {
+
+struct Block {
+  int box = 0;  // local box number
+  IndexBox cells;
+  bool may_sleep = true;
+  int kind = 0;  // of the graph that it runs
+};
+
+// Cuts the local boxes of a level into blocks no larger than `extents`, as a BlockLattice does.
+std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
+// The extents that were measured best for a level.
+IntVec3 default_block(const Level& level);
+// Cut once more along the second active direction (the only one in 1-D), so that every thread gets
+// as many blocks.
+IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridBox>& boxes,
+                    int threads);
+
+}  // namespace sluice
