@@ -27,6 +27,8 @@ void declare_state(Labels& l) {
     l.momentum_component[d] = cell(components[d], "kg/(m^2 s)",
                                    "Conserved state: momentum per volume along one direction.");
   l.energy = cell("state.energy", "J/m^3", "Conserved state: internal energy per volume.");
+  l.volume = cell("state.volume", "1",
+                  "Conserved state of several materials: share of the cell that each fills.");
   l.mask = cell("state.slope_mask", "1",
                 "1 where slopes are used, 0 in cells whose faces are redone at first order.");
 }

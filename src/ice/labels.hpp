@@ -6,7 +6,8 @@ namespace sluice::ice {
 
 struct Labels {
   // Conserved state, per volume. Components of momentum: the active directions, then carried ones.
-  Label mass, momentum, energy;
+  // Several materials: mass, energy and volume of each, one momentum, kept as of material 0.
+  Label mass, momentum, energy, volume;
   Label momentum_component[3];  // as checkpoints keep them
   // 1 where slopes are used, 0 in cells whose faces are redone at first order.
   Label mask;

@@ -7,17 +7,20 @@
 namespace sluice::ice {
 namespace {
 
-// Adds the cells of a state to totals, row by row.
+// Adds the cells of a state to totals, row by row. Several materials share one momentum.
 class TotalsOfRows {
  public:
-  TotalsOfRows(const Warehouse& state, const SchemeOptions& options, Totals& totals)
+  TotalsOfRows(const Warehouse& state, const SchemeOptions& options, int materials, Totals& totals)
       : state_(state),
         options_(options),
         totals_(totals),
-        mass_(state.find(labels().mass, 0)),
         momentum_(state.find(labels().momentum, 0)),
-        energy_(state.find(labels().energy, 0)),
-        volume_(state.level().cell_volume()) {}
+        volume_(state.level().cell_volume()) {
+    for (int m = 0; m < materials; ++m) {
+      mass_.push_back(state.find(labels().mass, m));
+      energy_.push_back(state.find(labels().energy, m));
+    }
+  }
 
   void add(int box, const IndexBox& cells) {
     const int along = options_.axes.direction[0];
@@ -38,9 +41,8 @@ class TotalsOfRows {
     total.add(values_.data(), values_.size());
   }
   void add_row(int box, IntVec3 start) {
-    const double* rho = row(mass_, 0, box, start);
-    add(totals_.mass[0], rho);
-    add(totals_.internal_energy, row(energy_, 0, box, start));
+    const double* rho = density(box, start);
+    for (const int energy : energy_) add(totals_.internal_energy, row(energy, 0, box, start));
     std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
     for (int c = 0; c < options_.components; ++c) {
       const double* m = row(momentum_, c, box, start);
@@ -51,19 +53,34 @@ class TotalsOfRows {
     add(totals_.kinetic_energy, kinetic_.data());
   }
 
+  // Of all materials, after adding the mass of each.
+  const double* density(int box, IntVec3 start) {
+    const double* first = row(mass_.front(), 0, box, start);
+    add(totals_.mass.front(), first);
+    if (mass_.size() == 1) return first;
+    density_.assign(first, first + values_.size());
+    for (std::size_t m = 1; m < mass_.size(); ++m) {
+      const double* M = row(mass_[m], 0, box, start);
+      add(totals_.mass[m], M);
+      for (std::size_t i = 0; i < density_.size(); ++i) density_[i] += M[i];
+    }
+    return density_.data();
+  }
+
   const Warehouse& state_;
   const SchemeOptions& options_;
   Totals& totals_;
-  int mass_, momentum_, energy_;
+  int momentum_;
+  std::vector<int> mass_, energy_;  // by material
   double volume_;
-  std::vector<double> values_, kinetic_;
+  std::vector<double> values_, kinetic_, density_;
 };
 
 }  // namespace
 
 void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Totals& totals) const {
-  totals.mass.resize(1);
-  TotalsOfRows rows(state, options_, totals);
+  totals.mass.resize(static_cast<std::size_t>(material_count()));
+  TotalsOfRows rows(state, options_, material_count(), totals);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     if (!coverage.any())
       rows.add(b, state.local_boxes()[static_cast<std::size_t>(b)].cells);
@@ -94,7 +111,11 @@ StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start
 }
 
 double Ice::history_value(Label label, const Totals& totals) const {
-  if (label == labels().total_mass) return totals.mass.front().sum.value();
+  if (label == labels().total_mass) {
+    ExactSum all;
+    for (const ConservedTotal& mass : totals.mass) all.merge(mass.sum);
+    return all.value();
+  }
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
   return totals.kinetic_energy.sum.value();
 }

@@ -4,6 +4,7 @@
 // volume.
 #pragma once
 #include "framework/refine/transfer_operators.hpp"
+#include "ice/fluid.hpp"
 
 namespace sluice::ice {
 
@@ -11,10 +12,11 @@ class IceTransfer final : public TransferOperators {
  public:
   // `internal_energy`: corrections hold internal instead of total energy (classic form).
   // `matches_fluxes`: levels are made to agree on what passes between them.
-  IceTransfer(int components, bool internal_energy, bool matches_fluxes = true)
+  IceTransfer(int components, bool internal_energy, bool matches_fluxes = true, Fluid fluid = {})
       : components_(components),
         internal_energy_(internal_energy),
-        matches_fluxes_(matches_fluxes) {}
+        matches_fluxes_(matches_fluxes),
+        fluid_(std::move(fluid)) {}
 
   void prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
                const TransferGeometry& geometry, int order) const override;
@@ -27,6 +29,7 @@ class IceTransfer final : public TransferOperators {
  private:
   int components_;  // of momentum
   bool internal_energy_, matches_fluxes_;
+  Fluid fluid_;
 };
 
 }  // namespace sluice::ice

@@ -12,10 +12,13 @@
 // Total energy: with w(x) = m(x) - U rho(x), U = m/rho, the fine cells have more kinetic energy
 // than the coarse one by K = < |w|^2/(2 rho) >: E(x) is multiplied by 1 - K/E. Where K would take
 // more than half of E, w is made smaller.
+// Laws whose energy may have any sign: E stands for (p + pi)/G, how far the energy is from where
+// the law ends (closure_rows.hpp). A coarse cell with a fine one outside of the law stays constant.
 #include <algorithm>
 #include <cmath>
 
 #include "framework/grid/box_list.hpp"
+#include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 #include "ice/refine/children.hpp"
@@ -71,8 +74,10 @@ class Prolonger {
   static constexpr int width = D == 3 ? 16 : 64;
 
   Prolonger(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
-            const Children& children, int along)
-      : coarse_(coarse),
+            const Children& children, int along, const Fluid& fluid)
+      : fluid_(fluid),
+        ideal_(fluid.ideal() != nullptr),
+        coarse_(coarse),
         fine_(fine),
         cells_(cells),
         children_(children),
@@ -85,8 +90,10 @@ class Prolonger {
   // n coarse cells along the line.
   void run(IntVec3 first, int n) {
     for (int q = 0; q < quantities; ++q) find_terms(q, first, n);
+    if (!ideal_) set_energy_aside(n);
     keep_positive(n);
     take_kinetic_energy(n);
+    if (!ideal_) withdraw_inadmissible(n);
     for (int child = 0; child < children_.count(); ++child) emit(child, first, n);
   }
 
@@ -143,6 +150,32 @@ class Prolonger {
         cross[i] = bounded(0.25 * ((pp[i] + mm[i]) - (pm[i] + mp[i])),
                            smaller(smooth[a][i], smooth[b][i]));
     }
+  }
+
+  // From here on the energy above that at which the law ends is in the energy's place.
+  void set_energy_aside(int n) {
+    std::copy(centre_[energy], centre_[energy] + n, energy_);
+    energy_scale_row(fluid_, n, centre_[0], energy_, centre_[energy]);
+  }
+  double fine_energy(const double* f, int i) const {
+    return energy_[i] +
+           (deviation(term_[energy], f, i) * rest_[i] - centre_[energy][i] * (1.0 - rest_[i]));
+  }
+  // No terms in cells with a child that is no state of the law.
+  void withdraw_inadmissible(int n) {
+    double rho[width], E[width], admissible[width], kept[width];
+    for (int i = 0; i < n; ++i) kept[i] = 1.0;
+    for (int child = 0; child < children_.count(); ++child) {
+      const double* f = basis_.value[child];
+      for (int i = 0; i < n; ++i) {
+        rho[i] = centre_[0][i] + deviation(term_[0], f, i);
+        E[i] = fine_energy(f, i);
+      }
+      admissible_row(fluid_, n, rho, E, admissible);
+      for (int i = 0; i < n; ++i) kept[i] = smaller(kept[i], admissible[i]);
+    }
+    for (int i = 0; i < n; ++i) rest_[i] = kept[i] > 0.0 ? rest_[i] : 1.0;
+    for (int q = 0; q < quantities; ++q) scale(q, n, kept);
   }
 
   // Factor for the terms of q that keeps every fine value above a share of the coarse one.
@@ -243,6 +276,8 @@ class Prolonger {
       for (int i = 0; i < n; ++i) value[i] = centre_[q][i] + deviation(term_[q], f, i);
       if (q == energy)
         for (int i = 0; i < n; ++i) value[i] *= rest_[i];
+      if (q == energy && !ideal_)
+        for (int i = 0; i < n; ++i) value[i] = fine_energy(f, i);
       const RealView& v = fine_[static_cast<std::size_t>(q)];
       double* __restrict to = v.data + v.offset(cell);
       const std::ptrdiff_t step = v.stride[along_] * ratio_along_;
@@ -250,6 +285,8 @@ class Prolonger {
     }
   }
 
+  const Fluid& fluid_;
+  bool ideal_;
   const StateViews& coarse_;
   const StateViews& fine_;
   const IndexBox& cells_;
@@ -260,6 +297,7 @@ class Prolonger {
   double term_[quantities][Functions::terms][width];
   double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
   double rest_[width];                    // share of the internal energy that stays
+  double energy_[width];                  // of the coarse cells; not of an ideal gas
   double rows_[Children::most_in(D)][width];
 };
 
@@ -284,13 +322,13 @@ void copy_to_children(const RealView& coarse, const RealView& fine, const IndexB
 
 template <int Order>
 void prolong_cells(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
-                   const TransferGeometry& geometry, int components) {
+                   const TransferGeometry& geometry, int components, const Fluid& fluid) {
   const Children children(geometry);
   const IndexBox parents = coarsen(cells, geometry.ratio);
   const int along = longest_direction(parents, children.axes());
   dispatch(children.axes().count, components, [&]<int D, int C>() {
     using Line = Prolonger<D, C, Order>;
-    Line line(coarse, fine, cells, children, along);
+    Line line(coarse, fine, cells, children, along, fluid);
     for_each_line(parents, along, Line::width, [&](IntVec3 first, int n) { line.run(first, n); });
   });
 }
@@ -300,8 +338,8 @@ void prolong_cells(const StateViews& coarse, const StateViews& fine, const Index
 void IceTransfer::prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
                           const TransferGeometry& geometry, int order) const {
   if (cells.empty()) return;
-  if (order == 2) return prolong_cells<2>(coarse, fine, cells, geometry, components_);
-  if (order == 1) return prolong_cells<1>(coarse, fine, cells, geometry, components_);
+  if (order == 2) return prolong_cells<2>(coarse, fine, cells, geometry, components_, fluid_);
+  if (order == 1) return prolong_cells<1>(coarse, fine, cells, geometry, components_, fluid_);
   for (std::size_t q = 0; q < coarse.size(); ++q)
     copy_to_children(coarse[q], fine[q], cells, geometry);
 }

@@ -1,0 +1,176 @@
+// Adding differences of fluxes to cells of several materials, as far as they can bear it.
+//
+//   M' = M + dM,  P' = P + dP,  W = V + dV,  V' = W/S with S = sum W,
+//   E' = E + dE + p (W - V') + r M'/rho'
+// with p the cell's pressure (what a volume given or taken at the face works) and r what makes the
+// total energy right: by mass, as the dissipation of a step. A material of which nothing is left
+// leaves its energy to r.
+#include <cmath>
+
+#include "ice/refine/correction.hpp"
+#include "ice/refine/mixture_transfer.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// Volume fractions below this are the round-off of volumes around 1.
+constexpr double round_off = 4e-16;
+
+struct Part {
+  double M, E, V;
+};
+
+class MixtureCorrector {
+ public:
+  MixtureCorrector(const MixtureLayout& layout, const std::vector<Fluid>& fluids)
+      : layout_(layout),
+        fluids_(fluids),
+        components_(static_cast<int>(layout.components)),
+        part_(layout.materials),
+        change_(layout.materials),
+        now_(layout.materials) {}
+
+  double run(const StateViews& state, const ConservedChange& change, std::size_t n) {
+    const IntVec3 cell = change.cells[n];
+    read(state, change, n);
+    if (const int m = sole_material(); m >= 0) {
+      const auto present = static_cast<std::size_t>(m);
+      mixture_.E = part_[present].E;
+      const double share = correct_gas(mixture_, total_, components_, false, fluids_[present]);
+      part_[present].M = mixture_.rho;
+      part_[present].E = mixture_.E;
+      write(state, cell);
+      return share;
+    }
+    find_pressure();
+    for (const double share : correction_shares) {
+      if (!try_share(share)) continue;
+      part_ = now_;
+      for (std::size_t c = 0; c < layout_.components; ++c) mixture_.m[c] += share * total_.m[c];
+      write(state, cell);
+      return share;
+    }
+    return 0.0;
+  }
+
+ private:
+  void read(const StateViews& state, const ConservedChange& change, std::size_t n) {
+    const IntVec3 cell = change.cells[n];
+    mixture_ = {};
+    total_ = {};
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      part_[m] = {state[layout_.mass(m)](cell), state[layout_.energy(m)](cell),
+                  state[layout_.volume(m)](cell)};
+      change_[m] = {change.amount[layout_.mass(m)][n], change.amount[layout_.energy(m)][n],
+                    change.amount[layout_.volume(m)][n]};
+      mixture_.rho += part_[m].M;
+      total_.rho += change_[m].M;
+    }
+    for (std::size_t c = 0; c < layout_.components; ++c) {
+      mixture_.m[c] = state[layout_.momentum(c)](cell);
+      total_.m[c] = change.amount[layout_.momentum(c)][n];
+    }
+    total_.E = change.amount[layout_.total_energy()][n];
+  }
+  void write(const StateViews& state, IntVec3 cell) const {
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      state[layout_.mass(m)](cell) = part_[m].M;
+      state[layout_.energy(m)](cell) = part_[m].E;
+      state[layout_.volume(m)](cell) = part_[m].V;
+    }
+    for (std::size_t c = 0; c < layout_.components; ++c)
+      state[layout_.momentum(c)](cell) = mixture_.m[c];
+  }
+
+  // The one material that the cell holds before and after; -1: there are several.
+  int sole_material() const {
+    int sole = -1;
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      const Part& d = change_[m];
+      if (part_[m].M == 0.0 && d.M == 0.0 && d.V == 0.0 && d.E == 0.0) continue;
+      if (sole >= 0) return -1;
+      sole = static_cast<int>(m);
+    }
+    return sole;
+  }
+
+  void find_pressure() {
+    double work = 0, volume = 0;
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      const Part& s = part_[m];
+      if (s.M == 0.0) continue;
+      work += s.V * fluids_[m].pressure(s.M / s.V, s.E / s.V);
+      volume += s.V;
+    }
+    pressure_ = work / volume;
+  }
+
+  // Is what is left of a material nothing but the round-off of what came and went.
+  bool nothing_left(std::size_t m) const {
+    const Part &s = part_[m], &d = change_[m], &n = now_[m];
+    if (n.M == 0.0) return true;
+    if (!(std::fabs(n.V) <= round_off)) return false;
+    const double density =
+        std::fmax(s.V > 0.0 ? s.M / s.V : 0.0, d.V != 0.0 ? std::fabs(d.M / d.V) : 0.0);
+    if (!(std::fabs(n.M) <= round_off * density)) return false;
+    return !(n.M > 0.0 && n.V > 0.0 && fluids_[m].admissible(n.M / n.V, n.E / n.V));
+  }
+
+  bool try_share(double share) {
+    double rho = 0, volume = 0;
+    int present = 0;
+    bool moved = false;
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      const Part &s = part_[m], &d = change_[m];
+      now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
+      if (nothing_left(m))
+        now_[m] = {};
+      else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))
+        return false;
+      moved = moved || now_[m].V != s.V;
+      rho += now_[m].M;
+      volume += now_[m].V;
+      present += now_[m].M > 0.0;
+    }
+    if (!(rho >= least_kept_by_corrections * mixture_.rho && volume >= least_kept_by_corrections))
+      return false;
+    double gained = 0;
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      Part& now = now_[m];
+      if (now.M == 0.0) {
+        gained -= part_[m].E;
+        continue;
+      }
+      const double whole = present == 1 ? 1.0 : moved ? now.V / volume : now.V;
+      now.E += pressure_ * (now.V - whole);
+      now.V = whole;
+      gained += now.E - part_[m].E;
+    }
+    const double rest =
+        share * total_.E - kinetic_change(mixture_, total_, share, components_) - gained;
+    for (std::size_t m = 0; m < part_.size(); ++m) {
+      Part& now = now_[m];
+      if (now.M == 0.0) continue;
+      now.E += rest * (now.M / rho);
+      if (!fluids_[m].admissible(now.M / now.V, now.E / now.V)) return false;
+    }
+    return true;
+  }
+
+  const MixtureLayout& layout_;
+  const std::vector<Fluid>& fluids_;
+  int components_;
+  std::vector<Part> part_, change_, now_;
+  GasCell mixture_{}, total_{};  // all materials together: density, momentum; their change
+  double pressure_ = 0;
+};
+
+}  // namespace
+
+void MixtureTransfer::correct(const StateViews& state, const ConservedChange& change,
+                              std::span<double> share) const {
+  MixtureCorrector corrector(layout_, fluids_);
+  for (std::size_t n = 0; n < change.cells.size(); ++n) share[n] = corrector.run(state, change, n);
+}
+
+}  // namespace sluice::ice

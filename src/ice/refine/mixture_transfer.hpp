@@ -1,0 +1,58 @@
+// Where levels meet, for several materials with one velocity: prolongation, restriction and
+// correction of their conserved state.
+//
+// Views in the order of Ice::state_slots(), per volume of the cell: mass of each material, the
+// momentum components of the mixture, internal energy of each material, volume of each material.
+// An absent material has mass, energy and volume exactly zero; one alone has the volume exactly 1.
+// Changes of a flux register, in order: mass of each material, momentum, internal energy of each
+// material (what passes with it, without work), volume of each material, total energy.
+#pragma once
+#include <vector>
+
+#include "ice/refine/ice_transfer.hpp"
+
+namespace sluice::ice {
+
+// Places of the views.
+struct MixtureLayout {
+  std::size_t materials = 1, components = 1;
+
+  std::size_t mass(std::size_t m) const { return m; }
+  std::size_t momentum(std::size_t c) const { return materials + c; }
+  std::size_t energy(std::size_t m) const { return materials + components + m; }
+  std::size_t volume(std::size_t m) const { return 2 * materials + components + m; }
+  std::size_t quantities() const { return 3 * materials + components; }
+  // Among the changes of a flux register.
+  std::size_t total_energy() const { return quantities(); }
+};
+
+class MixtureTransfer final : public TransferOperators {
+ public:
+  // `fluids`: of each material.
+  MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes = true);
+
+  // A coarse cell whose neighbours, across edges and corners too, hold nothing but its own one
+  // material is treated as a gas; elsewhere the fine cells are as the coarse one: whatever is in
+  // equilibrium stays so.
+  void prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
+               const TransferGeometry& geometry, int order) const override;
+  // Means, of volumes too; the kinetic energy that the mean loses goes to the materials by mass.
+  // Their pressures may differ afterwards, as those of a step before it equilibrates.
+  void restrict_to(const StateViews& fine, const StateViews& coarse, const IndexBox& coarse_cells,
+                   const TransferGeometry& geometry) const override;
+  int flux_quantities() const override {
+    return matches_fluxes_ ? static_cast<int>(layout_.quantities()) + 1 : 0;
+  }
+  // Volumes are brought back to the sum 1, against the cell's pressure; what then lacks in the
+  // total energy goes to the materials by mass. A cell of one material is treated as a gas.
+  void correct(const StateViews& state, const ConservedChange& change,
+               std::span<double> share) const override;
+
+ private:
+  MixtureLayout layout_;
+  std::vector<Fluid> fluids_;
+  std::vector<IceTransfer> alone_;  // each material where there is no other
+  bool matches_fluxes_;
+};
+
+}  // namespace sluice::ice
