@@ -6,7 +6,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names sampled = {"minMax", "lineExtract", "planeExtract"};
+const Names averages = {"planeAverage", "planeAvgTurbFluxes"};
+const Names sampled = {"minMax", "lineExtract", "planeExtract", "planeAverage",
+                       "planeAvgTurbFluxes"};
 const Names with_variables = sampled;
 
 TagSpec analyze() {
@@ -62,6 +64,23 @@ std::vector<TagSpec> places() {
               .only_for("name", names_of("planeExtract"))};
 }
 
+// How planes are averaged.
+std::vector<TagSpec> plane_tags() {
+  const AttributeSpec label = attribute("label", "name of the variable").once().text();
+  return {tag("planeOrientation", "the two directions in which planes extend")
+              .once()
+              .words({"XY", "XZ", "YZ"})
+              .only_for("name", averages),
+          tag("weight", "the weight of averages with weighting=\"mass\"")
+              .attribute(label)
+              .only_for("name", averages),
+          tag("velocity", "the velocity that variables are correlated with")
+              .once()
+              .with_attributes({label, attribute("weighting", "of its averages over planes")
+                                           .words({"none", "nCells", "mass"})})
+              .only_for("name", names_of("planeAvgTurbFluxes"))};
+}
+
 // When samples are taken.
 std::vector<TagSpec> times() {
   return {
@@ -81,13 +100,14 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(attribute("name", "which analysis")
-                         .once()
-                         .words({"minMax", "lineExtract", "planeExtract", "vorticity"})
-                         .not_built({"controlVolFluxes", "firstLawThermo", "flatPlate_heatFlux",
-                                     "momentumAnalysis", "particleExtract", "planeAverage",
-                                     "planeAvgTurbFluxes", "radiometer", "spatialAvg", "statistics",
-                                     "SGS_ReynoldsStress", "turbulentFluxes"}))
+          .attribute(
+              attribute("name", "which analysis")
+                  .once()
+                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                          "planeAvgTurbFluxes", "vorticity"})
+                  .not_built({"controlVolFluxes", "firstLawThermo", "flatPlate_heatFlux",
+                              "momentumAnalysis", "particleExtract", "radiometer", "spatialAvg",
+                              "statistics", "SGS_ReynoldsStress", "turbulentFluxes"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})
@@ -96,7 +116,8 @@ void add_analysis_tags(Schema& schema) {
                               .once()
                               .child(analyze())
                               .only_for("name", with_variables)})
-          .with_children(places());
+          .with_children(places())
+          .with_children(plane_tags());
   schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
 }
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/deck/nearest_name.hpp"
-#include "framework/run/analysis_extremes.hpp"
 #include "framework/run/analysis_line.hpp"
+#include "framework/run/analysis_modules.hpp"
 #include "framework/run/analysis_plane.hpp"
 
 namespace sluice {
@@ -23,32 +23,6 @@ bool is_reserved(const std::string& name) {
                                                "input.xml", "levels.txt",   "run.json"};
   return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
                                     name.find_first_not_of("0123456789", 1) == name.npos);
-}
-
-// The modules that sample labels level by level; others are fields, or nothing at all.
-bool samples_levels(const std::string& module) {
-  static const std::set<std::string> names = {"minMax", "lineExtract", "planeExtract"};
-  return names.count(module) > 0;
-}
-
-std::unique_ptr<LevelSampler> line_sampler(const AnalysisModule& m, const Level& level,
-                                           std::vector<AnalysedQuantity> quantities) {
-  std::vector<SampledLine> lines;
-  for (const AnalysedLine& line : m.lines)
-    if (LineCells found = cells_on_line(line, level); !found.cells.empty())
-      lines.push_back({line.name, std::move(found.cells)});
-  if (lines.empty()) return nullptr;
-  return std::make_unique<PointsSampler>(level, std::move(quantities), lines);
-}
-
-std::unique_ptr<LevelSampler> plane_sampler(const AnalysisModule& m, const Level& level,
-                                            std::vector<AnalysedQuantity> quantities) {
-  std::vector<SampledPlane> planes;
-  for (const AnalysedPlane& plane : m.planes)
-    if (const PlaneCells found = cells_in_plane(plane, level); !found.cells.empty())
-      planes.push_back({plane.name, found.cells});
-  if (planes.empty()) return nullptr;
-  return std::make_unique<PlaneSampler>(level, std::move(quantities), planes);
 }
 
 void sort_once(std::vector<Label>& labels) {
@@ -69,13 +43,15 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
     : hierarchy_(&hierarchy), communicator_(&communicator) {
   std::set<std::string> names;
   for (const AnalysisModule& m : scene.analysis.modules) {
-    if (!samples_levels(m.name)) continue;
-    for (const AnalysedVariable& v : m.variables) find_quantity(v);  // also if on no level
+    if (!samples_levels(m)) continue;
+    const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
+    check_fields(m, find);
     check_places(m, names);
     Module module;
     module.settings = &m;
-    for (int l = 0; l < hierarchy.possible_levels(); ++l)
-      module.levels.push_back(make_sampler(m, l));
+    const int levels = hierarchy.possible_levels();
+    for (int l = 0; l < levels; ++l)
+      module.levels.push_back(make_sampler(m, hierarchy.level(l).level(), levels, find));
     if (std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
       modules_.push_back(std::move(module));
   }
@@ -91,15 +67,6 @@ AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) cons
     if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());
   throw InputError(fmt::format("{}: <analyze label=\"{}\"> names no field of this run ({})",
                                to_string(v.where), v.label, suggest_name(v.label, names)));
-}
-
-std::vector<AnalysedQuantity> AnalysisRecorder::quantities_on(const AnalysisModule& m,
-                                                              int level) const {
-  std::vector<AnalysedQuantity> quantities;
-  for (const AnalysedVariable& v : m.variables)
-    if (v.levels.contains(level, hierarchy_->possible_levels()))
-      quantities.push_back(find_quantity(v));
-  return quantities;
 }
 
 void AnalysisRecorder::check_place(const char* kind, const std::string& name, const Location& where,
@@ -119,6 +86,11 @@ void AnalysisRecorder::check_place(const char* kind, const std::string& name, co
 
 void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::string>& names) {
   const Level& level = hierarchy_->level(0).level();
+  if (writes_one_set_of_files(m) && !names.insert(m.name).second)
+    throw InputError(fmt::format(
+        "{}: a second <Module name=\"{}\"> would write the same files; put its variables into the "
+        "first",
+        to_string(m.where), m.name));
   for (const AnalysedLine& line : m.lines) {
     const LineCells found = cells_on_line(line, level);
     check_place("line", line.name, line.where, found.cells.empty(), found.clipped, names);
@@ -127,15 +99,6 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
     const PlaneCells found = cells_in_plane(plane, level);
     check_place("plane", plane.name, plane.where, found.cells.empty(), found.clipped, names);
   }
-}
-
-std::unique_ptr<LevelSampler> AnalysisRecorder::make_sampler(const AnalysisModule& m, int l) const {
-  std::vector<AnalysedQuantity> quantities = quantities_on(m, l);
-  if (quantities.empty()) return nullptr;
-  if (m.name == "minMax") return std::make_unique<ExtremesSampler>(l, quantities);
-  const Level& level = hierarchy_->level(l).level();
-  if (m.name == "planeExtract") return plane_sampler(m, level, std::move(quantities));
-  return line_sampler(m, level, std::move(quantities));
 }
 
 void AnalysisRecorder::open(const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 //   minMax       MinMax/L-<level>/<label>_<material>    time minimum maximum
 //   lineExtract  <line>/L-<level>/i<i>_j<j>_k<k>        X Y Z Timestep Time values
 //   planeExtract <plane>/tNNNNN/L-<level>/<label>_<material>.dat    X Y Z value
+//   planeAverage, planeAvgTurbFluxes    see analysis_average.hpp
 //
 // in the archive's folder, 17 digits, '#' before header lines; every level on its own, as far as
 // the variable asks for it and the level exists. A negative level counts from the finest level that
@@ -20,7 +21,6 @@
 #include <vector>
 
 #include "framework/base/communicator.hpp"
-#include "framework/run/analysis_points.hpp"
 #include "framework/run/analysis_sampler.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/scene/scene.hpp"
@@ -69,12 +69,10 @@ class AnalysisRecorder {
   using Visit = std::function<void(int level, LevelSampler&)>;
 
   AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
-  std::vector<AnalysedQuantity> quantities_on(const AnalysisModule& module, int level) const;
   // Lines and planes: their names, and whether the domain holds them.
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);
-  std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& module, int level) const;
   // The samplers of these modules on the levels that exist now, always in the same order.
   void visit(const std::vector<Module*>& modules, const Visit& work) const;
   void lay_out();

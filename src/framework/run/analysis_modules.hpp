@@ -1,0 +1,24 @@
+// Which samplers the modules of a deck become on a level.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "framework/run/analysis_sampler.hpp"
+#include "framework/scene/analysis_settings.hpp"
+
+namespace sluice {
+
+// The field that an entry names. InputError naming entry and nearest label when there is none.
+using FindQuantity = std::function<AnalysedQuantity(const AnalysedVariable&)>;
+
+// Does a module sample labels level by level.
+bool samples_levels(const AnalysisModule& module);
+// Are its files named after the module alone.
+bool writes_one_set_of_files(const AnalysisModule& module);
+// InputError for fields that a module cannot take.
+void check_fields(const AnalysisModule& module, const FindQuantity& find);
+// Of `levels` that may exist; null where nothing is asked for.
+std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& module, const Level& level,
+                                           int levels, const FindQuantity& find);
+
+}  // namespace sluice
