@@ -137,6 +137,7 @@ void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
   bind_scratch(block);
   Row row;
   row.axes_ = plan_->axes.count;
+  row.along_ = plan_->axes.direction[0];
   row.step_ = &step;
   row.reductions_ = &reductions;
   row.box_ = box;

@@ -57,6 +57,14 @@ class Row {
   IntVec3 block_low() const { return block_low_; }  // interior cells of the block
   IntVec3 block_high() const { return block_high_; }
   const StepConstants& step() const { return *step_; }
+  // `count` cells of the row, from its cell number `first` on.
+  Row part(int first, int count) const {
+    Row r = *this;
+    r.count_ = count;
+    r.index_[0] += first;
+    r.cell_[along_] += first;
+    return r;
+  }
   Reductions& reductions() const { return *reductions_; }
 
   // Row of an input, shifted by `shift` cells along `axis` (of the active axes).
@@ -91,6 +99,7 @@ class Row {
   const BoundArray* const* reads_ = nullptr;
   const BoundArray* const* writes_ = nullptr;
   int axes_ = 1;
+  int along_ = 0;             // level direction of axis 0
   int index_[3] = {0, 0, 0};  // canonical coordinates of the row's first cell
   int count_ = 0, box_ = 0;
   IntVec3 cell_{}, block_low_{}, block_high_{};

@@ -24,6 +24,7 @@ namespace {
 struct Handles {
   In rho, inverse_rho, sound, velocity, pressure;
   In velocity_slope, pressure_slope, predicted, transverse;
+  In shock_slope, pi;  // of a mixture
   Out face_velocity, face_pressure;
 };
 
@@ -33,14 +34,15 @@ struct FaceState {
 
 // The Riemann problem of two cell states in the middle of the step.
 inline FaceState solve_face(double uL, double pL, double uR, double pR, double ra, double rb,
-                            double ca, double cb, double slope, double u_jump, double p_jump) {
+                            double ca, double cb, double slope_a, double slope_b, double u_jump,
+                            double p_jump) {
   const double du = uL - uR;
-  const double squeeze = 0.5 * slope * larger(0.0, du);
-  double zL = ra * (ca + squeeze);
-  double zR = rb * (cb + squeeze);
+  const double squeeze = larger(0.0, du);
+  double zL = ra * (ca + 0.5 * slope_a * squeeze);
+  double zR = rb * (cb + 0.5 * slope_b * squeeze);
   const double u0 = ((zL * uL + zR * uR) + (pL - pR)) / (zL + zR);
-  zL = ra * (ca + slope * larger(0.0, uL - u0));
-  zR = rb * (cb + slope * larger(0.0, u0 - uR));
+  zL = ra * (ca + slope_a * larger(0.0, uL - u0));
+  zR = rb * (cb + slope_b * larger(0.0, u0 - uR));
   const double w = 1.0 / (zL + zR);
   const double rbar = 0.5 * (ra + rb);
   const double rcbar = 0.5 * (ra * ca + rb * cb);
@@ -61,10 +63,12 @@ struct FaceConstants {
 };
 
 // Rows of the two cells of each face: a on the low side, b on the high side.
-template <int D, bool Second, bool Gravity>
+// Mixed: shock slope and lowest pressure differ from cell to cell.
+template <int D, bool Second, bool Gravity, bool Mixed>
 struct FaceRows {
   const double *ra, *rb, *wa, *wb, *ca, *cb, *ua, *ub, *pa, *pb;
   const double *sua, *sub, *spa, *spb, *Pa, *Pb, *UTa, *UTb;
+  const double *slope_a, *slope_b, *pi_a, *pi_b;
   FaceConstants k;
 
   FaceRows(const Row& row, const Handles& h, int axis, const FaceConstants& constants)
@@ -78,6 +82,10 @@ struct FaceRows {
     both(h.sound, 0, ca, cb);
     both(h.velocity, axis, ua, ub);
     both(h.pressure, 0, pa, pb);
+    if constexpr (Mixed) {
+      both(h.shock_slope, 0, slope_a, slope_b);
+      both(h.pi, 0, pi_a, pi_b);
+    }
     if constexpr (Second) {
       both(h.velocity_slope, axis, sua, sub);
       both(h.pressure_slope, axis, spa, spb);
@@ -96,7 +104,8 @@ struct FaceRows {
         p = Pa[i] + (0.5 + k.half_courant * ua[i]) * spa[i];
         if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i]);
       }
-      p = larger(p, 0.1 * (pa[i] + k.pi) - k.pi);
+      const double pi = Mixed ? pi_a[i] : k.pi;
+      p = larger(p, 0.1 * (pa[i] + pi) - pi);
     }
     if constexpr (Gravity) p += 0.5 * k.g_dx * ra[i];
     return {u, p};
@@ -111,17 +120,19 @@ struct FaceRows {
         p = Pb[i] - (0.5 - k.half_courant * ub[i]) * spb[i];
         if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i]);
       }
-      p = larger(p, 0.1 * (pb[i] + k.pi) - k.pi);
+      const double pi = Mixed ? pi_b[i] : k.pi;
+      p = larger(p, 0.1 * (pb[i] + pi) - pi);
     }
     if constexpr (Gravity) p -= 0.5 * k.g_dx * rb[i];
     return {u, p};
   }
+  double slope(const double* of_cell, int i) const { return Mixed ? of_cell[i] : k.shock_slope; }
   FaceState solve(int i) const {
     const FaceState L = left(i), R = right(i);
     double p_jump = pb[i] - pa[i];
     if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]);
-    return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], k.shock_slope, ub[i] - ua[i],
-                      p_jump);
+    return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], slope(slope_a, i),
+                      slope(slope_b, i), ub[i] - ua[i], p_jump);
   }
   // A wall on the face: the cell inside meets its own mirror image, and nothing passes.
   FaceState at_wall(int i, bool plus) const {
@@ -129,16 +140,17 @@ struct FaceRows {
     const double towards = plus ? in.u : -in.u;
     const double cell = plus ? ua[i] : -ub[i];
     const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
+    const double A = plus ? slope(slope_a, i) : slope(slope_b, i);
     const FaceState f =
-        solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, k.shock_slope, -2.0 * cell, 0.0);
+        solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell, 0.0);
     return {0.0, f.p};
   }
 };
 
-template <int D, bool Second, bool Gravity>
+template <int D, bool Second, bool Gravity, bool Mixed>
 void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k,
               const SchemeOptions& o) {
-  const FaceRows<D, Second, Gravity> rows(row, h, axis, k);
+  const FaceRows<D, Second, Gravity, Mixed> rows(row, h, axis, k);
   double* __restrict uf = row(h.face_velocity);
   double* __restrict pf = row(h.face_pressure);
   const int n = row.count();
@@ -153,6 +165,19 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
     uf[i] = f.u;
     pf[i] = f.p;
   });
+}
+
+template <int D, bool Mixed>
+void face_row_of(const Row& row, const Handles& h, int axis, const FaceConstants& k,
+                 const SchemeOptions& o) {
+  if (o.second_order && o.gravity_on)
+    face_row<D, true, true, Mixed>(row, h, axis, k, o);
+  else if (o.second_order)
+    face_row<D, true, false, Mixed>(row, h, axis, k, o);
+  else if (o.gravity_on)
+    face_row<D, false, true, Mixed>(row, h, axis, k, o);
+  else
+    face_row<D, false, false, Mixed>(row, h, axis, k, o);
 }
 
 }  // namespace
@@ -175,6 +200,10 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
       h.predicted = task.read(v.predicted_pressure, both);
       if (o.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
     }
+    if (o.mixture) {
+      h.shock_slope = task.read(v.shock_slope, both);
+      h.pi = task.read(v.pi, both);
+    }
     const auto face = static_cast<std::size_t>(axis);
     h.face_velocity = task.write(v.face_velocity[face]);
     h.face_pressure = task.write(v.face_pressure[face]);
@@ -187,14 +216,10 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
         k.g_dx = o.gravity[direction] * dx;
         k.shock_slope = shock_slope;
         k.pi = pi;
-        if (o.second_order && o.gravity_on)
-          face_row<D, true, true>(row, h, axis, k, o);
-        else if (o.second_order)
-          face_row<D, true, false>(row, h, axis, k, o);
-        else if (o.gravity_on)
-          face_row<D, false, true>(row, h, axis, k, o);
+        if (o.mixture)
+          face_row_of<D, true>(row, h, axis, k, o);
         else
-          face_row<D, false, false>(row, h, axis, k, o);
+          face_row_of<D, false>(row, h, axis, k, o);
       });
     });
   }

@@ -22,6 +22,7 @@ struct Handles {
   std::array<In, 3> face_velocity;
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
+  Out mixture;  // J, work, faces through which matter leaves
 };
 
 template <int D, int C>
@@ -35,6 +36,29 @@ void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, 
     double* __restrict v = row(h.velocity_L, c);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) v[i] = u[i] - dp[i] * w[i];
+  }
+}
+
+// What the materials of a mixture share out: J, the work defect, and how many outlets a cell has.
+template <int D>
+void mixture_rows(const Row& row, const Handles& h, const double* l) {
+  const int n = row.count();
+  const double *um[D], *up[D];
+  for (int d = 0; d < D; ++d) {
+    um[d] = row(h.face_velocity[static_cast<std::size_t>(d)]);
+    up[d] = row(h.face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
+  }
+  double* __restrict J = row(h.mixture, 0);
+  double* __restrict outlets = row(h.mixture, 2);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double stretch = 0, count = 0;
+    for (int d = 0; d < D; ++d) {
+      stretch += l[d] * (up[d][i] - um[d][i]);
+      count += (up[d][i] > 0.0 ? 1.0 : 0.0) + (um[d][i] < 0.0 ? 1.0 : 0.0);
+    }
+    J[i] = 1.0 + stretch;
+    outlets[i] = count;
   }
 }
 
@@ -150,14 +174,20 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.courant = task.write(v.courant);
   h.inverse_courant = task.write(v.inverse_courant);
   const bool scaled = o.fluid.ideal() == nullptr;
-  if (scaled) h.energy_scale = task.write(v.energy_scale);
+  if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
+  if (o.mixture) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       momentum_rows<D, C>(row, h, s, o.viscous);
       energy_rows<D, C>(row, h, s, o.viscous);
-      if (scaled)
+      if (o.mixture) {
+        mixture_rows<D>(row, h, s.l);
+        const double *E = row(h.energy), *Es = row(h.energy_star);
+        double* work = row(h.mixture, 1);
+        for (int i = 0; i < row.count(); ++i) work[i] = E[i] - Es[i];
+      } else if (scaled)
         energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));
     });
   });

@@ -11,13 +11,13 @@ SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o)
   const Labels& l = labels();
   const int C = o.components;
   SchemeVariables v;
-  v.rho = list.old_state(l.mass, 0, 1);
+  v.rho = list.old_state(l.mass, o.material, 1);
   v.momentum = list.old_state(l.momentum, 0, C);
-  v.energy = list.old_state(l.energy, 0, 1);
+  v.energy = list.old_state(l.energy, o.material, 1);
   if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
-  v.rho_new = list.new_state(l.mass, 0, 1);
+  v.rho_new = list.new_state(l.mass, o.material, 1);
   v.momentum_new = list.new_state(l.momentum, 0, C);
-  v.energy_new = list.new_state(l.energy, 0, 1);
+  v.energy_new = list.new_state(l.energy, o.material, 1);
   v.velocity = list.temporary("velocity", C);
   v.pressure = list.temporary("pressure");
   v.sound = list.temporary("sound speed");

@@ -4,6 +4,7 @@
 // axis c, further components are carried passively.
 #pragma once
 #include <array>
+#include <vector>
 
 #include "framework/grid/index_box.hpp"
 #include "framework/task/task.hpp"
@@ -22,8 +23,11 @@ struct SchemeOptions {
   Axes axes;
   int components = 1;                     // of momentum, axes.count <= components <= 3
   std::array<int, 3> direction{0, 1, 2};  // level direction of each component
-  Fluid fluid;
-  bool classic = false;  // the classic form, see classic/
+  Fluid fluid;                            // of the one material that this graph is for
+  int material = 0;                       // its index
+  bool mixture = false;                   // the graph of blocks with several materials
+  std::vector<Fluid> fluids;              // of all materials
+  bool classic = false;                   // the classic form, see classic/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
@@ -58,6 +62,8 @@ struct SchemeVariables {
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
+  // Of a mixture: shock slope and minus the lowest pressure of each cell; J, work, outlets.
+  VariableId shock_slope, pi, lagrangian_mixture;
   VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
   VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
