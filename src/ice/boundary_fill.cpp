@@ -3,17 +3,21 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
+
+#include "ice/boundary/layer_copy.hpp"
 
 namespace sluice::ice {
 
-BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
-                           int level)
-    : gravity_(scene.constants.gravity),
-      fluid_(material.fluid),
-      viscous_(material.viscosity > 0),
-      slots_(slots),
-      level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
+BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials,
+                           const StateSlots& slots, int level)
+    : slots_(slots), level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
+  for (const IceMaterial& material : materials) {
+    setting_.fluids.push_back(material.fluid);
+    setting_.viscous = setting_.viscous || material.viscosity > 0;
+  }
+  setting_.directions = slots.directions;
+  setting_.gravity = scene.constants.gravity;
+  setting_.level = level_;
   for (Side side : all_sides) {
     const int d = direction_of(side);
     const auto n = static_cast<std::size_t>(side);
@@ -21,14 +25,45 @@ BoundaryFill::BoundaryFill(const Scene& scene, const IceMaterial& material, cons
         level_->periodic[static_cast<std::size_t>(d)])
       continue;
     for (const BoundaryRegion& region : scene.boundary.side(side).regions)
-      rules_[n].push_back(make_rule(region, material.index, d));
+      add_region(side, region, materials);
     has_walls_[n] = std::any_of(rules_[n].begin(), rules_[n].end(),
                                 [](const GhostRule& r) { return r.mirrored(); });
     regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
   }
 }
 
-const GhostRule& BoundaryFill::rule(Side side, IntVec3 cell) const {
+void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
+                              std::span<const IceMaterial> materials) {
+  const auto n = static_cast<std::size_t>(side);
+  if (materials.size() == 1) {
+    rules_[n].push_back(make_rule(region, materials.front().index, direction_of(side)));
+    return;
+  }
+  mixtures_[n].push_back(make_mixture_rule(region, materials, direction_of(side)));
+  rules_[n].push_back(mixtures_[n].back().common);
+}
+
+bool BoundaryFill::copies(Side side, std::size_t region) const {
+  const auto n = static_cast<std::size_t>(side);
+  return setting_.gravity[direction_of(side)] == 0 &&
+         (mixtures_[n].empty() ? rules_[n][region].plain() : mixtures_[n][region].plain);
+}
+
+BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
+  BoundaryViews v;
+  const int several = static_cast<int>(setting_.fluids.size());
+  for (int m = slots_.material; m < slots_.material + several; ++m) {
+    v.mass.push_back(state.view(state.find(slots_.mass, m), 0, box));
+    v.energy.push_back(state.view(state.find(slots_.energy, m), 0, box));
+    if (several > 1) v.volume.push_back(state.view(state.find(slots_.volume, m), 0, box));
+  }
+  const int momentum = state.find(slots_.momentum, slots_.material);
+  for (int c = 0; c < state.info(momentum).components; ++c)
+    v.momentum.push_back(state.view(momentum, c, box));
+  return v;
+}
+
+std::size_t BoundaryFill::region(Side side, IntVec3 cell) const {
   const int d = direction_of(side);
   const IndexBox& domain = level_->domain;
   for (int e = 0; e < 3; ++e) {
@@ -41,7 +76,7 @@ const GhostRule& BoundaryFill::rule(Side side, IntVec3 cell) const {
   }
   const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
   const auto n = static_cast<std::size_t>(side);
-  return rules_[n][static_cast<std::size_t>(regions_[n]->region(cell[a], cell[b]))];
+  return static_cast<std::size_t>(regions_[n]->region(cell[a], cell[b]));
 }
 
 IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_width,
@@ -62,183 +97,36 @@ IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_w
   return region;
 }
 
-namespace {
-
-// The interior cell that a ghost cell looks at: its mirror image or the nearest one.
-IntVec3 source_cell(IntVec3 ghost, int d, bool plus, bool mirrored, const IndexBox& domain) {
-  IntVec3 s = ghost;
-  if (plus)
-    s[d] = mirrored ? 2 * domain.upper[d] - 1 - ghost[d] : domain.upper[d] - 1;
-  else
-    s[d] = mirrored ? 2 * domain.lower[d] - 1 - ghost[d] : domain.lower[d];
-  // A domain narrower than the ghost layers is mirrored once more.
-  s[d] = std::clamp(s[d], domain.lower[d], domain.upper[d] - 1);
-  return s;
-}
-
-// State arrays of one box.
-struct StateViews {
-  RealView mass, energy;
-  std::vector<RealView> momentum;
-};
-
-// A few ghosts at the end of each row, all layers together: they share a cache line. Nearly every
-// row is another line and every few rows another page, so they are fetched ahead of their use.
-void copy_row_ends(double* row, std::ptrdiff_t stride, int rows, const std::vector<int>& source,
-                   int low, double sign) {
-  constexpr std::ptrdiff_t ahead = 32;  // rows, measured best
-  const auto [first, last] = std::minmax_element(source.begin(), source.end());
-  const std::ptrdiff_t layers = static_cast<std::ptrdiff_t>(source.size());
-  const std::ptrdiff_t begin = std::min<std::ptrdiff_t>(0, *first - low);
-  const std::ptrdiff_t end = std::max<std::ptrdiff_t>(layers - 1, *last - low);
-  for (int n = 0; n < rows; ++n, row += stride) {
-    // As numbers: past the last row there is no such pointer.
-    const auto here = reinterpret_cast<std::uintptr_t>(row);
-    const auto to = [&](std::ptrdiff_t x) {
-      return reinterpret_cast<const void*>(
-          here +
-          static_cast<std::uintptr_t>((ahead * stride + x) * std::ptrdiff_t{sizeof(double)}));
-    };
-    __builtin_prefetch(to(begin), 1);
-    __builtin_prefetch(to(end), 1);
-    for (std::ptrdiff_t layer = 0; layer < layers; ++layer)
-      row[layer] = sign * row[source[static_cast<std::size_t>(layer)] - low];
-  }
-}
-
-// data = sign * data of the layer source[n] of direction d, for the n-th ghost layer.
-void copy_layers(const RealView& v, const IndexBox& ghosts, int d, const std::vector<int>& source,
-                 double sign) {
-  int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;  // inner and outer of the other directions
-  if (v.stride[b] == 1) std::swap(a, b);
-  const IntVec3 n = ghosts.size();
-  for (int outer = 0; outer < n[b]; ++outer) {
-    double* row = v.data + v.offset(ghosts.lower) + outer * v.stride[b];
-    if (v.stride[d] == 1) {
-      copy_row_ends(row, v.stride[a], n[a], source, ghosts.lower[d], sign);
-      continue;
-    }
-    for (int layer = 0; layer < n[d]; ++layer) {
-      double* to = row + layer * v.stride[d];
-      const double* from =
-          row + (source[static_cast<std::size_t>(layer)] - ghosts.lower[d]) * v.stride[d];
-      // Along unit stride, or a single cell of a direction that is not active.
-      for (int inner = 0; inner < n[a]; ++inner) to[inner] = sign * from[inner];
-    }
-  }
-}
-
-}  // namespace
-
-struct BoundaryFill::SideRules {
-  const BoundaryFill& fill;
-  const GhostRule& rule;
-  int d;
-  bool plus;
-
-  // Hydrostatic difference of pressure from the source cell out to the ghost cell: the sum of
-  // g dx (rho + rho)/2 over the steps between them. Ghost densities closer in are filled already.
-  double hydrostatic(const StateViews& v, IntVec3 source, IntVec3 ghost, double rho_ghost) const {
-    const double g = fill.gravity_[d];
-    if (g == 0) return 0;
-    const int outward = plus ? 1 : -1;
-    double change = 0;
-    IntVec3 c = source;
-    while (c[d] != ghost[d]) {
-      IntVec3 next = c;
-      next[d] += outward;
-      const double rho_next = next[d] == ghost[d] ? rho_ghost : v.mass(next);
-      change += outward * 0.5 * g * fill.level_->spacing[d] * (v.mass(c) + rho_next);
-      c = next;
-    }
-    return change;
-  }
-
-  void plain(const StateViews& v, IntVec3 ghost, IntVec3 source) const {
-    v.mass(ghost) = v.mass(source);
-    v.energy(ghost) = v.energy(source);
-    const bool mirrored = rule.velocity_kind == GhostRule::Velocity::mirror;
-    for (std::size_t c = 0; c < v.momentum.size(); ++c)
-      v.momentum[c](ghost) = mirrored && fill.slots_.directions[c] == d ? -v.momentum[c](source)
-                                                                        : v.momentum[c](source);
-  }
-
-  double velocity(const StateViews& v, IntVec3 source, std::size_t c, double distance) const {
-    const int direction = fill.slots_.directions[c];
-    const double u = v.momentum[c](source) / v.mass(source);
-    switch (rule.velocity_kind) {
-      case GhostRule::Velocity::copy:
-        return u - rule.velocity_gradient[direction] * distance;
-      case GhostRule::Velocity::mirror:
-        return direction == d ? -u : u;
-      case GhostRule::Velocity::wall:
-        if (direction == d) return -u;
-        return fill.viscous_ ? 2.0 * rule.velocity[direction] - u : u;
-      case GhostRule::Velocity::prescribed:
-        return rule.velocity[direction];
-    }
-    return u;
-  }
-
-  void general(const StateViews& v, IntVec3 ghost, IntVec3 source) const {
-    const Fluid& fluid = fill.fluid_;
-    const double distance = std::abs(ghost[d] - source[d]) * fill.level_->spacing[d];
-    const double source_rho = v.mass(source), source_E = v.energy(source);
-    double rho = rule.fixed_density ? rule.density : source_rho - rule.density_gradient * distance;
-    const double p_source = fluid.pressure(source_rho, source_E);
-    const bool given_T = rule.fixed_temperature || rule.temperature_gradient != 0;
-    const double T = rule.fixed_temperature ? rule.temperature
-                                            : fluid.temperature(source_rho, source_E) -
-                                                  rule.temperature_gradient * distance;
-    double p;
-    if (rule.fixed_pressure) {
-      p = rule.pressure;
-    } else if (rule.fixed_density && given_T) {
-      p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
-    } else {
-      p = p_source - rule.pressure_gradient * distance;
-      if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
-      p += hydrostatic(v, source, ghost, rho);
-    }
-    if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
-    v.mass(ghost) = rho;
-    v.energy(ghost) = fluid.energy_from_pressure(rho, p, T);
-    for (std::size_t c = 0; c < v.momentum.size(); ++c)
-      v.momentum[c](ghost) = rho * velocity(v, source, c, distance);
-  }
-};
-
 void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const {
   const auto n = static_cast<std::size_t>(side);
   const int d = direction_of(side);
   const bool plus = is_plus(side);
-  const int slot_m = state.find(slots_.momentum, slots_.material);
-  StateViews v;
-  v.mass = state.view(state.find(slots_.mass, slots_.material), 0, box);
-  v.energy = state.view(state.find(slots_.energy, slots_.material), 0, box);
-  for (int c = 0; c < state.info(slot_m).components; ++c)
-    v.momentum.push_back(state.view(slot_m, c, box));
-  auto one = [&](IntVec3 ghost) {
-    const SideRules rules{*this, rule(side, ghost), d, plus};
-    const IntVec3 source = source_cell(ghost, d, plus, rules.rule.mirrored(), level_->domain);
-    if (rules.rule.plain() && gravity_[d] == 0)
-      rules.plain(v, ghost, source);
-    else
-      rules.general(v, ghost, source);
-  };
+  const BoundaryViews v = views(state, box);
   const GhostRule& first = rules_[n].front();
-  if (regions_[n]->uniform() && first.plain() && gravity_[d] == 0) {
+  if (regions_[n]->uniform() && copies(side, 0)) {
     std::vector<int> source;
     IntVec3 ghost = ghosts.lower;
     for (; ghost[d] < ghosts.upper[d]; ++ghost[d])
       source.push_back(source_cell(ghost, d, plus, first.mirrored(), level_->domain)[d]);
-    copy_layers(v.mass, ghosts, d, source, 1.0);
-    copy_layers(v.energy, ghosts, d, source, 1.0);
+    for (const auto* views : {&v.mass, &v.energy, &v.volume})
+      for (const RealView& view : *views) copy_layers(view, ghosts, d, source, 1.0);
     for (std::size_t c = 0; c < v.momentum.size(); ++c)
       copy_layers(v.momentum[c], ghosts, d, source,
                   first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
     return;
   }
+  GhostStates states(setting_, v, d, plus);
+  const auto one = [&](IntVec3 ghost) {
+    const std::size_t r = region(side, ghost);
+    const GhostRule& here = rules_[n][r];
+    const IntVec3 source = source_cell(ghost, d, plus, here.mirrored(), level_->domain);
+    if (copies(side, r))
+      states.plain(here, ghost, source);
+    else if (mixtures_[n].empty())
+      states.gas(here, ghost, source);
+    else
+      states.mixture(mixtures_[n][r], ghost, source);
+  };
   // From the boundary outward, so that hydrostatic sums find the nearer ghosts filled.
   const int layers = ghosts.size()[d];
   for (int layer = 0; layer < layers; ++layer) {
@@ -251,24 +139,24 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
 
 bool BoundaryFill::commute(std::span<const Side> sides) const {
   return std::all_of(sides.begin(), sides.end(), [&](Side side) {
-    const auto& rules = rules_[static_cast<std::size_t>(side)];
-    return gravity_[direction_of(side)] == 0 &&
-           std::all_of(rules.begin(), rules.end(), [](const GhostRule& r) { return r.plain(); });
+    const std::size_t regions = rules_[static_cast<std::size_t>(side)].size();
+    for (std::size_t r = 0; r < regions; ++r)
+      if (!copies(side, r)) return false;
+    return true;
   });
 }
 
 void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
                                 std::span<const Side> sides) const {
-  std::vector<RealView> views;
-  for (const Label label : {slots_.mass, slots_.energy, slots_.momentum}) {
-    const int slot = state.find(label, slots_.material);
-    for (int c = 0; c < state.info(slot).components; ++c) views.push_back(state.view(slot, c, box));
-  }
-  std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * views.size(), 0.0);
+  const BoundaryViews v = views(state, box);
+  std::vector<RealView> all;
+  for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum})
+    all.insert(all.end(), some->begin(), some->end());
+  std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * all.size(), 0.0);
   const auto each = [&](auto&& f) {
     std::size_t n = 0;
-    for (const RealView& v : views)
-      for_each_cell(ghosts, [&](IntVec3 cell) { f(v(cell), sums[n++]); });
+    for (const RealView& view : all)
+      for_each_cell(ghosts, [&](IntVec3 cell) { f(view(cell), sums[n++]); });
   };
   for (const Side side : sides) {
     fill_side(state, box, ghosts, side);

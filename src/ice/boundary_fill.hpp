@@ -13,6 +13,8 @@
 //     pressure, it follows from them; where temperature is given but not the density, the density
 //     follows from pressure and temperature; all three: pressure and density count
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
+// Several materials: mixture_rule.cpp. What they fill is copied, or follows from the densities given;
+// all have the ghost's pressure and, in their momentum, their own velocity.
 // Ghosts beyond two or three sides hold the mean of what the sides' rules make of each other's
 // ghosts: no axis comes first.
 #pragma once
@@ -24,41 +26,27 @@
 #include "framework/field/warehouse.hpp"
 #include "framework/scene/boundary.hpp"
 #include "framework/task/thread_team.hpp"
+#include "ice/boundary/ghost_rule.hpp"
+#include "ice/boundary/ghost_states.hpp"
 #include "ice/ice_scene.hpp"
 
 namespace sluice::ice {
 
-// One region's conditions for one material, as numbers.
-struct GhostRule {
-  enum class Velocity { copy, mirror, wall, prescribed };
-  Velocity velocity_kind = Velocity::copy;
-  Vec3 velocity{};           // wall or prescribed
-  Vec3 velocity_gradient{};  // copy
-  bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
-  double density = 0, pressure = 0, temperature = 0;
-  double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
-
-  bool mirrored() const {
-    return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall;
-  }
-  // The conserved state is copied (or mirrored) as it is.
-  bool plain() const;
-};
-
-// Throws InputError naming the deck line of a condition that is not built.
-GhostRule make_rule(const BoundaryRegion& region, int material, int normal);
-
 struct StateSlots {
   Label mass, momentum, energy;
-  int material = 0;
+  int material = 0;             // of the momentum; the first of several
   std::vector<int> directions;  // of the momentum components
+  Label volume{};               // of several materials
 };
 
 class BoundaryFill {
  public:
   // Of one level of the scene, whose boxes may change later.
-  BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
+  BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials, const StateSlots& slots,
                int level = 0);
+  BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
+               int level = 0)
+      : BoundaryFill(scene, std::span(&material, 1), slots, level) {}
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
   // only, whatever the boxes and threads.
@@ -72,9 +60,14 @@ class BoundaryFill {
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
 
  private:
-  // The rule for a boundary face; beyond the domain that of its image or of the nearest face.
-  const GhostRule& rule(Side side, IntVec3 cell) const;
-  struct SideRules;
+  // The region of a boundary face; beyond the domain that of its image or of the nearest face.
+  std::size_t region(Side side, IntVec3 cell) const;
+  const GhostRule& rule(Side side, IntVec3 cell) const {
+    return rules_[static_cast<std::size_t>(side)][region(side, cell)];
+  }
+  bool copies(Side side, std::size_t region) const;  // state by state, or mirrored
+  void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);
+  BoundaryViews views(const Warehouse& state, int box) const;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
   void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team) const;
   // Does the order in which these sides fill a ghost matter?
@@ -84,12 +77,11 @@ class BoundaryFill {
   void even_out_edges(Warehouse& state, int box, int width) const;
   IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
 
-  Vec3 gravity_;
-  Fluid fluid_;
-  bool viscous_;
+  BoundarySetting setting_;
   StateSlots slots_;
   const Level* level_;
-  std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region
+  std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region; of several, the common one
+  std::array<std::vector<MixtureRule>, 6> mixtures_;  // of several materials
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
   std::array<bool, 6> has_walls_{};
 };

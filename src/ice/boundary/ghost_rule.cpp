@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "framework/base/error.hpp"
-#include "ice/boundary_fill.hpp"
+#include "ice/boundary/ghost_rule.hpp"
 
 namespace sluice::ice {
 

@@ -1,0 +1,53 @@
+// What a boundary region says about one material, and about all of them together, as numbers.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "framework/scene/boundary.hpp"
+#include "ice/ice_scene.hpp"
+
+namespace sluice::ice {
+
+// One region's conditions for one material.
+struct GhostRule {
+  enum class Velocity { copy, mirror, wall, prescribed };
+  Velocity velocity_kind = Velocity::copy;
+  Vec3 velocity{};           // wall or prescribed
+  Vec3 velocity_gradient{};  // copy
+  bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
+  double density = 0, pressure = 0, temperature = 0;
+  double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
+
+  bool mirrored() const {
+    return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall;
+  }
+  // The conserved state is copied (or mirrored) as it is.
+  bool plain() const;
+};
+
+// Throws InputError naming the deck line of a condition that is not built.
+GhostRule make_rule(const BoundaryRegion& region, int material, int normal);
+
+// Of several materials with one velocity and one pressure. Densities given are masses per volume
+// of the cell. Where all are given, what each fills follows from the specific volumes given, or
+// from temperatures and pressure; a pressure that is not given is the one at which they fill the
+// cell. Less than 1e-9 of the largest density means absent.
+struct MixtureRule {
+  struct Part {
+    GhostRule rule;
+    bool absent = false;
+    double specific_volume = 0;  // given; 0: it is not
+    double volume = -1;          // share of the cell, where known beforehand
+  };
+  std::vector<Part> parts;  // by material
+  // Plain where all are so alike; mirrored where those present are. Also the pressure.
+  GhostRule common;
+  bool plain = false;
+};
+
+// Throws InputError for conditions that contradict each other: a wall for some materials only,
+// volumes that do not fill the cell, or too little to know them.
+MixtureRule make_mixture_rule(const BoundaryRegion& region, std::span<const IceMaterial> materials,
+                              int normal);
+
+}  // namespace sluice::ice

@@ -1,0 +1,189 @@
+// Ghost states of one gas and of mixtures.
+#include "ice/boundary/ghost_states.hpp"
+
+#include <cstdlib>
+
+namespace sluice::ice {
+
+GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
+                         bool plus)
+    : setting_(setting), v_(views), d_(direction), plus_(plus) {
+  if (views.mass.size() > 1) parts_.resize(views.mass.size());
+}
+
+// Hydrostatic difference of pressure from the source cell out to the ghost cell: the sum of
+// g dx (rho + rho)/2 over the steps between them. Ghost densities closer in are filled already.
+double GhostStates::hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const {
+  const double g = setting_.gravity[d_];
+  if (g == 0) return 0;
+  const int outward = plus_ ? 1 : -1;
+  double change = 0;
+  IntVec3 c = source;
+  while (c[d_] != ghost[d_]) {
+    IntVec3 next = c;
+    next[d_] += outward;
+    const double rho_next = next[d_] == ghost[d_] ? rho_ghost : v_.density(next);
+    change += outward * 0.5 * g * setting_.level->spacing[d_] * (v_.density(c) + rho_next);
+    c = next;
+  }
+  return change;
+}
+
+void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
+  for (const auto* views : {&v_.mass, &v_.energy, &v_.volume})
+    for (const RealView& v : *views) v(ghost) = v(source);
+  const bool mirrored = rule.velocity_kind == GhostRule::Velocity::mirror;
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c)
+    v_.momentum[c](ghost) =
+        mirrored && setting_.directions[c] == d_ ? -v_.momentum[c](source) : v_.momentum[c](source);
+}
+
+double GhostStates::velocity(const GhostRule& rule, double u, int direction,
+                             double distance) const {
+  switch (rule.velocity_kind) {
+    case GhostRule::Velocity::copy:
+      return u - rule.velocity_gradient[direction] * distance;
+    case GhostRule::Velocity::mirror:
+      return direction == d_ ? -u : u;
+    case GhostRule::Velocity::wall:
+      if (direction == d_) return -u;
+      return setting_.viscous ? 2.0 * rule.velocity[direction] - u : u;
+    case GhostRule::Velocity::prescribed:
+      return rule.velocity[direction];
+  }
+  return u;
+}
+
+void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
+  const Fluid& fluid = setting_.fluids.front();
+  const RealView &mass = v_.mass.front(), &energy = v_.energy.front();
+  const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
+  const double source_rho = mass(source), source_E = energy(source);
+  double rho = rule.fixed_density ? rule.density : source_rho - rule.density_gradient * distance;
+  const double p_source = fluid.pressure(source_rho, source_E);
+  const bool given_T = rule.fixed_temperature || rule.temperature_gradient != 0;
+  const double T = rule.fixed_temperature ? rule.temperature
+                                          : fluid.temperature(source_rho, source_E) -
+                                                rule.temperature_gradient * distance;
+  double p;
+  if (rule.fixed_pressure) {
+    p = rule.pressure;
+  } else if (rule.fixed_density && given_T) {
+    p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
+  } else {
+    p = p_source - rule.pressure_gradient * distance;
+    if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
+    p += hydrostatic(source, ghost, rho);
+  }
+  if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
+  mass(ghost) = rho;
+  energy(ghost) = fluid.energy_from_pressure(rho, p, T);
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c)
+    v_.momentum[c](ghost) =
+        rho * velocity(rule, v_.momentum[c](source) / source_rho, setting_.directions[c], distance);
+}
+
+double GhostStates::mixture_pressure(IntVec3 source) const {
+  double work = 0, volume = 0;
+  for (std::size_t m = 0; m < parts_.size(); ++m) {
+    const double M = v_.mass[m](source), V = v_.volume[m](source);
+    if (M == 0.0) continue;
+    const double p = setting_.fluids[m].pressure(M / V, v_.energy[m](source) / V);
+    if (V == 1.0) return p;
+    work += V * p;
+    volume += V;
+  }
+  return work / volume;
+}
+
+// What the ghost has of the cell that it looks at, before pressure and temperatures act on it.
+void GhostStates::take_over(const MixtureRule& rule, IntVec3 source, double distance) {
+  for (std::size_t m = 0; m < parts_.size(); ++m) {
+    const MixtureRule::Part& r = rule.parts[m];
+    const double M = v_.mass[m](source), V = v_.volume[m](source);
+    Part& part = parts_[m];
+    part = {};
+    part.given_T = r.rule.fixed_temperature || r.rule.temperature_gradient != 0;
+    if (M > 0.0) {
+      part.V = part.V_source = V;
+      part.rho = (M - r.rule.density_gradient * distance) / V;
+      part.T = setting_.fluids[m].temperature(M / V, v_.energy[m](source) / V) -
+               r.rule.temperature_gradient * distance;
+    }
+    if (r.rule.fixed_temperature) part.T = r.rule.temperature;
+  }
+}
+
+// Sets true densities and shares at a pressure so that the cell is full; its density.
+double GhostStates::fill_cell(const MixtureRule& rule, double p) {
+  double given = 0, taken = 0;
+  for (std::size_t m = 0; m < parts_.size(); ++m) {
+    const MixtureRule::Part& r = rule.parts[m];
+    Part& part = parts_[m];
+    const bool fixed = r.rule.fixed_density;
+    if (r.absent) {
+      part.V = 0;
+    } else if (fixed && r.volume > 0) {
+      part.V = r.volume;
+      part.rho = r.rule.density / r.volume;
+    } else if (fixed) {
+      if (r.specific_volume > 0)
+        part.rho = 1.0 / r.specific_volume;
+      else if (part.T > 0)
+        part.rho = setting_.fluids[m].density(p, part.T);
+      part.V = part.rho > 0 ? r.rule.density / part.rho : 0.0;
+    } else if (part.V > 0 && part.given_T) {
+      part.rho = setting_.fluids[m].density(p, part.T);
+    }
+    (fixed ? given : taken) += part.V;
+  }
+  // Nothing that is given or may be taken over: what the source has.
+  if (given + taken == 0)
+    for (Part& part : parts_) taken += part.V = part.V_source;
+  // Those taken over leave room for those given.
+  const double room = 1.0 - given;
+  const double of_taken = taken > 0 && room > 0 ? room / taken : 0.0;
+  const double of_given = of_taken > 0 || given == 0 ? 1.0 : 1.0 / given;
+  double rho = 0;
+  for (std::size_t m = 0; m < parts_.size(); ++m) {
+    Part& part = parts_[m];
+    const double factor = rule.parts[m].rule.fixed_density && given > 0 ? of_given : of_taken;
+    // A cell that is full to round-off stays as it is.
+    if (factor != 1.0) part.V = part.V == taken + given ? 1.0 : part.V * factor;
+    rho += part.V * part.rho;
+  }
+  return rho;
+}
+
+void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
+  const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
+  take_over(rule, source, distance);
+  double p = rule.common.pressure;
+  double rho = 0;
+  if (!rule.common.fixed_pressure) {
+    p = mixture_pressure(source) - rule.common.pressure_gradient * distance;
+    rho = fill_cell(rule, p);
+    p += hydrostatic(source, ghost, rho);
+  }
+  rho = fill_cell(rule, p);
+  const double source_rho = v_.density(source);
+  for (std::size_t m = 0; m < parts_.size(); ++m) {
+    const Part& part = parts_[m];
+    const bool present = part.V > 0;
+    v_.volume[m](ghost) = present ? part.V : 0.0;
+    v_.mass[m](ghost) = present ? part.V * part.rho : 0.0;
+    v_.energy[m](ghost) =
+        present ? part.V * setting_.fluids[m].energy_from_pressure(part.rho, p, part.T) : 0.0;
+  }
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
+    const double u = v_.momentum[c](source) / source_rho;
+    double momentum = 0;
+    for (std::size_t m = 0; m < parts_.size(); ++m)
+      if (parts_[m].V > 0)
+        momentum += parts_[m].V * parts_[m].rho *
+                    velocity(rule.parts[m].rule, u, setting_.directions[c], distance);
+    v_.momentum[c](ghost) = momentum;
+  }
+}
+
+}  // namespace sluice::ice

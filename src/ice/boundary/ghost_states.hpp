@@ -1,0 +1,60 @@
+// The state of one ghost cell from that of the cell that it looks at.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "framework/field/array_view.hpp"
+#include "framework/grid/level.hpp"
+#include "ice/boundary/ghost_rule.hpp"
+
+namespace sluice::ice {
+
+// State arrays of one box; by material, momentum by component. No volumes with one material.
+struct BoundaryViews {
+  std::vector<RealView> mass, energy, volume, momentum;
+
+  double density(IntVec3 c) const {
+    double rho = mass.front()(c);
+    for (std::size_t m = 1; m < mass.size(); ++m) rho += mass[m](c);
+    return rho;
+  }
+};
+
+// What holds on all sides.
+struct BoundarySetting {
+  std::vector<Fluid> fluids;    // by material
+  std::vector<int> directions;  // of the momentum components
+  Vec3 gravity{};
+  bool viscous = false;
+  const Level* level = nullptr;
+};
+
+// On one side; ghosts are to be filled from the boundary outward.
+class GhostStates {
+ public:
+  GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction, bool plus);
+
+  void plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
+  void gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
+  void mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
+
+ private:
+  struct Part {
+    double rho = 0, V = 0, T = 0;  // true density, share of the cell
+    double V_source = 0;
+    bool given_T = false;
+  };
+  double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
+  double velocity(const GhostRule& rule, double source_u, int direction, double distance) const;
+  double mixture_pressure(IntVec3 source) const;
+  void take_over(const MixtureRule& rule, IntVec3 source, double distance);
+  double fill_cell(const MixtureRule& rule, double p);
+
+  const BoundarySetting& setting_;
+  const BoundaryViews& v_;
+  int d_;
+  bool plus_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace sluice::ice

@@ -1,0 +1,246 @@
+// Ghost states of two materials: copies, walls, outlets, inflow of a mixture, what is refused.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "framework/base/error.hpp"
+#include "ice/boundary_fill.hpp"
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+Condition scalar(const char* variable, ConditionKind kind, double value, int material = -1) {
+  Condition c;
+  c.variable = variable;
+  c.kind = kind;
+  c.material = material;
+  c.has_value = true;
+  c.value = value;
+  c.vector = Vec3::all(value);
+  return c;
+}
+Condition given(const char* variable, double value, int material = -1) {
+  return scalar(variable, ConditionKind::dirichlet, value, material);
+}
+Condition velocity(ConditionKind kind, Vec3 value, int material = -1) {
+  Condition c = scalar("Velocity", kind, 0, material);
+  c.is_vector = true;
+  c.vector = value;
+  return c;
+}
+
+Fluid water() {
+  eos::StiffenedGas law;
+  law.gamma = 4.4;
+  law.pinf = 6e8;
+  law.specific_heat = 4180;
+  return {law, std::nullopt, 4.4, 4180};
+}
+
+// Eight cells along x, air to the left, water to the right, three cells of both between them; at
+// 2 m/s and 1e5 Pa. The same region on both ends.
+class TwoMaterials {
+ public:
+  explicit TwoMaterials(std::vector<Condition> conditions, double gravity = 0) {
+    Level level;
+    level.domain = {{0, 0, 0}, {8, 1, 1}};
+    level.active = {true, false, false};
+    level.boxes = {{level.domain, 0, 0}};
+    scene_.grid.levels = {level};
+    scene_.constants.gravity = {gravity, 0, 0};
+    BoundaryRegion region;
+    region.conditions = std::move(conditions);
+    region.name = "side x-";
+    for (Side side : {Side::x_minus, Side::x_plus})
+      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+    materials_.resize(2);
+    materials_[0].fluid = ideal_gas(1.4, 717.5);
+    materials_[1].fluid = water();
+    materials_[1].index = 1;
+    const Labels& l = labels();
+    state_ = std::make_unique<Warehouse>(scene_.grid.levels.front(), 0);
+    for (int m = 0; m < 2; ++m) state_->add({l.mass, m, 1, 3});
+    state_->add({l.momentum, 0, 2, 3});
+    for (int m = 0; m < 2; ++m) state_->add({l.energy, m, 1, 3});
+    for (int m = 0; m < 2; ++m) state_->add({l.volume, m, 1, 3});
+    const double share[] = {1, 0.75, 1, 1, 0.5, 0, 0.125, 0};
+    for (int i = 0; i < 8; ++i) {
+      const double V[] = {share[i], 1 - share[i]}, rho[] = {1.2 + 0.1 * i, 1000.0 + i};
+      for (int m = 0; m < 2; ++m) {
+        at(l.mass, m, i) = V[m] * rho[m];
+        at(l.volume, m, i) = V[m];
+        at(l.energy, m, i) = V[m] > 0 ? V[m] * fluid(m).energy_from_pressure(rho[m], 1e5, 0) : 0;
+      }
+      at(l.momentum, 0, i) = 2 * density(i);
+      at(l.momentum, 0, i, 1) = 0.5 * density(i);
+    }
+    BoundaryFill(scene_, materials_, {l.mass, l.momentum, l.energy, 0, {0, 1}, l.volume})
+        .fill(*state_, ThreadTeam());
+  }
+
+  double& at(Label label, int m, int i, int c = 0) const {
+    return state_->view(state_->find(label, m), c, 0)(i, 0, 0);
+  }
+  double mass(int m, int i) const { return at(labels().mass, m, i); }
+  double volume(int m, int i) const { return at(labels().volume, m, i); }
+  double energy(int m, int i) const { return at(labels().energy, m, i); }
+  double density(int i) const { return mass(0, i) + mass(1, i); }
+  double u(int i, int c = 0) const { return at(labels().momentum, 0, i, c) / density(i); }
+  double p(int m, int i) const {
+    return fluid(m).pressure(mass(m, i) / volume(m, i), energy(m, i) / volume(m, i));
+  }
+  const Fluid& fluid(int m) const { return materials_[static_cast<std::size_t>(m)].fluid; }
+
+ private:
+  Scene scene_;
+  std::vector<IceMaterial> materials_;
+  std::unique_ptr<Warehouse> state_;
+};
+
+// Does a ghost hold what a cell holds, to the bit.
+bool same_materials(const TwoMaterials& tube, int ghost, int cell) {
+  bool same = true;
+  for (int m = 0; m < 2; ++m)
+    same = same && tube.mass(m, ghost) == tube.mass(m, cell) &&
+           tube.volume(m, ghost) == tube.volume(m, cell) &&
+           tube.energy(m, ghost) == tube.energy(m, cell);
+  return same;
+}
+
+const Condition outflow = velocity(ConditionKind::neumann, {});
+
+TEST(MixtureGhosts, SymmetryMirrorsAllMaterials) {
+  const TwoMaterials tube({scalar("Symmetric", ConditionKind::symmetry, 0)});
+  for (int layer = 0; layer < 3; ++layer) {
+    EXPECT_TRUE(same_materials(tube, -1 - layer, layer));
+    EXPECT_TRUE(same_materials(tube, 8 + layer, 7 - layer));
+    EXPECT_EQ(tube.u(-1 - layer), -2.0);
+    EXPECT_EQ(tube.u(8 + layer, 1), 0.5);
+  }
+}
+
+TEST(MixtureGhosts, ZeroGradientsCopyAllMaterials) {
+  const TwoMaterials tube({scalar("Pressure", ConditionKind::neumann, 0, 0),
+                           scalar("Density", ConditionKind::neumann, 0),
+                           scalar("Temperature", ConditionKind::neumann, 0), outflow});
+  for (int layer = 0; layer < 3; ++layer) {
+    EXPECT_TRUE(same_materials(tube, -1 - layer, 0));
+    EXPECT_TRUE(same_materials(tube, 8 + layer, 7));
+  }
+  EXPECT_EQ(tube.volume(0, -2), 1.0);
+  EXPECT_EQ(tube.mass(1, -2), 0.0);
+}
+
+TEST(MixtureGhosts, AnOutletPressureIsThatOfAllMaterials) {
+  const TwoMaterials tube({given("Pressure", 2e5), outflow});
+  EXPECT_DOUBLE_EQ(tube.p(0, -1), 2e5);
+  EXPECT_EQ(tube.volume(0, -1), 1.0);
+  EXPECT_EQ(tube.energy(1, -1), 0.0);
+  EXPECT_DOUBLE_EQ(tube.mass(0, -1), tube.mass(0, 0));
+  EXPECT_NEAR(tube.p(1, 9), 2e5, 1e-5);  // beside 6e8
+  EXPECT_EQ(tube.mass(0, 9), 0.0);
+}
+
+TEST(MixtureGhosts, AWallOfGivenTemperatureKeepsWhatTheMaterialsFill) {
+  const TwoMaterials tube({given("Temperature", 300), velocity(ConditionKind::dirichlet, {})});
+  for (const int ghost : {-2, 9}) {
+    const int cell = ghost < 0 ? 1 : 6;
+    for (int m = 0; m < 2; ++m) {
+      EXPECT_DOUBLE_EQ(tube.volume(m, ghost), tube.volume(m, cell));
+      if (tube.volume(m, ghost) == 0) continue;
+      EXPECT_NEAR(tube.p(m, ghost), 1e5, 1e-5);
+      const double rho = tube.mass(m, ghost) / tube.volume(m, ghost);
+      EXPECT_NEAR(rho / tube.fluid(m).density(1e5, 300), 1.0, 1e-12);
+    }
+    EXPECT_DOUBLE_EQ(tube.u(ghost), -2.0);
+  }
+}
+
+std::vector<Condition> inflow(double share, bool with_pressure) {
+  const double air = ideal_gas(1.4, 717.5).density(3e5, 280), liquid = water().density(3e5, 310);
+  std::vector<Condition> conditions = {given("Density", share * air, 0),
+                                       given("Density", (1 - share) * liquid, 1),
+                                       given("Temperature", 280, 0), given("Temperature", 310, 1),
+                                       velocity(ConditionKind::dirichlet, {3, 1, 0})};
+  if (with_pressure) conditions.push_back(given("Pressure", 3e5, 0));
+  return conditions;
+}
+
+TEST(MixtureGhosts, DensitiesAndTemperaturesTellWhatAnInflowFills) {
+  for (const bool with_pressure : {true, false}) {
+    const TwoMaterials tube(inflow(0.3, with_pressure));
+    for (const int ghost : {-3, -1, 8}) {
+      EXPECT_NEAR(tube.volume(0, ghost), 0.3, 1e-9) << with_pressure;
+      EXPECT_DOUBLE_EQ(tube.volume(0, ghost) + tube.volume(1, ghost), 1.0);
+      EXPECT_NEAR(tube.p(0, ghost), 3e5, 1e-3);
+      EXPECT_NEAR(tube.p(1, ghost), 3e5, 1e-3);
+      EXPECT_DOUBLE_EQ(tube.u(ghost), 3);
+      EXPECT_DOUBLE_EQ(tube.u(ghost, 1), 1);
+    }
+  }
+}
+
+TEST(MixtureGhosts, ATraceOfDensityIsNone) {
+  const TwoMaterials tube({given("Density", 1.3, 0), given("Density", 1e-12, 1),
+                           given("Temperature", 290),
+                           velocity(ConditionKind::dirichlet, {4, 0, 0}, 0),
+                           velocity(ConditionKind::dirichlet, {}, 1)});
+  for (const int ghost : {-1, 10}) {
+    EXPECT_EQ(tube.volume(0, ghost), 1.0);
+    EXPECT_EQ(tube.mass(0, ghost), 1.3);
+    EXPECT_EQ(tube.mass(1, ghost), 0.0);
+    EXPECT_EQ(tube.energy(1, ghost), 0.0);
+    EXPECT_DOUBLE_EQ(tube.u(ghost), 4);
+  }
+}
+
+// One material is given, the other takes the room that is left.
+TEST(MixtureGhosts, MaterialsThatAreNotGivenFillTheRest) {
+  const double air = ideal_gas(1.4, 717.5).density(1e5, 300);
+  const TwoMaterials tube({given("Density", 0.25 * air, 0), given("Temperature", 300, 0),
+                           given("Pressure", 1e5, 0),
+                           velocity(ConditionKind::dirichlet, {1, 0, 0})});
+  EXPECT_NEAR(tube.volume(0, 8), 0.25, 1e-15);
+  EXPECT_NEAR(tube.mass(1, 8), 0.75 * tube.mass(1, 7), 1e-9);
+  EXPECT_EQ(tube.volume(0, -1), 1.0);  // there is no water that could
+}
+
+TEST(MixtureGhosts, UnderGravityTheMixtureWeighs) {
+  const double g = -3;
+  const TwoMaterials tube({scalar("Symmetric", ConditionKind::symmetry, 0)}, g);
+  // Through the mirrored cells out to the second ghost.
+  for (int m = 0; m < 2; ++m)
+    EXPECT_NEAR(tube.p(m, -2) - 1e5, -g * (tube.density(1) + 2 * tube.density(0)), 1e-5);
+}
+
+std::string refusal(std::vector<Condition> conditions) {
+  try {
+    const TwoMaterials tube(std::move(conditions));
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(MixtureGhosts, VolumesThatDoNotFillACellAreRefused) {
+  std::vector<Condition> conditions = inflow(0.3, true);
+  conditions[0].value *= 1.5;
+  EXPECT_NE(refusal(conditions).find("fill 1.15 of a cell"), std::string::npos)
+      << refusal(conditions);
+}
+
+TEST(MixtureGhosts, DensitiesAloneDoNotSayWhatTheyFill) {
+  const std::string text = refusal({given("Density", 0.5, 0), given("Density", 500, 1),
+                                    velocity(ConditionKind::dirichlet, {1, 0, 0})});
+  EXPECT_NE(text.find("SpecificVol"), std::string::npos) << text;
+}
+
+TEST(MixtureGhosts, AWallForOneMaterialOnlyIsRefused) {
+  const std::string text = refusal({velocity(ConditionKind::dirichlet, {1, 0, 0}, 0),
+                                    velocity(ConditionKind::dirichlet, {}, 1)});
+  EXPECT_NE(text.find("a wall for material 1"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace sluice::ice

@@ -1,0 +1,178 @@
+// From the deck's conditions of one boundary region to a rule for several materials.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/base/error.hpp"
+#include "ice/boundary/ghost_rule.hpp"
+
+namespace sluice::ice {
+namespace {
+
+constexpr double trace = 1e-9;     // of the largest density
+constexpr double unfilled = 1e-6;  // volumes are given with as many digits
+constexpr int most_bisections = 200;
+
+using Part = MixtureRule::Part;
+
+bool temperature_known(const Part& part) {
+  return part.rule.fixed_temperature;
+}
+
+class MixtureRuleMaker {
+ public:
+  MixtureRuleMaker(const BoundaryRegion& region, std::span<const IceMaterial> materials)
+      : region_(region), materials_(materials) {}
+
+  MixtureRule make(int normal) {
+    double densest = 0;
+    for (const IceMaterial& material : materials_) {
+      Part part;
+      part.rule = make_rule(region_, material.index, normal);
+      part.specific_volume = specific_volume(material.index);
+      densest = std::max(densest, part.rule.density);
+      rule_.parts.push_back(part);
+    }
+    for (Part& part : rule_.parts)
+      part.absent = part.rule.fixed_density && part.rule.density <= trace * densest;
+    find_volumes();
+    find_common();
+    return rule_;
+  }
+
+ private:
+  template <class... Arguments>
+  [[noreturn]] void refuse(fmt::format_string<Arguments...> text, Arguments&&... arguments) const {
+    throw InputError(fmt::format("{}: {}: {}", to_string(region_.where), region_.name,
+                                 fmt::format(text, std::forward<Arguments>(arguments)...)));
+  }
+
+  double specific_volume(int material) const {
+    const Condition* c = region_.find("SpecificVol", material);
+    return c != nullptr && c->kind == ConditionKind::dirichlet ? c->value : 0.0;
+  }
+  std::string name(std::size_t m) const {
+    const IceMaterial& material = materials_[m];
+    return material.name.empty() ? fmt::format("material {}", material.index)
+                                 : fmt::format("material {} ({})", material.index, material.name);
+  }
+  template <class Use>
+  void each_present(Use use) {
+    for (std::size_t m = 0; m < rule_.parts.size(); ++m)
+      if (!rule_.parts[m].absent) use(m, rule_.parts[m]);
+  }
+  // What a material of this density fills at a pressure.
+  double volume_at(std::size_t m, double pressure) const {
+    const Part& part = rule_.parts[m];
+    if (part.specific_volume > 0) return part.rule.density * part.specific_volume;
+    return part.rule.density / materials_[m].fluid.density(pressure, part.rule.temperature);
+  }
+
+  // Where all densities are given.
+  void find_volumes() {
+    std::vector<std::size_t> present;
+    bool all = true, known = true;
+    each_present([&](std::size_t m, const Part& part) {
+      present.push_back(m);
+      all = all && part.rule.fixed_density;
+      known = known && (part.specific_volume > 0 || temperature_known(part));
+    });
+    if (!all) {
+      for (const std::size_t m : present) {
+        const Part& part = rule_.parts[m];
+        if (part.rule.fixed_density && part.specific_volume <= 0 && !temperature_known(part))
+          refuse("the density of {} is given, but not what it fills; give its Temperature too",
+                 name(m));
+      }
+      return;
+    }
+    if (present.size() == 1) {
+      rule_.parts[present.front()].volume = 1.0;
+      return;
+    }
+    if (!known)
+      refuse(
+          "the densities of {} materials are given, but not what they fill; give the Temperature "
+          "or the SpecificVol of each",
+          present.size());
+    const bool from_volumes = std::all_of(present.begin(), present.end(), [&](std::size_t m) {
+      return rule_.parts[m].specific_volume > 0;
+    });
+    GhostRule& pressure = rule_.parts.front().rule;
+    if (!pressure.fixed_pressure && !from_volumes) {
+      const double found = filling_pressure(present);
+      for (Part& part : rule_.parts) {
+        part.rule.fixed_pressure = true;
+        part.rule.pressure = found;
+      }
+    }
+    double sum = 0;
+    for (const std::size_t m : present) {
+      Part& part = rule_.parts[m];
+      part.volume = volume_at(m, pressure.pressure);
+      if (!(part.volume > 0))
+        refuse("{} has no state at {:.6g} Pa and {:.6g} K", name(m), pressure.pressure,
+               part.rule.temperature);
+      sum += part.volume;
+    }
+    if (!(std::fabs(sum - 1.0) <= unfilled))
+      refuse(
+          "the materials fill {:.9g} of a cell, not all of it: Density is mass per volume of the "
+          "cell; change it, or the Temperature or SpecificVol",
+          sum);
+    for (const std::size_t m : present) rule_.parts[m].volume /= sum;
+  }
+
+  // Volumes fall with pressure: bisection in its logarithm.
+  double filling_pressure(const std::vector<std::size_t>& present) const {
+    const auto excess = [&](double p) {
+      double sum = -1;
+      for (const std::size_t m : present) sum += volume_at(m, p);
+      return sum;
+    };
+    double low = 1e-12, high = 1e15;
+    if (!(excess(low) > 0) || !(excess(high) < 0))
+      refuse("at no pressure do these densities and temperatures fill a cell");
+    for (int n = 0; n < most_bisections && high > low * (1 + 1e-15); ++n) {
+      const double middle = std::sqrt(low * high);
+      (excess(middle) > 0 ? low : high) = middle;
+    }
+    return std::sqrt(low * high);
+  }
+
+  void find_common() {
+    rule_.plain = true;
+    const Part* first = nullptr;
+    std::size_t index = 0;
+    each_present([&](std::size_t m, const Part& part) {
+      if (first == nullptr) {
+        first = &part;
+        index = m;
+      }
+      if (part.rule.mirrored() != first->rule.mirrored())
+        refuse(
+            "a wall for {} and none for {}, but the materials have one velocity; give all the "
+            "same kind of Velocity",
+            name(first->rule.mirrored() ? index : m), name(first->rule.mirrored() ? m : index));
+      rule_.plain = rule_.plain && part.rule.plain();
+    });
+    if (first == nullptr) refuse("no material is present");
+    rule_.common = first->rule;
+    const auto absent = [](const Part& part) { return part.absent; };
+    rule_.plain = rule_.plain && std::none_of(rule_.parts.begin(), rule_.parts.end(), absent);
+  }
+
+  const BoundaryRegion& region_;
+  std::span<const IceMaterial> materials_;
+  MixtureRule rule_;
+};
+
+}  // namespace
+
+MixtureRule make_mixture_rule(const BoundaryRegion& region, std::span<const IceMaterial> materials,
+                              int normal) {
+  return MixtureRuleMaker(region, materials).make(normal);
+}
+
+}  // namespace sluice::ice
