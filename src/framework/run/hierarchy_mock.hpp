@@ -57,6 +57,7 @@ struct Wishes {
   std::function<double(int level)> rate;              // in place of the Courant rate
   std::function<Schedule(LevelSolver&)> before;       // nodes before the ghost cells
   std::function<void(IntVec3 cell)> labour;           // once a row
+  bool kinds = false;                                 // blocks without b have a graph without it
 };
 
 // A sweep or a boundary fill of one level.
@@ -142,6 +143,10 @@ class HierarchyMock final : public Component {
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
+  int step_kinds() const override { return wishes_->kinds ? 2 : 1; }
+  int step_kind(const Warehouse& old, int box, const IndexBox& cells) const override {
+    return old.any_nonzero(slots_of(old)[1], 0, box, cells) ? 1 : 0;
+  }
   Schedule before_sweep(LevelSolver& level) const override {
     return wishes_->before ? wishes_->before(level) : Schedule{};
   }

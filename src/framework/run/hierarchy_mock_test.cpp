@@ -11,6 +11,10 @@ struct HierarchyMock::Variables {
   VariableId a, b, s, mask;                    // old
   std::vector<VariableId> fluxes[quantities];  // of a, b, s by axis: amount a volume of the cell
   Axes axes;
+  bool with_b = true;
+  std::vector<std::size_t> present() const {
+    return with_b ? std::vector<std::size_t>{0, 1, 2} : std::vector<std::size_t>{0, 2};
+  }
 };
 
 void HierarchyMock::initialise(Warehouse& state) const {
@@ -76,8 +80,9 @@ void HierarchyMock::add_totals(const Warehouse& state, const LevelCoverage& cove
 void HierarchyMock::declare_step(TaskList& list, const StepVariant& variant) const {
   const MockLabels& l = mock_labels();
   Variables v;
+  v.with_b = variant.kind == step_kinds() - 1;
   v.a = list.old_state(l.a, 0, 1);
-  v.b = list.old_state(l.b, 1, 1);
+  if (v.with_b) v.b = list.old_state(l.b, 1, 1);
   v.s = list.old_state(l.s, 0, 1);
   if (variant.masked) v.mask = list.old_state(l.mask, 0, 1);
   v.axes = active_axes(scene_->grid.levels[static_cast<std::size_t>(variant.level)]);
@@ -97,17 +102,17 @@ void HierarchyMock::declare_faces(TaskList& list, Variables& v, const StepVarian
   const Wishes* w = wishes_;
   TaskBuilder faces = list.task("faces of axis " + std::to_string(axis), 0);
   const In a = faces.read(v.a, Stencil::along(d, 2, 1)),
-           b = faces.read(v.b, Stencil::along(d, 1, 0)),
            s = faces.read(v.s, Stencil::along(d, 1, 0));
-  In mask;
+  In b, mask;
+  if (v.with_b) b = faces.read(v.b, Stencil::along(d, 1, 0));
   if (variant.masked) mask = faces.read(v.mask, Stencil::along(d, 1, 0));
   Out out[quantities];
-  for (int q = 0; q < quantities; ++q) {
+  for (const std::size_t q : v.present()) {
     v.fluxes[q].push_back(
         list.temporary("flux " + std::to_string(q) + " of axis " + std::to_string(axis), 1, d));
     out[q] = faces.write(v.fluxes[q].back());
   }
-  const bool masked = variant.masked;
+  const bool masked = variant.masked, with_b = v.with_b;
   // Velocities are not negative: the upwind cell is the lower one.
   faces.kernel([=](const Row& row) {
     const double spacing = row.step().spacing[d], dt = row.step().dt;
@@ -121,7 +126,7 @@ void HierarchyMock::declare_faces(TaskList& list, Variables& v, const StepVarian
       const double flux = courant_a * (low + 0.5 * (1 - courant_a) * slope + 0.5 * dt * w->source);
       const double carried = row(s, 0, axis, -1)[i];
       row(out[0])[i] = flux;
-      row(out[1])[i] = courant_b * row(b, 0, axis, -1)[i];
+      if (with_b) row(out[1])[i] = courant_b * row(b, 0, axis, -1)[i];
       row(out[2])[i] = (low > 0 ? flux * carried / low : 0) + diffusive * (carried - row(s)[i]);
     }
   });
@@ -136,15 +141,17 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
                                    const StepVariant& variant) const {
   const MockLabels& l = mock_labels();
   TaskBuilder update = list.task("update", 0);
-  const In old[] = {update.read(v.a), update.read(v.b), update.read(v.s)};
+  const std::vector<std::size_t> present = v.present();
+  In old[] = {update.read(v.a), {}, update.read(v.s)};
+  if (v.with_b) old[1] = update.read(v.b);
   std::vector<In> fluxes[quantities];
   for (int axis = 0; axis < v.axes.count; ++axis)
-    for (std::size_t q = 0; q < quantities; ++q)
+    for (const std::size_t q : present)
       fluxes[q].push_back(update.read(v.fluxes[q][static_cast<std::size_t>(axis)],
                                       Stencil::along(v.axes.direction[axis], 0, 1)));
-  const Out now[] = {update.write(list.new_state(l.a, 0, 1)),
-                     update.write(list.new_state(l.b, 1, 1)),
-                     update.write(list.new_state(l.s, 0, 1))};
+  Out now[] = {
+      update.write(list.new_state(l.a, 0, 1)), {}, update.write(list.new_state(l.s, 0, 1))};
+  if (v.with_b) now[1] = update.write(list.new_state(l.b, 1, 1));
   const LevelCoverage* coverage = variant.coverage;
   const bool masked = variant.masked;
   const int along = v.axes.direction[0];
@@ -153,7 +160,7 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
     if (wishes_->labour) wishes_->labour(row.cell());
     const StepConstants& step = row.step();
     const double gain = step.dt * wishes_->source;
-    for (std::size_t q = 0; q < quantities; ++q)
+    for (const std::size_t q : present)
       for (int i = 0; i < row.count(); ++i) {
         double change = q == 0 ? gain : 0;
         for (int axis = 0; axis < static_cast<int>(fluxes[q].size()); ++axis) {
@@ -179,8 +186,9 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
 void HierarchyMock::declare_record(TaskList& list, const Variables& v, const StepVariant& variant,
                                    int axis) {
   TaskBuilder task = list.task("flux record of axis " + std::to_string(axis), 0);
+  const std::vector<std::size_t> present = v.present();
   In fluxes[quantities];
-  for (std::size_t q = 0; q < quantities; ++q)
+  for (const std::size_t q : present)
     fluxes[q] = task.read(v.fluxes[q][static_cast<std::size_t>(axis)],
                           Stencil::along(v.axes.direction[axis], 0, 1));
   const FluxRecorder* recorder = variant.recorder;
@@ -192,8 +200,10 @@ void HierarchyMock::declare_record(TaskList& list, const Variables& v, const Ste
         for (int n = 0; n < segment.count; ++n) {
           const int i = segment.first + n - row.cell()[along];
           if (i < 0 || i >= row.count()) continue;
-          for (int q = 0; q < quantities; ++q)
-            table->values(q)[segment.slot + n] = row(fluxes[q], 0, axis, segment.high ? 1 : 0)[i];
+          for (int q = 0; q < quantities; ++q) table->values(q)[segment.slot + n] = 0;
+          for (const std::size_t q : present)
+            table->values(static_cast<int>(q))[segment.slot + n] =
+                row(fluxes[q], 0, axis, segment.high ? 1 : 0)[i];
         }
     }
   });
