@@ -9,7 +9,7 @@
 namespace sluice::ice {
 
 BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials,
-                           const StateSlots& slots, int level)
+                           const StateSlots& slots, int level, const FlowConditions& conditions)
     : slots_(slots), level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
   for (const IceMaterial& material : materials) {
     setting_.fluids.push_back(material.fluid);
@@ -18,6 +18,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
   setting_.directions = slots.directions;
   setting_.gravity = scene.constants.gravity;
   setting_.level = level_;
+  setting_.conditions = conditions;
   for (Side side : all_sides) {
     const int d = direction_of(side);
     const auto n = static_cast<std::size_t>(side);
@@ -36,10 +37,12 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
                               std::span<const IceMaterial> materials) {
   const auto n = static_cast<std::size_t>(side);
   if (materials.size() == 1) {
-    rules_[n].push_back(make_rule(region, materials.front().index, direction_of(side)));
+    rules_[n].push_back(
+        make_rule(region, materials.front().index, direction_of(side), setting_.conditions));
     return;
   }
-  mixtures_[n].push_back(make_mixture_rule(region, materials, direction_of(side)));
+  mixtures_[n].push_back(
+      make_mixture_rule(region, materials, direction_of(side), setting_.conditions));
   rules_[n].push_back(mixtures_[n].back().common);
 }
 
@@ -97,7 +100,8 @@ IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_w
   return region;
 }
 
-void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const {
+void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                             double time) const {
   const auto n = static_cast<std::size_t>(side);
   const int d = direction_of(side);
   const bool plus = is_plus(side);
@@ -115,13 +119,15 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
                   first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
     return;
   }
-  GhostStates states(setting_, v, d, plus);
+  GhostStates states(setting_, v, d, plus, time);
   const auto one = [&](IntVec3 ghost) {
     const std::size_t r = region(side, ghost);
     const GhostRule& here = rules_[n][r];
     const IntVec3 source = source_cell(ghost, d, plus, here.mirrored(), level_->domain);
     if (copies(side, r))
       states.plain(here, ghost, source);
+    else if (here.waves)
+      states.waves(here, ghost, source);
     else if (mixtures_[n].empty())
       states.gas(here, ghost, source);
     else
@@ -147,7 +153,7 @@ bool BoundaryFill::commute(std::span<const Side> sides) const {
 }
 
 void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
-                                std::span<const Side> sides) const {
+                                std::span<const Side> sides, double time) const {
   const BoundaryViews v = views(state, box);
   std::vector<RealView> all;
   for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum})
@@ -159,14 +165,14 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
       for_each_cell(ghosts, [&](IntVec3 cell) { f(view(cell), sums[n++]); });
   };
   for (const Side side : sides) {
-    fill_side(state, box, ghosts, side);
+    fill_side(state, box, ghosts, side, time);
     each([](double value, double& sum) { sum += value; });
   }
   const auto count = static_cast<double>(sides.size());
   each([&](double& value, double sum) { value = sum / count; });
 }
 
-void BoundaryFill::even_out_edges(Warehouse& state, int box, int width) const {
+void BoundaryFill::even_out_edges(Warehouse& state, int box, int width, double time) const {
   const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
   const IndexBox all = cells.grown(level_->ghosts(width));
   const auto beyond = [&](std::span<const Side> sides) {
@@ -188,7 +194,7 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width) const {
     for (const Side side : sides)
       if (regions_[static_cast<std::size_t>(side)] == nullptr) return;
     const IndexBox region = beyond(sides);
-    if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides);
+    if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides, time);
   };
   for (const bool p : {false, true})
     for (const bool q : {false, true}) {
@@ -204,8 +210,8 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width) const {
 // Ghosts depend on cells along `d` only, and those of later directions on those of earlier ones:
 // within one direction pieces cut across another may be filled in any order. Both sides of a piece
 // together: where rows run along `d`, the end of one and the start of the next share a cache line.
-void BoundaryFill::fill_direction(Warehouse& state, int width, int d,
-                                  const ThreadTeam& team) const {
+void BoundaryFill::fill_direction(Warehouse& state, int width, int d, const ThreadTeam& team,
+                                  double time) const {
   if (regions_[static_cast<std::size_t>(side_of(d, false))] == nullptr) return;
   constexpr std::int64_t fewest_cells = 4096;  // of a piece: worth waking a thread for
   struct Piece {
@@ -243,15 +249,16 @@ void BoundaryFill::fill_direction(Warehouse& state, int width, int d,
   team.for_each(pieces.size(), [&](std::size_t n, int) {
     for (const bool plus : {false, true})
       if (const IndexBox& ghosts = pieces[n].ghosts[plus]; !ghosts.empty())
-        fill_side(state, pieces[n].box, ghosts, side_of(d, plus));
+        fill_side(state, pieces[n].box, ghosts, side_of(d, plus), time);
   });
 }
 
-void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team) const {
+void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team, double time) const {
   const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
-  for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team);
-  team.for_each(state.local_boxes().size(),
-                [&](std::size_t box, int) { even_out_edges(state, static_cast<int>(box), width); });
+  for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team, time);
+  team.for_each(state.local_boxes().size(), [&](std::size_t box, int) {
+    even_out_edges(state, static_cast<int>(box), width, time);
+  });
 }
 
 void BoundaryFill::copy_outward(Warehouse& state, Label label, int material) const {

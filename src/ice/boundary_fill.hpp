@@ -12,6 +12,7 @@
 //   pressure and density: Dirichlet values; where temperature and density are given but not the
 //     pressure, it follows from them; where temperature is given but not the density, the density
 //     follows from pressure and temperature; all three: pressure and density count
+//   LODI: waves.hpp; Sine, inlet profiles: flow_conditions.hpp
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
 // Several materials: mixture_rule.cpp. What they fill is copied, or follows from the densities given;
 // all have the ghost's pressure and, in their momentum, their own velocity.
@@ -43,14 +44,14 @@ class BoundaryFill {
  public:
   // Of one level of the scene, whose boxes may change later.
   BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials, const StateSlots& slots,
-               int level = 0);
+               int level = 0, const FlowConditions& conditions = {});
   BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
-               int level = 0)
-      : BoundaryFill(scene, std::span(&material, 1), slots, level) {}
+               int level = 0, const FlowConditions& conditions = {})
+      : BoundaryFill(scene, std::span(&material, 1), slots, level, conditions) {}
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
   // only, whatever the boxes and threads.
-  void fill(Warehouse& state, const ThreadTeam& team) const;
+  void fill(Warehouse& state, const ThreadTeam& team, double time = 0) const;
   // The same for one slot that is simply copied outward (masks).
   void copy_outward(Warehouse& state, Label label, int material) const;
 
@@ -68,13 +69,14 @@ class BoundaryFill {
   bool copies(Side side, std::size_t region) const;  // state by state, or mirrored
   void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);
   BoundaryViews views(const Warehouse& state, int box) const;
-  void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
-  void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team) const;
+  void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
+  void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team,
+                      double time) const;
   // Does the order in which these sides fill a ghost matter?
   bool commute(std::span<const Side> sides) const;
-  void fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
-                    std::span<const Side> sides) const;
-  void even_out_edges(Warehouse& state, int box, int width) const;
+  void fill_meeting(Warehouse& state, int box, const IndexBox& ghosts, std::span<const Side> sides,
+                    double time) const;
+  void even_out_edges(Warehouse& state, int box, int width, double time) const;
   IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
 
   BoundarySetting setting_;

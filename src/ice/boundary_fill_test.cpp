@@ -149,15 +149,15 @@ TEST(BoundaryFill, UnderGravityTheWallPressureContinuesTheDiscreteBalance) {
 }
 
 TEST(BoundaryFill, AConditionThatIsNotBuiltIsRefusedByName) {
-  Condition lodi = condition("Pressure", ConditionKind::other);
-  lodi.kind_name = "LODI";
-  lodi.where = {"deck.ups", 12, 3};
+  Condition slip = condition("Pressure", ConditionKind::other);
+  slip.kind_name = "slip";
+  slip.where = {"deck.ups", 12, 3};
   try {
-    Tube tube(whole_side({lodi}));
-    FAIL() << "LODI was accepted";
+    Tube tube(whole_side({slip}));
+    FAIL() << "slip was accepted";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("deck.ups:12:3"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("LODI"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("slip"), std::string::npos) << e.what();
   }
 }
 

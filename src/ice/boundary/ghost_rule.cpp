@@ -10,7 +10,7 @@ bool GhostRule::plain() const {
   return (velocity_kind == Velocity::mirror ||
           (velocity_kind == Velocity::copy && velocity_gradient == Vec3{})) &&
          !fixed_density && !fixed_pressure && !fixed_temperature && density_gradient == 0 &&
-         pressure_gradient == 0 && temperature_gradient == 0;
+         pressure_gradient == 0 && temperature_gradient == 0 && !sine_pressure && !waves;
 }
 
 namespace {
@@ -18,68 +18,112 @@ namespace {
 [[noreturn]] void refuse(const Condition& c) {
   throw InputError(fmt::format(
       "{}: boundary condition {} of {} is not built yet; built are Dirichlet, Neumann, symmetry, "
-      "FreeSlipWall and computeFromDensity",
+      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile and logLawProfile",
       to_string(c.where), c.kind_name, c.variable));
 }
 
-// Dirichlet or Neumann of a scalar into (fixed, value, gradient); symmetry leaves a mirror.
-void scalar(const BoundaryRegion& region, int material, const char* variable, bool& fixed,
-            double& value, double& gradient) {
-  const Condition* c = region.find(variable, material);
-  if (c == nullptr) return;
-  switch (c->kind) {
-    case ConditionKind::dirichlet:
-      fixed = true;
-      value = c->value;
-      return;
-    case ConditionKind::neumann:
-      gradient = c->value;
-      return;
-    case ConditionKind::symmetry:
-      return;
-    default:
-      refuse(*c);
+class RuleMaker {
+ public:
+  RuleMaker(const BoundaryRegion& region, int material, const FlowConditions& conditions)
+      : region_(region), material_(material), conditions_(conditions) {}
+
+  GhostRule make(int normal) {
+    scalar("Density", material_, rule_.fixed_density, rule_.density, rule_.density_gradient);
+    scalar("Temperature", material_, rule_.fixed_temperature, rule_.temperature,
+           rule_.temperature_gradient);
+    // The pressure is common to all materials: its conditions carry index 0.
+    scalar("Pressure", 0, rule_.fixed_pressure, rule_.pressure, rule_.pressure_gradient);
+    if (const Condition* u = region_.find("Velocity", material_)) velocity(*u, normal);
+    return rule_;
   }
-}
+
+ private:
+  template <class Block>
+  void need(const std::optional<Block>& block, const Condition& c, const char* tag) const {
+    if (!block)
+      throw InputError(fmt::format("{}: {} of {} needs the block <{}> in <BoundaryConditions>",
+                                   to_string(c.where), c.kind_name, c.variable, tag));
+  }
+  // LODI, Sine: what kind of condition has no value of its own.
+  bool special(const Condition& c) {
+    if (c.kind_name == "LODI") {
+      need(conditions_.lodi, c, "LODI");
+      rule_.waves = true;
+    } else if (c.kind_name == "Sine") {
+      need(conditions_.sine, c, "SINE_BC");
+      // The temperature follows from pressure and density.
+      if (c.variable == "Pressure") rule_.sine_pressure = true;
+      if (c.variable == "Density") refuse(c);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // Dirichlet or Neumann of a scalar into (fixed, value, gradient); symmetry leaves a mirror.
+  void scalar(const char* variable, int material, bool& fixed, double& value, double& gradient) {
+    const Condition* c = region_.find(variable, material);
+    if (c == nullptr) return;
+    switch (c->kind) {
+      case ConditionKind::dirichlet:
+        fixed = true;
+        value = c->value;
+        return;
+      case ConditionKind::neumann:
+        gradient = c->value;
+        return;
+      case ConditionKind::symmetry:
+        return;
+      default:
+        if (!special(*c)) refuse(*c);
+    }
+  }
+
+  void velocity(const Condition& u, int normal) {
+    using Kind = GhostRule::Velocity;
+    rule_.velocity = u.vector;
+    switch (u.kind) {
+      case ConditionKind::dirichlet:
+        rule_.velocity_kind = u.vector[normal] == 0 ? Kind::wall : Kind::prescribed;
+        // No wave passes a wall.
+        if (rule_.mirrored()) rule_.waves = false;
+        return;
+      case ConditionKind::neumann:
+        rule_.velocity_gradient = u.vector;
+        return;
+      case ConditionKind::symmetry:
+      case ConditionKind::free_slip_wall:
+        // What a wall does to the gas does not depend on its density and temperature (no
+        // conduction yet).
+        rule_ = {};
+        rule_.velocity_kind = Kind::mirror;
+        return;
+      default:
+        break;
+    }
+    if (u.kind_name == "powerLawProfile" || u.kind_name == "logLawProfile") {
+      need(conditions_.profile, u, "inletVelocity");
+      rule_.velocity_kind = u.kind_name == "powerLawProfile" ? Kind::power_law : Kind::log_law;
+      if (rule_.velocity_kind == Kind::log_law && !(conditions_.profile->roughness > 0))
+        throw InputError(
+            fmt::format("{}: a logLawProfile needs <roughness> above 0", to_string(u.where)));
+      return;
+    }
+    if (!special(u)) refuse(u);
+    if (u.kind_name == "Sine") rule_.velocity_kind = Kind::sine;
+  }
+
+  const BoundaryRegion& region_;
+  int material_;
+  const FlowConditions& conditions_;
+  GhostRule rule_;
+};
 
 }  // namespace
 
-namespace {
-
-// What a wall does to the gas does not depend on its density and temperature (no conduction yet).
-GhostRule wall(GhostRule::Velocity kind, Vec3 velocity) {
-  GhostRule rule;
-  rule.velocity_kind = kind;
-  rule.velocity = velocity;
-  return rule;
-}
-
-}  // namespace
-
-GhostRule make_rule(const BoundaryRegion& region, int material, int normal) {
-  GhostRule rule;
-  scalar(region, material, "Density", rule.fixed_density, rule.density, rule.density_gradient);
-  scalar(region, material, "Temperature", rule.fixed_temperature, rule.temperature,
-         rule.temperature_gradient);
-  // The pressure is common to all materials: its conditions carry index 0.
-  scalar(region, 0, "Pressure", rule.fixed_pressure, rule.pressure, rule.pressure_gradient);
-  const Condition* u = region.find("Velocity", material);
-  if (u == nullptr) return rule;
-  switch (u->kind) {
-    case ConditionKind::dirichlet:
-      rule.velocity = u->vector;
-      rule.velocity_kind =
-          u->vector[normal] == 0 ? GhostRule::Velocity::wall : GhostRule::Velocity::prescribed;
-      return rule;
-    case ConditionKind::neumann:
-      rule.velocity_gradient = u->vector;
-      return rule;
-    case ConditionKind::symmetry:
-    case ConditionKind::free_slip_wall:
-      return wall(GhostRule::Velocity::mirror, {});
-    default:
-      refuse(*u);
-  }
+GhostRule make_rule(const BoundaryRegion& region, int material, int normal,
+                    const FlowConditions& conditions) {
+  return RuleMaker(region, material, conditions).make(normal);
 }
 
 }  // namespace sluice::ice

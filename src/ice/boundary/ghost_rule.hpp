@@ -4,18 +4,21 @@
 #include <vector>
 
 #include "framework/scene/boundary.hpp"
+#include "ice/boundary/flow_conditions.hpp"
 #include "ice/ice_scene.hpp"
 
 namespace sluice::ice {
 
 // One region's conditions for one material.
 struct GhostRule {
-  enum class Velocity { copy, mirror, wall, prescribed };
+  enum class Velocity { copy, mirror, wall, prescribed, sine, power_law, log_law };
   Velocity velocity_kind = Velocity::copy;
-  Vec3 velocity{};           // wall or prescribed
+  Vec3 velocity{};           // wall, prescribed or of a profile
   Vec3 velocity_gradient{};  // copy
   bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
   double density = 0, pressure = 0, temperature = 0;
+  bool sine_pressure = false;
+  bool waves = false;  // waves.hpp; what is fixed stays so
   double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 
   bool mirrored() const {
@@ -25,8 +28,10 @@ struct GhostRule {
   bool plain() const;
 };
 
-// Throws InputError naming the deck line of a condition that is not built.
-GhostRule make_rule(const BoundaryRegion& region, int material, int normal);
+// Throws InputError naming the deck line of a condition that is not built, or whose block
+// (<LODI>, <SINE_BC>, <inletVelocity>) is missing.
+GhostRule make_rule(const BoundaryRegion& region, int material, int normal,
+                    const FlowConditions& conditions);
 
 // Of several materials with one velocity and one pressure. Densities given are masses per volume
 // of the cell. Where all are given, what each fills follows from the specific volumes given, or
@@ -48,6 +53,6 @@ struct MixtureRule {
 // Throws InputError for conditions that contradict each other: a wall for some materials only,
 // volumes that do not fill the cell, or too little to know them.
 MixtureRule make_mixture_rule(const BoundaryRegion& region, std::span<const IceMaterial> materials,
-                              int normal);
+                              int normal, const FlowConditions& conditions);
 
 }  // namespace sluice::ice

@@ -1,13 +1,17 @@
 // Ghost states of one gas and of mixtures.
 #include "ice/boundary/ghost_states.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace sluice::ice {
 
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
-                         bool plus)
+                         bool plus, double time)
     : setting_(setting), v_(views), d_(direction), plus_(plus) {
+  if (const auto& sine = setting.conditions.sine)
+    swing_ = sine->amplitude * std::sin(sine->omega * time);
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
 }
 
@@ -38,8 +42,26 @@ void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
         mirrored && setting_.directions[c] == d_ ? -v_.momentum[c](source) : v_.momentum[c](source);
 }
 
-double GhostStates::velocity(const GhostRule& rule, double u, int direction,
-                             double distance) const {
+double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
+  const auto kind = rule.velocity_kind;
+  if (kind != GhostRule::Velocity::power_law && kind != GhostRule::Velocity::log_law) return 1.0;
+  const InletProfile& profile = *setting_.conditions.profile;
+  const Level& level = *setting_.level;
+  const int e = profile.vertical;
+  const double height = (ghost[e] - level.domain.lower[e] + 0.5) * level.spacing[e];
+  if (kind == GhostRule::Velocity::power_law) {
+    const double whole = profile.height.value_or(level.domain.size()[e] * level.spacing[e]);
+    return std::pow(std::clamp(height / whole, 0.0, 1.0), profile.exponent);
+  }
+  return std::max(0.0, std::log(height / profile.roughness)) / profile.von_karman;
+}
+
+double GhostStates::given_pressure(const GhostRule& rule) const {
+  return rule.sine_pressure ? setting_.conditions.sine->reference_pressure + swing_ : rule.pressure;
+}
+
+double GhostStates::velocity(const GhostRule& rule, double u, int direction, double distance,
+                             double profile) const {
   switch (rule.velocity_kind) {
     case GhostRule::Velocity::copy:
       return u - rule.velocity_gradient[direction] * distance;
@@ -50,6 +72,13 @@ double GhostStates::velocity(const GhostRule& rule, double u, int direction,
       return setting_.viscous ? 2.0 * rule.velocity[direction] - u : u;
     case GhostRule::Velocity::prescribed:
       return rule.velocity[direction];
+    case GhostRule::Velocity::sine: {
+      const double reference = setting_.conditions.sine->reference_velocity[direction];
+      return reference == 0 ? 0.0 : reference + swing_;
+    }
+    case GhostRule::Velocity::power_law:
+    case GhostRule::Velocity::log_law:
+      return profile * rule.velocity[direction];
   }
   return u;
 }
@@ -65,9 +94,10 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   const double T = rule.fixed_temperature ? rule.temperature
                                           : fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
+  const double shape = profile(rule, ghost);
   double p;
-  if (rule.fixed_pressure) {
-    p = rule.pressure;
+  if (rule.fixed_pressure || rule.sine_pressure) {
+    p = given_pressure(rule);
   } else if (rule.fixed_density && given_T) {
     p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
   } else {
@@ -79,8 +109,8 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   mass(ghost) = rho;
   energy(ghost) = fluid.energy_from_pressure(rho, p, T);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c)
-    v_.momentum[c](ghost) =
-        rho * velocity(rule, v_.momentum[c](source) / source_rho, setting_.directions[c], distance);
+    v_.momentum[c](ghost) = rho * velocity(rule, v_.momentum[c](source) / source_rho,
+                                           setting_.directions[c], distance, shape);
 }
 
 double GhostStates::mixture_pressure(IntVec3 source) const {
@@ -158,9 +188,9 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
 void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   take_over(rule, source, distance);
-  double p = rule.common.pressure;
+  double p = given_pressure(rule.common);
   double rho = 0;
-  if (!rule.common.fixed_pressure) {
+  if (!rule.common.fixed_pressure && !rule.common.sine_pressure) {
     p = mixture_pressure(source) - rule.common.pressure_gradient * distance;
     rho = fill_cell(rule, p);
     p += hydrostatic(source, ghost, rho);
@@ -181,7 +211,8 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
     for (std::size_t m = 0; m < parts_.size(); ++m)
       if (parts_[m].V > 0)
         momentum += parts_[m].V * parts_[m].rho *
-                    velocity(rule.parts[m].rule, u, setting_.directions[c], distance);
+                    velocity(rule.parts[m].rule, u, setting_.directions[c], distance,
+                             profile(rule.parts[m].rule, ghost));
     v_.momentum[c](ghost) = momentum;
   }
 }

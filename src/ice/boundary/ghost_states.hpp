@@ -6,6 +6,7 @@
 #include "framework/field/array_view.hpp"
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
+#include "ice/boundary/waves.hpp"
 
 namespace sluice::ice {
 
@@ -27,16 +28,19 @@ struct BoundarySetting {
   Vec3 gravity{};
   bool viscous = false;
   const Level* level = nullptr;
+  FlowConditions conditions;
 };
 
-// On one side; ghosts are to be filled from the boundary outward.
+// On one side, at a time; ghosts are to be filled from the boundary outward.
 class GhostStates {
  public:
-  GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction, bool plus);
+  GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction, bool plus,
+              double time);
 
   void plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
+  void waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
 
  private:
   struct Part {
@@ -45,7 +49,14 @@ class GhostStates {
     bool given_T = false;
   };
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
-  double velocity(const GhostRule& rule, double source_u, int direction, double distance) const;
+  double velocity(const GhostRule& rule, double source_u, int direction, double distance,
+                  double profile) const;
+  // Of the velocity given, what a profile leaves at the height of a ghost.
+  double profile(const GhostRule& rule, IntVec3 ghost) const;
+  double given_pressure(const GhostRule& rule) const;
+  WaveState wave_state(IntVec3 cell) const;
+  WaveState along(IntVec3 cell, int direction) const;
+  WaveCell wave_cell(IntVec3 source) const;
   double mixture_pressure(IntVec3 source) const;
   void take_over(const MixtureRule& rule, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);
@@ -54,6 +65,7 @@ class GhostStates {
   const BoundaryViews& v_;
   int d_;
   bool plus_;
+  double swing_ = 0;  // A sin(omega t)
   std::vector<Part> parts_;
 };
 

@@ -22,14 +22,16 @@ bool temperature_known(const Part& part) {
 
 class MixtureRuleMaker {
  public:
-  MixtureRuleMaker(const BoundaryRegion& region, std::span<const IceMaterial> materials)
-      : region_(region), materials_(materials) {}
+  MixtureRuleMaker(const BoundaryRegion& region, std::span<const IceMaterial> materials,
+                   const FlowConditions& conditions)
+      : region_(region), materials_(materials), conditions_(conditions) {}
 
   MixtureRule make(int normal) {
     double densest = 0;
     for (const IceMaterial& material : materials_) {
       Part part;
-      part.rule = make_rule(region_, material.index, normal);
+      part.rule = make_rule(region_, material.index, normal, conditions_);
+      if (part.rule.waves) refuse("LODI is not built yet for several materials");
       part.specific_volume = specific_volume(material.index);
       densest = std::max(densest, part.rule.density);
       rule_.parts.push_back(part);
@@ -100,6 +102,8 @@ class MixtureRuleMaker {
       return rule_.parts[m].specific_volume > 0;
     });
     GhostRule& pressure = rule_.parts.front().rule;
+    if (pressure.sine_pressure && !from_volumes)
+      refuse("give the SpecificVol of each material where the pressure swings");
     if (!pressure.fixed_pressure && !from_volumes) {
       const double found = filling_pressure(present);
       for (Part& part : rule_.parts) {
@@ -165,14 +169,15 @@ class MixtureRuleMaker {
 
   const BoundaryRegion& region_;
   std::span<const IceMaterial> materials_;
+  const FlowConditions& conditions_;
   MixtureRule rule_;
 };
 
 }  // namespace
 
 MixtureRule make_mixture_rule(const BoundaryRegion& region, std::span<const IceMaterial> materials,
-                              int normal) {
-  return MixtureRuleMaker(region, materials).make(normal);
+                              int normal, const FlowConditions& conditions) {
+  return MixtureRuleMaker(region, materials, conditions).make(normal);
 }
 
 }  // namespace sluice::ice

@@ -1,0 +1,57 @@
+// Reading them; the schema has checked the values.
+#include "ice/boundary/flow_conditions.hpp"
+
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice::ice {
+namespace {
+
+std::optional<double> real_of(const DeckNode& node, std::string_view name) {
+  const DeckNode* child = node.child(name);
+  return child != nullptr ? std::optional(child->as_real()) : std::nullopt;
+}
+
+LodiSettings read_lodi(const DeckNode& node) {
+  LodiSettings s;
+  s.press_infinity = node.real("press_infinity");
+  s.sigma = real_or(node, "sigma", s.sigma);
+  s.scale = real_or(node, "Li_scale", s.scale);
+  if (node.child("vel_infinity") != nullptr)
+    s.velocity_infinity = vector_or(node, "vel_infinity", {});
+  s.rho_infinity = real_of(node, "rho_infinity");
+  return s;
+}
+
+SineSettings read_sine(const DeckNode& node) {
+  SineSettings s;
+  s.omega = node.real("omega");
+  s.amplitude = node.real("A");
+  s.reference_pressure = node.real("reference_pressure");
+  s.reference_velocity = vector_or(node, "reference_velocity", {});
+  return s;
+}
+
+InletProfile read_profile(const DeckNode& node) {
+  InletProfile s;
+  s.vertical = integer_or(node, "verticalDirection", s.vertical);
+  s.exponent = real_or(node, "exponent", s.exponent);
+  s.height = real_of(node, "maxHeight");
+  s.roughness = real_or(node, "roughness", s.roughness);
+  s.von_karman = real_or(node, "vonKarmanConstant", s.von_karman);
+  return s;
+}
+
+}  // namespace
+
+FlowConditions read_flow_conditions(const DeckNode& root) {
+  FlowConditions c;
+  const DeckNode* conditions = root.find("Grid/BoundaryConditions");
+  if (conditions == nullptr) return c;
+  if (const DeckNode* lodi = conditions->child("LODI")) c.lodi = read_lodi(*lodi);
+  if (const DeckNode* sine = conditions->child("SINE_BC")) c.sine = read_sine(*sine);
+  if (const DeckNode* profile = conditions->child("inletVelocity"))
+    c.profile = read_profile(*profile);
+  return c;
+}
+
+}  // namespace sluice::ice

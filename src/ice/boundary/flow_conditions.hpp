@@ -1,0 +1,46 @@
+// Conditions of a deck's boundary that hold for all faces of a kind: <LODI>, <SINE_BC> and
+// <inletVelocity> in <BoundaryConditions>. Plain data.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+
+namespace sluice::ice {
+
+// Waves that leave and do not come back (waves.hpp).
+struct LodiSettings {
+  double press_infinity = 0;  // Pa
+  double sigma = 0.27;        // how fast the pressure goes back to it
+  double scale = 1;           // of all that comes in
+  std::optional<Vec3> velocity_infinity;
+  std::optional<double> rho_infinity;
+};
+
+// q = reference + A sin(omega t); components of velocity whose reference is zero stay zero.
+struct SineSettings {
+  double omega = 0, amplitude = 0;
+  double reference_pressure = 0;
+  Vec3 reference_velocity{};
+};
+
+// h: height above the low side of the domain along `vertical`.
+//   power law: the velocity given times min(h/H, 1)^exponent
+//   log law: the velocity given (friction velocity) times ln(h/z0)/kappa, 0 below z0
+struct InletProfile {
+  int vertical = 1;
+  double exponent = 0;
+  std::optional<double> height;  // H; the domain's without it
+  double roughness = 0;          // z0
+  double von_karman = 0.4;
+};
+
+struct FlowConditions {
+  std::optional<LodiSettings> lodi;
+  std::optional<SineSettings> sine;
+  std::optional<InletProfile> profile;
+};
+
+FlowConditions read_flow_conditions(const DeckNode& root);
+
+}  // namespace sluice::ice

@@ -1,0 +1,123 @@
+// Ghosts that continue the cell next to the face as waves let them.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "ice/boundary/ghost_states.hpp"
+
+namespace sluice::ice {
+namespace {
+
+constexpr double most_change = 0.5;  // of density, and of pressure above the lowest of the law
+
+// The tangents of a face, in rising order.
+constexpr int tangents[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+
+double largest_share(double value, double change) {
+  const double size = std::fabs(change), room = most_change * value;
+  return size > room ? std::max(room, 0.0) / size : 1.0;
+}
+
+}  // namespace
+
+WaveState GhostStates::wave_state(IntVec3 cell) const {
+  WaveState s;
+  s.rho = v_.mass.front()(cell);
+  s.p = setting_.fluids.front().pressure(s.rho, v_.energy.front()(cell));
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
+    const int e = setting_.directions[c];
+    const double u = v_.momentum[c](cell) / s.rho;
+    if (e == d_) s.u[0] = plus_ ? u : -u;
+    if (e == tangents[d_][0]) s.u[1] = u;
+    if (e == tangents[d_][1]) s.u[2] = u;
+  }
+  return s;
+}
+
+// Central differences; at the edge of the domain one-sided. Cells beyond it have none.
+WaveState GhostStates::along(IntVec3 cell, int e) const {
+  const Level& level = *setting_.level;
+  const auto n = static_cast<std::size_t>(e);
+  IntVec3 low = cell, high = cell;
+  --low[e];
+  ++high[e];
+  if (!level.periodic[n]) {
+    if (cell[e] < level.domain.lower[e] || cell[e] >= level.domain.upper[e]) return {};
+    low[e] = std::max(low[e], level.domain.lower[e]);
+    high[e] = std::min(high[e], level.domain.upper[e] - 1);
+  }
+  const IndexBox& box = v_.mass.front().box;
+  const int count = high[e] - low[e];
+  if (!level.active[n] || count == 0 || low[e] < box.lower[e] || high[e] >= box.upper[e]) return {};
+  const WaveState a = wave_state(low), b = wave_state(high);
+  const double scale = 1.0 / (count * level.spacing[e]);
+  WaveState slope;
+  slope.rho = (b.rho - a.rho) * scale;
+  slope.p = (b.p - a.p) * scale;
+  for (int t = 0; t < 3; ++t) slope.u[t] = (b.u[t] - a.u[t]) * scale;
+  return slope;
+}
+
+WaveCell GhostStates::wave_cell(IntVec3 source) const {
+  const Level& level = *setting_.level;
+  const LodiSettings& settings = *setting_.conditions.lodi;
+  WaveCell cell;
+  cell.here = wave_state(source);
+  cell.spacing = level.spacing[d_];
+  cell.domain_size = level.domain.size()[d_] * level.spacing[d_];
+  cell.sound_speed = setting_.fluids.front().sound_speed(cell.here.rho, cell.here.p);
+  if (settings.velocity_infinity && settings.rho_infinity) {
+    cell.targets = true;
+    cell.velocity_infinity = (plus_ ? 1 : -1) * (*settings.velocity_infinity)[d_];
+    cell.rho_infinity = *settings.rho_infinity;
+  }
+  if (level.domain.size()[d_] > 1) {
+    IntVec3 inner = source;
+    inner[d_] += plus_ ? -1 : 1;
+    const WaveState in = wave_state(inner);
+    const double scale = 1.0 / cell.spacing;
+    cell.normal.rho = (cell.here.rho - in.rho) * scale;
+    cell.normal.p = ((cell.here.p - in.p) - hydrostatic(inner, source, cell.here.rho)) * scale;
+    for (int t = 0; t < 3; ++t) cell.normal.u[t] = (cell.here.u[t] - in.u[t]) * scale;
+  }
+  for (int t = 0; t < 2; ++t) cell.along[t] = along(source, tangents[d_][t]);
+  return cell;
+}
+
+void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
+  const Fluid& fluid = setting_.fluids.front();
+  const WaveCell cell = wave_cell(source);
+  const WaveState slope = outward_slopes(cell, *setting_.conditions.lodi);
+  const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
+  const double step =
+      distance * std::min(largest_share(cell.here.rho, distance * slope.rho),
+                          largest_share(cell.here.p - fluid.lowest_pressure(), distance * slope.p));
+  double rho = rule.fixed_density ? rule.density : cell.here.rho + step * slope.rho;
+  double p = rule.fixed_pressure || rule.sine_pressure
+                 ? given_pressure(rule)
+                 : cell.here.p + step * slope.p + hydrostatic(source, ghost, rho);
+  const double T = rule.fixed_temperature
+                       ? rule.temperature
+                       : fluid.temperature(cell.here.rho, v_.energy.front()(source));
+  if (rule.fixed_temperature) {
+    if (rule.fixed_density)
+      p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
+    else
+      rho = fluid.density(p, T);
+  }
+  v_.mass.front()(ghost) = rho;
+  v_.energy.front()(ghost) = fluid.energy_from_pressure(rho, p, T);
+  const double shape = profile(rule, ghost);
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
+    const int e = setting_.directions[c];
+    const int t = e == d_ ? 0 : e == tangents[d_][0] ? 1 : 2;
+    const double sign = t == 0 && !plus_ ? -1.0 : 1.0;
+    const double u = sign * (cell.here.u[t] + step * slope.u[t]);
+    v_.momentum[c](ghost) =
+        rho * (rule.velocity_kind == GhostRule::Velocity::copy
+                   ? u
+                   : velocity(rule, v_.momentum[c](source) / cell.here.rho, e, distance, shape));
+  }
+}
+
+}  // namespace sluice::ice
