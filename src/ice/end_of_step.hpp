@@ -159,6 +159,17 @@ inline void diffusion_rate_row(const Row& row, const RateHandles& h, double weig
   row.reductions().maximum(StepSlots::diffusion_rate, most);
 }
 
+// Those of the conservative rule and of viscosity.
+template <int D>
+void other_rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
+                        const RateConstants& x) {
+  if (x.conservative) outflow_rate_row<D>(row, h, x);
+  if (!o.viscous) return;
+  double inverse_dx2 = 0;
+  for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
+  diffusion_rate_row(row, h, o.diffusion_knob * o.viscosity, inverse_dx2);
+}
+
 template <int D>
 void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
   const RateConstants x = rate_constants(o, row.step());
@@ -171,11 +182,16 @@ void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) 
                              row(h.closure, 1));
     rate_row<D>(row, h, x, [K = row(h.closure, 1)](int i) { return K[i]; });
   }
-  if (x.conservative) outflow_rate_row<D>(row, h, x);
-  if (!o.viscous) return;
-  double inverse_dx2 = 0;
-  for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
-  diffusion_rate_row(row, h, o.diffusion_knob * o.viscosity, inverse_dx2);
+  other_rates_of_row<D>(row, h, o, x);
+}
+
+// The same where the modulus is known; h.rho is the density of the mixture.
+template <int D>
+void rates_of_mixture(const Row& row, const RateHandles& h, const SchemeOptions& o,
+                      const double* modulus) {
+  const RateConstants x = rate_constants(o, row.step());
+  rate_row<D>(row, h, x, [modulus](int i) { return modulus[i]; });
+  other_rates_of_row<D>(row, h, o, x);
 }
 
 }  // namespace sluice::ice

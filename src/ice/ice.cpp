@@ -7,6 +7,7 @@
 #include "ice/classic/classic.hpp"
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
+#include "ice/mixture/variables.hpp"
 #include "ice/refine/criteria.hpp"
 
 namespace sluice::ice {
@@ -27,6 +28,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
       o.direction[static_cast<std::size_t>(o.components++)] = d;
   const IceMaterial& m = ice.materials.front();
   o.fluid = m.fluid;
+  for (const IceMaterial& each : ice.materials) o.fluids.push_back(each.fluid);
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -40,7 +42,17 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.cfl = ice.cfl;
   o.domain = level.domain;
   o.periodic = level.periodic;
+  o.sums =
+      o.gravity_on && scene.grid.levels.size() > 1 ? StepSlots::sums_with_gravity : StepSlots::sums;
   return o;
+}
+
+std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceScene& ice,
+                                                 const SchemeOptions& o) {
+  const bool matches = matches_fluxes(scene, ice);
+  if (o.fluids.size() == 1)
+    return std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
+  return std::make_unique<MixtureTransfer>(o.fluids, o.components, matches);
 }
 
 }  // namespace
@@ -65,22 +77,43 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   declare_step_outputs(list, v, o);                 // whatever a deck saves    outputs
 }
 
+// The same where several materials may meet; the tasks of that name under mixture/, but for those
+// of the mixture as a whole.
+void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
+  const mixture::Variables m = mixture::declare_variables(list, o);
+  const SchemeVariables& v = m.common;
+  // task                            reads                              writes
+  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  add_slopes(list, v, o, effect_second_order);                // u, p       su, sp, P, UT
+  add_faces(list, v, o, effect_flow);                         // slopes     u_f, p_f
+  mixture::add_lagrangian(list, m, o, effect_flow);           // u_f, p_f   E_mL, scales
+  mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
+  mixture::add_remap_fluxes(list, m, o, effect_flow);         // bases      FV, FM, FE of each, U
+  mixture::add_update(list, m, o, effect_equilibration);      // fluxes     new state, rates
+  if (effects_.on(effect_boundary_account))
+    add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
+  add_gravity_account(list, v, o, effect_gravity);              // m, dp      sums
+  add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
+  declare_step_outputs(list, v, o);                             // saved      outputs
+}
+
 Ice::Ice(const Scene& scene, IceScene ice_scene)
     : scene_(&scene),
       ice_(std::move(ice_scene)),
       effects_(find_effects(scene, ice_)),
       options_(make_options(scene, ice_)),
-      transfer_(options_.components, options_.classic, matches_fluxes(scene, ice_)),
+      transfer_(make_transfer(scene, ice_, options_)),
       estimates_(wanted_estimates(scene.refinement.errors)) {
   StateSlots slots;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
+  if (material_count() > 1) slots.volume = labels().volume;
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(
-        std::make_unique<BoundaryFill>(scene, ice_.materials.front(), slots, level));
+        std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots, level));
 }
 
 SchemeOptions Ice::at_level(int level) const {
@@ -90,11 +123,19 @@ SchemeOptions Ice::at_level(int level) const {
   return o;
 }
 
+// One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
+// each.
 std::vector<SlotInfo> Ice::state_slots() const {
   const int ghosts = options_.classic ? classic_ghost_layers(options_) : 3;
-  return {{labels().mass, 0, 1, ghosts},
-          {labels().momentum, 0, options_.components, ghosts},
-          {labels().energy, 0, 1, ghosts}};
+  std::vector<SlotInfo> slots;
+  const auto of_each = [&](Label label) {
+    for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});
+  };
+  of_each(labels().mass);
+  slots.push_back({labels().momentum, 0, options_.components, ghosts});
+  of_each(labels().energy);
+  if (material_count() > 1) of_each(labels().volume);
+  return slots;
 }
 
 std::vector<std::vector<Label>> Ice::checkpoint_labels() const {
@@ -102,7 +143,10 @@ std::vector<std::vector<Label>> Ice::checkpoint_labels() const {
   for (int c = 0; c < options_.components; ++c)
     momentum.push_back(
         labels().momentum_component[options_.direction[static_cast<std::size_t>(c)]]);
-  return {{labels().mass}, momentum, {labels().energy}};
+  std::vector<std::vector<Label>> names;
+  for (const SlotInfo& slot : state_slots())
+    names.push_back(slot.label == labels().momentum ? momentum : std::vector{slot.label});
+  return names;
 }
 
 Label Ice::refine_flag() const {
@@ -144,11 +188,38 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
   o.coverage = variant.coverage;
-  o.recorder = transfer_.flux_quantities() > 0 ? variant.recorder : nullptr;
-  if (o.classic)
-    declare_classic(list, o, effects_);
-  else
-    declare_conservative(list, o);
+  o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
+  if (o.classic) return declare_classic(list, o, effects_);
+  if (variant.kind == static_cast<int>(o.fluids.size())) {
+    o.mixture = true;
+    return declare_mixture(list, o);
+  }
+  o.material = variant.kind;
+  o.fluid = o.fluids[static_cast<std::size_t>(o.material)];
+  declare_conservative(list, o);
+}
+
+// A block with one material alone needs the graph of that material only.
+int Ice::step_kinds() const {
+  return material_count() == 1 ? 1 : material_count() + 1;
+}
+
+int Ice::step_kind(const Warehouse& old_state, int local_box,
+                   const IndexBox& cells_with_halo) const {
+  const int mixed = material_count();
+  if (mixed == 1) return 0;
+  int only = -1;
+  for (int m = 0; m < mixed; ++m) {
+    const int slot = old_state.find(labels().mass, m);
+    if (!old_state.any_nonzero(slot, 0, local_box, cells_with_halo)) continue;
+    if (only >= 0) return mixed;
+    only = m;
+  }
+  return only >= 0 ? only : mixed;
+}
+
+std::optional<double> Ice::absent_value(Label label, int material, int kind) const {
+  return label == labels().volume && material == kind ? 1.0 : 0.0;
 }
 
 void Ice::declare_diagnostics(TaskList& list, int level) const {
@@ -156,54 +227,11 @@ void Ice::declare_diagnostics(TaskList& list, int level) const {
 }
 
 int Ice::reduction_sums() const {
-  return options_.gravity_on && scene_->grid.levels.size() > 1 ? StepSlots::sums_with_gravity
-                                                               : StepSlots::sums;
+  return options_.sums + material_count() - 1;
 }
 
 bool Ice::quiet_blocks_allowed() const {
   return !options_.gravity_on;
-}
-
-void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
-  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
-            energy = state.find(labels().energy, 0);
-  double dx_g = 0;
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const int d = options_.axes.direction[a];
-    dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
-  }
-  const double gravity_speed = std::sqrt(dx_g);
-  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const RealView r = state.view(mass, 0, b), E = state.view(energy, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-      const double rho = r(cell);
-      const double c = options_.fluid.sound_speed(rho, options_.fluid.pressure(rho, E(cell)));
-      double deck = 0, outflow = 0, flow = 0, sound = 0;
-      for (int a = 0; a < options_.axes.count; ++a) {
-        const double dx = state.level().spacing[options_.axes.direction[a]];
-        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho;
-        const double margin = options_.sound_speed_knob * c + gravity_speed;
-        outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx;
-        const double deck_rate = (u + options_.sound_speed_knob * c) / dx;
-        deck = std::max(deck, deck_rate);
-        flow += u / dx;
-        sound = std::max(sound, (u + c) / dx);
-      }
-      const double rate = options_.conservative_time_step ? outflow : deck;
-      rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
-      rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
-      rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
-      if (!options_.viscous) return;
-      double inverse_dx2 = 0;
-      for (int a = 0; a < options_.axes.count; ++a) {
-        const double dx = state.level().spacing[options_.axes.direction[a]];
-        inverse_dx2 += 1.0 / (dx * dx);
-      }
-      rates.maximum(
-          StepSlots::diffusion_rate,
-          ordered_bits(2.0 * options_.diffusion_knob * options_.viscosity * inverse_dx2 / rho));
-    });
-  }
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
@@ -223,7 +251,14 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
 }
 
 std::string Ice::describe_fault(int kind) const {
+  if (kind >= fault_of_material) {
+    const auto m = static_cast<std::size_t>(kind / fault_of_material - 1);
+    return "material " + std::to_string(m) + " ('" + ice_.materials[m].name +
+           "'): its energy (J/m^3 of the cell) is no state of its equation of state";
+  }
   switch (kind) {
+    case fault_state:
+      return "state of the equation of state (1: density and energy are one, 0: they are not)";
     case fault_density:
       return "density (kg/m^3, must be above 0)";
     case fault_energy:

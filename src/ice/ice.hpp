@@ -6,7 +6,7 @@
 #include "ice/boundary_fill.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/ice_scene.hpp"
-#include "ice/refine/ice_transfer.hpp"
+#include "ice/refine/mixture_transfer.hpp"
 
 namespace sluice::ice {
 
@@ -23,8 +23,12 @@ class Ice : public Component {
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
+  int step_kinds() const override;
+  int step_kind(const Warehouse& old_state, int local_box,
+                const IndexBox& cells_with_halo) const override;
+  std::optional<double> absent_value(Label label, int material, int kind) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
-  const TransferOperators& transfer() const override { return transfer_; }
+  const TransferOperators& transfer() const override { return *transfer_; }
   Label refine_flag() const override;
   std::vector<ErrorEstimate> error_estimates() const override { return estimates_; }
   Label mask_label() const override;
@@ -45,6 +49,7 @@ class Ice : public Component {
 
  private:
   void declare_conservative(TaskList& list, const SchemeOptions& options) const;
+  void declare_mixture(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
 
   const Scene* scene_;
@@ -52,7 +57,7 @@ class Ice : public Component {
   EffectList effects_;
   SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
   std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
-  IceTransfer transfer_;
+  std::unique_ptr<TransferOperators> transfer_;
   std::vector<ErrorEstimate> estimates_;
 };
 

@@ -21,6 +21,16 @@ void copy_task(TaskList& list, VariableId from, Label label) {
 void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
   TaskBuilder task =
       list.task("save " + labels().pressure_change.name(), effect_saved_intermediates);
+  if (o.mixture) {
+    const In before = task.read(v.pressure), after = task.read(v.new_pressure);
+    const Out change = task.write(list.output(labels().pressure_change, 0));
+    task.kernel([=](const Row& row) {
+      const double *old_p = row(before), *new_p = row(after);
+      double* to = row(change);
+      for (int i = 0; i < row.count(); ++i) to[i] = new_p[i] - old_p[i];
+    });
+    return;
+  }
   const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
   const Out out = task.write(list.output(labels().pressure_change, 0));
   const Fluid fluid = o.fluid;

@@ -4,6 +4,7 @@
 // stride; the last axis is the one along which a block is swept, and temporaries keep only the few
 // planes of it that are still needed (a ring), which is why rows must be asked for by shift.
 #pragma once
+#include <array>
 #include <cstddef>
 
 #include "framework/base/vec3.hpp"
@@ -77,6 +78,10 @@ class Row {
     offset[axis] += shift;
     offset[other] += step;
     return at(reads_[in.index], component, offset);
+  }
+  // Shifted along all axes at once, in their order.
+  const double* at_offset(In in, int component, std::array<int, 3> offset) const {
+    return at(reads_[in.index], component, offset.data());
   }
   double* operator()(Out out, int component = 0) const {
     return at(writes_[out.index], component, 0, 0);

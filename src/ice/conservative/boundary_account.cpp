@@ -27,7 +27,10 @@ void account_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
   const double volume = row.step().spacing.x * row.step().spacing.y * row.step().spacing.z;
   const FaceFlux flux = face_flux(row, h, o, s.axis, s.shift, i);
   Reductions& sums = row.reductions();
-  sums.sum(StepSlots::mass).add(sign * flux.mass * volume);
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+    const double mass = material_flux(row, h, o, s.axis, s.shift, i, m).mass;
+    sums.sum(StepSlots::mass_of(m, o.sums)).add(sign * mass * volume);
+  }
   for (int c = 0; c < o.components; ++c) {
     const int direction = o.direction[static_cast<std::size_t>(c)];
     sums.sum(StepSlots::momentum + direction).add(sign * flux.momentum[c] * volume);

@@ -9,6 +9,7 @@ namespace sluice::ice {
 
 struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity;
+  In materials;  // of a mixture
 };
 
 // Low and high faces of the cells of a row.
@@ -21,6 +22,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   h.flux = task.read(v.flux[face], both);
   h.face_velocity = task.read(v.face_velocity[face], both);
   h.face_pressure = task.read(v.face_pressure[face], both);
+  if (o.mixture) h.materials = task.read(v.material_flux[face], both);
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
@@ -61,6 +63,24 @@ inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const Scheme
   }
   flux.energy = l * pf * uf + 0.5 * FU2 + G - friction;
   return flux;
+}
+
+// What passes of one material, per volume of a cell: volume, mass, energy (with its share of the
+// kinetic correction). The graph of one material alone knows that nothing of the others passes.
+struct MaterialFlux {
+  double volume = 0, mass = 0, energy = 0;
+};
+
+inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                                  int axis, int shift, int i, int material) {
+  const auto face = [&](In in, int c) { return row(in, c, axis, shift)[i]; };
+  if (o.mixture) {
+    const int c = 3 * material;
+    return {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2)};
+  }
+  if (material != o.material) return {};
+  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
+  return {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1)};
 }
 
 }  // namespace sluice::ice

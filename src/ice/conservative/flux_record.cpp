@@ -1,6 +1,7 @@
 // Keeps what passes through the faces where levels meet, so that both agree on it afterwards.
 //
-// Conservative scheme: mass, momentum and total energy (face_flux.hpp). Classic form: what it
+// Conservative scheme: mass, momentum and total energy (face_flux.hpp); with several materials the
+// mass of each, momentum, the energy and the volume of each, total energy. Classic form: what it
 // balances itself, mass, momentum and the internal energy that is advected. Absent with one level.
 #include "framework/refine/face_table.hpp"
 #include "ice/conservative/face_flux.hpp"
@@ -12,15 +13,25 @@ void record_segment(const Row& row, const FaceFluxHandles& h, const SchemeOption
                     const FaceTable::Segment& s, FaceTable& table) {
   const int start = s.first - row.cell()[o.axes.direction[0]];
   const int shift = s.high ? 1 : 0;
-  double* values[5];
-  for (int q = 0; q < 2 + o.components; ++q) values[q] = table.values(q) + s.slot;
-  double* energy = values[1 + o.components];
+  const int materials = static_cast<int>(o.fluids.size());
+  const auto value = [&](int q, int n) -> double& { return table.values(q)[s.slot + n]; };
   for (int n = 0; n < s.count; ++n) {
     const int i = start + n;
     const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
-    values[0][n] = flux.mass;
-    for (int c = 0; c < o.components; ++c) values[1 + c][n] = flux.momentum[c];
-    energy[n] = o.classic ? row(h.flux, 1, axis, shift)[i] : flux.energy;
+    const int momentum = materials, energies = momentum + o.components;
+    for (int c = 0; c < o.components; ++c) value(momentum + c, n) = flux.momentum[c];
+    if (materials == 1) {
+      value(0, n) = flux.mass;
+      value(energies, n) = o.classic ? row(h.flux, 1, axis, shift)[i] : flux.energy;
+      continue;
+    }
+    for (int m = 0; m < materials; ++m) {
+      const MaterialFlux part = material_flux(row, h, o, axis, shift, i, m);
+      value(m, n) = part.mass;
+      value(energies + m, n) = part.energy;
+      value(energies + materials + m, n) = part.volume;
+    }
+    value(energies + 2 * materials, n) = flux.energy;
   }
 }
 

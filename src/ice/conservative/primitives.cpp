@@ -2,14 +2,13 @@
 #include <cmath>
 
 #include "ice/closure_rows.hpp"
-#include "ice/conservative/variables.hpp"
+#include "ice/conservative/primitives_rows.hpp"
 
 namespace sluice::ice {
-namespace {
 
-// 1/rho, pressure and sound speed.
-void state_row(const Fluid& fluid, int n, const double* __restrict r, const double* __restrict E,
-               double* __restrict w, double* __restrict p, double* __restrict c) {
+void primitive_row(const Fluid& fluid, int n, const double* __restrict r,
+                   const double* __restrict E, double* __restrict w, double* __restrict p,
+                   double* __restrict c) {
   if (const eos::IdealGas* gas = fluid.ideal()) {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
@@ -27,7 +26,16 @@ void state_row(const Fluid& fluid, int n, const double* __restrict r, const doub
   }
 }
 
-}  // namespace
+void velocity_rows(const Row& row, In momentum, Out velocity, const double* __restrict w,
+                   int components) {
+  const int n = row.count();
+  for (int q = 0; q < components; ++q) {
+    const double* __restrict m = row(momentum, q);
+    double* __restrict u = row(velocity, q);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) u[i] = m[i] * w[i];
+  }
+}
 
 void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("primitives", effect);
@@ -37,15 +45,9 @@ void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOption
   const Fluid fluid = o.fluid;
   const int components = o.components;
   task.kernel([=](const Row& row) {
-    const int n = row.count();
-    const double* __restrict w = row(inverse);
-    state_row(fluid, n, row(rho), row(energy), row(inverse), row(pressure), row(sound));
-    for (int q = 0; q < components; ++q) {
-      const double* __restrict m = row(momentum, q);
-      double* __restrict u = row(velocity, q);
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) u[i] = m[i] * w[i];
-    }
+    primitive_row(fluid, row.count(), row(rho), row(energy), row(inverse), row(pressure),
+                  row(sound));
+    velocity_rows(row, momentum, velocity, row(inverse), components);
   });
 }
 

@@ -106,8 +106,9 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
                       {row(h.energy_star), fault_energy}}});
 }
 
-inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
-                                    const SchemeOptions& o) {
+// All that is read; what is written belongs to the caller.
+inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
+                                 const SchemeOptions& o) {
   UpdateHandles h;
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
@@ -122,6 +123,12 @@ inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
     h.flux[a] = task.read(v.flux[a], both);
     if (o.conservative_time_step) h.next.face_velocity[a] = task.read(v.face_velocity[a], both);
   }
+  return h;
+}
+
+inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
+                                    const SchemeOptions& o) {
+  UpdateHandles h = read_update(task, v, o);
   h.next.rho = task.write(v.rho_new);
   h.next.momentum = task.write(v.momentum_new);
   h.next.energy = task.write(v.energy_new);

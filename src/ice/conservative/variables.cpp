@@ -7,17 +7,8 @@
 
 namespace sluice::ice {
 
-SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o) {
-  const Labels& l = labels();
+void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
   const int C = o.components;
-  SchemeVariables v;
-  v.rho = list.old_state(l.mass, o.material, 1);
-  v.momentum = list.old_state(l.momentum, 0, C);
-  v.energy = list.old_state(l.energy, o.material, 1);
-  if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
-  v.rho_new = list.new_state(l.mass, o.material, 1);
-  v.momentum_new = list.new_state(l.momentum, 0, C);
-  v.energy_new = list.new_state(l.energy, o.material, 1);
   v.velocity = list.temporary("velocity", C);
   v.pressure = list.temporary("pressure");
   v.sound = list.temporary("sound speed");
@@ -33,12 +24,25 @@ SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o)
   }
   v.energy_star = list.temporary("energy after work");
   v.impulse = list.temporary("impulse", C);
+}
+
+SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o) {
+  const Labels& l = labels();
+  const int C = o.components;
+  SchemeVariables v;
+  v.rho = list.old_state(l.mass, o.material, 1);
+  v.momentum = list.old_state(l.momentum, 0, C);
+  v.energy = list.old_state(l.energy, o.material, 1);
+  if (o.masked) v.mask = list.old_state(l.mask, 0, 1);
+  v.rho_new = list.new_state(l.mass, o.material, 1);
+  v.momentum_new = list.new_state(l.momentum, 0, C);
+  v.energy_new = list.new_state(l.energy, o.material, 1);
+  declare_step_temporaries(list, o, v);
   return v;
 }
 
-SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptions& o) {
+void declare_conservative_temporaries(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
   const int C = o.components, D = o.axes.count;
-  SchemeVariables v = declare_common_variables(list, o);
   v.velocity_slope = list.temporary("velocity slope", D);
   v.pressure_slope = list.temporary("pressure slope", D);
   v.predicted_pressure = list.temporary("predicted pressure");
@@ -50,12 +54,17 @@ SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptio
   v.rho_L = list.temporary("Lagrangian density");
   v.energy_L = list.temporary("Lagrangian energy");
   v.velocity_L = list.temporary("Lagrangian velocity", C);
+  v.courant = list.temporary("outflow Courant number");
+  v.inverse_courant = list.temporary("1/outflow Courant number");
+}
+
+SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptions& o) {
+  SchemeVariables v = declare_common_variables(list, o);
+  declare_conservative_temporaries(list, o, v);
   if (o.fluid.ideal() == nullptr) {
     v.energy_scale = list.temporary("energy scale");
     v.closure = list.temporary("closure of the new state", 3);
   }
-  v.courant = list.temporary("outflow Courant number");
-  v.inverse_courant = list.temporary("1/outflow Courant number");
   return v;
 }
 

@@ -27,7 +27,8 @@ struct SchemeOptions {
   int material = 0;                       // its index
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
-  bool classic = false;                   // the classic form, see classic/
+  int sums = 8;          // exact sums before those of further materials: see StepSlots
+  bool classic = false;  // the classic form, see classic/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
@@ -63,17 +64,23 @@ struct SchemeVariables {
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
   // Of a mixture: shock slope and minus the lowest pressure of each cell; J, work, outlets.
-  VariableId shock_slope, pi, lagrangian_mixture;
+  VariableId shock_slope, pi, lagrangian_mixture, new_pressure;
   VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
   VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
+  // Of a mixture, by axis: what passes of each material, see mixture/variables.hpp.
+  std::array<VariableId, 3> material_flux;
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.
 SchemeVariables declare_common_variables(TaskList&, const SchemeOptions&);
-// Those and the ones of the conservative scheme alone.
+// Temporaries of either scheme, and of the conservative scheme alone: what does not depend on how
+// many materials there are.
+void declare_step_temporaries(TaskList&, const SchemeOptions&, SchemeVariables&);
+void declare_conservative_temporaries(TaskList&, const SchemeOptions&, SchemeVariables&);
+// All that one material needs in the conservative scheme.
 SchemeVariables declare_conservative_variables(TaskList&, const SchemeOptions&);
 
 // What the reductions of a step hold.
@@ -93,6 +100,10 @@ struct StepSlots {
   static constexpr int gravity_impulse = 8;
   static constexpr int gravity_work = 11;
   static constexpr int sums_with_gravity = 12;
+  // The masses of materials 1, 2, ... come after these; `base` is one of the two counts.
+  static constexpr int mass_of(int material, int base) {
+    return material == 0 ? mass : base + material - 1;
+  }
 };
 
 enum FaultKind {
@@ -100,7 +111,8 @@ enum FaultKind {
   fault_energy = 1,
   fault_volume = 2,
   fault_outflow = 3,
-  fault_state = 4
+  fault_state = 4,
+  fault_of_material = 16  // times the material + 1
 };
 
 // Calls f.operator()<D, C>() for D active axes and C momentum components.

@@ -1,0 +1,228 @@
+// Pressure relaxation of one cell.
+#include "ice/mixture/equilibrate.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "ice/mixture/runs.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_iterations = 100;
+constexpr double same_pressure = 4e-15;  // of the modulus: round-off of p = G (rho e) + F
+constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
+constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
+
+}  // namespace
+
+Equilibration::Equilibration(const std::vector<Fluid>& fluids) : fluids_(fluids) {
+  for (const Fluid& fluid : fluids) {
+    Linear l;
+    if (const auto* gas = std::get_if<eos::IdealGas>(&fluid.law)) {
+      l = {true, gas->gamma - 1.0, 0.0, 0.0, 0.0};
+    } else if (const auto* stiff = std::get_if<eos::StiffenedGas>(&fluid.law)) {
+      l = {true, stiff->gamma - 1.0, stiff->gamma * stiff->pinf, stiff->pinf, stiff->q};
+    } else {
+      l.pi = -fluid.lowest_pressure();
+    }
+    linear_.push_back(l);
+  }
+}
+
+Equilibration::Branch Equilibration::branch(int m, double q, double M, double V, double E) const {
+  const auto k = static_cast<std::size_t>(m);
+  const Linear& l = linear_[k];
+  if (!l.is) return general_branch(fluids_[k], q, M, V, E);
+  const double inverse = 1.0 / (q + l.gamma_pi + l.G * q);
+  const double volume = l.G * ((E - l.q * M) + q * V) * inverse;
+  return {volume, (l.G * V - volume * (1.0 + l.G)) * inverse};
+}
+
+// p(M/V', (E - q (V' - V))/V') falls with V': dp/dV' = -K/V' at the solution.
+Equilibration::Branch Equilibration::general_branch(const Fluid& fluid, double q, double M,
+                                                    double V, double E) const {
+  return std::visit(
+      [&](const auto& law) -> Branch {
+        double low = M / law.highest_density(), high = infinity;
+        double v = V > low ? V : 2.0 * low;
+        double slope = 0;
+        for (int n = 0; n < most_iterations; ++n) {
+          const double rho = M / v, rho_e = (E - q * (v - V)) / v;
+          const double p = law.pressure(rho, rho_e);
+          // dp/dv along the path on which energy goes as -q dv
+          const double dp = -(rho * law.dp_drho(rho, rho_e) + law.dp_de(rho, rho_e) * q / rho) / v;
+          const double h = p - q;
+          if (h > 0.0)
+            low = v;
+          else
+            high = v;
+          double next = dp < 0.0 ? v - h / dp : std::numeric_limits<double>::quiet_NaN();
+          if (!(next > low && next < high))
+            next = high < infinity ? (low > 0.0 ? std::sqrt(low * high) : 0.5 * high) : 2.0 * v;
+          slope = (1.0 + law.dp_de(rho, rho_e) * (v - V) / M) / dp;
+          if (h == 0.0 || std::fabs(next - v) <= 2e-16 * v) break;
+          v = next;
+        }
+        return {v, slope};
+      },
+      fluid.law);
+}
+
+bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q,
+                                  int& iterations) const {
+  double lowest = infinity;
+  for (int n = 0; n < in.count; ++n)
+    lowest = std::fmin(lowest, linear_[static_cast<std::size_t>(in.index[n])].pi);
+  const double lo = -lowest;
+  double x = q - lo, below = 0.0, above = infinity;
+  if (!(x > 0.0)) x = 1e-3 * (std::fabs(q) + std::fabs(lo)) + 1e-300;
+  for (iterations = 1; iterations <= most_iterations; ++iterations) {
+    double f = -1.0, slope = 0.0;
+    for (int n = 0; n < in.count; ++n) {
+      const int m = in.index[n];
+      const Branch b = branch(m, x + lo, cell.M[m], cell.V[m], cell.E[m]);
+      f += b.volume;
+      slope += b.slope;
+    }
+    if (!(std::fabs(f) < infinity)) return false;
+    if (f > 0.0)
+      below = x;
+    else
+      above = x;
+    double next = x / (1.0 + f / (slope * x));
+    if (!(next > below && next < above))
+      next = above < infinity ? (below > 0.0 ? std::sqrt(below * above) : 1e-3 * above) : 8.0 * x;
+    const bool done = std::fabs(f) < volume_tolerance ||
+                      std::fabs(next - x) < pressure_tolerance * std::fabs(x + lo);
+    if (done) break;
+    x = next;
+  }
+  q = x + lo;
+  return true;
+}
+
+bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const {
+  for (int m = 0; m < materials(); ++m)
+    if (cell.M[m] != 0.0) in.index[in.count++] = m;
+  double softness = 0, weighted = 0;
+  std::array<double, most_materials> p;
+  for (int n = 0; n < in.count; ++n) {
+    const int m = in.index[n];
+    const auto k = static_cast<std::size_t>(m);
+    const Linear& l = linear_[k];
+    const double rho = cell.M[m] / cell.V[m], rho_e = cell.E[m] / cell.V[m];
+    const double pm =
+        l.is ? l.G * (rho_e - l.q * rho) - l.gamma_pi : fluids_[k].pressure(rho, rho_e);
+    const double K = modulus(m, rho, pm);
+    if (!(cell.M[m] > 0.0 && cell.V[m] > 0.0 && K > 0.0 && K < infinity)) {
+      result.failed = m;
+      return false;
+    }
+    p[static_cast<std::size_t>(n)] = pm;
+    softness += cell.V[m] / K;
+    weighted += cell.V[m] / K * pm;
+    in.linear = in.linear && l.is;
+    in.stiffest = std::fmax(in.stiffest, l.pi);
+    if (l.pi == 0.0 && in.gas < 0) in.gas = m;
+    if (in.largest < 0 || cell.V[m] > cell.V[in.largest]) in.largest = m;
+  }
+  result.pressure = weighted / softness;
+  bool same = true;
+  for (int n = 0; n < in.count; ++n) {
+    const int m = in.index[n];
+    const double K = modulus(m, cell.M[m] / cell.V[m], result.pressure);
+    same = same && std::fabs(p[static_cast<std::size_t>(n)] - result.pressure) <= same_pressure * K;
+  }
+  return !same;
+}
+
+double Equilibration::modulus(int m, double rho, double p) const {
+  const auto k = static_cast<std::size_t>(m);
+  return linear_[k].is ? (1.0 + linear_[k].G) * (p + linear_[k].pi)
+                       : fluids_[k].bulk_modulus(rho, p);
+}
+
+// All but `rest` go to pressure q; their changes of energy, summed.
+double Equilibration::relax(const Cell& cell, const Present& in, double q, int rest) const {
+  double volume = 0, energy = 0;
+  for (int n = 0; n < in.count; ++n) {
+    const int m = in.index[n];
+    if (m == rest) continue;
+    const double now = branch(m, q, cell.M[m], cell.V[m], cell.E[m]).volume;
+    const double change = -q * (now - cell.V[m]);
+    cell.V[m] = now;
+    cell.E[m] += change;
+    volume += now;
+    energy += change;
+  }
+  cell.V[rest] = 1.0 - volume;
+  return energy;
+}
+
+// The gas of a cavity holds the energy of pressure q in what the liquids leave; the heaviest other
+// material pays.
+void Equilibration::fill_cavity(const Cell& cell, const Present& in, double q) const {
+  const double before = cell.E[in.gas];
+  const double others = relax(cell, in, q, in.gas);
+  cell.E[in.gas] = q * cell.V[in.gas] / linear_[static_cast<std::size_t>(in.gas)].G;
+  int heaviest = -1;
+  for (int n = 0; n < in.count; ++n) {
+    const int m = in.index[n];
+    if (m != in.gas && (heaviest < 0 || cell.M[m] > cell.M[heaviest])) heaviest = m;
+  }
+  cell.E[heaviest] -= others + (cell.E[in.gas] - before);
+}
+
+Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
+  Present in;
+  Result result;
+  if (survey(cell, in, result)) {
+    double q = result.pressure;
+    if (!find_pressure(cell, in, q, result.iterations)) {
+      result.failed = in.largest;
+      return result;
+    }
+    // Gas beside a liquid under tension keeps a least pressure, or its energy would be lost in
+    // round-off.
+    const double least = least_cavity_pressure * in.stiffest;
+    if (in.linear && in.gas >= 0 && in.count > 1 && q < least) {
+      q = least;
+      fill_cavity(cell, in, q);
+    } else {
+      cell.E[in.largest] -= relax(cell, in, q, in.largest);
+    }
+    result.pressure = q;
+  } else if (result.failed < 0) {
+    double volume = 0;
+    for (int n = 0; n < in.count; ++n)
+      if (in.index[n] != in.largest) volume += cell.V[in.index[n]];
+    cell.V[in.largest] = 1.0 - volume;
+  }
+  if (result.failed < 0) find_modulus(cell, in, result);
+  return result;
+}
+
+Equilibration::Result Equilibration::look(const Cell& cell) const {
+  Present in;
+  Result result;
+  survey(cell, in, result);
+  if (result.failed < 0) find_modulus(cell, in, result);
+  return result;
+}
+
+void Equilibration::find_modulus(const Cell& cell, const Present& in, Result& result) const {
+  double compliance = 0;
+  for (int n = 0; n < in.count; ++n) {
+    const int m = in.index[n];
+    const double K = modulus(m, cell.M[m] / cell.V[m], result.pressure);
+    if (!(K > 0.0 && cell.V[m] > 0.0)) result.failed = m;
+    compliance += cell.V[m] / K;
+  }
+  result.modulus = 1.0 / compliance;
+}
+
+}  // namespace sluice::ice::mixture

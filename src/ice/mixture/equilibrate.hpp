@@ -1,0 +1,75 @@
+// One pressure for all materials of a cell, by relaxation with the final pressure.
+//
+// Find q with sum V_m'(q) = 1, where each material gives or takes the work of its change of volume
+// at that pressure and ends at it:
+//   E_m' = E_m - q (V_m' - V_m),   p_m(M_m/V_m', E_m'/V_m') = q
+// The volumes sum to one, so the work sums to zero: total energy is kept, and both entropies rise,
+// T ds_m = (p_m - q) dV_m >= 0. For laws p = G (rho e) + F with constant G and F = -gamma pi
+//   V' = G (E + q V)/(q + gamma pi + G q), falling and convex in q;
+// other laws find V' by a bracketed Newton iteration. q by a hyperbolic Newton step in q + pi_min,
+//   x <- x/(1 + f/(f' x)),   f = sum V' - 1,
+// bracketed, with the geometric mean of the bracket where it leaves it. The largest material takes
+// the rest of volume and energy: both are exact to the round-off of the sums. Materials that are at
+// one pressure already (to a few units of the last place of their moduli) are left alone.
+#pragma once
+#include <vector>
+
+#include "ice/fluid.hpp"
+#include "ice/mixture/runs.hpp"
+
+namespace sluice::ice::mixture {
+
+// The laws of a scene, sorted for speed when made.
+class Equilibration {
+ public:
+  explicit Equilibration(const std::vector<Fluid>& fluids);
+
+  struct Cell {
+    double* M;  // mass, volume, energy of each material, per volume of the cell
+    double* V;
+    double* E;
+  };
+  struct Result {
+    double pressure = 0;
+    double modulus = 0;  // of the mixture
+    int iterations = 0;
+    int failed = -1;  // the material without a state, or -1
+  };
+  // Materials with M = 0 are absent and must have V = E = 0. At least one is present.
+  Result equilibrate(const Cell& cell) const;
+  // Pressure and modulus as they are, nothing changed.
+  Result look(const Cell& cell) const;
+
+  int materials() const { return static_cast<int>(fluids_.size()); }
+
+ private:
+  struct Linear {  // p = G (E - q M)/V - gamma pi
+    bool is = false;
+    double G = 0, gamma_pi = 0, pi = 0, q = 0;
+  };
+  struct Branch {  // V'(q) and its slope
+    double volume, slope;
+  };
+  struct Present {
+    int index[most_materials];
+    int count = 0;
+    int largest = -1, gas = -1;  // by volume; the first with a lowest pressure of zero
+    double stiffest = 0;         // pi, Pa
+    bool linear = true;
+  };
+  // Who is there, at which mean pressure; true: pressures differ.
+  bool survey(const Cell& cell, Present& in, Result& result) const;
+  double modulus(int m, double rho, double p) const;
+  Branch branch(int m, double q, double M, double V, double E) const;
+  Branch general_branch(const Fluid& fluid, double q, double M, double V, double E) const;
+  // From the start q; false: there is none.
+  bool find_pressure(const Cell& cell, const Present& in, double& q, int& iterations) const;
+  double relax(const Cell& cell, const Present& in, double q, int rest) const;
+  void find_modulus(const Cell& cell, const Present& in, Result& result) const;
+  void fill_cavity(const Cell& cell, const Present& in, double q) const;
+
+  std::vector<Fluid> fluids_;
+  std::vector<Linear> linear_;
+};
+
+}  // namespace sluice::ice::mixture

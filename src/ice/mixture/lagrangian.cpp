@@ -1,0 +1,85 @@
+// Step 6 with several materials: how they share what the Lagrangian phase of the mixture did.
+//
+//   V_m -> V_m J (uniform strain),   E_mL = E_m - V_m p (J - 1) - R M_m/rho,   R = W - p (J - 1)
+// W is the work defect of the mixture: p dV goes by volume, the rest (dissipation, second order) by
+// mass. Per own volume: rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of
+// each, from the pressure of that state. The scale of the mixture is sum V_m scale_m.
+#include "ice/closure_rows.hpp"
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+struct Handles {
+  std::vector<In> mass, volume, energy;
+  In presence, pressure, inverse_rho, inverse_J, lagrangian, density;
+  Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
+};
+
+void share_cells(const Row& row, const Handles& h, std::uint64_t set,
+                 const std::vector<Fluid>& fluids) {
+  const int n = row.count();
+  const double* __restrict p = row(h.pressure);
+  const double* __restrict w = row(h.inverse_rho);
+  const double* __restrict iJ = row(h.inverse_J);
+  const double* __restrict J = row(h.lagrangian, 0);
+  const double* __restrict W = row(h.lagrangian, 1);
+  double* __restrict total = row(h.mixture_scale);
+  double* __restrict rho_L = row(h.scratch);
+  for (int i = 0; i < n; ++i) total[i] = 0.0;
+  for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
+    double* __restrict E_L = row(h.energy_L, m);
+    double* __restrict eps = row(h.specific_energy_L, m);
+    double* __restrict scale = row(h.scale, m);
+    if ((set >> m & 1) == 0) {
+      for (int i = 0; i < n; ++i) E_L[i] = eps[i] = scale[i] = 0.0;
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(m);
+    const double* __restrict M = row(h.mass[k]);
+    const double* __restrict V = row(h.volume[k]);
+    const double* __restrict E = row(h.energy[k]);
+    const double* __restrict r = row(h.density, m);
+    for (int i = 0; i < n; ++i) {
+      const double pdV = p[i] * (J[i] - 1.0);
+      E_L[i] = E[i] - (V[i] * pdV + (W[i] - pdV) * (M[i] * w[i]));
+      eps[i] = E_L[i] * iJ[i] / V[i];
+      rho_L[i] = r[i] * iJ[i];
+    }
+    energy_scale_row(fluids[k], n, rho_L, eps, scale);
+    for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
+  }
+}
+
+}  // namespace
+
+void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  ice::add_lagrangian(list, v.common, o, effect);
+  TaskBuilder task = list.task("Lagrangian phase of each material", effect);
+  Handles h;
+  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    h.mass.push_back(task.read(v.mass[m]));
+    h.volume.push_back(task.read(v.volume[m]));
+    h.energy.push_back(task.read(v.energy[m]));
+  }
+  h.presence = task.read(v.presence);
+  h.pressure = task.read(v.common.pressure);
+  h.inverse_rho = task.read(v.common.inverse_rho);
+  h.inverse_J = task.read(v.common.inverse_J);
+  h.lagrangian = task.read(v.common.lagrangian_mixture);
+  h.density = task.read(v.density);
+  h.energy_L = task.write(v.energy_L);
+  h.specific_energy_L = task.write(v.specific_energy_L);
+  h.scale = task.write(v.energy_scale);
+  h.mixture_scale = task.write(v.common.energy_scale);
+  h.scratch = task.write(list.temporary("Lagrangian density of a material"));
+  const std::vector<Fluid> fluids = o.fluids;
+  task.kernel([=](const Row& row) {
+    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+      share_cells(row.part(first, count), h, as_set(presence), fluids);
+    });
+  });
+}
+
+}  // namespace sluice::ice::mixture

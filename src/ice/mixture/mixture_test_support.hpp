@@ -1,0 +1,173 @@
+// Several materials in a box of cells, stepped in this process.
+#pragma once
+#include <functional>
+#include <stdexcept>
+
+#include "ice/classic/classic_test_support.hpp"
+
+namespace sluice::ice {
+
+// What a cell holds of each material at the start: true density, pressure, share of the cell.
+struct MixtureCell {
+  std::vector<double> volume, density, pressure;
+  double velocity[3] = {0, 0, 0};
+};
+
+class MixtureBox {
+ public:
+  // The scene is that of the box; its material is replaced by `fluids`.
+  MixtureBox(const GasBox& box, const std::vector<Fluid>& fluids,
+             const std::function<MixtureCell(Vec3)>& start, const SolverOptions& options = {},
+             IntVec3 boxes = {})
+      : fluids_(fluids) {
+    Schema schema;
+    add_framework_tags(schema);
+    add_ice_tags(schema);
+    deck_ = load_deck_text(deck_text(box), "box.ups", {}, schema);
+    std::vector<Fault> faults = deck_.faults;
+    SceneOptions scene_options;
+    scene_options.boxes = boxes;
+    scene_ = read_scene(deck_, scene_options, faults);
+    IceScene ice = read_ice_scene(deck_, scene_, faults);
+    const IceMaterial first = ice.materials.front();
+    ice.materials.clear();
+    for (const Fluid& fluid : fluids) {
+      ice.materials.push_back(first);
+      ice.materials.back().fluid = fluid;
+      ice.materials.back().index = static_cast<int>(ice.materials.size()) - 1;
+    }
+    ice_ = std::make_unique<Ice>(scene_, std::move(ice));
+    solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), options);
+    fill(start);
+    rates_ = solver_->initial_rates();
+  }
+
+  // Steps to `time`, each as long as the scheme allows; returns how many.
+  int run(double time) {
+    int steps = 0;
+    while (time_ < time) {
+      const double allowed = ice_->step_limit(rates_).dt;
+      step(time_ + allowed > time ? time - time_ : allowed);
+      ++steps;
+    }
+    return steps;
+  }
+  void steps(int count) {
+    for (int n = 0; n < count; ++n) step(ice_->step_limit(rates_).dt);
+  }
+  // Tries again with masked slopes, then with half the step, as a run does.
+  void step(double dt) {
+    for (int halvings = 0; halvings < 20; ++halvings, dt *= 0.5) {
+      for (int redo = 0; redo < 3; ++redo) {
+        solver_->fill_ghosts(time_);
+        const StepAttempt& a = solver_->attempt(time_, dt, {}, control_.get());
+        if (a.faults == 0) {
+          rates_ = a.maxima;
+          sums_ = a.sums;
+          solver_->advance();
+          solver_->accept();
+          time_ += dt;
+          return;
+        }
+        last_fault_ = a.first_fault;
+        ++rejected_;
+        if (redo < 2) solver_->mask_faults(time_);
+      }
+      solver_->reject();
+    }
+    throw PhysicsError("inadmissible step: " + ice_->describe_fault(last_fault_.kind) + " " +
+                       std::to_string(last_fault_.value) + " in cell " +
+                       std::to_string(last_fault_.cell.x) + " at " + std::to_string(time_));
+  }
+
+  double mass(int m, IntVec3 c) const { return view(labels().mass, m, 0, c)(c); }
+  double volume(int m, IntVec3 c) const {
+    return fluids_.size() == 1 ? 1.0 : view(labels().volume, m, 0, c)(c);
+  }
+  double energy(int m, IntVec3 c) const { return view(labels().energy, m, 0, c)(c); }
+  double momentum(int d, IntVec3 c) const { return view(labels().momentum, 0, d, c)(c); }
+  double density(IntVec3 c) const {
+    double sum = 0;
+    for (int m = 0; m < count(); ++m) sum += mass(m, c);
+    return sum;
+  }
+  double velocity(IntVec3 c, int d = 0) const { return momentum(d, c) / density(c); }
+  // As the scheme has it: weighted with compressibility.
+  double pressure(IntVec3 c) const {
+    double sum = 0, weight = 0;
+    for (int m = 0; m < count(); ++m) {
+      if (mass(m, c) == 0) continue;
+      const Fluid& fluid = fluids_[static_cast<std::size_t>(m)];
+      const double V = volume(m, c), rho = mass(m, c) / V;
+      const double p = fluid.pressure(rho, energy(m, c) / V);
+      const double w = V / fluid.bulk_modulus(rho, p);
+      sum += w * p;
+      weight += w;
+    }
+    return sum / weight;
+  }
+  Totals totals() const {
+    Totals t;
+    ice_->add_totals(solver_->state(), LevelCoverage(), t);
+    return t;
+  }
+
+  int count() const { return static_cast<int>(fluids_.size()); }
+  const Level& level() const { return scene_.grid.levels.front(); }
+  const IndexBox& domain() const { return level().domain; }
+  double time() const { return time_; }
+  int rejected() const { return rejected_; }
+  LevelSolver& solver() { return *solver_; }
+  const Ice& ice() const { return *ice_; }
+  RealView view(Label label, int material, int component, IntVec3 cell) const {
+    const Warehouse& state = solver_->state();
+    const int slot = state.find(label, material);
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+      if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
+        return state.view(slot, component, b);
+    throw std::logic_error("no box holds the cell");
+  }
+
+ private:
+  void fill(const std::function<MixtureCell(Vec3)>& start) {
+    for_each_cell(domain(), [&](IntVec3 c) {
+      const MixtureCell s = start(level().centre(c));
+      double rho = 0;
+      for (int m = 0; m < count(); ++m) {
+        const auto k = static_cast<std::size_t>(m);
+        const double V = s.volume[k], r = s.density[k];
+        const double M = V > 0 ? V * r : 0.0;
+        view(labels().mass, m, 0, c)(c) = M;
+        if (count() > 1) view(labels().volume, m, 0, c)(c) = V;
+        view(labels().energy, m, 0, c)(c) =
+            V > 0 ? V * fluids_[k].energy_from_pressure(r, s.pressure[k], 300.0) : 0.0;
+        rho += M;
+      }
+      const int slot = solver_->state().find(labels().momentum, 0);
+      for (int d = 0; d < solver_->state().info(slot).components; ++d)
+        view(labels().momentum, 0, d, c)(c) = rho * s.velocity[d];
+    });
+    solver_->touch();
+  }
+
+  std::vector<Fluid> fluids_;
+  Deck deck_;
+  Scene scene_;
+  std::unique_ptr<Ice> ice_;
+  std::unique_ptr<LevelSolver> solver_;
+  std::unique_ptr<RunControl> control_ = std::make_unique<RunControl>();
+  std::vector<double> rates_, sums_;
+  CellFault last_fault_;
+  double time_ = 0;
+  int rejected_ = 0;
+};
+
+inline Fluid stiffened_gas(double gamma, double pinf, double cv = 1000) {
+  eos::StiffenedGas law;
+  law.gamma = gamma;
+  law.pinf = pinf;
+  law.specific_heat = cv;
+  return {law, std::nullopt, gamma, cv};
+}
+
+}  // namespace sluice::ice

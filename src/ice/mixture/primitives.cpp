@@ -1,0 +1,192 @@
+// Step 1 with several materials: who is where, and the state of the mixture.
+//
+//   rho = sum M_m,  u = P/rho,  rho_m = M_m/V_m,  (rho e)_m = E_m/V_m
+//   p = sum(V_m p_m/K_m)/sum(V_m/K_m),   K = 1/sum(V_m/K_m(rho_m, p)),   c = sqrt(K/rho)
+//   pi = min over the materials,   shock slope = sum V_m A_m
+// A cell with one material takes all of them from its law. (The energy-weighted mean of pressures
+// would lose a gas beside a liquid in round-off.)
+#include <cmath>
+#include <limits>
+
+#include "ice/closure_rows.hpp"
+#include "ice/conservative/primitives_rows.hpp"
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+void add_presence(TaskList& list, const Variables& v, int effect) {
+  TaskBuilder task = list.task("presence of materials", effect);
+  std::vector<In> mass;
+  for (const VariableId m : v.mass) mass.push_back(task.read(m));
+  const Out presence = task.write(v.presence);
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    double* __restrict set = row(presence);
+    for (int i = 0; i < n; ++i) set[i] = 0.0;
+    for (std::size_t m = 0; m < mass.size(); ++m) {
+      const double* __restrict M = row(mass[m]);
+      const double bit = only(static_cast<int>(m));
+      for (int i = 0; i < n; ++i) set[i] += M[i] != 0.0 ? bit : 0.0;
+    }
+  });
+}
+
+// The material that a cell and all cells around it hold alone.
+void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("pure neighbourhoods", effect);
+  const In presence = task.read(v.presence, Stencil::box(1));
+  const Out pure = task.write(v.pure);
+  const int axes = o.axes.count;
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    const double* __restrict here = row(presence);
+    double* __restrict key = row(pure);
+    for (int i = 0; i < n; ++i) key[i] = here[i];
+    const auto compare = [&](const double* __restrict other) {
+      for (int i = 0; i < n; ++i) key[i] = other[i] == here[i] ? key[i] : 0.0;
+    };
+    for (int dk = axes > 2 ? -1 : 0; dk <= (axes > 2 ? 1 : 0); ++dk)
+      for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj)
+        for (int di = -1; di <= 1; ++di) compare(row.at_offset(presence, 0, {di, dj, dk}));
+    for_each_run(key, n, [&](int first, int count, double set) {
+      const double material = set != 0.0 && is_single(set) ? first_of(set) : -1.0;
+      for (int i = first; i < first + count; ++i) key[i] = material;
+    });
+  });
+}
+
+struct Handles {
+  std::vector<In> mass, volume, energy;
+  In momentum, presence;
+  Out rho, total_energy, velocity, pressure, sound, inverse_rho, shock_slope, pi;
+  Out density, specific_energy, scratch;
+};
+
+// One material alone.
+void pure_cells(const Row& row, const Handles& h, int m, int materials, const Fluid& fluid) {
+  const int n = row.count();
+  const auto k = static_cast<std::size_t>(m);
+  const double* M = row(h.mass[k]);
+  const double* E = row(h.energy[k]);
+  primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
+  double *rho = row(h.rho), *energy = row(h.total_energy);
+  double *slope = row(h.shock_slope), *pi = row(h.pi);
+  const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
+  for (int i = 0; i < n; ++i) {
+    rho[i] = M[i];
+    energy[i] = E[i];
+    slope[i] = fluid_slope;
+    pi[i] = fluid_pi;
+  }
+  for (int other = 0; other < materials; ++other) {
+    double *r = row(h.density, other), *e = row(h.specific_energy, other);
+    for (int i = 0; i < n; ++i) {
+      r[i] = other == m ? M[i] : 0.0;
+      e[i] = other == m ? E[i] : 0.0;
+    }
+  }
+}
+
+// Several materials in each cell: the same set along the row.
+void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
+                 const std::vector<Fluid>& fluids) {
+  const int n = row.count();
+  double* __restrict rho = row(h.rho);
+  double* __restrict energy = row(h.total_energy);
+  double* __restrict w = row(h.inverse_rho);
+  double* __restrict p = row(h.pressure);
+  double* __restrict c = row(h.sound);
+  double* __restrict slope = row(h.shock_slope);
+  double* __restrict pi = row(h.pi);
+  double* __restrict pm = row(h.scratch, 0);
+  double* __restrict Km = row(h.scratch, 1);
+  for (int i = 0; i < n; ++i) {
+    rho[i] = energy[i] = p[i] = c[i] = slope[i] = 0.0;
+    pi[i] = std::numeric_limits<double>::infinity();
+  }
+  for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
+    double* __restrict r = row(h.density, m);
+    double* __restrict e = row(h.specific_energy, m);
+    if ((set >> m & 1) == 0) {
+      for (int i = 0; i < n; ++i) r[i] = e[i] = 0.0;
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(m);
+    const Fluid& fluid = fluids[k];
+    const double* __restrict M = row(h.mass[k]);
+    const double* __restrict V = row(h.volume[k]);
+    const double* __restrict E = row(h.energy[k]);
+    const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
+    for (int i = 0; i < n; ++i) {
+      const double inverse = 1.0 / V[i];
+      r[i] = M[i] * inverse;
+      e[i] = E[i] * inverse;
+    }
+    pressure_and_modulus_row(fluid, n, r, e, pm, Km);
+    for (int i = 0; i < n; ++i) {
+      const double softness = V[i] / Km[i];
+      rho[i] += M[i];
+      energy[i] += E[i];
+      p[i] += softness * pm[i];
+      c[i] += softness;
+      slope[i] += V[i] * fluid_slope;
+      pi[i] = fluid_pi < pi[i] ? fluid_pi : pi[i];
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    p[i] = p[i] / c[i];
+    w[i] = 1.0 / rho[i];
+    c[i] = 0.0;
+  }
+  for_each_of(set, [&](int m) {
+    const double* __restrict V = row(h.volume[static_cast<std::size_t>(m)]);
+    modulus_row(fluids[static_cast<std::size_t>(m)], n, row(h.density, m), p, Km);
+    for (int i = 0; i < n; ++i) c[i] += V[i] / Km[i];
+  });
+  for (int i = 0; i < n; ++i) c[i] = std::sqrt(w[i] / c[i]);
+}
+
+}  // namespace
+
+void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  add_presence(list, v, effect);
+  add_neighbourhood(list, v, o, effect);
+  TaskBuilder task = list.task("primitives", effect);
+  Handles h;
+  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    h.mass.push_back(task.read(v.mass[m]));
+    h.volume.push_back(task.read(v.volume[m]));
+    h.energy.push_back(task.read(v.energy[m]));
+  }
+  h.momentum = task.read(v.common.momentum);
+  h.presence = task.read(v.presence);
+  h.rho = task.write(v.common.rho);
+  h.total_energy = task.write(v.common.energy);
+  h.velocity = task.write(v.common.velocity);
+  h.pressure = task.write(v.common.pressure);
+  h.sound = task.write(v.common.sound);
+  h.inverse_rho = task.write(v.common.inverse_rho);
+  h.shock_slope = task.write(v.common.shock_slope);
+  h.pi = task.write(v.common.pi);
+  h.density = task.write(v.density);
+  h.specific_energy = task.write(v.specific_energy);
+  h.scratch = task.write(list.temporary("pressure and modulus of a material", 2));
+  const std::vector<Fluid> fluids = o.fluids;
+  const int components = o.components;
+  task.kernel([=](const Row& row) {
+    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+      const Row part = row.part(first, count);
+      const int m = first_of(presence);
+      if (is_single(presence))
+        pure_cells(part, h, m, static_cast<int>(fluids.size()),
+                   fluids[static_cast<std::size_t>(m)]);
+      else
+        mixed_cells(part, h, as_set(presence), fluids);
+    });
+    velocity_rows(row, h.momentum, h.velocity, row(h.inverse_rho), components);
+  });
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,51 @@
+// Parts of a row in which a key is the same: the materials of a cell change seldom along a row.
+#pragma once
+#include <bit>
+#include <cstdint>
+
+namespace sluice::ice::mixture {
+
+// Calls f(first, count, key) for every run of equal keys.
+template <class F>
+void for_each_run(const double* key, int n, F&& f) {
+  for (int begin = 0; begin < n;) {
+    int end = begin + 1;
+    while (end < n && key[end] == key[begin]) ++end;
+    f(begin, end - begin, key[begin]);
+    begin = end;
+  }
+}
+
+// The same for faces between cells with keys a (low side) and b: -1 where they differ.
+template <class F>
+void for_each_face_run(const double* a, const double* b, int n, F&& f) {
+  const auto key = [&](int i) { return a[i] == b[i] ? a[i] : -1.0; };
+  for (int begin = 0; begin < n;) {
+    const double k = key(begin);
+    int end = begin + 1;
+    while (end < n && key(end) == k) ++end;
+    f(begin, end - begin, k);
+    begin = end;
+  }
+}
+
+// Sets of materials as numbers: exact in a double up to 2^53.
+constexpr int most_materials = 32;
+inline double only(int material) {
+  return static_cast<double>(std::uint64_t{1} << material);
+}
+inline std::uint64_t as_set(double presence) {
+  return static_cast<std::uint64_t>(presence);
+}
+inline bool is_single(double presence) {
+  return std::has_single_bit(as_set(presence));
+}
+inline int first_of(double presence) {
+  return std::countr_zero(as_set(presence));
+}
+template <class F>
+void for_each_of(std::uint64_t set, F&& f) {
+  for (; set != 0; set &= set - 1) f(std::countr_zero(set));
+}
+
+}  // namespace sluice::ice::mixture

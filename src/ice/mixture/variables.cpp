@@ -1,0 +1,64 @@
+// Declaring the variables of a step of several materials.
+#include "ice/mixture/variables.hpp"
+
+#include <string>
+
+#include "ice/labels.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+// What the one-material tasks know under the same names; mass and energy are sums here.
+SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
+  const int C = o.components;
+  SchemeVariables v;
+  v.rho = list.temporary("density of the mixture");
+  v.energy = list.temporary("energy of the mixture");
+  v.momentum = list.old_state(labels().momentum, 0, C);
+  if (o.masked) v.mask = list.old_state(labels().mask, 0, 1);
+  v.momentum_new = list.new_state(labels().momentum, 0, C);
+  v.shock_slope = list.temporary("shock slope");
+  v.pi = list.temporary("lowest pressure");
+  v.new_pressure = list.temporary("new pressure");
+  v.lagrangian_mixture = list.temporary("J, work, outlets", 3);
+  declare_step_temporaries(list, o, v);
+  declare_conservative_temporaries(list, o, v);
+  v.energy_scale = list.temporary("energy scale");
+  v.closure = list.temporary("closure of the new state", 3);
+  return v;
+}
+
+}  // namespace
+
+Variables declare_variables(TaskList& list, const SchemeOptions& o) {
+  const Labels& l = labels();
+  const int M = static_cast<int>(o.fluids.size());
+  Variables v;
+  v.common = declare_common(list, o);
+  for (int m = 0; m < M; ++m) {
+    v.mass.push_back(list.old_state(l.mass, m, 1));
+    v.volume.push_back(list.old_state(l.volume, m, 1));
+    v.energy.push_back(list.old_state(l.energy, m, 1));
+    v.mass_new.push_back(list.new_state(l.mass, m, 1));
+    v.volume_new.push_back(list.new_state(l.volume, m, 1));
+    v.energy_new.push_back(list.new_state(l.energy, m, 1));
+  }
+  v.presence = list.temporary("presence");
+  v.pure = list.temporary("pure neighbourhood");
+  v.density = list.temporary("density of each material", M);
+  v.specific_energy = list.temporary("energy per volume of each material", M);
+  v.energy_L = list.temporary("Lagrangian energy of each material", M);
+  v.specific_energy_L = list.temporary("Lagrangian energy per volume of each material", M);
+  v.energy_scale = list.temporary("energy scale of each material", M);
+  for (int a = 0; a < o.axes.count; ++a) {
+    const auto n = static_cast<std::size_t>(a);
+    const std::string axis = " of axis " + std::to_string(a);
+    v.base[n] = list.temporary("remap base of each material" + axis, 3 * M);
+    v.flux[n] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
+  }
+  v.common.material_flux = v.flux;
+  v.end = list.temporary("density and modulus of the new mixture", 2);
+  return v;
+}
+
+}  // namespace sluice::ice::mixture

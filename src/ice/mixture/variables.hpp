@@ -1,0 +1,46 @@
+// The variables of a step where several materials may meet in a cell, with one common velocity.
+//
+// Per cell and material m: mass M_m, volume fraction V_m and internal energy E_m, all per volume of
+// the cell; one momentum. Absent means all three are zero; a cell with one material has V = 1 to
+// the bit. Rules are rules for one cell: a cell whose neighbourhood (one cell all around) holds one
+// material alone runs the rows of conservative/, whatever the block or the scene holds elsewhere.
+// Scheme: "one exchange, Lagrange + sharp remap + exact pressure relaxation", docs/theory_ice.md.
+#pragma once
+#include <vector>
+
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice::mixture {
+
+struct Variables {
+  SchemeVariables common;  // of the mixture: rho, energy, p, faces, Lagrangian phase, total fluxes
+  // State, by material.
+  std::vector<VariableId> mass, volume, energy, mass_new, volume_new, energy_new;
+  VariableId presence;  // bit set of the materials in a cell, as a number
+  VariableId pure;      // the material that is alone in a cell and all around it; -1: none
+  // By material: density and energy per its own volume (old; 0 where absent); after the Lagrangian
+  // phase energy per cell and per own volume, and the energy scale (p + pi)/G.
+  VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
+  // By axis, 3 components a material: what volume, density and energy offer to the remap.
+  std::array<VariableId, 3> base;
+  // By axis, 3 components a material: volume, mass and energy that pass a face.
+  std::array<VariableId, 3> flux;
+  VariableId end;  // density, modulus of the new mixture
+};
+
+Variables declare_variables(TaskList& list, const SchemeOptions& o);
+
+// Component of a quantity of a material in `base` and `flux`.
+enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
+inline int component(int material, Carried q) {
+  return 3 * material + q;
+}
+
+// Tasks of the step, in order; each in the file of its name.
+void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,93 @@
+// Rates of a state outside a step: the first step of a run and of a restart.
+#include <algorithm>
+#include <cmath>
+
+#include "ice/ice.hpp"
+#include "ice/labels.hpp"
+#include "ice/mixture/equilibrate.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// Density and modulus (rho c^2) of the cells of one box.
+class CellStates {
+ public:
+  CellStates(const Warehouse& state, const std::vector<Fluid>& fluids, int box)
+      : fluids_(fluids), equilibration_(fluids) {
+    const auto view = [&](Label label, int m) { return state.view(state.find(label, m), 0, box); };
+    for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
+      mass_.push_back(view(labels().mass, m));
+      energy_.push_back(view(labels().energy, m));
+      if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
+    }
+  }
+
+  struct State {
+    double rho = 0, modulus = 0;
+  };
+  State at(IntVec3 cell) const {
+    if (fluids_.size() == 1) {
+      const double rho = mass_[0](cell);
+      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell)))};
+    }
+    double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
+    double rho = 0;
+    for (std::size_t m = 0; m < fluids_.size(); ++m) {
+      M[m] = mass_[m](cell);
+      V[m] = volume_[m](cell);
+      E[m] = energy_[m](cell);
+      rho += M[m];
+    }
+    return {rho, equilibration_.look({M, V, E}).modulus};
+  }
+
+ private:
+  const std::vector<Fluid>& fluids_;
+  mixture::Equilibration equilibration_;
+  std::vector<RealView> mass_, energy_, volume_;
+};
+
+}  // namespace
+
+void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
+  const int momentum = state.find(labels().momentum, 0);
+  double dx_g = 0;
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const int d = options_.axes.direction[a];
+    dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
+  }
+  const double gravity_speed = std::sqrt(dx_g);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const CellStates states(state, options_.fluids, b);
+    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+      const auto [rho, modulus] = states.at(cell);
+      const double c = std::sqrt(modulus / rho);
+      double deck = 0, outflow = 0, flow = 0, sound = 0;
+      for (int a = 0; a < options_.axes.count; ++a) {
+        const double dx = state.level().spacing[options_.axes.direction[a]];
+        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho;
+        const double margin = options_.sound_speed_knob * c + gravity_speed;
+        outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx;
+        const double deck_rate = (u + options_.sound_speed_knob * c) / dx;
+        deck = std::max(deck, deck_rate);
+        flow += u / dx;
+        sound = std::max(sound, (u + c) / dx);
+      }
+      const double rate = options_.conservative_time_step ? outflow : deck;
+      rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
+      rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
+      rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
+      if (!options_.viscous) return;
+      double inverse_dx2 = 0;
+      for (int a = 0; a < options_.axes.count; ++a) {
+        const double dx = state.level().spacing[options_.axes.direction[a]];
+        inverse_dx2 += 1.0 / (dx * dx);
+      }
+      rates.maximum(
+          StepSlots::diffusion_rate,
+          ordered_bits(2.0 * options_.diffusion_knob * options_.viscosity * inverse_dx2 / rho));
+    });
+  }
+}
+
+}  // namespace sluice::ice
