@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
@@ -99,6 +100,79 @@ TEST(Warehouse, SwapExchangesOldAndNewWithoutCopying) {
   EXPECT_EQ(old.view(slot, 0, 0).data, data);
   EXPECT_EQ(old.view(slot, 0, 0)(3, 0, 0), 5);
   EXPECT_EQ(now.view(slot, 0, 0)(3, 0, 0), 0);
+}
+
+TEST(BlockLattice, FindsTheBlocksOfARegionNumberedAsTheyAreSplit) {
+  const Level level = level_of({23, 10, 7}, {2, 1, 1});
+  const BlockLattice lattice(level.boxes, {5, 4, 7});
+  std::vector<IndexBox> blocks;
+  for (const GridBox& b : level.boxes) {
+    const IntVec3 n = b.cells.size();
+    for (const IndexBox& piece : split(b.cells, {(n.x + 4) / 5, 3, 1})) blocks.push_back(piece);
+  }
+  ASSERT_EQ(lattice.size(), static_cast<int>(blocks.size()));
+  const auto in_first = static_cast<int>(split(level.boxes[0].cells, {3, 3, 1}).size());
+  for_each_cell({{-1, -1, 0}, {21, 9, 2}}, [&](IntVec3 low) {
+    const IndexBox region{low, low + IntVec3{3, 2, 9}};
+    for (int box = 0; box < 2; ++box) {
+      std::vector<int> found, expected;
+      lattice.any_block(box, region, [&](int n, const IndexBox& cells) {
+        EXPECT_EQ(cells, blocks[static_cast<std::size_t>(n)]);
+        found.push_back(n);
+        return false;
+      });
+      for (int n = box == 0 ? 0 : in_first; n < (box == 0 ? in_first : lattice.size()); ++n)
+        if (!intersection(blocks[static_cast<std::size_t>(n)], region).empty())
+          expected.push_back(n);
+      ASSERT_EQ(found, expected);
+    }
+  });
+  EXPECT_TRUE(lattice.any_block(0, level.domain, [](int n, const IndexBox&) { return n == 2; }));
+  EXPECT_EQ(BlockLattice().extents(), IntVec3{});
+}
+
+// The only cell that is not zero is found from wherever it can be seen, however much is known.
+TEST(Warehouse, FindsWhatIsNotZeroWhateverIsKnownOfBlocks) {
+  const Level level = level_of({12, 9, 1}, {2, 1, 1});
+  for (int known = 0; known < 3; ++known) {
+    Warehouse w(level, 0);
+    const int slot = w.add({label(0), 0, 1, 2});
+    if (known > 0) w.cut({3, 4, 1});
+    const RealView v = w.view(slot, 0, 1);
+    for_each_cell(v.box, [&](IntVec3 cell) {
+      v(cell) = 2;
+      for (int block = 0; known == 2 && block < w.blocks().size(); ++block)
+        w.set_uniform(slot, block, 0);
+      if (known == 2)  // as whoever wrote the cell would say
+        w.blocks().any_block(1, {cell, cell + IntVec3::all(1)}, [&](int block, const IndexBox&) {
+          w.forget(slot, block);
+          return false;
+        });
+      for_each_cell({{4, -2, 0}, {12, 9, 1}}, [&](IntVec3 low) {
+        const IndexBox region = intersection({low, low + IntVec3{4, 3, 1}}, v.box);
+        ASSERT_EQ(w.any_nonzero(slot, 0, 1, region), region.contains(cell));
+      });
+      v(cell) = 0;
+    });
+  }
+}
+
+TEST(Warehouse, WhatIsKnownGoesWithTheFieldsAndIsForgotten) {
+  const Level level = level_of({12, 1, 1}, {1, 1, 1});
+  Warehouse old(level, 0), now(level, 0);
+  const int slot = old.add({label(0), 0, 1, 0});
+  now.add({label(0), 0, 1, 0});
+  for (Warehouse* w : {&old, &now}) w->cut({4, 1, 1});
+  const int later = old.add({label(1), 0, 1, 0});
+  EXPECT_TRUE(std::isnan(old.uniform(later, 2)));
+  old.set_uniform(slot, 1, 1);
+  EXPECT_TRUE(old.any_nonzero(slot, 0, 0, {{5, 0, 0}, {6, 1, 1}}));  // not read: it is known
+  old.swap(now);
+  EXPECT_EQ(now.uniform(slot, 1), 1);
+  EXPECT_TRUE(std::isnan(old.uniform(slot, 1)));
+  EXPECT_TRUE(std::isnan(now.uniform(slot, 0)));
+  now.forget();
+  EXPECT_TRUE(std::isnan(now.uniform(slot, 1)));
 }
 
 TEST(Label, IsOneHandleAName) {
