@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "exact/law_text.hpp"
+#include "exact/material_solutions.hpp"
 #include "exact/noh.hpp"
 #include "exact/radial_reference.hpp"
 #include "exact/riemann.hpp"
@@ -101,6 +103,13 @@ Made make_riemann(const SolutionParameters& from) {
   const double position = from.real("position");
   return std::make_unique<PlaneRiemann>(RiemannSolution(l, r), position,
                                         unit(from, "direction", {1, 0, 0}));
+}
+
+Made make_two(const SolutionParameters& from) {
+  return make_two_materials(from, unit(from, "direction", {1, 0, 0}));
+}
+Made make_shock(const SolutionParameters& from) {
+  return make_shock_at_interface(from, unit(from, "direction", {1, 0, 0}));
 }
 
 Made make_noh(const SolutionParameters& from) {
@@ -212,6 +221,23 @@ const ParameterHelp amplitude_help{"amplitude", "of the density, relative"};
 const ParameterHelp wave_vector_help{"wave_vector", "periods per unit length ([1,0,0])"};
 const ParameterHelp sense_help{"sense", "1 along the wave vector, -1 against it (1)"};
 
+// Of the two sides of a flow of two materials.
+std::vector<ParameterHelp> sides_help(std::vector<ParameterHelp> more) {
+  std::vector<ParameterHelp> all = {
+      {"left", "[density, velocity, pressure]"},
+      {"right", "[density, velocity, pressure]"},
+      {"eos_left",
+       "law and parameters, as in ideal_gas gamma=1.4 specific_heat=717.5; laws: " + known_laws()},
+      {"eos_right", "law and parameters of the right material"},
+      {"temperature_left", "K, for laws whose pressure depends on density alone"},
+      {"temperature_right", "K, for laws whose pressure depends on density alone"},
+      {"position", "of the interface at t = 0"},
+      {"direction", "normal of the interface ([1,0,0])"},
+      {"materials", "numbers in the deck of the left and the right material ([0, 1])"}};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {{"riemann",
@@ -224,6 +250,16 @@ const std::vector<Kind>& kinds() {
          {"gamma_left", "of the left gas (gamma)"},
          {"gamma_right", "of the right gas (gamma)"}}},
        make_riemann},
+      {{"two_materials", "two uniform materials side by side, each with its equation of state",
+        sides_help({})},
+       make_two},
+      {{"shock_at_interface",
+        "a shock in the left material runs to the interface with the right one, at rest relative "
+        "to "
+        "it and at its pressure, or to a rigid wall when there is no <right>",
+        sides_help(
+            {{"shock_pressure", "behind the shock"}, {"shock_position", "of the shock at t = 0"}})},
+       make_shock},
       {{"noh",
         "cold gas running onto a plane, axis or point",
         {dimension_help,

@@ -48,6 +48,21 @@ TEST(MakeExactSolution, RiemannProblemAlongAnyAxis) {
 TEST(MakeExactSolution, EveryKindCanBeMadeAndSampled) {
   const std::map<std::string, Values> samples = {
       {"riemann", sod},
+      {"two_materials",
+       {{"left", "[1000, 0, 1e9]"},
+        {"eos_left", "StiffenedGas gamma=4.4 pinf=6e8 specific_heat=1816"},
+        {"right", "[50, 0, 1e5]"},
+        {"eos_right", "ideal_gas gamma=1.4 specific_heat=717.5"},
+        {"position", "0.7"},
+        {"materials", "[1, 0]"}}},
+      {"shock_at_interface",
+       {{"left", "[1.2, 0, 1e5]"},
+        {"eos_left", "ideal_gas gamma=1.4 specific_heat=717.5"},
+        {"right", "[1000, 0, 1e5]"},
+        {"eos_right", "StiffenedGas gamma=4.4 pinf=6e8 specific_heat=1816"},
+        {"shock_pressure", "2e6"},
+        {"shock_position", "0.2"},
+        {"position", "0.7"}}},
       {"noh", {{"dimension", "3"}}},
       {"sedov", {{"energy", "0.851072"}}},
       {"isentropic_vortex", {{"velocity", "[1,1,0]"}, {"period", "16"}}},
@@ -74,7 +89,7 @@ TEST(MakeExactSolution, EveryKindCanBeMadeAndSampled) {
 
 TEST(MakeExactSolution, SaysWhatIsWrongWithTheParameters) {
   using testing::HasSubstr;
-  EXPECT_THAT(refusal("rieman", sod), HasSubstr("known are: riemann, noh"));
+  EXPECT_THAT(refusal("rieman", sod), HasSubstr("known are: riemann, two_materials"));
   Values values = sod;
   values["centre"] = "0.5";
   EXPECT_THAT(refusal("riemann", values), HasSubstr("no parameter <centre>; it knows"));
