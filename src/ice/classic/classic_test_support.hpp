@@ -34,12 +34,12 @@ inline std::string sides(const GasBox& box) {
     const bool flat = box.cells[side[0] - 'x'] == 1;
     text += fmt::format("<Face side='{}'>", side);
     if (box.walls || flat) {
-      text += "<BCType id='0' label='Symmetric' var='symmetry'/>";
+      text += "<BCType id='all' label='Symmetric' var='symmetry'/>";
     } else {
       for (const char* label : {"Pressure", "Density", "Temperature"})
         text +=
-            fmt::format("<BCType id='0' label='{}' var='Neumann'><value>0</value></BCType>", label);
-      text += "<BCType id='0' label='Velocity' var='Neumann'><value>[0,0,0]</value></BCType>";
+            fmt::format("<BCType id='all' label='{}' var='Neumann'><value>0</value></BCType>", label);
+      text += "<BCType id='all' label='Velocity' var='Neumann'><value>[0,0,0]</value></BCType>";
     }
     text += "</Face>";
   }
@@ -79,6 +79,14 @@ inline std::string deck_text(const GasBox& b) {
       sides(b), b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z, b.cells.x, b.cells.y,
       b.cells.z, b.periodic ? "<periodic>[1,1,1]</periodic>" : "", b.scheme, b.advection, formula,
       b.gravity, b.viscosity, b.specific_heat);
+}
+
+// Shared by the runs of a test: a process has one at a time.
+inline std::shared_ptr<RunControl> shared_control() {
+  static std::weak_ptr<RunControl> kept;
+  std::shared_ptr<RunControl> control = kept.lock();
+  if (control == nullptr) kept = control = std::make_shared<RunControl>();
+  return control;
 }
 
 // The deck, its scene, and a solver at the start.
@@ -146,14 +154,6 @@ class Stepper {
   }
   double value(Label label, int component, IntVec3 cell) const {
     return view(label, component, cell)(cell);
-  }
-
-  // Shared by the steppers of a test: a process has one at a time.
-  static std::shared_ptr<RunControl> shared_control() {
-    static std::weak_ptr<RunControl> kept;
-    std::shared_ptr<RunControl> control = kept.lock();
-    if (control == nullptr) kept = control = std::make_shared<RunControl>();
-    return control;
   }
 
   Deck deck_;

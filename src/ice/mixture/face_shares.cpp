@@ -148,7 +148,7 @@ void FaceShares::trace_rules(int m) {
     if (empty_receiver && flow * share[i] < least_entry) share[i] = 0.0;
     const double V_L = V * J_.at(i, left);
     const double rest = V_L - flow * share[i];
-    if (share[i] > 0.0 && outlets_.at(i, left) == 1.0 &&
+    if (share[i] > 0.0 && flow > 0.0 && outlets_.at(i, left) == 1.0 &&
         rest <= larger(least_entry, least_rest * V_L)) {
       share[i] = V_L / flow;
       takes_all[i] = 1.0;

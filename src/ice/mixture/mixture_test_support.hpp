@@ -155,7 +155,7 @@ class MixtureBox {
   Scene scene_;
   std::unique_ptr<Ice> ice_;
   std::unique_ptr<LevelSolver> solver_;
-  std::unique_ptr<RunControl> control_ = std::make_unique<RunControl>();
+  std::shared_ptr<RunControl> control_ = shared_control();
   std::vector<double> rates_, sums_;
   CellFault last_fault_;
   double time_ = 0;

@@ -1,0 +1,196 @@
+// Several materials: equilibrium, conservation, traces, mirror images, the same bits for any cut.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "ice/mixture/mixture_test_support.hpp"
+
+namespace sluice::ice {
+namespace {
+
+const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
+const Fluid water = stiffened_gas(4.4, 6e8);
+
+Fluid jwl() {
+  eos::Jwl law;
+  law.A = 6.3e11;
+  law.B = 8e9;
+  law.R1 = 4.3;
+  law.R2 = 1.2;
+  law.om = .35;
+  law.rho0 = 1840;
+  law.specific_heat = 1000;
+  return {law, std::nullopt, 1.35, 1000};
+}
+
+GasBox periodic(IntVec3 cells) {
+  GasBox box;
+  box.cells = cells;
+  box.scheme = "conservative";
+  return box;
+}
+
+// The first material between x = .3 and .7 (in 2-D a square), the second around it.
+std::function<MixtureCell(Vec3)> slab(double rho_a, double rho_b, double p, Vec3 u, bool square) {
+  return [=](Vec3 x) {
+    const auto inside = [](double s) { return s > .3 && s < .7; };
+    const bool in = inside(x.x) && (!square || inside(x.y));
+    MixtureCell c;
+    c.volume = {in ? 1.0 : 0.0, in ? 0.0 : 1.0};
+    c.density = {rho_a, rho_b};
+    c.pressure = {p, p};
+    for (int d = 0; d < 3; ++d) c.velocity[d] = u[d];
+    return c;
+  };
+}
+
+struct Uniform {
+  const char* name;
+  Fluid a, b;
+  double rho_a, rho_b, p, u;
+  int cells_y;
+};
+
+TEST(MixtureFlow, PressureAndVelocityStayUniform) {
+  constexpr double limit = 1e-10;
+  const Uniform cases[] = {
+      {"gases 1:10", air, heavy, 10, 1, 1, 1, 1},
+      {"gases 1:1000", air, heavy, 1000, 1, 1, 1, 1},
+      {"water in air", water, air, 1000, 1.2, 1e5, 100, 1},
+      {"products in air", jwl(), air, 1840, 50, 2e10, 1000, 1},
+      {"water in air, 2-D", water, air, 1000, 1.2, 1e5, 100, 40},
+      {"gases, 2-D", air, heavy, 1000, 1, 1, 1, 40},
+  };
+  for (const Uniform& k : cases) {
+    const bool flat = k.cells_y == 1;
+    MixtureBox run(periodic({40, k.cells_y, 1}), {k.a, k.b},
+                   slab(k.rho_a, k.rho_b, k.p, {k.u, flat ? 0.0 : -.4 * k.u, 0}, !flat));
+    run.steps(flat ? 400 : 100);
+    double du = 0, dp = 0;
+    for_each_cell(run.domain(), [&](IntVec3 c) {
+      du = std::fmax(du, std::fabs(run.velocity(c) - k.u) / k.u);
+      dp = std::fmax(dp, std::fabs(run.pressure(c) - k.p) / k.p);
+    });
+    std::printf("%s: du/u %.2e dp/p %.2e at %g\n", k.name, du, dp, run.time());
+    EXPECT_LE(du, limit) << k.name;
+    EXPECT_LE(dp, limit) << k.name;
+    EXPECT_EQ(run.rejected(), 0) << k.name;
+  }
+}
+
+// Mass of each material, momentum and total energy of a closed or periodic box.
+TEST(MixtureFlow, ConservesThroughShocks) {
+  constexpr double limit = 1e-13;
+  for (const int ny : {1, 24}) {
+    GasBox box = periodic({60, ny, 1});
+    box.periodic = false;
+    box.walls = true;
+    MixtureBox run(box, {water, air}, [](Vec3 x) {
+      const bool left = x.x + .2 * std::sin(6 * x.y) < .6;
+      MixtureCell c;
+      c.volume = {left ? 1.0 : 0.0, left ? 0.0 : 1.0};
+      c.density = {1000, 1.2};
+      c.pressure = {x.x < .3 ? 1e9 : 1e5, 1e5};
+      return c;
+    });
+    const Totals before = run.totals();
+    run.steps(ny == 1 ? 1000 : 200);
+    const Totals after = run.totals();
+    for (std::size_t m = 0; m < 2; ++m)
+      EXPECT_LE(std::fabs(after.mass[m].sum.value() - before.mass[m].sum.value()),
+                limit * before.mass[m].sum.value());
+    const double e0 = before.internal_energy.sum.value() + before.kinetic_energy.sum.value();
+    const double e1 = after.internal_energy.sum.value() + after.kinetic_energy.sum.value();
+    std::printf("ny %d: dE/E %.2e, rejected %d, time %g\n", ny, (e1 - e0) / e0, run.rejected(),
+                run.time());
+    EXPECT_LE(std::fabs(e1 - e0), limit * e0);
+  }
+}
+
+TEST(MixtureFlow, TracesSurviveWaves) {
+  for (const double p : {1e7, 1e9})
+    for (const double trace : {1e-4, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 1e-30})
+      for (const bool water_in_air : {true, false})
+        for (const bool random : {false, true}) {
+          if (random && p == 1e7) continue;
+          MixtureBox run(periodic({100, 1, 1}), {water, air}, [&](Vec3 x) {
+            const int i = static_cast<int>(100 * x.x);
+            const bool some = random ? (i * 7919) % 13 < 3 : x.x > .4 && x.x < .6;
+            MixtureCell c;
+            const double little = some ? trace : 0.0;
+            c.volume =
+                water_in_air ? std::vector{little, 1 - little} : std::vector{1 - little, little};
+            c.density = {1000, 1.2};
+            const double here = x.x < .2 ? p : 1e5;
+            c.pressure = {here, here};
+            return c;
+          });
+          const Totals before = run.totals();
+          EXPECT_NO_THROW(run.steps(1500)) << trace << " " << water_in_air << " " << p;
+          const Totals after = run.totals();
+          for (std::size_t m = 0; m < 2; ++m)
+            EXPECT_LE(std::fabs(after.mass[m].sum.value() - before.mass[m].sum.value()),
+                      2e-15 * before.mass[m].sum.value())
+                << trace << " " << water_in_air << " " << p;
+        }
+}
+
+std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
+  std::vector<double> all;
+  for_each_cell(run.domain(), [&](IntVec3 c) {
+    IntVec3 from = c;
+    if (mirror) from.x = run.domain().upper.x - 1 - c.x;
+    for (int m = 0; m < run.count(); ++m)
+      for (const double v : {run.mass(m, from), run.volume(m, from), run.energy(m, from)})
+        all.push_back(v);
+    all.push_back((mirror ? -1 : 1) * run.momentum(0, from) + 0.0);
+  });
+  return all;
+}
+
+TEST(MixtureFlow, MirroredStartsGiveMirroredBits) {
+  for (const int ny : {1, 16}) {
+    const auto start = [](double x, double y) {
+      const bool left = x + .05 * y < -.1;
+      MixtureCell c;
+      c.volume = {left ? 1.0 : 0.0, left ? 0.0 : 1.0};
+      c.density = {1000, 1.2};
+      c.pressure = {1e8, 1e5};
+      return c;
+    };
+    GasBox box = periodic({64, ny, 1});
+    box.periodic = false;
+    box.low = {-.5, -.5, -.5};
+    box.high = {.5, .5, .5};
+    MixtureBox run(box, {water, air}, [&](Vec3 x) { return start(x.x, x.y); });
+    MixtureBox image(box, {water, air}, [&](Vec3 x) { return start(-x.x, x.y); });
+    run.steps(60);
+    image.steps(60);
+    EXPECT_EQ(bits_of(run, false), bits_of(image, true)) << ny;
+  }
+}
+
+TEST(MixtureFlow, BlocksBoxesAndKindsLeaveNoTrace) {
+  const auto start = slab(1000, 1.2, 1e5, {50, 20, 0}, true);
+  const auto run_with = [&](const SolverOptions& options, IntVec3 boxes) {
+    MixtureBox run(periodic({48, 40, 1}), {water, air}, start, options, boxes);
+    run.steps(60);
+    return bits_of(run, false);
+  };
+  const std::vector<double> reference = run_with({}, {1, 1, 1});
+  SolverOptions all;
+  all.force_all = true;
+  EXPECT_EQ(reference, run_with(all, {1, 1, 1}));
+  SolverOptions small;
+  small.block = {16, 8, 1};
+  EXPECT_EQ(reference, run_with(small, {1, 1, 1}));
+  EXPECT_EQ(reference, run_with({}, {2, 3, 1}));
+  SolverOptions threads;
+  threads.threads = 2;
+  threads.block = {12, 8, 1};
+  EXPECT_EQ(reference, run_with(threads, {1, 2, 1}));
+}
+
+}  // namespace
+}  // namespace sluice::ice
