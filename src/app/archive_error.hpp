@@ -23,7 +23,9 @@ std::optional<DeckReference> reference_of_deck(const DeckNode& root);
 std::optional<DeckReference> reference_of_archive(const Archive& archive);
 
 // Error norms of a cell variable of a material (component 0, 1, 2 of a vector) at the cell centres,
-// each point counted once, on the finest level there.
+// each point counted once, on the finest level there. Where the exact solution has several
+// materials, density and velocity are those of the mixture of all, whatever `material` says;
+// vol_frac_CC is that of `material`.
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
                                 const std::string& variable, int component, int material);
 

@@ -20,8 +20,8 @@ struct Wave {
 Wave wave_to_pressure(const MaterialSide& ahead, double pressure, int direction);
 // A shock at this multiple (> 1) of the speed of sound ahead.
 Wave shock_of_mach(const MaterialSide& ahead, double mach, int direction);
-// The wave from a wall (or piston) of this velocity: a reflected shock, water hammer, or a fan where
-// the wall draws back.
+// The wave from a wall (or piston) of this velocity: a reflected shock, water hammer, or a fan
+// where the wall draws back.
 Wave wave_from_wall(const MaterialSide& ahead, double wall_velocity, int direction);
 
 // A shock runs to higher x through the first material, into uniform fluid, and meets at

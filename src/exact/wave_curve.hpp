@@ -4,7 +4,8 @@
 // Rankine and Hugoniot, e - e0 = (p + p0)(v0 - v)/2 and (u - u0)^2 = (p - p0)(v0 - v); rarefactions
 // are isentropic with du = dp/(rho c).
 // Ideal and stiffened gases have closed formulas (Toro, 3rd ed., eqs. 4.6, 4.63, with p + pinf for
-// p); any other law takes the density of a shock by a bracketed search and integrates its isentrope.
+// p); any other law finds the density of a shock by a bracketed search and integrates its
+// isentrope.
 // References: E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed.
 // (Springer, 2009), ch. 4; R. Menikoff and B. J. Plohr, Rev. Mod. Phys. 61 (1989) 75.
 // Limit: laws that are convex along the curve (no phase changes, no split waves).
