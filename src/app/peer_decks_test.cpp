@@ -51,6 +51,9 @@ const std::map<std::string, std::string> faulty = {
 const std::vector<std::string> good = {
     "inputs/ICE/riemann_sm.ups",
     "inputs/ICE/riemann3D.ups",
+    "inputs/ICE/riemann_grun.ups",
+    "inputs/ICE/riemann_jwl.ups",
+    "inputs/ICE/riemann_murnahan.ups",
     "inputs/ICE/advect.ups",
     "inputs/ICE/advect_periodic.ups",
     "inputs/ICE/test2.ups",

@@ -9,9 +9,66 @@ bool matches_fluxes(const Scene& scene, const IceScene& ice) {
   return !ice.classic || scene.refinement.reflux;
 }
 
+namespace {
+
+std::string called(const IceMaterial& m) {
+  return m.name.empty() ? fmt::format("material {}", m.index) : m.name;
+}
+
+// A coefficient that each material has: on where one of them is above zero.
+Effect by_material(const char* effect, const char* tag, const IceScene& ice,
+                   double IceMaterial::*value, Location IceMaterial::*where) {
+  std::string reason;
+  const IceMaterial* first = nullptr;
+  for (const IceMaterial& m : ice.materials) {
+    if (first == nullptr && m.*value > 0) first = &m;
+    reason +=
+        reason.empty() ? fmt::format("{} is {:g}", tag, m.*value) : fmt::format(", {:g}", m.*value);
+    if (ice.materials.size() > 1) reason += fmt::format(" ({})", called(m));
+  }
+  const IceMaterial& shown = first != nullptr ? *first : ice.materials.front();
+  return {effect, first != nullptr, reason, shown.*where};
+}
+
+// The coefficients of all pairs, "1e+10 (0-1), 0 (0-2)".
+std::string pairs_text(const PairCoefficients& k) {
+  std::string text;
+  for (int m = 0; m < k.materials(); ++m)
+    for (int n = m + 1; n < k.materials(); ++n)
+      text += fmt::format("{}{:g} ({}-{})", text.empty() ? "" : ", ", k(m, n), m, n);
+  return text;
+}
+
+Effect exchange(const char* effect, const PairCoefficients& k, const IceScene& ice,
+                const Location& where) {
+  const ExchangeSettings& x = ice.exchange;
+  if (ice.materials.size() < 2)
+    return {effect, false,
+            x.written ? "one material: the coefficients have nobody to act on" : "one material",
+            x.where};
+  if (!x.written) return {effect, false, "no <exchange_coefficients> in the deck", {}};
+  return {effect, k.any(), fmt::format("coefficients {}", pairs_text(k)), where};
+}
+
+void add_exchange(const IceScene& ice, EffectList& e) {
+  const std::size_t count = ice.materials.size();
+  const bool several = count > 1;
+  e.add({"pressure equilibration", several,
+         several ? fmt::format("{} materials: one pressure where they share a cell", count)
+                 : std::string("one material: its own equation of state"),
+         several ? ice.materials[1].where : ice.materials.front().where});
+  Effect momentum =
+      exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
+  if (momentum.on && ice.one_velocity())
+    momentum.reason += fmt::format("; all at least {:g}: one velocity", one_velocity_coefficient);
+  e.add(momentum);
+  e.add(exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where));
+}
+
+}  // namespace
+
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
   EffectList e;
-  const IceMaterial& m = ice.materials.front();
   const bool gravity = !(scene.constants.gravity == Vec3{});
   e.add({"flow", true,
          ice.classic ? "classic scheme: one stage, internal energy"
@@ -22,8 +79,8 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          ice.advection_where});
   e.add({"gravity", gravity, gravity ? "<gravity> is not zero" : "<gravity> is zero",
          ice.gravity_where});
-  e.add({"viscous stress", m.viscosity > 0, fmt::format("dynamic_viscosity is {:g}", m.viscosity),
-         m.viscosity_where});
+  e.add(by_material("viscous stress", "dynamic_viscosity", ice, &IceMaterial::viscosity,
+                    &IceMaterial::viscosity_where));
   bool open = false;
   const Level& level = scene.grid.levels.front();
   for (std::size_t d = 0; d < 3; ++d) open = open || (level.active[d] && !level.periodic[d]);
@@ -41,16 +98,9 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          unequal ? scene.refinement.reflux_where : Location{}});
   e.add({"saved intermediates", true, "only in steps that save them", scene.output.where});
   e.add({"diagnostics", true, "only in steps that save or analyse", scene.output.where});
-  e.add({"heat conduction", false, "thermal_conductivity is zero", {}});
-  e.add({"pressure equilibration", false, "one material: its own equation of state", m.where});
-  e.add({"momentum exchange", false,
-         ice.exchange_written ? "one material: the coefficients have nobody to act on"
-                              : "one material",
-         ice.exchange_where});
-  e.add({"heat exchange", false,
-         ice.exchange_written ? "one material: the coefficients have nobody to act on"
-                              : "one material",
-         ice.exchange_where});
+  e.add(by_material("heat conduction", "thermal_conductivity", ice, &IceMaterial::conductivity,
+                    &IceMaterial::conductivity_where));
+  add_exchange(ice, e);
   e.add({"turbulence", false, "no <turbulence> in the deck", {}});
   e.add({"scalars", false, "no <Models> in the deck", {}});
   e.add({"reactions", false, "no <Models> in the deck", {}});

@@ -140,21 +140,36 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
   }
 }
 
-// Names of the variables that these faces leave without condition.
-std::string missing_on(const std::vector<const DeckNode*>& faces) {
-  std::vector<std::string> given;
-  for (const DeckNode* face : faces) {
-    for (const DeckNode* condition : face->all("BCType")) {
-      given.push_back(condition->attribute("label").value_or(""));
-    }
-  }
-  const auto has = [&](const char* label) {
-    return std::find(given.begin(), given.end(), label) != given.end();
+// Whether a condition is for this material. The pressure is common to all: whatever its index.
+bool applies_to(const DeckNode& condition, int material) {
+  const auto id = condition.attribute("id"), ids = condition.attribute("ids");
+  if (condition.attribute("label") == "Pressure" || (!id && !ids) || id == "all") return true;
+  std::vector<int> list;
+  if (id && parse_integer(*id)) list.push_back(*parse_integer(*id).value);
+  if (ids && parse_integers(*ids)) list = *parse_integers(*ids).value;
+  return std::find(list.begin(), list.end(), material) != list.end();
+}
+
+// Names of the variables that these faces leave without condition, "Density (material 1)" where
+// it is not so for all.
+std::string missing_on(const std::vector<const DeckNode*>& faces, int materials) {
+  const auto has = [&](std::string_view label, int material) {
+    for (const DeckNode* face : faces)
+      for (const DeckNode* condition : face->all("BCType"))
+        if (condition->attribute("label") == label && applies_to(*condition, material)) return true;
+    return false;
   };
-  if (has("Symmetric")) return {};
-  std::vector<const char*> missing;
-  std::copy_if(needed.begin(), needed.end(), std::back_inserter(missing),
-               [&](const char* label) { return !has(label); });
+  std::vector<std::string> missing;
+  for (const char* label : needed) {
+    std::vector<int> without;
+    for (int m = 0; m < std::max(materials, 1); ++m)
+      if (!has("Symmetric", m) && !has(label, m)) without.push_back(m);
+    if (without.empty()) continue;
+    if (static_cast<int>(without.size()) >= materials)
+      missing.emplace_back(label);
+    else
+      missing.push_back(fmt::format("{} (material {})", label, fmt::join(without, ", ")));
+  }
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
@@ -187,6 +202,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* grid = root.child("Grid");
   if (!runs_ice(root) || grid == nullptr) return;
   const DeckNode* conditions = grid->child("BoundaryConditions");
+  const auto materials = static_cast<int>(ice_materials(root).size());
   const auto periodic = periodic_directions(*grid);
   for (std::size_t s = 0; s < 6; ++s) {
     if (periodic[s / 2]) continue;
@@ -204,7 +220,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
                         side_names[s], direction_names[s / 2]));
       continue;
     }
-    const std::string missing = missing_on(whole);
+    const std::string missing = missing_on(whole, materials);
     if (!missing.empty()) {
       fault(faults, *whole.front(),
             fmt::format("side {} has no condition for {}", side_names[s], missing),
@@ -214,7 +230,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   if (conditions == nullptr) return;
   for (const DeckNode* face : conditions->all("Face")) {
     if (face->attribute("side")) continue;
-    const std::string missing = missing_on({face});
+    const std::string missing = missing_on({face}, materials);
     if (!missing.empty()) {
       fault(faults, *face, fmt::format("{} has no condition for {}", face_name(*face), missing),
             "every variable needs one, unless Symmetric stands for all");

@@ -7,7 +7,10 @@
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "ice/fluid_laws.hpp"
+#include "ice/ice_scene.hpp"
 #include "ice/ice_schema.hpp"
+#include "ice/read_fluid.hpp"
 
 namespace sluice {
 namespace {
@@ -42,6 +45,29 @@ std::vector<std::string> material_names(const DeckNode& root) {
     names.push_back(material->attribute("name").value_or(""));
   }
   return names;
+}
+
+// Under gravity the pressure at the start balances the weight of one material: of which one.
+void check_surrounding(const DeckNode& root, const std::vector<const DeckNode*>& materials,
+                       std::vector<Fault>& faults) {
+  std::vector<const DeckNode*> marked;
+  for (const DeckNode* material : materials)
+    if (is_true(material, "isSurroundingMatl")) marked.push_back(material);
+  if (marked.size() > 1)
+    fault(faults, *marked[1]->child("isSurroundingMatl"),
+          fmt::format("<isSurroundingMatl> is true for {} materials; it may be for one",
+                      marked.size()),
+          "write false for the others");
+  const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
+  const DeckNode* ice = root.find("CFD/ICE");
+  const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
+  const bool off = balanced != nullptr && balanced->text == "false";
+  if (materials.size() < 2 || !marked.empty() || !gravity || *gravity == Vec3{} || off) return;
+  fault(faults, *root.find("PhysicalConstants/gravity"),
+        "<gravity> is not zero, and no material says that its weight makes the hydrostatic "
+        "pressure",
+        "write <isSurroundingMatl>true</isSurroundingMatl> in one material, or "
+        "<applyHydrostaticPressure>false</applyHydrostaticPressure>");
 }
 
 // Materials named by index in <save> and <analyze>.
@@ -90,47 +116,74 @@ void check_saved_levels(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-void check_pressure(const DeckNode& material, const DeckNode& object, std::vector<Fault>& faults) {
-  const auto gamma = real_of(&material, "gamma");
-  const auto cv = real_of(&material, "specific_heat");
+void check_pressure(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fault>& faults) {
   const auto density = real_of(&object, "density");
   const auto temperature = real_of(&object, "temperature");
   const auto pressure = real_of(&object, "pressure");
-  if (!gamma || !cv || !density || !temperature || !pressure) return;
+  if (!density || !temperature || !pressure) return;
   // A value out of range is a fault of its own, and a pressure from it says nothing.
-  if (!(*gamma > 1) || !(*cv > 0) || !(*density > 0) || !(*temperature > 0)) return;
-  const double used = (*gamma - 1.0) * *density * *cv * *temperature;
-  if (std::abs(used - *pressure) <= pressure_tolerance * std::abs(used)) return;
+  if (!(*density > 0) || !(*temperature > 0)) return;
+  const double used =
+      fluid.pressure(*density, fluid.energy_from_temperature(*density, *temperature));
+  // What the pressure does when the last of the digits that decks write changes.
+  const double unsure = 1e-6 * std::abs(fluid.bulk_modulus(*density, used));
+  if (std::abs(used - *pressure) <= std::max(pressure_tolerance * std::abs(used), unsure)) return;
+  std::string advice = "remove it, or change density and temperature";
+  if (fluid.ideal() != nullptr)
+    advice = fmt::format(
+        "pressure = (gamma - 1) density specific_heat temperature; for {:.6g} "
+        "write temperature {:.6g}",
+        *pressure, *temperature * *pressure / used);
   warn(faults, *object.child("pressure"),
        fmt::format("<pressure> {:.6g} contradicts density and temperature, which give {:.6g}; it "
                    "is not used",
                    *pressure, used),
-       fmt::format("pressure = (gamma - 1) density specific_heat temperature; for {:.6g} write "
-                   "temperature {:.6g}",
-                   *pressure, *pressure / ((*gamma - 1.0) * *density * *cv)));
+       advice);
+}
+
+// The law leaves no such state: temperature below its cold curve, density beyond its pole.
+void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fault>& faults) {
+  const auto density = real_of(&object, "density");
+  const auto temperature = real_of(&object, "temperature");
+  if (!density || !temperature || !(*density > 0) || !(*temperature > 0)) return;
+  const double rho_e = fluid.energy_from_temperature(*density, *temperature);
+  if (fluid.admissible(*density, rho_e)) return;
+  fault(
+      faults, object,
+      fmt::format("the equation of state has no state with density {:g} and temperature {:g}: "
+                  "pressure {:g} (must be above {:g}), sound speed squared must be above 0",
+                  *density, *temperature, fluid.pressure(*density, rho_e), fluid.lowest_pressure()),
+      "see the range of the law in docs/theory_eos.md");
 }
 
 }  // namespace
 
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults) {
+  const std::string path = "MaterialProperties/ICE/material/EOS";
   for (const auto& properties : root.children) {
     DeckNode* ice = properties->name == "MaterialProperties" ? properties->child("ICE") : nullptr;
     if (ice == nullptr) continue;
     for (const auto& material : ice->children) {
       DeckNode* eos = material->child("EOS");
-      if (eos == nullptr || eos->attribute("type") != "ideal_gas") continue;
+      const ice::LawEntry* law =
+          eos == nullptr ? nullptr : ice::find_law(eos->attribute("type").value_or(""));
+      if (law == nullptr) continue;
       std::string dropped;
       const auto foreign = [&](const std::unique_ptr<DeckNode>& child) {
-        if (child->name == "gas_constant") return false;
-        if (!known_to_format("MaterialProperties/ICE/material/EOS", child->name)) return false;
+        if (child->name == "gas_constant" || ice::has_tag(*law, child->name)) return false;
+        // Some decks give products of detonation a Cv of their own, which nothing reads.
+        if (child->name != "Cv" && !ice::tag_of_any_law(child->name) &&
+            !known_to_format(path, child->name))
+          return false;
         dropped += (dropped.empty() ? "<" : ", <") + child->name + ">";
         return true;
       };
       std::erase_if(eos->children, foreign);
       if (dropped.empty()) continue;
-      warn(faults, *eos,
-           fmt::format("{} belong to other equations of state than ideal_gas; dropped", dropped),
-           "remove them");
+      warn(
+          faults, *eos,
+          fmt::format("{} belong to other equations of state than {}; dropped", dropped, law->type),
+          "remove them");
     }
   }
 }
@@ -165,9 +218,9 @@ void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults) {
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const auto materials = ice_materials(root);
-  if (materials.size() > 1) {
+  if (materials.size() > 1 && !ice::many_materials_built())
     not_built(faults, *materials[1], "more than one ICE material", "keep one material");
-  }
+  check_surrounding(root, materials, faults);
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
@@ -199,25 +252,46 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-void check_ice_gas(const DeckNode& root, std::vector<Fault>& faults) {
+void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
+  const DeckNode* scheme = root.find("CFD/ICE/scheme");
+  const bool classic = scheme != nullptr && scheme->text == "classic";
+  if (classic && ice_materials(root).size() > 1)
+    fault(faults, *scheme,
+          fmt::format("<scheme> classic is for one material; this deck has {}",
+                      ice_materials(root).size()),
+          "remove <scheme>");
   for (const DeckNode* material : ice_materials(root)) {
+    const ice::Fluid fluid = ice::read_fluid(*material, faults);
     const DeckNode* eos = material->child("EOS");
-    const auto gamma = real_of(material, "gamma");
-    if (eos == nullptr || eos->attribute("type") != "ideal_gas" || !gamma || *gamma > 1) continue;
-    fault(faults, *material->child("gamma"),
-          fmt::format("<gamma> {} is out of range for an ideal gas", *gamma),
-          "expected real number greater than 1");
+    if (!classic || eos == nullptr || fluid.ideal() != nullptr) continue;
+    fault(faults, *scheme,
+          fmt::format(
+              "<scheme> classic is for one ideal gas with constant specific heat; this "
+              "deck has {}{}",
+              eos->attribute("type").value_or("none"),
+              material->child("SpecificHeatModel") != nullptr ? " with <SpecificHeatModel>" : ""),
+          "remove <scheme>");
   }
 }
 
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
+  const DeckNode* density = root.find("CFD/ICE/customInitialization/formula/density");
+  if (density != nullptr && ice_materials(root).size() > 1)
+    fault(faults, *density, "a formula cannot say which of several materials has this <density>",
+          "give densities in the geometry objects");
   for (const DeckNode* material : ice_materials(root)) {
-    const DeckNode* eos = material->child("EOS");
-    const bool ideal = eos != nullptr && eos->attribute("type") == "ideal_gas";
+    const std::optional<ice::Fluid> fluid = ice::readable_fluid(*material);
     for (const DeckNode* object : material->all("geom_object")) {
-      if (ideal) check_pressure(*material, *object, faults);
+      if (fluid) {
+        check_pressure(*fluid, *object, faults);
+        check_start(*fluid, *object, faults);
+      }
+      const auto share = real_of(object, "volumeFraction");
+      if (share && *share != 1 && ice_materials(root).size() == 1)
+        warn(faults, *object->child("volumeFraction"),
+             "<volumeFraction> has no effect: one material fills its cells", "remove it");
       const bool has_piece =
           std::any_of(object->children.begin(), object->children.end(),
                       [](const auto& child) { return is_geometry_piece(child->name); });

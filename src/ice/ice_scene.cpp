@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "framework/scene/deck_values.hpp"
+#include "ice/ice_schema.hpp"
+#include "ice/read_fluid.hpp"
+
 namespace sluice::ice {
 namespace {
 
@@ -35,9 +41,12 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.index = index;
   m.name = node.attribute("name").value_or("");
   m.where = node.where;
-  m.fluid = ideal_gas(node.real("gamma"), node.real("specific_heat"));
+  m.fluid = read_fluid(node, faults);
   m.viscosity = node.real("dynamic_viscosity");
   m.viscosity_where = place(node.child("dynamic_viscosity"));
+  m.conductivity = node.real("thermal_conductivity");
+  m.conductivity_where = place(node.child("thermal_conductivity"));
+  m.surrounding = boolean_or(node, "isSurroundingMatl", false);
   for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(geometry.object(*object, faults));
   return m;
@@ -59,6 +68,8 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
   }
   if (const DeckNode* h = ice->child("applyHydrostaticPressure"))
     s.hydrostatic_start = h->as_boolean();
+  s.most_equilibration_steps =
+      integer_or(*ice, "max_iteration_equilibration", s.most_equilibration_steps);
   if (const DeckNode* control = ice->child("TimeStepControl")) {
     if (const DeckNode* n = control->child("Scheme_for_delT_calc"))
       s.conservative_time_step = n->text == "conservative";
@@ -67,6 +78,8 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
     if (const DeckNode* n = control->child("knob_for_diffusion")) s.diffusion_knob = n->as_real();
   }
   s.formula = read_formula(ice);
+  if (const DeckNode* custom = ice->child("customInitialization"))
+    s.custom = read_custom_starts(*custom);
 }
 
 // `all` materials: one criterion each.
@@ -85,26 +98,63 @@ void read_criteria(const DeckNode& root, IceScene& s) {
   }
 }
 
+// A vortex turns in a plane; what it has along a direction that is no dimension has no place.
+void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
+                           std::vector<Fault>& faults) {
+  const DeckNode* node = deck.root->find("CFD/ICE/customInitialization/vortices");
+  if (node == nullptr) return;
+  std::size_t n = 0;
+  for (const CustomStart& start : s.custom)
+    if (const auto* vortices = std::get_if<Vortices>(&start))
+      for (const Vortex& v : vortices->list) {
+        const DeckNode& where = *node->all("vortex")[n++];
+        for (const int d : {(v.axis + 1) % 3, (v.axis + 2) % 3}) {
+          const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
+          if (direction.velocity != VelocityComponent::dropped) continue;
+          add_warning(faults, where.where,
+                      fmt::format("<vortex> about {} also turns the velocity along {}, which is no "
+                                  "dimension of this run; that part is dropped",
+                                  "xyz"[v.axis], "xyz"[d]),
+                      "an axis along a direction of one cell turns the other two");
+        }
+      }
+}
+
 }  // namespace
+
+bool many_materials_built() {
+  return false;
+}
+
+bool IceScene::one_velocity() const {
+  return materials.size() < 2 || exchange.momentum.least_of_pairs() >= one_velocity_coefficient;
+}
+
+const IceMaterial& IceScene::surrounding() const {
+  const auto marked = std::find_if(materials.begin(), materials.end(),
+                                   [](const IceMaterial& m) { return m.surrounding; });
+  return marked != materials.end() ? *marked : materials.front();
+}
 
 IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   IceScene s;
   const DeckNode& root = *deck.root;
   if (const DeckNode* cfd = root.child("CFD")) read_numerics(*cfd, s);
   const GeometryReader geometry(root, faults);
-  if (const DeckNode* ice = root.find("MaterialProperties/ICE"))
-    for (const DeckNode* node : ice->all("material"))
-      s.materials.push_back(
-          read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
-  if (s.materials.size() != 1)
-    faults.push_back(
-        {Severity::error, place(root.find("MaterialProperties")),
-         fmt::format("{} ICE materials; exactly one is built so far", s.materials.size()), ""});
-  if (const DeckNode* x = root.find("MaterialProperties/exchange_properties")) {
-    s.exchange_written = true;
-    s.exchange_where = x->where;
+  for (const DeckNode* node : ice_materials(root))
+    s.materials.push_back(
+        read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
+  const auto count = static_cast<int>(s.materials.size());
+  if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
+  if (count > 1 && !many_materials_built()) {
+    add_error(faults, s.materials[1].where,
+              fmt::format("{} ICE materials; exactly one is built so far", count));
+    faults.back().not_built = true;
   }
+  s.exchange = read_exchange(root, count);
+  s.conditions = read_flow_conditions(root);
   read_criteria(root, s);
+  warn_of_flat_vortices(deck, scene, s, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

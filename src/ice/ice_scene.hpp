@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "framework/scene/scene.hpp"
+#include "ice/boundary/flow_conditions.hpp"
+#include "ice/custom_start.hpp"
+#include "ice/exchange_settings.hpp"
 #include "ice/fluid.hpp"
 
 namespace sluice::ice {
@@ -15,9 +18,11 @@ struct IceMaterial {
   std::string name;
   int index = 0;
   Fluid fluid;
-  double viscosity = 0;  // dynamic, Pa s
+  double viscosity = 0;      // dynamic, Pa s
+  double conductivity = 0;   // W/(m K)
+  bool surrounding = false;  // its weight makes the hydrostatic pressure
   std::vector<GeomObject> objects;
-  Location where, viscosity_where;
+  Location where, viscosity_where, conductivity_where;
 };
 
 // Formulas of x, y, z that replace values of the geometry objects.
@@ -43,11 +48,23 @@ struct IceScene {
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   bool hydrostatic_start = true;
   std::vector<IceMaterial> materials;
+  FlowConditions conditions;  // LODI, Sine and inlet profiles of the boundary
+  std::vector<CustomStart> custom;  // in the order in which they act
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;
-  bool exchange_written = false;  // the deck has coefficients (one material: nothing to exchange)
-  Location advection_where, cfl_where, scheme_where, exchange_where, gravity_where;
+  ExchangeSettings exchange;
+  int most_equilibration_steps = 100;  // max_iteration_equilibration
+  Location advection_where, cfl_where, scheme_where, gravity_where;
+
+  // Drag so strong in every pair that all materials move together (one_velocity_coefficient).
+  bool one_velocity() const;
+  // The material whose weight makes the hydrostatic pressure: the one marked, or the only one.
+  const IceMaterial& surrounding() const;
 };
+
+// Whether the kernels of several materials are there; decks with more than one are refused
+// otherwise.
+bool many_materials_built();
 
 // Adds errors and warnings to `faults`.
 IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults);

@@ -4,7 +4,11 @@
 #include <algorithm>
 
 #include "framework/field/label.hpp"
+#include "ice/custom_start.hpp"
+#include "ice/exchange_settings.hpp"
+#include "ice/fluid_laws.hpp"
 #include "ice/labels.hpp"
+#include "ice/read_fluid.hpp"
 
 namespace sluice {
 namespace {
@@ -46,7 +50,10 @@ TagSpec formula_of(const std::string& name, const std::string& unit) {
 }
 
 TagSpec custom_initialization() {
-  return tag("customInitialization", "initial state that geometry objects cannot give")
+  return tag("customInitialization",
+             "initial state that geometry objects cannot give; the last of several acts first, a "
+             "formula after all")
+      .with_children(ice::custom_start_tags())
       .child(
           tag("formula", "initial state as formulas of x, y, z at the centre of each cell")
               .with_children(
@@ -85,7 +92,9 @@ TagSpec fluid_dynamics() {
 }
 
 TagSpec geom_object() {
-  return tag("geom_object", "a region and the state in it; later objects overwrite earlier ones")
+  return tag("geom_object",
+             "a region and the state in it; later objects overwrite earlier ones of the same "
+             "material")
       .at_least_once()
       .attribute(attribute("name", "name of the object").text())
       .group("geometry_piece")
@@ -97,6 +106,10 @@ TagSpec geom_object() {
            tag("velocity", "velocity").once().vector().unit("velocity"),
            tag("temperature", "temperature").once().real().above(0).unit("temperature"),
            tag("density", "density of the material itself").once().real().above(0).unit("density"),
+           tag("volumeFraction", "share of the object that is this material; absent: 1")
+               .real()
+               .at_least(0)
+               .at_most(1),
            tag("pressure", "read, not used: density and temperature give the pressure")
                .real()
                .unit("pressure")});
@@ -110,18 +123,14 @@ TagSpec material() {
                             .integer()
                             .at_least(0)})
       .with_children(
-          {tag("EOS", "equation of state")
+          {ice::equation_of_state_tag(), ice::specific_heat_tag(),
+           tag("gamma",
+               "ratio of specific heats; above 1 for ideal_gas, StiffenedGas and "
+               "hard_sphere_gas, without effect for the rest")
                .once()
-               .attribute(
-                   attribute("type", "which one")
-                       .once()
-                       .words({"ideal_gas"})
-                       .not_built({"hard_sphere_gas", "TST", "Thomsen_Hartka_water", "JWL", "JWLC",
-                                   "Murnaghan", "BirchMurnaghan", "Gruneisen", "Tillotson",
-                                   "KnaussSeaWater", "KumariDass", "StiffenedGas", "MieGruneisen"}))
-               .child(tag("gas_constant", "accepted without effect").real()),
-           tag("gamma", "ratio of specific heats; above 1 for a gas").once().real().above(0),
-           tag("specific_heat", "at constant volume")
+               .real()
+               .above(0),
+           tag("specific_heat", "at constant volume; <SpecificHeatModel> stands in its place")
                .once()
                .real()
                .above(0)
@@ -145,22 +154,6 @@ TagSpec material() {
                .boolean()
                .by_default("true"),
            geom_object()});
-}
-
-TagSpec exchange() {
-  const auto model = [](const std::string& name, const std::string& doc) {
-    return tag(name, doc).words({"constant"}).not_built({"linearVariation"});
-  };
-  return tag("exchange_properties", "momentum and heat exchange between materials")
-      .with_children(
-          {tag("CoefficientModel", "how coefficients vary")
-               .with_children({model("momentum", "variation of the momentum coefficients"),
-                               model("heat", "variation of the heat coefficients")}),
-           tag("exchange_coefficients", "coefficients of the pairs 0-1, 0-2, ..., 1-2, ...")
-               .once()
-               .with_children(
-                   {tag("momentum", "momentum exchange").once().reals().at_least(0).at_most(1e20),
-                    tag("heat", "heat exchange").reals().at_least(0).at_most(1e15)})});
 }
 
 TagSpec refinement() {
@@ -294,17 +287,20 @@ SaveLabels ice_save_labels() {
 void add_ice_tags(Schema& schema) {
   schema.add(fluid_dynamics());
   schema.add(tag("AMR", "").child(refinement()));
-  schema.add(tag("MaterialProperties", "the materials and how they act on each other")
-                 .multiple()
-                 .attribute(attribute("add", "accepted without effect").boolean())
-                 .with_children({tag("ICE", "materials of ICE").child(material()), exchange()}));
+  schema.add(
+      tag("MaterialProperties", "the materials and how they act on each other")
+          .multiple()
+          .attribute(attribute("add", "accepted without effect").boolean())
+          .with_children({tag("ICE", "materials of ICE").child(material()), ice::exchange_tag()}));
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
-  schema.rules.emplace_back(check_ice_gas);
+  schema.rules.emplace_back(check_ice_fluids);
+  schema.rules.emplace_back(ice::check_ice_exchange);
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
+  schema.rules.emplace_back(check_wave_conditions);
   schema.rules.emplace_back(check_criteria);
   const DeckRule labels = check_save_labels(ice_save_labels());
   schema.rules.emplace_back([labels](const DeckNode& root, std::vector<Fault>& faults) {

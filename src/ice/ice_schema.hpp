@@ -14,13 +14,14 @@ SaveLabels ice_save_labels();
 // Rules over several tags of an ICE deck; each does nothing when another component runs.
 void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults);
-void check_ice_gas(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
+void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);  // LODI, Sine, inlets
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
 
-// Tags of another equation of state inside <EOS> are dropped with one warning.
+// Tags of other equations of state inside <EOS> are dropped with one warning.
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);
 
 // Whether the deck runs ICE, as far as can be seen.

@@ -171,6 +171,72 @@ TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
   }
 }
 
+// The deck with a second material of this fill.
+Deck with_a_second_material(const std::string& exchange, const std::string& gravity = "[0,0,0]",
+                            const std::string& more = "", const std::string& ice = "") {
+  Sample sample;
+  sample.ice = ice;
+  sample.object_pressure = "";
+  std::string text = sample.text();
+  const std::string end = "</material></ICE>";
+  text.replace(text.find(end), end.size(),
+               "</material><material name='water'><EOS type='StiffenedGas'><pinf>6e8</pinf></EOS>"
+               "<dynamic_viscosity>0</dynamic_viscosity><thermal_conductivity>0"
+               "</thermal_conductivity><specific_heat>1</specific_heat><gamma>4.4</gamma>" +
+                   more +
+                   "<geom_object><null/><velocity>[0,0,0]</velocity><density>1</density>"
+                   "<temperature>1</temperature></geom_object></material></ICE>" +
+                   exchange);
+  text.replace(text.find("<gravity>[0,0,0]"), 16, "<gravity>" + gravity);
+  Schema schema;
+  add_framework_tags(schema);
+  add_ice_tags(schema);
+  return load_deck_text(text, "two.ups", {}, schema);
+}
+
+std::string coefficients(const std::string& momentum, const std::string& heat) {
+  return "<exchange_properties><exchange_coefficients><momentum>" + momentum + "</momentum><heat>" +
+         heat + "</heat></exchange_coefficients></exchange_properties>";
+}
+
+TEST(IceSchema, CountsExchangeCoefficients) {
+  EXPECT_THAT(messages(with_a_second_material(coefficients("[1e10,1e10]", "[1]"))),
+              HasSubstr("<momentum> has 2 coefficients; 2 materials have 1 pair: 0-1"));
+  EXPECT_THAT(messages(with_a_second_material(coefficients("[1e10]", "[1,2,3]"))),
+              HasSubstr("<heat> has 3 coefficients; 2 materials have 1 pair: 0-1"));
+  const std::string good = messages(with_a_second_material(coefficients("[1e10]", "[0]")));
+  EXPECT_EQ(good.find("coefficient"), std::string::npos) << good;
+}
+
+TEST(IceSchema, AsksWhichMaterialMakesTheHydrostaticPressure) {
+  EXPECT_THAT(messages(with_a_second_material("", "[0,-9.8,0]")),
+              HasSubstr("no material says that its weight makes the hydrostatic pressure"));
+  for (const std::string& said :
+       {messages(with_a_second_material("", "[0,-9.8,0]",
+                                        "<isSurroundingMatl>true</isSurroundingMatl>")),
+        messages(with_a_second_material(
+            "", "[0,-9.8,0]", "", "<applyHydrostaticPressure>false</applyHydrostaticPressure>"))})
+    EXPECT_EQ(said.find("hydrostatic pressure"), std::string::npos) << said;
+}
+
+TEST(IceSchema, LetsTheClassicSchemeHaveOneIdealGasOnly) {
+  EXPECT_THAT(messages(with_a_second_material("", "[0,0,0]", "", "<scheme>classic</scheme>")),
+              HasSubstr("<scheme> classic is for one material; this deck has 2"));
+  EXPECT_THAT(messages(with_a_second_material("", "[0,0,0]", "", "<scheme>classic</scheme>")),
+              HasSubstr("this deck has StiffenedGas"));
+  Sample sample;
+  sample.ice = "<scheme>classic</scheme>";
+  sample.material = "<SpecificHeatModel type='airNasa'/>";
+  EXPECT_THAT(messages(sample.load()), HasSubstr("has ideal_gas with <SpecificHeatModel>"));
+}
+
+TEST(IceSchema, WarnsOfAMixtureWithAnotherGasConstant) {
+  Sample sample;
+  sample.material =
+      "<SpecificHeatModel type='Component'><XN2>0.7</XN2><XO2>0.3</XO2></SpecificHeatModel>";
+  EXPECT_THAT(messages(sample.load()), HasSubstr("has a gas constant of 284.65"));
+}
+
 TEST(IceSchema, NamesWhatIsNotBuilt) {
   const auto said = [](auto change) {
     Sample sample;
@@ -186,10 +252,10 @@ TEST(IceSchema, NamesWhatIsNotBuilt) {
   EXPECT_THAT(said([](Sample& s) { s.ice = "<ADD_HEAT/>"; }), HasSubstr("<ADD_HEAT>"));
   EXPECT_THAT(said([](Sample& s) { s.material = "<includeFlowWork>false</includeFlowWork>"; }),
               HasSubstr("<includeFlowWork> false"));
-  EXPECT_THAT(said([](Sample& s) { s.material = "<SpecificHeatModel type='Debye'/>"; }),
-              HasSubstr("<SpecificHeatModel>"));
-  EXPECT_THAT(said([](Sample& s) { s.object_pressure = "<volumeFraction>1</volumeFraction>"; }),
-              HasSubstr("<volumeFraction>"));
+  EXPECT_THAT(said([](Sample& s) {
+                s.ice = "<customInitialization><vortexPairs/></customInitialization>";
+              }),
+              HasSubstr("<vortexPairs>"));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
   std::erase(all, "");  // what nobody can have meant by a word
   std::string suggestion;
   if (const auto nearest = nearest_name(text, all)) {
-    suggestion = fmt::format("did you mean '{}'?", *nearest);
+    suggestion = fmt::format("did you mean '{}'? valid: {}", *nearest, list_of(spec.words));
   } else {
     suggestion = "valid: " + list_of(spec.words);
   }

@@ -1,0 +1,82 @@
+// Initial states that a deck names by their kind (customInitialization): vortices, profiles,
+// manufactured solutions. Formulas stand in custom_start.cpp.
+#pragma once
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "framework/deck/schema.hpp"
+#include "framework/grid/level.hpp"
+
+namespace sluice::ice {
+
+// A Gaussian vortex about an axis, cut off at its radius.
+struct Vortex {
+  Vec3 origin{};
+  double strength = 0, radius = 1;
+  int axis = 2;
+};
+struct Vortices {
+  std::vector<Vortex> list;
+};
+struct GaussianTemperature {
+  Vec3 origin{};
+  double spread_x = 1, spread_y = 1, amplitude = 0;
+};
+struct ManufacturedVortices {  // mms_1: travelling vortices of Taylor and Green at time 0
+  double amplitude = 1;
+};
+struct ManufacturedCells {  // mms_3: cells in three dimensions
+  double angle = 0;
+};
+struct Counterflow {  // two jets that meet in the middle
+  double strain_rate = 0;
+  IntVec3 reference_cell{};  // of level 0: the pressure there is that of reference
+};
+struct LogLawProfile {
+  int vertical = 2, flow = 0;
+  double friction_velocity = 0, roughness = 1, von_karman = 0.4;
+};
+struct PowerLawProfile {
+  int vertical = 2;
+  double height = 1, exponent = 1;
+  Vec3 velocity{};  // above the profile
+};
+struct ChannelProfile {  // powerLawProfile2: turbulent channel, logarithmic from both walls
+  int vertical = 2, flow = 0;
+  double reynolds = 1, half_height = 1;
+  std::optional<double> floor, ceiling;
+};
+struct LaminarChannel {  // DNS_Moser: parabola of a pressure gradient
+  int vertical = 2;
+  double pressure_gradient = 0;
+};
+
+using CustomStart =
+    std::variant<Vortices, GaussianTemperature, ManufacturedVortices, ManufacturedCells,
+                 Counterflow, LogLawProfile, PowerLawProfile, ChannelProfile, LaminarChannel>;
+
+// One material in one cell.
+struct CellStart {
+  Vec3 centre{};
+  double density = 1, temperature = 0;
+  Vec3 velocity{};
+  double viscosity = 0;
+  double pressure = 0;
+  bool pressure_given = false;  // by a start: the pressure is not that of density and temperature
+};
+
+// What a start may ask besides the cell.
+struct CustomPlace {
+  const Level& coarsest;
+  double reference_pressure = 0;
+};
+
+void apply(const CustomStart& start, const CustomPlace& place, CellStart& cell);
+
+// The tags of customInitialization, its formulas left out.
+std::vector<TagSpec> custom_start_tags();
+// In the order in which they act: the last of the deck first.
+std::vector<CustomStart> read_custom_starts(const DeckNode& custom_initialization);
+
+}  // namespace sluice::ice

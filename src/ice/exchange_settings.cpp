@@ -1,0 +1,197 @@
+// Reading and checking <exchange_properties>.
+//
+// Lists of coefficients run over the upper triangle, 0-1, 0-2, ..., 1-2, ..., one number a pair.
+#include "ice/exchange_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "framework/deck/rule_tools.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "ice/ice_schema.hpp"
+
+namespace sluice::ice {
+namespace {
+
+std::size_t pairs_of(int materials) {
+  return static_cast<std::size_t>(materials * (materials - 1) / 2);
+}
+
+PairCoefficients triangle(const DeckNode* list, int materials) {
+  PairCoefficients k(materials);
+  const auto values =
+      list == nullptr ? ParsedValue<std::vector<double>>{} : parse_reals(list->text);
+  if (!values || values.value->size() < pairs_of(materials)) return k;
+  std::size_t next = 0;
+  for (int m = 0; m < materials; ++m)
+    for (int n = m + 1; n < materials; ++n) k.set(m, n, (*values.value)[next++]);
+  return k;
+}
+
+const DeckNode* exchange_node(const DeckNode& root) {
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* exchange = properties->child("exchange_properties")) return exchange;
+  return nullptr;
+}
+
+bool varies(const DeckNode* exchange, const char* kind) {
+  const DeckNode* model = exchange->find(std::string("CoefficientModel/") + kind);
+  return model != nullptr && model->text == "linearVariation";
+}
+
+// "0-1, 0-2, 1-2"
+std::string pair_names(int materials) {
+  std::string names;
+  for (int m = 0; m < materials; ++m)
+    for (int n = m + 1; n < materials; ++n)
+      names += fmt::format("{}{}-{}", names.empty() ? "" : ", ", m, n);
+  return names;
+}
+
+void check_count(const DeckNode& coefficients, const char* kind, int materials,
+                 std::vector<Fault>& faults) {
+  const DeckNode* list = coefficients.child(kind);
+  const auto values = list == nullptr ? std::nullopt : parse_reals(list->text).value;
+  if (!values || materials == 0) return;
+  const std::size_t wanted = pairs_of(materials);
+  // One material: whatever stands there has nobody to act on.
+  if (values->size() == wanted || materials == 1) return;
+  add_error(faults, list->where,
+            fmt::format("<{}> has {} coefficient{}; {} materials have {} pair{}: {}", kind,
+                        values->size(), values->size() == 1 ? "" : "s", materials, wanted,
+                        wanted == 1 ? "" : "s", pair_names(materials)),
+            "one number a pair, in this order");
+}
+
+void check_index(const DeckNode& parent, const char* tag, int materials,
+                 std::vector<Fault>& faults) {
+  const auto index = integer_of(&parent, tag);
+  if (!index || (*index >= 0 && *index < materials) || materials == 0) return;
+  add_error(faults, parent.child(tag)->where,
+            fmt::format("<{}>: there is no material {}: the deck has {}, counted from 0", tag,
+                        *index, materials));
+}
+
+void not_built(const DeckNode& node, const std::string& what, const std::string& advice,
+               std::vector<Fault>& faults) {
+  add_error(faults, node.where, what + " is known to the format, but not built yet", advice);
+  faults.back().not_built = true;
+}
+
+void check_models(const DeckNode& exchange, int materials, std::vector<Fault>& faults) {
+  if (const DeckNode* model = exchange.child("Model")) {
+    check_index(*model, "fluidMatlIndex", materials, faults);
+    check_index(*model, "solidMatlIndex", materials, faults);
+    not_built(*model, "exchange with slip at a solid", "remove <Model>", faults);
+  }
+  check_index(exchange, "convective_fluid", materials, faults);
+  check_index(exchange, "convective_solid", materials, faults);
+  const DeckNode* convective = exchange.child("do_convective_heat_transfer");
+  if (convective != nullptr && convective->text == "true")
+    not_built(*convective, "convective heat exchange with a solid", "write false", faults);
+  if (materials < 2) return;  // nothing to exchange
+  for (const char* kind : {"momentum", "heat"}) {
+    if (!varies(&exchange, kind)) continue;
+    const DeckNode* model = exchange.find(std::string("CoefficientModel/") + kind);
+    not_built(*model, fmt::format("linearVariation of the {} coefficients", kind), "write constant",
+              faults);
+  }
+}
+
+}  // namespace
+
+bool PairCoefficients::any() const {
+  return std::any_of(values_.begin(), values_.end(), [](double k) { return k > 0; });
+}
+
+double PairCoefficients::least_of_pairs() const {
+  double least = materials_ < 2 ? 0.0 : std::numeric_limits<double>::infinity();
+  for (int m = 0; m < materials_; ++m)
+    for (int n = m + 1; n < materials_; ++n) least = std::min(least, (*this)(m, n));
+  return least;
+}
+
+ExchangeSettings read_exchange(const DeckNode& root, int materials) {
+  ExchangeSettings s;
+  s.momentum = PairCoefficients(materials);
+  s.heat = PairCoefficients(materials);
+  const DeckNode* exchange = exchange_node(root);
+  if (exchange == nullptr) return s;
+  s.where = exchange->where;
+  s.momentum_varies = varies(exchange, "momentum");
+  s.heat_varies = varies(exchange, "heat");
+  if (const DeckNode* coefficients = exchange->child("exchange_coefficients")) {
+    s.written = true;
+    const DeckNode *momentum = coefficients->child("momentum"), *heat = coefficients->child("heat");
+    s.momentum = triangle(momentum, materials);
+    s.heat = triangle(heat, materials);
+    s.momentum_where = momentum != nullptr ? momentum->where : exchange->where;
+    s.heat_where = heat != nullptr ? heat->where : exchange->where;
+  }
+  if (const DeckNode* model = exchange->child("Model")) {
+    const SlipExchange usual;
+    s.slip = SlipExchange{integer_or(*model, "fluidMatlIndex", usual.fluid),
+                          integer_or(*model, "solidMatlIndex", usual.solid),
+                          real_or(*model, "momentum_accommodation_coeff", 1.0),
+                          real_or(*model, "thermal_accommodation_coeff", 1.0),
+                          boolean_or(*model, "useSlipCoeffs", true),
+                          model->where};
+  }
+  if (boolean_or(*exchange, "do_convective_heat_transfer", false))
+    s.convective = ConvectiveExchange{integer_or(*exchange, "convective_fluid", 0),
+                                      integer_or(*exchange, "convective_solid", 1),
+                                      exchange->child("do_convective_heat_transfer")->where};
+  return s;
+}
+
+TagSpec exchange_tag() {
+  const auto variation = [](const std::string& name, const std::string& doc) {
+    return tag(name, doc).words({"constant", "linearVariation"});
+  };
+  return tag("exchange_properties", "momentum and heat exchange between materials")
+      .with_children(
+          {tag("CoefficientModel", "how coefficients vary; linearVariation is not built yet")
+               .with_children({variation("momentum", "variation of the momentum coefficients"),
+                               variation("heat", "variation of the heat coefficients")}),
+           tag("Model", "slip of a rarefied gas at a solid; not built yet")
+               .attribute(attribute("type", "which one").once().words({"slip"}))
+               .with_children({tag("fluidMatlIndex", "the gas").once().integer().at_least(0),
+                               tag("solidMatlIndex", "the solid").once().integer().at_least(0),
+                               tag("momentum_accommodation_coeff", "share of diffuse reflection")
+                                   .once()
+                                   .real()
+                                   .above(0)
+                                   .at_most(1),
+                               tag("thermal_accommodation_coeff", "share of heat accommodation")
+                                   .once()
+                                   .real()
+                                   .above(0)
+                                   .at_most(1),
+                               tag("useSlipCoeffs", "coefficients follow from slip").boolean()}),
+           tag("do_convective_heat_transfer",
+               "heat between a solid's surface and the fluid beside "
+               "it; not built yet")
+               .boolean(),
+           tag("convective_fluid", "the fluid of that exchange").integer().at_least(0),
+           tag("convective_solid", "the solid of that exchange").integer().at_least(0),
+           tag("exchange_coefficients", "coefficients of the pairs 0-1, 0-2, ..., 1-2, ...")
+               .once()
+               .with_children(
+                   {tag("momentum", "momentum exchange").once().reals().at_least(0).at_most(1e20),
+                    tag("heat", "heat exchange").reals().at_least(0).at_most(1e15)})});
+}
+
+void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* exchange = exchange_node(root);
+  if (!runs_ice(root) || exchange == nullptr) return;
+  const auto materials = static_cast<int>(ice_materials(root).size());
+  if (const DeckNode* coefficients = exchange->child("exchange_coefficients")) {
+    check_count(*coefficients, "momentum", materials, faults);
+    check_count(*coefficients, "heat", materials, faults);
+  }
+  check_models(*exchange, materials, faults);
+}
+
+}  // namespace sluice::ice
