@@ -1,7 +1,7 @@
 // Binding of variables to memory and the plane loop.
 #include "framework/task/block_sweep.hpp"
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 namespace sluice {
@@ -50,40 +50,68 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
                        std::shared_ptr<AlignedArray> scratch)
     : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
   bound_.resize(list.variables().size());
-  components_.resize(list.variables().size());
   std::ptrdiff_t total = 0;
   for (const PlannedBuffer& b : plan.buffers)
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
   if (scratch_->size() < static_cast<std::size_t>(total))
     *scratch_ = AlignedArray(static_cast<std::size_t>(total));
-  windows_.reserve(plan.tasks.size());
+  std::vector<std::size_t> number(bound_.size(), 0);
+  for (std::size_t v = 0; v < bound_.size(); ++v) {
+    if (list.variables()[v].storage == Storage::temporary || !plan.used[v]) continue;
+    number[v] = state_variables_.size();
+    state_variables_.push_back(v);
+  }
   for (const PlannedTask& p : plan.tasks) {
     const Task& t = list.tasks()[static_cast<std::size_t>(p.task)];
+    auto& states = states_of_task_.emplace_back();
+    const auto add = [&](VariableId v) {
+      const auto index = static_cast<std::size_t>(v.index);
+      if (list[v].storage != Storage::temporary && plan.used[index])
+        states.push_back(number[index]);
+      return &bound_[index];
+    };
     auto& r = reads_.emplace_back();
-    for (const Access& a : t.reads)
-      r.push_back(&bound_[static_cast<std::size_t>(a.variable.index)]);
+    for (const Access& a : t.reads) r.push_back(add(a.variable));
     auto& w = writes_.emplace_back();
-    for (VariableId v : t.writes) w.push_back(&bound_[static_cast<std::size_t>(v.index)]);
+    for (VariableId v : t.writes) w.push_back(add(v));
+    sharing_.push_back(sharing_of(p));
   }
 }
 
-void BlockSweep::bind_states(int box) {
-  for (std::size_t v = 0; v < bound_.size(); ++v) {
+// A task that reaches beyond blocks along the swept axis may store nothing and reduce nothing, or
+// results would depend on blocks; where it does, it is left to each of them.
+BlockSweep::Sharing BlockSweep::sharing_of(const PlannedTask& planned) const {
+  const Axes& axes = plan_->axes;
+  if (axes.count < 2) return Sharing::none;
+  const int swept = axes.direction[axes.count - 1];
+  const Task& task = list_->tasks()[static_cast<std::size_t>(planned.task)];
+  if (task.always || (planned.window.low[swept] == 0 && planned.window.high[swept] == 0))
+    return Sharing::none;
+  for (const VariableId v : task.writes)
+    if ((*list_)[v].storage != Storage::temporary) return Sharing::none;
+  for (const Access& a : task.reads)
+    if ((*list_)[a.variable].storage != Storage::temporary) return Sharing::states;
+  return Sharing::plane;
+}
+
+void BlockSweep::bind_states(std::size_t piece, int box) {
+  for (std::size_t s = 0; s < state_variables_.size(); ++s) {
+    const std::size_t v = state_variables_[s];
     const Variable& variable = list_->variables()[v];
-    if (variable.storage == Storage::temporary || !plan_->used[v]) continue;
     const Warehouse* warehouse = variable.storage == Storage::old_state   ? binding_->old_state
                                  : variable.storage == Storage::new_state ? binding_->new_state
                                                                           : binding_->output;
     const int slot = binding_->slot[v];
-    components_[v].clear();
+    auto& components = components_[piece * state_variables_.size() + s];
+    components.clear();
     RealView view;
     for (int c = 0; c < variable.components; ++c) {
       view = warehouse->view(slot, c, box);
-      components_[v].push_back(view.data);
+      components.push_back(view.data);
     }
-    BoundArray& b = bound_[v];
+    BoundArray& b = state(piece, s);
     b = {};
-    b.components = components_[v].data();
+    b.components = components.data();
     const CanonicalBox c = canonical(view.box, plan_->axes);
     for (int place = 0; place < 3; ++place) b.low[place] = c.low[place];
     const int n = plan_->axes.count;
@@ -92,12 +120,12 @@ void BlockSweep::bind_states(int box) {
   }
 }
 
-void BlockSweep::bind_scratch(const IndexBox& block) {
+void BlockSweep::bind_scratch(const IndexBox& hull) {
   double* next = scratch_->data();
   for (const PlannedBuffer& p : plan_->buffers) {
     BoundArray& b = bound_[static_cast<std::size_t>(p.variable.index)];
     b = {};
-    const CanonicalBox c = canonical(window_of(block, p.window), plan_->axes);
+    const CanonicalBox c = canonical(window_of(hull, p.window), plan_->axes);
     const int planes = plan_->axes.count > 1 ? p.planes : 1;
     b.data = next;
     b.low[0] = c.low[0];
@@ -131,43 +159,115 @@ void BlockSweep::run_plane(std::size_t task, const IndexBox& window, int plane, 
   }
 }
 
+// The arrays of one piece for a task.
+void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
+  for (const std::size_t s : states_of_task_[task]) bound_[state_variables_[s]] = state(piece, s);
+  row.box_ = stack_[piece].box;
+  row.block_low_ = stack_[piece].cells.lower;
+  row.block_high_ = stack_[piece].cells.upper;
+}
+
+void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
+  const int swept = plan_->axes.direction[plan_->axes.count - 1];
+  std::size_t& first = first_piece_[task];
+  while (first < stack_.size() && window(task, first).upper[swept] <= plane) ++first;
+  std::size_t last = first;
+  while (last < stack_.size() && window(task, last).lower[swept] <= plane) ++last;
+  if (first == last) return;
+  if (last - first == 1 || sharing_[task] == Sharing::none) {
+    for (std::size_t n = first; n < last; ++n) {
+      choose(task, n, row);
+      run_plane(task, window(task, n), plane, row);
+    }
+  } else if (sharing_[task] == Sharing::plane) {
+    IndexBox hull = window(task, first);
+    for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
+    run_plane(task, hull, plane, row);
+  } else {
+    run_parts(task, first, last, plane, row);
+  }
+}
+
+// In two dimensions what the pieces before lack lies at the two ends of the row.
+void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last, int plane,
+                           Row& row) {
+  const int along = plan_->axes.direction[0];
+  IndexBox done = window(task, first);
+  choose(task, first, row);
+  run_plane(task, done, plane, row);
+  for (std::size_t n = first + 1; n < last; ++n) {
+    IndexBox part = window(task, n);
+    choose(task, n, row);
+    if (plan_->axes.count == 3) {
+      run_plane(task, part, plane, row);
+      continue;
+    }
+    const int low = part.lower[along], high = part.upper[along];
+    if (low < done.lower[along]) {
+      part.upper[along] = done.lower[along];
+      run_plane(task, part, plane, row);
+      done.lower[along] = low;
+    }
+    if (high > done.upper[along]) {
+      part.lower[along] = done.upper[along];
+      part.upper[along] = high;
+      run_plane(task, part, plane, row);
+      done.upper[along] = high;
+    }
+  }
+}
+
 void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
                      Reductions& reductions, TaskTimes* times) {
-  bind_states(box);
-  bind_scratch(block);
+  const SweepPiece piece{box, block};
+  run(step, {&piece, 1}, reductions, times);
+}
+
+void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stack,
+                     Reductions& reductions, TaskTimes* times) {
+  stack_ = stack;
+  const std::size_t bound = stack.size() * state_variables_.size();
+  if (states_.size() < bound) {
+    states_.resize(bound);
+    components_.resize(bound);
+  }
+  IndexBox hull = stack.front().cells;
+  for (std::size_t n = 0; n < stack.size(); ++n) {
+    bind_states(n, stack[n].box);
+    hull = bounding(hull, stack[n].cells);
+  }
+  bind_scratch(hull);
   Row row;
   row.axes_ = plan_->axes.count;
   row.along_ = plan_->axes.direction[0];
   row.step_ = &step;
   row.reductions_ = &reductions;
-  row.box_ = box;
-  row.block_low_ = block.lower;
-  row.block_high_ = block.upper;
   const Axes& axes = plan_->axes;
   const int swept = axes.count > 1 ? axes.direction[axes.count - 1] : -1;
   windows_.clear();
-  int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
-  for (const PlannedTask& p : plan_->tasks) {
-    const IndexBox w = window_of(block, p.window);
-    windows_.push_back(w);
+  first_piece_.assign(plan_->tasks.size(), 0);
+  int first = 0, last = 1;
+  for (std::size_t t = 0; t < plan_->tasks.size(); ++t) {
+    const PlannedTask& p = plan_->tasks[t];
+    for (const SweepPiece& piece : stack) windows_.push_back(window_of(piece.cells, p.window));
     if (swept < 0) continue;
-    first = std::min(first, w.lower[swept] - p.lead);
-    last = std::max(last, w.upper[swept] - p.lead);
+    const int low = window(t, 0).lower[swept] - p.lead;
+    const int high = window(t, stack.size() - 1).upper[swept] - p.lead;
+    first = t == 0 ? low : std::min(first, low);
+    last = t == 0 ? high : std::max(last, high);
   }
-  if (swept < 0) {
-    first = 0;
-    last = 1;
-  }
+  const auto run_one = [&](std::size_t t, int k) {
+    if (swept >= 0) return run_task(t, k + plan_->tasks[t].lead, row);
+    choose(t, 0, row);
+    run_plane(t, window(t, 0), 0, row);
+  };
   for (int k = first; k < last; ++k)
     for (std::size_t t = 0; t < plan_->tasks.size(); ++t) {
-      const int plane = swept >= 0 ? k + plan_->tasks[t].lead : 0;
-      if (swept >= 0 && (plane < windows_[t].lower[swept] || plane >= windows_[t].upper[swept]))
-        continue;
       if (times == nullptr) {
-        run_plane(t, windows_[t], plane, row);
+        run_one(t, k);
       } else {
         const auto start = Clock::now();
-        run_plane(t, windows_[t], plane, row);
+        run_one(t, k);
         (*times)[t] += (Clock::now() - start).count();
       }
     }

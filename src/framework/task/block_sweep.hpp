@@ -3,9 +3,16 @@
 // The planes of the last active axis are visited once; at plane k a task with lead L computes plane
 // k + L of what it writes, into rings of planes. Nothing that is temporary leaves the cache, and
 // nothing is exchanged inside the sweep: what neighbours would send is recomputed.
+//
+// Blocks that follow each other along the swept axis, of one box or of several, may be swept as one
+// stack: planes near where they meet are then computed once for both. Only tasks that neither store
+// nor reduce anything are shared; what they leave in a cell is the same for every block that needs
+// it, so that stacks change no result.
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "framework/field/warehouse.hpp"
@@ -25,11 +32,17 @@ struct StateBinding {
 // Nanoseconds spent in each planned task, over the blocks that were sampled.
 using TaskTimes = std::vector<std::int64_t>;
 
+// A block: cells of local box number `box`.
+struct SweepPiece {
+  int box = 0;
+  IndexBox cells;
+};
+
 // The working state of one thread.
 class BlockSweep {
  public:
-  // `largest_block`: extents that no block exceeds; scratch memory is sized for it once. Sweeps
-  // that never run at the same time may share it.
+  // `largest_block`: extents that no block, and across the swept axis no stack, exceeds; scratch
+  // memory is sized for it once. Sweeps that never run at the same time may share it.
   BlockSweep(const TaskList& list, const SweepPlan& plan, const Level& level,
              const StateBinding& binding, IntVec3 largest_block,
              std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>());
@@ -39,13 +52,35 @@ class BlockSweep {
   void run(const StepConstants& step, int box, const IndexBox& block, Reductions& reductions,
            TaskTimes* times = nullptr);
 
+  // A stack: each piece begins where the one before ends along the swept axis (the last active one
+  // of two or three), and shares some of its cells across.
+  void run(const StepConstants& step, std::span<const SweepPiece> stack, Reductions& reductions,
+           TaskTimes* times = nullptr);
+
   // Of all that share it.
   std::size_t scratch_bytes() const { return scratch_->size() * sizeof(double); }
 
  private:
-  void bind_states(int box);
-  void bind_scratch(const IndexBox& block);
+  // How a task runs where pieces of a stack want the same plane of it.
+  enum class Sharing {
+    none,    // for each piece
+    plane,   // once
+    states,  // once, from the arrays of each piece what those before lack
+  };
+
+  Sharing sharing_of(const PlannedTask& planned) const;
+  void bind_states(std::size_t piece, int box);
+  void bind_scratch(const IndexBox& hull);
+  void choose(std::size_t task, std::size_t piece, Row& row);
+  void run_task(std::size_t task, int plane, Row& row);
+  void run_parts(std::size_t task, std::size_t first, std::size_t last, int plane, Row& row);
   void run_plane(std::size_t task, const IndexBox& window, int plane, Row& row);
+  const IndexBox& window(std::size_t task, std::size_t piece) const {
+    return windows_[task * stack_.size() + piece];
+  }
+  BoundArray& state(std::size_t piece, std::size_t number) {
+    return states_[piece * state_variables_.size() + number];
+  }
 
   const TaskList* list_;
   const SweepPlan* plan_;
@@ -53,9 +88,16 @@ class BlockSweep {
   const StateBinding* binding_;
   std::shared_ptr<AlignedArray> scratch_;
   std::vector<BoundArray> bound_;                               // by variable
-  std::vector<std::vector<double*>> components_;                // by variable: arrays of states
   std::vector<std::vector<const BoundArray*>> reads_, writes_;  // by planned task
-  std::vector<IndexBox> windows_;  // by planned task, of the block at hand
+  std::vector<Sharing> sharing_;                                // by planned task
+  std::vector<std::size_t> state_variables_;                    // those that are no temporaries
+  std::vector<std::vector<std::size_t>> states_of_task_;        // numbers in state_variables_
+  // Of the stack at hand.
+  std::span<const SweepPiece> stack_;
+  std::vector<BoundArray> states_;                // by piece and state variable
+  std::vector<std::vector<double*>> components_;  // likewise: their arrays
+  std::vector<IndexBox> windows_;                 // by planned task and piece
+  std::vector<std::size_t> first_piece_;          // by planned task: pieces below are done
 };
 
 }  // namespace sluice

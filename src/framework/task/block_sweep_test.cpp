@@ -91,6 +91,80 @@ INSTANTIATE_TEST_SUITE_P(
       return std::to_string(n.x) + "x" + std::to_string(n.y) + "x" + std::to_string(n.z);
     });
 
+// Boxes of different widths on top of each other, as tiles leave them: swept as stacks, also with
+// gaps, and where one box lies on two.
+TEST(BlockSweep, StacksOfUnequalBoxesGiveTheBitsOfTheReference) {
+  EffectList effects;
+  effects.add({"test", true, "", {}});
+  const std::vector<std::vector<IndexBox>> flat = {{{{2, 0, 0}, {20, 4, 1}},
+                                                    {{4, 4, 0}, {14, 9, 1}},
+                                                    {{12, 9, 0}, {22, 10, 1}},
+                                                    {{0, 10, 0}, {13, 12, 1}},
+                                                    {{15, 10, 0}, {24, 17, 1}},
+                                                    {{16, 4, 0}, {20, 8, 1}}},
+                                                   {{{0, 0, 0}, {9, 2, 1}},
+                                                    {{10, 0, 0}, {24, 2, 1}},
+                                                    {{3, 2, 0}, {21, 3, 1}},
+                                                    {{0, 3, 0}, {24, 17, 1}}}};
+  const std::vector<std::vector<IndexBox>> deep = {{{{0, 0, 0}, {9, 6, 3}},
+                                                    {{0, 0, 3}, {9, 6, 5}},
+                                                    {{1, 0, 5}, {9, 6, 6}},
+                                                    {{0, 3, 6}, {6, 6, 9}}}};
+  for (const bool three : {false, true})
+    for (const auto& boxes : three ? deep : flat) {
+      Level level = level_of(three ? IntVec3{10, 7, 9} : IntVec3{24, 17, 1});
+      level.boxes.clear();
+      for (const IndexBox& b : boxes)
+        level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
+      const Axes axes = axes_of(level);
+      for (unsigned seed = 1; seed <= 12; ++seed) {
+        RandomGraph graph(seed, axes);
+        const SweepPlan plan = compile(graph.list, effects, graph.news, axes);
+        const Warehouse old =
+            filled_state(level, std::max({plan.halo.x, plan.halo.y, plan.halo.z}));
+        for (const int threads : {1, 2}) {
+          Warehouse now = empty_state(level);
+          SweepOptions options;
+          options.threads = threads;
+          options.block = {20, 3, 3};
+          SweepExecutor executor(graph.list, plan, level, options);
+          executor.bind(old, now, nullptr);
+          executor.run({});
+          expect_reference(graph, now, "seed " + std::to_string(seed));
+          if (HasFatalFailure()) return;
+        }
+      }
+    }
+}
+
+// Two blocks of a column compute the plane between them once.
+TEST(BlockSweep, AStackComputesSharedPlanesOnce) {
+  const Level level = level_of({8, 12, 1});
+  TaskList list;
+  const VariableId old = list.old_state(test_label(1), 0, 1),
+                   now = list.new_state(test_label(1), 0, 1);
+  const VariableId slope = list.temporary("slope");
+  int rows = 0;
+  TaskBuilder slopes = list.task("slopes", 0);
+  slopes.read(old);
+  slopes.write(slope);
+  slopes.kernel([&rows](const Row&) { ++rows; });
+  TaskBuilder update = list.task("update", 0);
+  update.read(slope, Stencil::along(1, 1, 1));
+  update.write(now);
+  update.kernel([](const Row&) {});
+  Warehouse before(level, 0), after(level, 0);
+  before.add({test_label(1), 0, 1, 1});
+  after.add({test_label(1), 0, 1, 0});
+  SweepOptions options;
+  options.block = {8, 3, 1};
+  SweepExecutor executor(list, plan_sweep(list, {0, 1}, axes_of(level)), level, options);
+  executor.bind(before, after, nullptr);
+  executor.run({});
+  EXPECT_EQ(rows, 14);  // 4 blocks of 5 rows each would be 20
+  EXPECT_EQ(executor.blocks_run(), 4);
+}
+
 // A kernel is told where its row lies, on which level and in which step.
 TEST(BlockSweep, RowsKnowTheirPlace) {
   const Level level = level_of({4, 3, 2}, {1, 1, 1}, {10, 20, 30});

@@ -1,5 +1,6 @@
 // How the local boxes of a level are cut into blocks for a sweep.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "framework/grid/level.hpp"
@@ -21,5 +22,11 @@ IntVec3 default_block(const Level& level);
 // as many blocks.
 IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridBox>& boxes,
                     int threads);
+
+// Blocks that follow each other along the last active direction (of two or three) and share cells
+// across, in order, by number: each block is in one stack. Stacks hold at most `most_cells` cells (a
+// block that has more is one), and are not much wider than their widest block.
+std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blocks,
+                                                   const Level& level, std::int64_t most_cells);
 
 }  // namespace sluice

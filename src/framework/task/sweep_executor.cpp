@@ -1,6 +1,7 @@
 // Blocks, kinds, threads, sleeping blocks.
 #include "framework/task/sweep_executor.hpp"
 
+#include <array>
 #include <chrono>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,18 @@
 #include "framework/field/array_view.hpp"
 
 namespace sluice {
+namespace {
+
+// Extents of a stack as scratch memory sees them: one plane of rings is reused along the last active
+// direction of two or three.
+IntVec3 across_swept(const IndexBox& hull, const std::array<bool, 3>& active) {
+  IntVec3 size = hull.size();
+  const int swept = active[2] ? 2 : active[1] ? 1 : 0;
+  if (active[0] + active[1] + active[2] > 1) size[swept] = 1;
+  return size;
+}
+
+}  // namespace
 
 // What was counted and timed of one kind.
 struct SweepExecutor::Tally {
@@ -47,7 +60,8 @@ struct SweepExecutor::Worker {
   std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
   std::vector<Tally> tallies;                       // by kind
   Reductions reductions;
-  TaskTimes boxes;  // by local box
+  TaskTimes boxes;                 // by local box
+  std::vector<SweepPiece> pieces;  // awake, of one kind, to be swept as one
   std::int64_t asleep = 0;
 };
 
@@ -125,16 +139,32 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   const IntVec3 extents = block_extents(old_state.local_boxes());
   blocks_ = place_blocks(old_state.local_boxes(), extents);
   remembers_ = new_state.blocks().extents() == extents;
-  IntVec3 largest{1, 1, 1};
-  for (const Block& b : blocks_) largest = max(largest, b.cells.size());
   for (Block& b : blocks_) {
     b.kind = kinds_.count - 1;
     if (options_.never_sleeps) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+  }
+  place_stacks();
+  IntVec3 largest{1, 1, 1};
+  for (const auto& stack : stacks_) {
+    IndexBox hull = blocks_[stack.front()].cells;
+    for (const std::size_t n : stack) {
+      hull = bounding(hull, blocks_[n].cells);
+      largest = max(largest, blocks_[n].cells.size());
+    }
+    largest = max(largest, across_swept(hull, level_->active));
   }
   if (max(largest, largest_) != largest_) make_workers(max(largest, largest_));
   if (options_.time_boxes)
     for (auto& w : workers_)
       if (!same_boxes || w->boxes.empty()) w->boxes.assign(old_state.local_boxes().size(), 0);
+}
+
+void SweepExecutor::place_stacks() {
+  constexpr std::int64_t stacks_a_thread = 4;  // so that threads can be kept busy
+  std::int64_t cells = 0;
+  for (const Block& b : blocks_) cells += b.cells.volume();
+  stacks_ = stack_blocks(blocks_, *level_,
+                         team_->size() > 1 ? cells / (stacks_a_thread * team_->size()) : cells);
 }
 
 void SweepExecutor::rest() {
@@ -229,11 +259,13 @@ void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block
   }
 }
 
-void SweepExecutor::run_timed_block(Worker& worker, const StepConstants& step, std::size_t n) {
-  const auto start = std::chrono::steady_clock::now();
-  run_block(worker, step, n);
-  worker.boxes[static_cast<std::size_t>(blocks_[n].box)] +=
-      (std::chrono::steady_clock::now() - start).count();
+// What pieces cost, by their cells.
+void SweepExecutor::charge(Worker& worker, std::int64_t nanoseconds,
+                           std::span<const SweepPiece> pieces) const {
+  std::int64_t cells = 0;
+  for (const SweepPiece& p : pieces) cells += p.cells.volume();
+  for (const SweepPiece& p : pieces)
+    worker.boxes[static_cast<std::size_t>(p.box)] += nanoseconds * p.cells.volume() / cells;
 }
 
 std::vector<double> SweepExecutor::box_seconds() const {
@@ -284,33 +316,52 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
   }
 }
 
-void SweepExecutor::run_block(Worker& worker, const StepConstants& step, std::size_t n) {
-  const Block& block = blocks_[n];
-  const auto kind = static_cast<std::size_t>(block.kind);
-  const Graph& graph = *graphs_[kind];
-  leave_absent(graph, n);
-  if (options_.quiet_blocks && block.may_sleep && is_quiet(graph, block)) {
-    sleep(worker, step, block);
-    ++worker.asleep;
-    return;
-  }
-  Tally& tally = worker.tallies[kind];
+// The awake blocks that were collected.
+void SweepExecutor::sweep_pieces(Worker& worker, const StepConstants& step, int kind, bool sample) {
+  if (worker.pieces.empty()) return;
+  const auto k = static_cast<std::size_t>(kind);
+  Tally& tally = worker.tallies[k];
+  const auto blocks = static_cast<std::int64_t>(worker.pieces.size());
+  const auto start = std::chrono::steady_clock::now();
+  worker.sweeps[k]->run(step, worker.pieces, worker.reductions, sample ? &tally.times : nullptr);
+  if (options_.time_boxes)
+    charge(worker, (std::chrono::steady_clock::now() - start).count(), worker.pieces);
+  tally.run += blocks;
+  if (sample) tally.sampled += blocks;
+  worker.pieces.clear();
+}
+
+void SweepExecutor::run_stack(Worker& worker, const StepConstants& step, std::size_t stack) {
   const auto every = static_cast<std::size_t>(options_.sample_every);
-  const bool sample =
-      every > 0 && (n + static_cast<std::size_t>(passes_) * blocks_.size()) % every == 0;
-  worker.sweeps[kind]->run(step, block.box, block.cells, worker.reductions,
-                           sample ? &tally.times : nullptr);
-  ++tally.run;
-  if (sample) ++tally.sampled;
+  const bool sample = every > 0 && (stack + static_cast<std::size_t>(passes_)) % every == 0;
+  int kind = 0;  // of the pieces
+  for (const std::size_t n : stacks_[stack]) {
+    const Block& block = blocks_[n];
+    const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
+    leave_absent(graph, n);
+    const bool asleep = options_.quiet_blocks && block.may_sleep && is_quiet(graph, block);
+    if (asleep || block.kind != kind) sweep_pieces(worker, step, kind, sample);
+    kind = block.kind;
+    const SweepPiece piece{block.box, block.cells};
+    if (!asleep) {
+      worker.pieces.push_back(piece);
+      continue;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    sleep(worker, step, block);
+    if (options_.time_boxes)
+      charge(worker, (std::chrono::steady_clock::now() - start).count(), {&piece, 1});
+    ++worker.asleep;
+  }
+  sweep_pieces(worker, step, kind, sample);
 }
 
 const Reductions& SweepExecutor::run(const StepConstants& step) {
   for (auto& w : workers_) w->reductions.clear();
   if (kinds_.kind_of) choose_kinds();
   if (!remembers_ && new_state_->blocks().size() > 0) new_state_->forget();
-  team_->for_each(blocks_.size(), [&](std::size_t n, int thread) {
-    Worker& worker = *workers_[static_cast<std::size_t>(thread)];
-    options_.time_boxes ? run_timed_block(worker, step, n) : run_block(worker, step, n);
+  team_->for_each(stacks_.size(), [&](std::size_t n, int thread) {
+    run_stack(*workers_[static_cast<std::size_t>(thread)], step, n);
   });
   total_.clear();
   blocks_run_ = 0;

@@ -1,13 +1,15 @@
 // Runs a sweep over all local boxes of a level: placement on blocks and threads.
 //
 // Blocks are windows of boxes sized for the cache. Their number and shape change nothing in the
-// results. Each runs the graph of its kind, found anew from the old state in every sweep. A block
+// results. Each runs the graph of its kind, found anew from the old state in every sweep; blocks of
+// one kind that follow each other are swept as one stack. A block
 // whose old state is uniform over itself and the whole stencil sleeps: its state is copied, and
 // only the cells that touch the boundary of the domain (they account for what passes through it)
 // and one cell besides (it gives its time-step rate) are computed.
 #pragma once
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "framework/task/block_sweep.hpp"
@@ -75,8 +77,10 @@ class SweepExecutor {
   void make_sweep(Worker& worker, int kind) const;
   void keep_counts();
   Tally tally(int kind) const;
-  void run_timed_block(Worker& worker, const StepConstants& step, std::size_t n);
-  void run_block(Worker& worker, const StepConstants& step, std::size_t n);
+  void place_stacks();
+  void run_stack(Worker& worker, const StepConstants& step, std::size_t stack);
+  void sweep_pieces(Worker& worker, const StepConstants& step, int kind, bool sample);
+  void charge(Worker& worker, std::int64_t nanoseconds, std::span<const SweepPiece> pieces) const;
   void leave_absent(const Graph& graph, std::size_t n);
   bool is_quiet(const Graph& graph, const Block& block) const;
   void sleep(Worker& worker, const StepConstants& step, const Block& block);
@@ -91,8 +95,9 @@ class SweepExecutor {
   Warehouse* output_ = nullptr;
   bool remembers_ = false;  // the new state is cut into the same blocks
   std::vector<Block> blocks_;
+  std::vector<std::vector<std::size_t>> stacks_;  // of blocks that one thread sweeps in order
   std::vector<std::unique_ptr<Worker>> workers_;
-  IntVec3 largest_{};  // block that the workers' memory holds
+  IntVec3 largest_{};  // block or stack that the workers' memory holds
   Reductions total_;
   std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
   std::int64_t kept_asleep_ = 0;  // counted before the workers were made anew

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <set>
 
 #include "framework/task/sweep_test_support.hpp"
 
@@ -23,6 +25,34 @@ TEST(PlaceBlocks, CoverEveryBoxOnceAndStayWithinTheExtents) {
         b.cells, [&](IntVec3 c) { ++seen[static_cast<std::size_t>(c.x + 37 * (c.y + 11 * c.z))]; });
   }
   EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+}
+
+TEST(StackBlocks, HoldEveryBlockOnceInOrder) {
+  Level level = level_of({40, 40, 1});
+  level.boxes = {{{{0, 0, 0}, {40, 8, 1}}, 0, 0},    {{{4, 8, 0}, {36, 16, 1}}, 0, 1},
+                 {{{0, 16, 0}, {12, 40, 1}}, 0, 2},  {{{30, 16, 0}, {40, 40, 1}}, 0, 3},
+                 {{{14, 20, 0}, {22, 40, 1}}, 0, 4}, {{{24, 16, 0}, {26, 20, 1}}, 0, 5}};
+  const std::vector<Block> blocks = place_blocks(level.boxes, {40, 8, 1});
+  for (const std::int64_t most : {std::int64_t{1}, std::int64_t{600}, std::int64_t{10000}}) {
+    std::set<std::size_t> met;
+    for (const auto& stack : stack_blocks(blocks, level, most)) {
+      std::int64_t cells = 0;
+      for (std::size_t n = 0; n < stack.size(); ++n) {
+        EXPECT_TRUE(met.insert(stack[n]).second);
+        const IndexBox& here = blocks[stack[n]].cells;
+        cells += here.volume();
+        if (n == 0) continue;
+        const IndexBox& below = blocks[stack[n - 1]].cells;
+        EXPECT_EQ(below.upper.y, here.lower.y);
+        EXPECT_LT(std::max(below.lower.x, here.lower.x), std::min(below.upper.x, here.upper.x));
+      }
+      EXPECT_TRUE(stack.size() == 1 || cells <= most);
+    }
+    EXPECT_EQ(met.size(), blocks.size());
+  }
+  EXPECT_EQ(stack_blocks(blocks, level, 1).size(), blocks.size());
+  // Box 1 lies on box 0, box 2 on box 1; boxes 3, 4 and 5 begin stacks of their own.
+  EXPECT_EQ(stack_blocks(blocks, level, 10000).size(), 4u);
 }
 
 TEST(PlaceBlocks, TheDefaultFitsTheLevel) {
