@@ -19,42 +19,24 @@ AttributeSpec shape(const std::string& name, const std::string& doc) {
 TagSpec condition() {
   return tag("BCType", "condition on one variable")
       .multiple()
-      .with_attributes({attribute("id", "material index or all; absent: DefaultMaterial").text(),
-                        attribute("ids", "list of material indices").integers().at_least(0),
-                        attribute("label", "the variable").once().text(),
-                        attribute("var", "kind of condition")
-                            .once()
-                            .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity"})
-                            .spelling("zeroNeumann", "symmetry")
-                            .not_built({"FreeSlipWall",
-                                        "LODI",
-                                        "Sine",
-                                        "slip",
-                                        "creep",
-                                        "MMS_1",
-                                        "Custom",
-                                        "VelocityInlet",
-                                        "StABL",
-                                        "PressureBC",
-                                        "WallBC",
-                                        "OutletBC",
-                                        "NOutletBC",
-                                        "VelocityFileInput",
-                                        "MassFlowInlet",
-                                        "PartMassFlowInlet",
-                                        "Swirl",
-                                        "ScalarSwirl",
-                                        "FromFile",
-                                        "ForcedDirichlet",
-                                        "TurbulentInlet",
-                                        "Tabulated",
-                                        "powerLawProfile",
-                                        "logLawProfile"}),
-                        attribute("type", "int: the value is an integer")
-                            .words({"int"})
-                            .not_built({"velocity", "handoff", "MMS_almgren", "PressureOutlet",
-                                        "subgrid_injector"}),
-                        attribute("value", "the value, in place of the tag <value>").text()})
+      .with_attributes(
+          {attribute("id", "material index or all; absent: DefaultMaterial").text(),
+           attribute("ids", "list of material indices").integers().at_least(0),
+           attribute("label", "the variable").once().text(),
+           attribute("var", "kind of condition")
+               .once()
+               .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity", "FreeSlipWall",
+                       "LODI", "Sine", "powerLawProfile", "logLawProfile"})
+               .spelling("zeroNeumann", "symmetry")
+               .not_built({"slip", "creep", "MMS_1", "Custom", "VelocityInlet", "StABL",
+                           "PressureBC", "WallBC", "OutletBC", "NOutletBC", "VelocityFileInput",
+                           "MassFlowInlet", "PartMassFlowInlet", "Swirl", "ScalarSwirl", "FromFile",
+                           "ForcedDirichlet", "TurbulentInlet", "Tabulated"}),
+           attribute("type", "int: the value is an integer")
+               .words({"int"})
+               .not_built(
+                   {"velocity", "handoff", "MMS_almgren", "PressureOutlet", "subgrid_injector"}),
+           attribute("value", "the value, in place of the tag <value>").text()})
       .child(tag("value", "number or vector at the boundary, or gradient along the inward normal")
                  .text());
 }
@@ -87,6 +69,55 @@ TagSpec face() {
            attribute("name", "name of the face").text(),
            attribute("type", "accepted without effect").text()})
       .child(condition());
+}
+
+TagSpec lodi() {
+  return tag("LODI", "what waves that leave are drawn to: conditions of kind LODI")
+      .with_children(
+          {tag("press_infinity", "pressure far away").once().real().above(0).unit("pressure"),
+           tag("sigma", "how fast the pressure goes back to it")
+               .real()
+               .at_least(0)
+               .by_default("0.27"),
+           tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
+           tag("vel_infinity", "velocity that inflow is drawn to, with rho_infinity").vector(),
+           tag("rho_infinity", "density that inflow is drawn to").real().above(0),
+           tag("material", "accepted without effect").text(),
+           tag("ice_material_index", "accepted without effect").integer()});
+}
+
+TagSpec sine() {
+  return tag("SINE_BC", "conditions of kind Sine: reference + A sin(omega t)")
+      .with_children(
+          {tag("omega", "angular frequency").once().real().at_least(0).unit("1/time"),
+           tag("A", "amplitude, of the pressure and of the velocity").once().real(),
+           tag("reference_pressure", "mean pressure").once().real().above(0).unit("pressure"),
+           tag("reference_velocity", "mean velocity; components that are zero stay so")
+               .vector()
+               .by_default("[0,0,0]")});
+}
+
+TagSpec inlet_velocity() {
+  return tag("inletVelocity", "conditions of kind powerLawProfile and logLawProfile")
+      .with_children(
+          {tag("verticalDirection", "direction of the height, from the low side of the domain")
+               .integer()
+               .at_least(0)
+               .at_most(2)
+               .by_default("1"),
+           tag("exponent", "power law: value times min(height/maxHeight, 1)^exponent")
+               .real()
+               .at_least(0),
+           tag("maxHeight", "height of the profile; absent: of the domain")
+               .real()
+               .above(0)
+               .unit("length"),
+           tag("roughness", "log law: value times ln(height/roughness)/vonKarmanConstant")
+               .real()
+               .above(0)
+               .unit("length"),
+           tag("vonKarmanConstant", "of the log law").real().above(0).by_default("0.4"),
+           tag("material", "accepted without effect").text()});
 }
 
 TagSpec box() {
@@ -142,7 +173,7 @@ void add_grid_tags(Schema& schema) {
                    .with_children(
                        {tag("DefaultMaterial", "material of conditions without id: an index or all")
                             .text(),
-                        face()})}));
+                        face(), lodi(), sine(), inlet_velocity()})}));
   schema.rules.emplace_back(check_boxes);
   schema.rules.emplace_back(check_periodicity);
   schema.rules.emplace_back(check_faces);

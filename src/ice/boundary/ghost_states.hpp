@@ -54,9 +54,11 @@ class GhostStates {
   // Of the velocity given, what a profile leaves at the height of a ghost.
   double profile(const GhostRule& rule, IntVec3 ghost) const;
   double given_pressure(const GhostRule& rule) const;
+  void to_face_frame(Vec3 u, WaveState& s) const;
   WaveState wave_state(IntVec3 cell) const;
   WaveState along(IntVec3 cell, int direction) const;
   WaveCell wave_cell(IntVec3 source) const;
+  double transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const;
   double mixture_pressure(IntVec3 source) const;
   void take_over(const MixtureRule& rule, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);

@@ -20,17 +20,19 @@ double largest_share(double value, double change) {
 
 }  // namespace
 
+void GhostStates::to_face_frame(Vec3 u, WaveState& s) const {
+  s.u[0] = plus_ ? u[d_] : -u[d_];
+  for (int t = 0; t < 2; ++t) s.u[1 + t] = u[tangents[d_][t]];
+}
+
 WaveState GhostStates::wave_state(IntVec3 cell) const {
   WaveState s;
   s.rho = v_.mass.front()(cell);
   s.p = setting_.fluids.front().pressure(s.rho, v_.energy.front()(cell));
-  for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
-    const int e = setting_.directions[c];
-    const double u = v_.momentum[c](cell) / s.rho;
-    if (e == d_) s.u[0] = plus_ ? u : -u;
-    if (e == tangents[d_][0]) s.u[1] = u;
-    if (e == tangents[d_][1]) s.u[2] = u;
-  }
+  Vec3 u{};
+  for (std::size_t c = 0; c < v_.momentum.size(); ++c)
+    u[setting_.directions[c]] = v_.momentum[c](cell) / s.rho;
+  to_face_frame(u, s);
   return s;
 }
 
@@ -67,28 +69,40 @@ WaveCell GhostStates::wave_cell(IntVec3 source) const {
   cell.domain_size = level.domain.size()[d_] * level.spacing[d_];
   cell.sound_speed = setting_.fluids.front().sound_speed(cell.here.rho, cell.here.p);
   if (settings.velocity_infinity && settings.rho_infinity) {
-    cell.targets = true;
-    cell.velocity_infinity = (plus_ ? 1 : -1) * (*settings.velocity_infinity)[d_];
-    cell.rho_infinity = *settings.rho_infinity;
+    cell.far_known = true;
+    cell.far.rho = *settings.rho_infinity;
+    to_face_frame(*settings.velocity_infinity, cell.far);
   }
-  if (level.domain.size()[d_] > 1) {
-    IntVec3 inner = source;
-    inner[d_] += plus_ ? -1 : 1;
-    const WaveState in = wave_state(inner);
-    const double scale = 1.0 / cell.spacing;
-    cell.normal.rho = (cell.here.rho - in.rho) * scale;
-    cell.normal.p = ((cell.here.p - in.p) - hydrostatic(inner, source, cell.here.rho)) * scale;
-    for (int t = 0; t < 3; ++t) cell.normal.u[t] = (cell.here.u[t] - in.u[t]) * scale;
-  }
+  IntVec3 inner = source;
+  inner[d_] += plus_ ? -1 : 1;
+  const WaveState in = wave_state(inner);
+  const double scale = 1.0 / cell.spacing;
+  cell.normal.rho = (cell.here.rho - in.rho) * scale;
+  cell.normal.p = ((cell.here.p - in.p) - hydrostatic(inner, source, cell.here.rho)) * scale;
+  for (int t = 0; t < 3; ++t) cell.normal.u[t] = (cell.here.u[t] - in.u[t]) * scale;
   for (int t = 0; t < 2; ++t) cell.along[t] = along(source, tangents[d_][t]);
   return cell;
+}
+
+// Along the way out to a ghost, from the two cells next to the face.
+double GhostStates::transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const {
+  WaveCell in = cell;
+  IntVec3 inner = source;
+  inner[d_] += plus_ ? -1 : 1;
+  in.here = wave_state(inner);
+  in.sound_speed = setting_.fluids.front().sound_speed(in.here.rho, in.here.p);
+  for (int t = 0; t < 2; ++t) in.along[t] = along(inner, tangents[d_][t]);
+  const double here = transverse_part(cell), change = here - transverse_part(in);
+  return here + 0.5 * layers * std::clamp(change, -std::fabs(here), std::fabs(here));
 }
 
 void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
   const Fluid& fluid = setting_.fluids.front();
   const WaveCell cell = wave_cell(source);
-  const WaveState slope = outward_slopes(cell, *setting_.conditions.lodi);
-  const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
+  const int layers = std::abs(ghost[d_] - source[d_]);
+  const double distance = layers * cell.spacing;
+  const WaveState slope =
+      outward_slopes(cell, transverse_part_of(cell, source, layers), *setting_.conditions.lodi);
   const double step =
       distance * std::min(largest_share(cell.here.rho, distance * slope.rho),
                           largest_share(cell.here.p - fluid.lowest_pressure(), distance * slope.p));

@@ -8,43 +8,51 @@ namespace sluice::ice {
 namespace {
 
 // The incoming acoustic wave as a derivative of pressure.
-double incoming(const WaveCell& cell, const LodiSettings& settings, bool enters) {
+double incoming(const WaveCell& cell, double transverse, const LodiSettings& settings,
+                bool enters) {
   const WaveState& s = cell.here;
   const double c = cell.sound_speed, U = s.u[0], mach = U / c;
   if (mach <= -1.0) return 0.0;
   if (enters) {
-    if (!cell.targets) return 0.0;
-    return settings.scale * settings.sigma * s.rho * c * (1.0 + mach) *
-           (U - cell.velocity_infinity) / cell.domain_size;
+    if (!cell.far_known) return 0.0;
+    return settings.scale * settings.sigma * s.rho * c * (1.0 + mach) * (U - cell.far.u[0]) /
+           cell.domain_size;
   }
   const double back = -0.5 * settings.scale * settings.sigma * (1.0 + mach) *
                       (s.p - settings.press_infinity) / cell.domain_size;
-  double transverse = 0;
-  for (int t = 0; t < 2; ++t) {
-    const WaveState& d = cell.along[t];
-    const double speed = s.u[1 + t];
-    transverse += (speed * d.p + s.rho * c * c * d.u[1 + t]) - s.rho * c * speed * d.u[0];
-  }
-  return 0.5 * transverse / c + back;
+  return transverse + back;
 }
 
 }  // namespace
 
-WaveState outward_slopes(const WaveCell& cell, const LodiSettings& settings) {
+double transverse_part(const WaveCell& cell) {
+  const WaveState& s = cell.here;
+  const double c = cell.sound_speed;
+  double sum = 0;
+  for (int t = 0; t < 2; ++t) {
+    const WaveState& d = cell.along[t];
+    const double speed = s.u[1 + t] - (cell.far_known ? cell.far.u[1 + t] : 0.0);
+    sum += (speed * d.p + s.rho * c * c * d.u[1 + t]) - s.rho * c * speed * d.u[0];
+  }
+  const double carried = cell.far_known ? s.u[0] - cell.far.u[0] : 0.0;
+  return 0.5 * sum / (c - carried);
+}
+
+WaveState outward_slopes(const WaveCell& cell, double transverse, const LodiSettings& settings) {
   const WaveState &s = cell.here, &d = cell.normal;
   const double c = cell.sound_speed, U = s.u[0], impedance = s.rho * c;
   if (U >= c) return d;
   const bool enters = U < 0;
   const double out = U <= -c ? 0.0 : 0.5 * (d.p + impedance * d.u[0]);
-  const double in = incoming(cell, settings, enters);
+  const double in = incoming(cell, transverse, settings, enters);
   WaveState slope;
   slope.p = out + in;
   slope.u[0] = (out - in) / impedance;
   double entropy = enters ? 0.0 : d.rho - d.p / (c * c);
-  if (enters && cell.targets) {
+  if (enters && cell.far_known) {
     // No further than to the target in one cell.
     const double rate = settings.scale * settings.sigma * (c - U * U / c) / cell.domain_size;
-    entropy = -std::min(rate / -U, 1.0 / cell.spacing) * (s.rho - cell.rho_infinity);
+    entropy = -std::min(rate / -U, 1.0 / cell.spacing) * (s.rho - cell.far.rho);
   }
   slope.rho = entropy + slope.p / (c * c);
   for (int t = 1; t < 3; ++t) slope.u[t] = enters ? 0.0 : d.u[t];

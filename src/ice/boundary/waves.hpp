@@ -3,12 +3,13 @@
 // Along the outward normal, with U the velocity along it and ' a one-sided difference (of pressure:
 // less the hydrostatic one):
 //   outgoing  G+ = (p' + rho c U')/2                            as it is in the domain
-//   incoming  G- = T/c - sigma (1 + U/c)(p - p_inf)/(2 L)
+//   incoming  G- = T/(c - U + U0) - sigma (1 + U/c)(p - p_inf)/(2 L)
 //   entropy and shear: as they are where the flow leaves; 0 where it enters
 //   p' = G+ + G-,  rho c U' = G+ - G-
-// T: what the flow along the face does to the incoming wave, (u_t.d_t p + rho c^2 d_t u_t -
-// rho c u_t.d_t U)/2, times 1 - U/c as in Yoo and Im: a vortex that is carried through the face
-// then needs no incoming wave. Faster than sound nothing comes in, or everything does.
+// T: what the flow along the face does to the incoming wave, ((u_t - V0).d_t p + rho c^2 d_t.u_t -
+// rho c (u_t - V0).d_t U)/2: a vortex that is carried through the face at (U0, V0) then needs no
+// incoming wave (Yoo and Im, with their weight 1 - U/c of T). That velocity is the one far away, if
+// given, otherwise U0 = U and V0 = 0. Faster than sound nothing comes in, or everything does.
 // The local Mach number takes the place of the largest one on the face.
 // References: Poinsot and Lele, J. Comput. Phys. 101 (1992) 104; Sutherland and Kennedy, J. Comput.
 // Phys. 191 (2003) 502; Yoo and Im, Combust. Theory Model. 11 (2007) 259.
@@ -26,12 +27,16 @@ struct WaveCell {
   WaveState here, normal, along[2];  // the state; its derivatives outward and along two tangents
   double sound_speed = 1;
   double spacing = 1, domain_size = 1;  // along the normal, m
-  // What inflow is drawn to.
-  bool targets = false;
-  double velocity_infinity = 0, rho_infinity = 0;
+  // The flow far away, where it is given: what inflow is drawn to, and what carries vortices.
+  bool far_known = false;
+  WaveState far;
 };
 
-// Derivatives along the outward normal with which ghosts continue the cell.
-WaveState outward_slopes(const WaveCell& cell, const LodiSettings& settings);
+// What the flow along the face adds to G-.
+double transverse_part(const WaveCell& cell);
+
+// Derivatives along the outward normal with which ghosts continue the cell; `transverse`: that part
+// on the way to them.
+WaveState outward_slopes(const WaveCell& cell, double transverse, const LodiSettings& settings);
 
 }  // namespace sluice::ice

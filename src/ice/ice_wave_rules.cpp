@@ -1,0 +1,84 @@
+// Conditions of an ICE deck's boundary that need a block of their own: LODI, Sine, inlet profiles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/rule_tools.hpp"
+#include "ice/ice_schema.hpp"
+
+namespace sluice {
+namespace {
+
+struct SpecialKind {
+  std::string_view kind, block;
+  std::vector<std::string_view> labels;  // that it is for
+};
+
+const std::array<SpecialKind, 4>& special_kinds() {
+  static const std::array<SpecialKind, 4> all = {
+      SpecialKind{"LODI", "LODI", {"Pressure", "Density", "Temperature", "Velocity"}},
+      SpecialKind{"Sine", "SINE_BC", {"Pressure", "Temperature", "Velocity"}},
+      SpecialKind{"powerLawProfile", "inletVelocity", {"Velocity"}},
+      SpecialKind{"logLawProfile", "inletVelocity", {"Velocity"}}};
+  return all;
+}
+
+void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
+           std::string suggestion = {}) {
+  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
+}
+
+void check_special(const DeckNode& conditions, const DeckNode& condition, int materials,
+                   std::vector<Fault>& faults) {
+  const std::string kind = condition.attribute("var").value_or("");
+  const std::string label = condition.attribute("label").value_or("");
+  if (kind == "FreeSlipWall" && label != "Velocity")
+    fault(faults, condition, fmt::format("FreeSlipWall is for Velocity only, not for {}", label));
+  for (const SpecialKind& special : special_kinds()) {
+    if (kind != special.kind) continue;
+    if (std::find(special.labels.begin(), special.labels.end(), label) == special.labels.end())
+      fault(faults, condition,
+            fmt::format("{} is for {}, not for {}", kind, fmt::join(special.labels, ", "), label));
+    if (conditions.child(special.block) == nullptr)
+      fault(faults, condition,
+            fmt::format("{} of {} needs the block <{}> in <BoundaryConditions>", kind, label,
+                        special.block),
+            fmt::format("see sluice help Grid/BoundaryConditions/{}", special.block));
+    if (kind == "LODI" && materials > 1) {
+      fault(faults, condition, "LODI with several materials is not built yet", "write Neumann");
+      faults.back().not_built = true;
+    }
+    const DeckNode* profile = conditions.child("inletVelocity");
+    if (profile == nullptr || special.block != "inletVelocity") continue;
+    const char* wanted = kind == "powerLawProfile" ? "exponent" : "roughness";
+    if (profile->child(wanted) == nullptr)
+      fault(faults, *profile, fmt::format("a {} needs <{}>", kind, wanted));
+    const DeckNode* tag = condition.child("value");
+    const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
+    if (!text || !parse_vector(*text))
+      fault(faults, tag != nullptr ? *tag : condition,
+            fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", kind));
+  }
+}
+
+}  // namespace
+
+void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* conditions = root.find("Grid/BoundaryConditions");
+  if (!runs_ice(root) || conditions == nullptr) return;
+  const auto materials = static_cast<int>(ice_materials(root).size());
+  for (const DeckNode* face : conditions->all("Face"))
+    for (const DeckNode* condition : face->all("BCType"))
+      check_special(*conditions, *condition, materials, faults);
+  const DeckNode* lodi = conditions->child("LODI");
+  if (lodi == nullptr) return;
+  const DeckNode *velocity = lodi->child("vel_infinity"), *rho = lodi->child("rho_infinity");
+  if ((velocity == nullptr) == (rho == nullptr)) return;
+  fault(faults, velocity != nullptr ? *velocity : *rho,
+        "<LODI>: vel_infinity and rho_infinity belong together; one of them is missing",
+        "give both, or none");
+}
+
+}  // namespace sluice
