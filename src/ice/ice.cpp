@@ -178,9 +178,9 @@ void Ice::initialise(Warehouse& state) const {
   }
 }
 
-void Ice::fill_boundary(Warehouse& state, double /*time*/, const ThreadTeam& team) const {
+void Ice::fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const {
   const BoundaryFill& boundary = *boundary_[static_cast<std::size_t>(state.level().index)];
-  boundary.fill(state, team);
+  boundary.fill(state, team, time);
   if (state.find(labels().mask, 0) >= 0) boundary.copy_outward(state, labels().mask, 0);
 }
 
