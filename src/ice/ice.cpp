@@ -113,7 +113,8 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(
-        std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots, level));
+        std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots, level,
+                                       ice_.conditions));
 }
 
 SchemeOptions Ice::at_level(int level) const {
