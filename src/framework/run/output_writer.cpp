@@ -67,11 +67,12 @@ OutputWriter::OutputWriter(const Scene& scene, const Component& component, Hiera
       archive_(std::move(archive)),
       saved_(sort_saves(scene.output, hierarchy.level(0))) {}
 
-bool OutputWriter::wants(Label label, int level, const SaveRequest*& request) const {
+bool OutputWriter::wants(Label label, int material, int level,
+                         const SaveRequest*& request) const {
   const int materials = component_->material_count();
   const int levels = hierarchy_->level_count();
   for (const SaveRequest& r : scene_->output.saves)
-    if (r.label == label.name() && r.materials.contains(0, materials) &&
+    if (r.label == label.name() && r.materials.contains(material, materials) &&
         r.levels.contains(level, levels)) {
       request = &r;
       return true;
@@ -85,15 +86,19 @@ void OutputWriter::add_output_pieces(LevelSolver& solver, bool initial,
   Warehouse& outputs = solver.outputs();
   std::vector<Label> labels = saved_.diagnostic;
   if (!initial) labels.insert(labels.end(), saved_.step.begin(), saved_.step.end());
-  for (Label label : labels) {
+  const int materials = component_->material_count();
+  for (std::size_t n = 0; n < labels.size() * static_cast<std::size_t>(materials); ++n) {
+    const Label label = labels[n / static_cast<std::size_t>(materials)];
+    const int material = static_cast<int>(n % static_cast<std::size_t>(materials));
     const SaveRequest* request = nullptr;
-    if (!wants(label, level, request)) continue;
-    const int slot = outputs.find(label, 0);
+    const int slot = outputs.find(label, material);
+    if (slot < 0 || !wants(label, material, level, request)) continue;
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
       for (int c = 0; c < outputs.info(slot).components; ++c) {
         const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
         FieldPiece piece;
         piece.label = label;
+        piece.material = material;
         piece.level = level;
         piece.box_id = box.id;
         piece.component = c;

@@ -45,7 +45,7 @@ class OutputWriter {
  private:
   void add_output_pieces(LevelSolver& solver, bool initial, std::vector<FieldPiece>& pieces) const;
   void add_checkpoint_pieces(LevelSolver& solver, std::vector<FieldPiece>& pieces) const;
-  bool wants(Label label, int level, const SaveRequest*& request) const;
+  bool wants(Label label, int material, int level, const SaveRequest*& request) const;
 
   const Scene* scene_;
   const Component* component_;

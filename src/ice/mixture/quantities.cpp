@@ -1,0 +1,101 @@
+// Labels of each material, from the primitives of the mixture.
+#include "ice/mixture/quantities.hpp"
+
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+class Declarer {
+ public:
+  explicit Declarer(QuantityList& q)
+      : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
+    add_primitives(q.list(), v_, of_mixture(o_), effect_diagnostics);
+    velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
+    const SchemeVariables& c = v_.common;
+    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
+      q.add(labels().sum_rho, m, c.rho);
+      q.add(labels().pressure, m, c.pressure);
+      if (m > 0) q.add(labels().velocity, m, velocity_);
+      declare_material(m);
+      q.slopes(c.pressure, labels().gradient_pressure, m);
+      q.slopes(velocity_, labels().divergence_velocity, m, true);
+      q.vorticity(velocity_, m);
+      q.mach(velocity_, c.sound, m);
+    }
+  }
+
+ private:
+  static SchemeOptions of_mixture(const SchemeOptions& o) {
+    SchemeOptions mixed = o;
+    mixed.mixture = true;
+    return mixed;
+  }
+  // One component of a variable, under a name of its own.
+  VariableId single(VariableId from, int c, Label label, int m) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In in = t.read(from);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double* q = row(in, c);
+      double* copy = row(out);
+      for (int i = 0; i < row.count(); ++i) copy[i] = q[i];
+    });
+    return to;
+  }
+  // f(density, energy per volume) of the material itself, 0 where it is absent.
+  template <class F>
+  VariableId closure(Label label, int m, F f) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double *r = row(density, m), *e = row(energy, m);
+      double* value = row(out);
+      for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? f(r[i], e[i]) : 0.0;
+    });
+    return to;
+  }
+
+  void declare_material(int m) {
+    const Labels& l = labels();
+    const auto k = static_cast<std::size_t>(m);
+    const Fluid fluid = o_.fluids[k];
+    q_.add(l.rho, m, v_.mass[k]);
+    q_.add(l.volume_fraction, m, v_.volume[k]);
+    single(v_.density, m, l.rho_micro, m);
+    closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
+    const VariableId T =
+        closure(l.temperature, m, [fluid](double r, double e) { return fluid.temperature(r, e); });
+    closure(l.sound_speed, m,
+            [fluid](double r, double e) { return fluid.sound_speed(r, fluid.pressure(r, e)); });
+    closure(l.compressibility, m, [fluid](double r, double e) {
+      return 1.0 / fluid.bulk_modulus(r, fluid.pressure(r, e));
+    });
+    const auto constant = [&](Label label, double value) {
+      closure(label, m, [value](double, double) { return value; });
+    };
+    constant(l.viscosity, 0.0);
+    constant(l.thermal_conductivity, 0.0);
+    constant(l.gamma, fluid.gamma);
+    constant(l.specific_heat, fluid.specific_heat);
+    q_.slopes(v_.mass[k], l.gradient_rho, m);
+    q_.slopes(T, l.gradient_temperature, m);
+    q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
+  }
+
+  QuantityList& q_;
+  const SchemeOptions& o_;
+  Variables v_;
+  VariableId velocity_;
+};
+
+}  // namespace
+
+void declare_quantities(QuantityList& quantities) {
+  Declarer{quantities};
+}
+
+}  // namespace sluice::ice::mixture
