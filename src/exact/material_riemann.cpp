@@ -57,9 +57,11 @@ void MaterialRiemann::solve(WaveCurve& left, WaveCurve& right) {
     low = high;
     high *= 4;
   }
-  while (residual(low).value > 0) {
+  // Newton's steps from above end below the root, since the curves are concave; none is so long
+  // that it leaves a law's range for nothing.
+  for (eos::ValueAndSlope f = residual(low); f.value > 0; f = residual(low)) {
     high = std::min(high, low);
-    low *= 0.25;
+    low = std::max(0.25 * low, low - 1.01 * f.value / f.slope);
     if (low < 1e-60 * highest) {
       throw InputError(fmt::format(
           "Riemann problem of two materials: they part at {} and a void opens between them (no "

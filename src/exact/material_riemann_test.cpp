@@ -237,6 +237,12 @@ TEST(MaterialRiemann, LiquidsBearTensionAndGasesPart) {
   EXPECT_LT(pulled.star_pressure(), -7e7);
   EXPECT_GT(pulled.star_pressure(), -9e7);
   EXPECT_EQ(pulled.star_velocity(), 0);
+  // A metal, whose law ends in tension far above its lower bound of the pressure: about -rho c u.
+  const auto metal = [](double velocity) {
+    return MaterialSide{eos::copper, state_of_temperature(eos::copper, 8930, velocity, 294)};
+  };
+  const double pull = MaterialRiemann(metal(-50), metal(50)).star_pressure();
+  EXPECT_NEAR(pull, -8930 * 3940 * 50., .03 * 8930 * 3940 * 50);
   // A gas at the water keeps the pressure above zero.
   const MaterialRiemann pair(water(1000, -50, 1e5), gas(1.4, 1.2, 50, 1e5));
   EXPECT_GT(pair.star_pressure(), 0);

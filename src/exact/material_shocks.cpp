@@ -99,8 +99,8 @@ Wave wave_from_wall(const MaterialSide& ahead, double wall_velocity, int directi
   };
   double low = start, high = start;
   while (excess(high).value < 0) high *= 2;
-  while (excess(low).value > 0) {
-    low *= 0.5;
+  for (eos::ValueAndSlope f = excess(low); f.value > 0; f = excess(low)) {
+    low = std::max(0.5 * low, low - 1.01 * f.value / f.slope);  // below the root: concave curve
     if (low < 1e-60 * start) {
       throw InputError(fmt::format(
           "wave from a wall: the fluid cannot follow at {} and a void opens; allowed are slower "
