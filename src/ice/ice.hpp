@@ -34,6 +34,7 @@ class Ice : public Component {
   Label mask_label() const override;
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override;
+  int first_volume_sum() const override;
   bool quiet_blocks_allowed() const override;
   double courant_number() const override { return options_.cfl; }
   bool diffusive() const override { return options_.viscous; }
@@ -51,6 +52,7 @@ class Ice : public Component {
   void declare_conservative(TaskList& list, const SchemeOptions& options) const;
   void declare_mixture(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
+  int step_sums() const;  // without those of control volumes
 
   const Scene* scene_;
   IceScene ice_;

@@ -13,6 +13,7 @@
 #include "framework/refine/coverage.hpp"
 #include "framework/refine/flux_register.hpp"
 #include "framework/refine/transfer_operators.hpp"
+#include "framework/refine/volume_faces.hpp"
 #include "framework/run/conservation.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
@@ -58,6 +59,8 @@ struct StepVariant {
   const FluxRecorder* recorder = nullptr;
   const LevelCoverage* coverage = nullptr;
   int kind = 0;  // of the blocks that the graph is for: see Component::step_kinds
+  // Control volumes whose exchange is summed, see Component::first_volume_sum; likewise.
+  const VolumeFaces* volumes = nullptr;
 };
 
 // A variable whose estimated error decides on refinement: two diagnostic labels.
@@ -132,6 +135,10 @@ class Component {
   virtual Label mask_label() const = 0;
   virtual int reduction_maxima() const = 0;
   virtual int reduction_sums() const = 0;
+  // Where the sums of control volumes begin among these (VolumeSums, a tail as long as the scene
+  // has volumes); -1: this scene keeps no account of them. A component that keeps it sums in the
+  // segments of StepVariant::volumes what passes, and in the uncovered cells inside what forces add.
+  virtual int first_volume_sum() const { return -1; }
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.
   virtual bool quiet_blocks_allowed() const = 0;

@@ -38,6 +38,9 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   maxima_.resize(levels.size());
   costs_.resize(levels.size());
   joints_.resize(levels.size());
+  if (component.first_volume_sum() >= 0)
+    for (const ControlVolume& v : control_volumes(scene.analysis))
+      volumes_.push_back(cells_of(v, levels.front()));
   if (scene.refinement.adaptive && levels.size() > 1)
     regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads,
                        component.courant_number());

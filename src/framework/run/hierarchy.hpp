@@ -77,6 +77,9 @@ class Hierarchy {
 
   std::string regrid_state() const;
   int regrids() const { return regrids_; }
+  const Component& component() const { return *component_; }
+  // Of the deck's analyses, in its order; none when the component keeps no account of them.
+  const std::vector<VolumeCells>& volumes() const { return volumes_; }
   int layouts() const { return layouts_; }  // grows whenever boxes change
   double regrid_seconds() const { return regrid_seconds_; }
   int balances() const { return balances_; }
@@ -99,6 +102,7 @@ class Hierarchy {
   double share_of(int level) const;
   void make_joint(int coarser);
   void join_levels();
+  void watch_volumes();
   void lay_out(bool from_deck);
   void lay_out_level(int level, std::vector<GridBox> boxes, bool from_deck);
   std::vector<FlagField> flags();
@@ -117,6 +121,7 @@ class Hierarchy {
   std::vector<double> ends_;                    // of the last sweep over a level: its time
   std::vector<std::vector<double>> maxima_;     // rates by level
   std::vector<LevelCost> costs_;
+  std::vector<VolumeCells> volumes_;
   std::optional<Regridder> regridder_;
   RefinementFlags refinement_flags_;
   Schedule cycle_;

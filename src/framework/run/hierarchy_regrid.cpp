@@ -46,8 +46,18 @@ void Hierarchy::join_levels() {
     level(l).join(recorder, LevelCoverage(level(l).level(), finer, rank));
     level(l).touch();
   }
+  watch_volumes();
   cycle_ = schedule_of(0);
   check(cycle_);
+}
+
+void Hierarchy::watch_volumes() {
+  if (volumes_.empty()) return;
+  for (int l = 0; l < possible_levels(); ++l) {
+    const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
+    level(l).watch(VolumeFaces(volumes_, scene_->grid.levels.front(), level(l).level(), finer,
+                               communicator_->rank()));
+  }
 }
 
 void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck) {

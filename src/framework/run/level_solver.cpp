@@ -143,7 +143,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, boo
       component_->declare_diagnostics(*list, level_.index);
     else
       component_->declare_step(*list, {level_.index, masked, options_.joined ? &recorder_ : nullptr,
-                                       options_.joined ? &coverage_ : nullptr, kind});
+                                       options_.joined ? &coverage_ : nullptr, kind, &volumes_});
     SweepGraph graph = graph_of(*list, wanted);
     if (v->lists.size() > 1) graph.absent = absent_slots(*list, kind, wanted);
     return graph;

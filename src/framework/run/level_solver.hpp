@@ -69,6 +69,8 @@ class LevelSolver {
   // Where this level meets others; tables and boxes of finer levels belong to the caller.
   void join(const FluxRecorder& recorder, LevelCoverage coverage);
   const LevelCoverage& coverage() const { return coverage_; }
+  // Control volumes on the boxes as they are now.
+  void watch(VolumeFaces volumes) { volumes_ = std::move(volumes); }
 
   // Fills all ghost cells of the current state, unless it was done already. `interface`, where
   // given, fills those at the interface with a coarser level, before the boundary of the domain.
@@ -144,6 +146,7 @@ class LevelSolver {
   SolverOptions options_;
   Warehouse state_, next_, start_, outputs_;
   FluxRecorder recorder_;
+  VolumeFaces volumes_;
   LevelCoverage coverage_;
   std::vector<int> state_slots_;
   std::shared_ptr<const ThreadTeam> team_;

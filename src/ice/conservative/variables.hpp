@@ -12,6 +12,7 @@
 
 namespace sluice {
 class LevelCoverage;
+class VolumeFaces;
 struct FluxRecorder;
 }  // namespace sluice
 
@@ -46,6 +47,8 @@ struct SchemeOptions {
   // With several levels: which cells count in sums, where fluxes are recorded.
   const LevelCoverage* coverage = nullptr;
   const FluxRecorder* recorder = nullptr;
+  const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
+  int first_volume_sum = 0;              // of their sums among those of the step
 };
 
 struct SchemeVariables {
@@ -145,6 +148,7 @@ void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, i
 void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_volume_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice

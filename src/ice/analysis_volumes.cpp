@@ -1,0 +1,115 @@
+// What control volumes of analyses exchange through their sides, and what gravity adds inside.
+//
+// Through a face (face_flux.hpp): mass, momentum that is advected, pressure along the normal,
+// viscous momentum flux, total energy; amounts of the step, positive along the axis. Inside, over
+// the uncovered cells: impulse and work of gravity as in gravity_account.cpp. All sums are exact.
+// Absent without control volumes.
+#include <algorithm>
+
+#include "framework/refine/coverage.hpp"
+#include "framework/refine/volume_faces.hpp"
+#include "framework/task/reductions.hpp"
+#include "ice/conservative/face_flux.hpp"
+
+namespace sluice::ice {
+namespace {
+
+double cell_volume(const Row& row) {
+  const Vec3 dx = row.step().spacing;
+  return dx.x * dx.y * dx.z;
+}
+
+// One face, low (shift 0) or high (1), of cell i.
+void account_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                  int shift, int i, int side) {
+  const VolumeSums slots(o.first_volume_sum, 1);
+  const int volume = side / 6, s = side % 6;
+  const double V = cell_volume(row);
+  const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
+  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
+  const double pressed = l * row(h.face_pressure, 0, axis, shift)[i];
+  Reductions& sums = row.reductions();
+  sums.sum(slots.mass(volume, s, 0)).add(flux.mass * V);
+  sums.sum(slots.pressure(volume, s)).add(pressed * V);
+  sums.sum(slots.energy(volume, s)).add(flux.energy * V);
+  for (int c = 0; c < o.components; ++c) {
+    const int d = o.direction[static_cast<std::size_t>(c)];
+    sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);
+    if (o.viscous)
+      sums.sum(slots.viscous(volume, s) + d)
+          .add((flux.impulse[c] - (c == axis ? pressed : 0.0)) * V);
+  }
+}
+
+void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis) {
+  const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
+  for (const FaceTable::Segment& s : o.volumes->segments(row.box(), axis, row.cell())) {
+    const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
+    for (int i = first; i < end; ++i)
+      account_face(row, h, o, axis, s.high ? 1 : 0, i - low, o.volumes->side_of(s));
+  }
+}
+
+struct Handles {
+  In rho, momentum, impulse;
+};
+
+// Cells first ... end - 1 of the row.
+void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, int volume, int first,
+                    int end) {
+  const VolumeSums slots(o.first_volume_sum, 1);
+  const double* rho = row(h.rho);
+  for (int c = 0; c < o.components; ++c) {
+    const int d = o.direction[static_cast<std::size_t>(c)];
+    const double kick = row.step().dt * o.gravity[d] * cell_volume(row);
+    if (kick == 0.0) continue;
+    const double* m = row(h.momentum, c);
+    const double* dp = row(h.impulse, c);
+    for (int i = first; i < end; ++i) {
+      row.reductions().sum(slots.force(volume) + d).add(kick * rho[i]);
+      row.reductions().sum(slots.work(volume)).add(kick * (m[i] - 0.5 * dp[i]));
+    }
+  }
+}
+
+void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
+  const int along = o.axes.direction[0];
+  const int low = row.cell()[along], high = low + row.count();
+  for (int volume = 0; volume < o.volumes->count(); ++volume) {
+    const IndexBox& inside = o.volumes->inside(volume);
+    IntVec3 cell = row.cell();
+    cell[along] = inside.lower[along];
+    if (!inside.contains(cell)) continue;
+    const int from = std::max(low, inside.lower[along]), to = std::min(high, inside.upper[along]);
+    if (o.coverage == nullptr || !o.coverage->any()) {
+      account_forces(row, h, o, volume, from - low, to - low);
+      continue;
+    }
+    for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell()))
+      account_forces(row, h, o, volume, std::max(s.first, from) - low,
+                     std::min(s.first + s.count, to) - low);
+  }
+}
+
+}  // namespace
+
+void add_volume_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                        int effect) {
+  if (o.volumes == nullptr || o.volumes->count() == 0) return;
+  static const char* names[] = {"control volumes, axis 0", "control volumes, axis 1",
+                                "control volumes, axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    TaskBuilder task = list.task(names[axis], effect);
+    const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
+    task.always().kernel([=](const Row& row) { account_faces(row, h, o, axis); });
+  }
+  if (!o.gravity_on) return;
+  TaskBuilder task = list.task("control volumes, gravity", effect);
+  Handles h;
+  h.rho = task.read(v.rho);
+  h.momentum = task.read(v.momentum);
+  h.impulse = task.read(v.impulse);
+  task.always().kernel([=](const Row& row) { account_inside(row, h, o); });
+}
+
+}  // namespace sluice::ice
