@@ -7,9 +7,17 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names averages = {"planeAverage", "planeAvgTurbFluxes"};
-const Names sampled = {"minMax", "lineExtract", "planeExtract", "planeAverage",
-                       "planeAvgTurbFluxes"};
-const Names with_variables = sampled;
+const Names over_time = {"statistics", "turbulentFluxes"};
+const Names with_variables = {"minMax",       "lineExtract",    "planeExtract",
+                              "pointExtract", "planeAverage",   "planeAvgTurbFluxes",
+                              "statistics",   "turbulentFluxes"};
+const Names of_one_volume = {"momentumAnalysis", "firstLawThermo"};
+
+Names joined(Names a, const Names& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+const Names sampled = joined(joined(with_variables, {"controlVolFluxes"}), of_one_volume);
 
 TagSpec analyze() {
   return tag("analyze", "a variable that is looked at")
@@ -49,6 +57,64 @@ TagSpec plane() {
                       corner("endingPt", "the opposite corner; one coordinate is the same")});
 }
 
+TagSpec corners_of_box() {
+  return tag("box", "a part of the domain; its corners go to the nearest faces of level 0")
+      .with_children({corner("min", "low corner"), corner("max", "high corner")});
+}
+
+// The domain or a box, and the sides through which it exchanges.
+TagSpec control_volume() {
+  const TagSpec face =
+      tag("Face", "a side that counts; without any, all do")
+          .multiple()
+          .with_attributes(
+              {attribute("side", "which side").once().words({"x-", "x+", "y-", "y+", "z-", "z+"}),
+               attribute("extents", "all of it, or the rectangle between two corners")
+                   .once()
+                   .words({"entireFace", "partialFace"})})
+          .with_children({tag("startPt", "a corner of the rectangle").vector().unit("length"),
+                          tag("endPt", "the opposite corner").vector().unit("length")});
+  return tag("controlVolume", "the volume whose budget is kept; without a box the whole domain")
+      .once()
+      .child(corners_of_box())
+      .child(face)
+      .only_for("name", of_one_volume);
+}
+
+// Labels that the format names and nothing needs: fluxes are those of the scheme.
+std::vector<TagSpec> unneeded_labels() {
+  std::vector<TagSpec> tags;
+  for (const char* name : {"uvel_FC", "vvel_FC", "wvel_FC", "vel_CC", "rho_CC"})
+    tags.push_back(tag(name, "accepted without effect: fluxes are those of the scheme")
+                       .attribute(attribute("label", "name of a variable").once().text())
+                       .only_for("name", {"momentumAnalysis"}));
+  return tags;
+}
+
+// Budgets of control volumes.
+std::vector<TagSpec> volume_tags() {
+  return {tag("controlVolumes", "the volumes whose fluxes are taken")
+              .once()
+              .child(corners_of_box().at_least_once().attribute(
+                  attribute("label", "name of the volume and its file").once().text()))
+              .only_for("name", {"controlVolFluxes"}),
+          control_volume(),
+          tag("engy_convt_factor", "energies in the file are times this")
+              .real()
+              .above(0)
+              .by_default("1")
+              .only_for("name", {"firstLawThermo"})};
+}
+
+// Statistics over time.
+std::vector<TagSpec> statistics_tags() {
+  return {tag("computeHigherOrderStats", "also skewness and kurtosis")
+              .boolean()
+              .by_default("false")
+              .only_for("name", over_time),
+          tag("monitorCell", "accepted without effect").vector().only_for("name", over_time)};
+}
+
 // Where modules look.
 Names names_of(const char* one) {
   return {one};
@@ -58,6 +124,13 @@ std::vector<TagSpec> places() {
               .once()
               .child(line())
               .only_for("name", names_of("lineExtract")),
+          tag("points", "where it is looked at")
+              .once()
+              .child(tag("point", "a point between whose cells values are interpolated")
+                         .at_least_once()
+                         .attribute(attribute("name", "name of its file").once().text())
+                         .child(corner("position", "where it is")))
+              .only_for("name", names_of("pointExtract")),
           tag("planes", "where it is looked at")
               .once()
               .child(plane())
@@ -84,8 +157,8 @@ std::vector<TagSpec> plane_tags() {
 // When samples are taken.
 std::vector<TagSpec> times() {
   return {
-      tag("samplingFrequency", "samples per unit of time")
-          .once()
+      tag("samplingFrequency",
+          "samples per unit of time; required but for statistics and turbulentFluxes: every step")
           .real()
           .above(0)
           .unit("1/time")
@@ -96,18 +169,42 @@ std::vector<TagSpec> times() {
 
 }  // namespace
 
+std::vector<std::string> labels_of_analyses(const DeckNode& root) {
+  std::vector<std::string> labels;
+  const DeckNode* analysis = root.child("DataAnalysis");
+  if (analysis == nullptr) return labels;
+  for (const DeckNode* module : analysis->all("Module")) {
+    const DeckNode* variables = module->child("Variables");
+    const std::string name = module->attribute("name").value_or("");
+    const bool fluxes = name == "turbulentFluxes";
+    if (variables == nullptr || (name != "statistics" && !fluxes)) continue;
+    const DeckNode* higher = module->child("computeHigherOrderStats");
+    Names kinds = {"sum_", "mean_", "variance_"};
+    if (higher != nullptr && higher->text == "true")
+      kinds = joined(kinds, {"skewness_", "kurtosis_"});
+    if (fluxes) kinds.emplace_back("covariance_");
+    for (const DeckNode* v : variables->all("analyze")) {
+      for (const std::string& kind : kinds)
+        labels.push_back(kind + v->attribute("label").value_or(""));
+      if (fluxes || v->attribute("computeReynoldsStress") == "true")
+        labels.emplace_back("uv_vw_wu_prime");
+    }
+  }
+  return labels;
+}
+
 void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(
-              attribute("name", "which analysis")
-                  .once()
-                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
-                          "planeAvgTurbFluxes", "vorticity"})
-                  .not_built({"controlVolFluxes", "firstLawThermo", "flatPlate_heatFlux",
-                              "momentumAnalysis", "particleExtract", "radiometer", "spatialAvg",
-                              "statistics", "SGS_ReynoldsStress", "turbulentFluxes"}))
+          .attribute(attribute("name", "which analysis")
+                         .once()
+                         .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                                 "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
+                                 "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
+                                 "vorticity"})
+                         .not_built({"flatPlate_heatFlux", "particleExtract", "radiometer",
+                                     "spatialAvg", "SGS_ReynoldsStress"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})
@@ -117,7 +214,10 @@ void add_analysis_tags(Schema& schema) {
                               .child(analyze())
                               .only_for("name", with_variables)})
           .with_children(places())
-          .with_children(plane_tags());
+          .with_children(plane_tags())
+          .with_children(volume_tags())
+          .with_children(unneeded_labels())
+          .with_children(statistics_tags());
   schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
 }
 

@@ -13,6 +13,8 @@ void add_geometry_tags(Schema& schema);  // the group "geometry_piece"
 void add_grid_tags(Schema& schema);      // Grid with its BoundaryConditions and Levels
 void add_refinement_tags(Schema& schema);  // AMR, LoadBalancer
 void add_analysis_tags(Schema& schema);    // DataAnalysis
+// The labels that the modules of a deck make and that can be saved.
+std::vector<std::string> labels_of_analyses(const DeckNode& root);
 
 // Rules over several tags; each reads the tree and takes nothing for granted.
 void check_time(const DeckNode& root, std::vector<Fault>& faults);

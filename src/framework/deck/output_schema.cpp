@@ -136,25 +136,31 @@ DeckRule check_save_labels(SaveLabels labels) {
     const auto listed = [](const std::vector<std::string>& list, const std::string& label) {
       return std::find(list.begin(), list.end(), label) != list.end();
     };
-    const auto check = [&](const DeckNode& node) {
+    const std::vector<std::string> analysed = labels_of_analyses(root);
+    const auto check_among = [&](const DeckNode& node, const std::vector<std::string>& more) {
       const auto label = node.attribute("label");
-      if (!label || listed(labels.built, *label)) return;
+      if (!label || listed(labels.built, *label) || listed(more, *label)) return;
+      std::vector<std::string> all = labels.built;
+      all.insert(all.end(), more.begin(), more.end());
       const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||
                          label->rfind("g.", 0) == 0 || label->rfind("scalar-", 0) == 0;
       Fault fault{Severity::error, node.where,
                   known ? fmt::format("variable {} is known to the format, but not built yet",
                                       in_quotes(*label))
                         : fmt::format("there is no variable {}", in_quotes(*label)),
-                  known ? "" : suggest_name(*label, labels.built)};
+                  known ? "" : suggest_name(*label, all)};
       fault.not_built = known;
       faults.push_back(std::move(fault));
     };
+    const auto check = [&](const DeckNode& node) { check_among(node, {}); };
     if (const DeckNode* archiver = root.child("DataArchiver")) {
-      for (const DeckNode* node : archiver->all("save")) check(*node);
+      for (const DeckNode* node : archiver->all("save")) check_among(*node, analysed);
     }
     const DeckNode* analysis = root.child("DataAnalysis");
     if (analysis == nullptr) return;
     for (const DeckNode* module : analysis->all("Module")) {
+      for (const char* name : {"weight", "velocity"})
+        if (const DeckNode* node = module->child(name)) check(*node);
       const DeckNode* variables = module->child("Variables");
       if (variables == nullptr) continue;
       for (const DeckNode* node : variables->all("analyze")) check(*node);

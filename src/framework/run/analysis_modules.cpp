@@ -10,6 +10,7 @@
 #include "framework/run/analysis_line.hpp"
 #include "framework/run/analysis_plane.hpp"
 #include "framework/run/analysis_points.hpp"
+#include "framework/run/analysis_probe.hpp"
 
 namespace sluice {
 namespace {
@@ -92,7 +93,8 @@ void check_averages(const AnalysisModule& m, const FindQuantity& find) {
 }  // namespace
 
 bool samples_levels(const AnalysisModule& m) {
-  return m.name == "minMax" || m.name == "lineExtract" || m.name == "planeExtract" || averages(m);
+  return m.name == "minMax" || m.name == "lineExtract" || m.name == "planeExtract" ||
+         m.name == "pointExtract" || averages(m);
 }
 
 bool writes_one_set_of_files(const AnalysisModule& m) {
@@ -102,7 +104,13 @@ bool writes_one_set_of_files(const AnalysisModule& m) {
 void check_fields(const AnalysisModule& m, const FindQuantity& find) {
   for (const AnalysedVariable& v : m.variables) find(v);  // also if on no level
   if (averages(m)) check_averages(m, find);
+  if (m.name != "pointExtract") return;
+  for (const AnalysedVariable& v : m.variables)
+    if (find(v).label.info().centring != Centring::cell)
+      refuse(m, v, "lives on faces; points are between the centres of cells");
 }
+
+namespace {
 
 std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& m, const Level& level, int levels,
                                            const FindQuantity& find) {
@@ -114,6 +122,37 @@ std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& m, const Level&
   if (m.name == "minMax") return std::make_unique<ExtremesSampler>(level.index, quantities);
   if (m.name == "planeExtract") return plane_sampler(m, level, std::move(quantities));
   return line_sampler(m, level, std::move(quantities));
+}
+
+// All levels read the same variables: the finest one wins.
+std::vector<std::unique_ptr<LevelSampler>> probe_samplers(const AnalysisModule& m,
+                                                          const std::vector<Level>& levels,
+                                                          const FindQuantity& find) {
+  std::vector<AnalysedQuantity> quantities;
+  for (const AnalysedVariable& v : m.variables) quantities.push_back(find(v));
+  std::vector<AnalysedPoint> inside;
+  for (const AnalysedPoint& p : m.points)
+    if (!stencil_around(p.position, levels.front()).cells.empty()) inside.push_back(p);
+  std::vector<std::unique_ptr<LevelSampler>> samplers(levels.size());
+  if (quantities.empty() || inside.empty()) return samplers;
+  const auto probes = std::make_shared<Probes>(inside, quantities);
+  for (std::size_t l = 0; l < levels.size(); ++l)
+    samplers[l] = std::make_unique<ProbeSampler>(levels[l], quantities, probes);
+  return samplers;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<LevelSampler>> make_samplers(const AnalysisModule& m,
+                                                         const std::vector<Level>& levels,
+                                                         const FindQuantity& find) {
+  if (m.name == "pointExtract") return probe_samplers(m, levels, find);
+  std::vector<std::unique_ptr<LevelSampler>> samplers;
+  for (const Level& level : levels)
+    samplers.push_back(samples_levels(m)
+                           ? make_sampler(m, level, static_cast<int>(levels.size()), find)
+                           : nullptr);
+  return samplers;
 }
 
 }  // namespace sluice

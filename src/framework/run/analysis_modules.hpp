@@ -17,8 +17,9 @@ bool samples_levels(const AnalysisModule& module);
 bool writes_one_set_of_files(const AnalysisModule& module);
 // InputError for fields that a module cannot take.
 void check_fields(const AnalysisModule& module, const FindQuantity& find);
-// Of `levels` that may exist; null where nothing is asked for.
-std::unique_ptr<LevelSampler> make_sampler(const AnalysisModule& module, const Level& level,
-                                           int levels, const FindQuantity& find);
+// One for each level that may exist; null where nothing is asked for.
+std::vector<std::unique_ptr<LevelSampler>> make_samplers(const AnalysisModule& module,
+                                                         const std::vector<Level>& levels,
+                                                         const FindQuantity& find);
 
 }  // namespace sluice

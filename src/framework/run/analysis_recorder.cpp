@@ -10,6 +10,7 @@
 #include "framework/run/analysis_line.hpp"
 #include "framework/run/analysis_modules.hpp"
 #include "framework/run/analysis_plane.hpp"
+#include "framework/run/analysis_probe.hpp"
 
 namespace sluice {
 namespace {
@@ -42,17 +43,27 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)
     : hierarchy_(&hierarchy), communicator_(&communicator) {
   std::set<std::string> names;
+  std::vector<Level> levels;
+  for (int l = 0; l < hierarchy.possible_levels(); ++l)
+    levels.push_back(hierarchy.level(l).level());
+  int volumes = 0;
   for (const AnalysisModule& m : scene.analysis.modules) {
-    if (!samples_levels(m)) continue;
+    const int first_volume = volumes;
+    volumes += static_cast<int>(m.volumes.size());
+    if (!samples_levels(m) && !keeps_budgets(m) && !keeps_statistics(m)) continue;
     const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
     check_fields(m, find);
     check_places(m, names);
     Module module;
     module.settings = &m;
-    const int levels = hierarchy.possible_levels();
-    for (int l = 0; l < levels; ++l)
-      module.levels.push_back(make_sampler(m, hierarchy.level(l).level(), levels, find));
-    if (std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
+    module.levels = make_samplers(m, levels, find);
+    if (keeps_budgets(m)) module.budgets = make_budgets(m, first_volume);
+    if (keeps_statistics(m)) {
+      module.statistics = std::make_unique<Statistics>(m, find, hierarchy, communicator.rank());
+      check_labels(*module.statistics, m);
+    }
+    if (module.budgets || module.statistics ||
+        std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
       modules_.push_back(std::move(module));
   }
 }
@@ -95,10 +106,37 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
     const LineCells found = cells_on_line(line, level);
     check_place("line", line.name, line.where, found.cells.empty(), found.clipped, names);
   }
+  const bool own_names = m.name == "controlVolFluxes";
+  for (const ControlVolume& volume : m.volumes) {
+    const VolumeCells found = cells_of(volume, level);
+    const std::optional<Label> label = find_label(volume.name);
+    if (own_names && label && label->info().centring == Centring::reduction)
+      throw InputError(
+          fmt::format("{}: <box label=\"{}\">: histories of this label have the file {}"
+                      ".dat; choose another name",
+                      to_string(volume.where), volume.name, volume.name));
+    check_place("volume", volume.name, volume.where, found.cells.empty(), found.clipped, names);
+  }
+  for (const AnalysedPoint& p : m.points)
+    check_place("point", p.name, p.where, stencil_around(p.position, level).cells.empty(), false,
+                names);
   for (const AnalysedPlane& plane : m.planes) {
     const PlaneCells found = cells_in_plane(plane, level);
     check_place("plane", plane.name, plane.where, found.cells.empty(), found.clipped, names);
   }
+}
+
+std::unique_ptr<VolumeBudgets> AnalysisRecorder::make_budgets(const AnalysisModule& m, int first) {
+  if (hierarchy_->component().first_volume_sum() < 0)
+    throw InputError(fmt::format(
+        "{}: <Module name=\"{}\">: {} keeps no account of what passes through control volumes "
+        "with this scheme or so many materials; planeAverage and lineExtract work",
+        to_string(m.where), m.name, hierarchy_->component().name()));
+  if (m.material >= hierarchy_->component().material_count())
+    throw InputError(fmt::format("{}: <Module name=\"{}\">: material {} is none of {}",
+                                 to_string(m.where), m.name, m.material,
+                                 hierarchy_->component().name()));
+  return std::make_unique<VolumeBudgets>(m, first, *hierarchy_, *communicator_);
 }
 
 void AnalysisRecorder::open(const std::filesystem::path& folder) {
@@ -110,6 +148,8 @@ void AnalysisRecorder::adopt(const std::filesystem::path& earlier, double time) 
     for (const Module& m : modules_)
       for (const auto& sampler : m.levels)
         if (sampler != nullptr) sampler->adopt(earlier, folder_, time);
+    for (const Module& m : modules_)
+      if (m.budgets != nullptr) m.budgets->adopt(earlier, folder_, time);
   });
 }
 
@@ -121,6 +161,9 @@ std::vector<Label> AnalysisRecorder::step_labels(double end) const {
       if (sampler != nullptr)
         for (const AnalysedQuantity& q : sampler->quantities())
           if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+    if (m.statistics != nullptr)
+      for (const AnalysedQuantity& q : m.statistics->quantities())
+        if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
   }
   sort_once(labels);
   return labels;
@@ -140,6 +183,10 @@ void AnalysisRecorder::lay_out() {
     for (std::size_t l = 0; l < m.levels.size(); ++l)
       if (m.levels[l] != nullptr)
         m.levels[l]->lay_out(hierarchy_->level(static_cast<int>(l)).level());
+  for (const Module& m : modules_)
+    if (m.budgets != nullptr) m.budgets->lay_out();
+  for (const Module& m : modules_)
+    if (m.statistics != nullptr) m.statistics->follow_levels();
 }
 
 // Labels that are functions of the state, on the levels that are asked for them.
@@ -150,6 +197,11 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
       if (!hierarchy_->level(l).is_step_label(q.label))
         labels[static_cast<std::size_t>(l)].push_back(q.label);
   });
+  for (const Module* m : due)
+    if (m->statistics != nullptr)
+      for (const AnalysedQuantity& q : m->statistics->quantities())
+        if (!hierarchy_->level(0).is_step_label(q.label))
+          for (std::vector<Label>& of_level : labels) of_level.push_back(q.label);
   if (std::all_of(labels.begin(), labels.end(), [](auto& of_level) { return of_level.empty(); }))
     return false;
   hierarchy_->fill_ghosts(time);
@@ -158,6 +210,11 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
     hierarchy_->level(static_cast<int>(l)).compute_diagnostics(time, labels[l]);
   }
   return true;
+}
+
+void AnalysisRecorder::account(double dt, const std::vector<double>& sums) {
+  for (const Module& m : modules_)
+    if (m.budgets != nullptr) m.budgets->account(dt, sums);
 }
 
 bool AnalysisRecorder::sample(int step, double time) {
@@ -176,7 +233,15 @@ bool AnalysisRecorder::sample(int step, double time) {
       std::string(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double))));
   if (communicator_->is_root())
     visit(due, [&](int, LevelSampler& sampler) { sampler.write(numbers, step, time); });
-  for (Module* m : due) m->last = time;
+  if (communicator_->is_root())
+    visit(due, [&](int, LevelSampler& sampler) { sampler.end_sample(step, time); });
+  for (Module* m : due) {
+    m->last = time;
+    if (m->statistics != nullptr) m->statistics->sample();
+    if (m->budgets == nullptr) continue;
+    m->budgets->sample(time);
+    pending_lines_ += m->budgets->lines();
+  }
   if (pending_lines_ > most_pending_lines) flush();
   return filled;
 }
@@ -188,6 +253,8 @@ void AnalysisRecorder::flush() {
     for (const Module& m : modules_)
       for (const auto& sampler : m.levels)
         if (sampler != nullptr) sampler->flush(folder_);
+    for (const Module& m : modules_)
+      if (m.budgets != nullptr) m.budgets->flush(folder_);
   });
 }
 
@@ -202,17 +269,62 @@ void AnalysisRecorder::on_root(const std::function<void()>& work) const {
   if (!problem.empty()) throw SystemError(problem);
 }
 
-std::string AnalysisRecorder::state() const {
-  nlohmann::json last = nlohmann::json::array();
+std::vector<Label> AnalysisRecorder::field_labels() const {
+  std::vector<Label> labels;
   for (const Module& m : modules_)
-    last.push_back(m.last ? nlohmann::json(*m.last) : nlohmann::json(nullptr));
-  return last.dump();
+    if (m.statistics != nullptr)
+      labels.insert(labels.end(), m.statistics->labels().begin(), m.statistics->labels().end());
+  return labels;
 }
 
-void AnalysisRecorder::restore(const std::string& json_text) {
-  const nlohmann::json last = nlohmann::json::parse(json_text);
-  for (std::size_t n = 0; n < modules_.size() && n < last.size(); ++n)
-    if (last[n].is_number()) modules_[n].last = last[n].get<double>();
+// Two modules may not both be the source of a label.
+void AnalysisRecorder::check_labels(const Statistics& statistics, const AnalysisModule& m) const {
+  const std::vector<Label> others = field_labels();
+  for (const Label l : statistics.labels())
+    if (std::find(others.begin(), others.end(), l) != others.end())
+      throw InputError(fmt::format(
+          "{}: <Module name=\"{}\">: another module makes {} already; analyse the variable in one",
+          to_string(m.where), m.name, l.name()));
+}
+
+void AnalysisRecorder::store_fields(const std::vector<Label>& wanted) {
+  lay_out();
+  for (const Module& m : modules_)
+    if (m.statistics != nullptr) m.statistics->store(wanted);
+}
+
+void AnalysisRecorder::add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const {
+  for (const Module& m : modules_)
+    if (m.statistics != nullptr) m.statistics->add_checkpoint_pieces(pieces);
+}
+
+std::string AnalysisRecorder::state() const {
+  nlohmann::json kept = nlohmann::json::array();
+  for (const Module& m : modules_) {
+    nlohmann::json last = m.last ? nlohmann::json(*m.last) : nlohmann::json(nullptr);
+    if (m.budgets != nullptr)
+      kept.push_back({{"last", last}, {"passed", m.budgets->state()}});
+    else if (m.statistics != nullptr)
+      kept.push_back({{"last", last}, {"samples", m.statistics->samples()}});
+    else
+      kept.push_back(last);
+  }
+  return kept.dump();
+}
+
+void AnalysisRecorder::restore(const std::string& json_text, const ArchiveStep* checkpoint) {
+  lay_out();
+  const nlohmann::json kept = nlohmann::json::parse(json_text);
+  for (std::size_t n = 0; n < modules_.size() && n < kept.size(); ++n) {
+    Module& m = modules_[n];
+    const bool more = kept[n].is_object();
+    const nlohmann::json& last = more ? kept[n].at("last") : kept[n];
+    if (last.is_number()) m.last = last.get<double>();
+    if (more && m.budgets != nullptr && kept[n].contains("passed"))
+      m.budgets->restore(kept[n].at("passed"));
+    if (more && m.statistics != nullptr && kept[n].contains("samples") && checkpoint != nullptr)
+      m.statistics->restore(*checkpoint, kept[n].at("samples").get<int>());
+  }
 }
 
 }  // namespace sluice

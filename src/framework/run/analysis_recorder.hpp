@@ -3,7 +3,10 @@
 //   minMax       MinMax/L-<level>/<label>_<material>    time minimum maximum
 //   lineExtract  <line>/L-<level>/i<i>_j<j>_k<k>        X Y Z Timestep Time values
 //   planeExtract <plane>/tNNNNN/L-<level>/<label>_<material>.dat    X Y Z value
+//   pointExtract points/<name>                          Timestep Time Level values
 //   planeAverage, planeAvgTurbFluxes    see analysis_average.hpp
+//   statistics, turbulentFluxes    fields, see analysis_statistics.hpp
+//   controlVolFluxes, momentumAnalysis, firstLawThermo    see analysis_volume.hpp
 //
 // in the archive's folder, 17 digits, '#' before header lines; every level on its own, as far as
 // the variable asks for it and the level exists. A negative level counts from the finest level that
@@ -22,6 +25,8 @@
 
 #include "framework/base/communicator.hpp"
 #include "framework/run/analysis_sampler.hpp"
+#include "framework/run/analysis_statistics.hpp"
+#include "framework/run/analysis_volume.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/scene/scene.hpp"
 
@@ -46,16 +51,25 @@ class AnalysisRecorder {
 
   // Labels that a step ending at this time must store.
   std::vector<Label> step_labels(double end) const;
+  // What passed through control volumes in an accepted step.
+  void account(double dt, const std::vector<double>& sums);
   // Takes the samples that are due after an accepted step, on the levels that it was made with (a
   // regrid drops what the step has stored). Collective. True when it has filled the ghost cells of
   // the state.
   bool sample(int step, double time);
+  // The boxes of levels may have changed: what is kept of cells moves with them. Collective.
+  void follow_levels() { lay_out(); }
+  // Fields that can be saved as labels, and their values into the outputs of all levels.
+  std::vector<Label> field_labels() const;
+  void store_fields(const std::vector<Label>& wanted);
+  void add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const;
   // To disk. Collective.
   void flush();
 
-  // For checkpoints: times of the last samples.
+  // For checkpoints: times of the last samples, what passed since. Fields need the levels of the
+  // checkpoint.
   std::string state() const;
-  void restore(const std::string& json_text);
+  void restore(const std::string& json_text, const ArchiveStep* checkpoint = nullptr);
 
  private:
   // A module at work.
@@ -63,13 +77,17 @@ class AnalysisRecorder {
     const AnalysisModule* settings = nullptr;
     // By level that may exist; null where nothing is asked for.
     std::vector<std::unique_ptr<LevelSampler>> levels;
+    std::unique_ptr<VolumeBudgets> budgets;  // of its control volumes, if it keeps some
+    std::unique_ptr<Statistics> statistics;  // if it keeps some
     std::optional<double> last;
     bool due(double time) const { return sample_is_due(*settings, last, time); }
   };
   using Visit = std::function<void(int level, LevelSampler&)>;
 
   AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
-  // Lines and planes: their names, and whether the domain holds them.
+  std::unique_ptr<VolumeBudgets> make_budgets(const AnalysisModule& module, int first);
+  // Lines, planes and volumes: their names, and whether the domain holds them.
+  void check_labels(const Statistics& statistics, const AnalysisModule& module) const;
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);

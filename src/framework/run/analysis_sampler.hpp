@@ -55,6 +55,8 @@ class LevelSampler {
   virtual std::size_t lines() const = 0;
   virtual void pack(const Warehouse& outputs, int rank, std::vector<double>& numbers) const = 0;
   virtual void write(RankNumbers& numbers, int step, double time) = 0;
+  // On rank 0, after all levels have written.
+  virtual void end_sample(int /*step*/, double /*time*/) {}
 
   // As AnalysisFile, for all files.
   virtual void flush(const std::filesystem::path& folder) = 0;

@@ -30,7 +30,11 @@ IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
 
 }  // namespace
 
-SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) {
+SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
+                       const std::vector<Label>& analysed) {
+  const auto is_analysed = [&](Label l) {
+    return std::find(analysed.begin(), analysed.end(), l) != analysed.end();
+  };
   SavedLabels saved;
   for (const SaveRequest& request : output.saves) {
     const std::optional<Label> label = find_label(request.label);
@@ -39,6 +43,8 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) 
     };
     if (label && label->info().centring == Centring::reduction) {
       add(saved.histories);
+    } else if (label && is_analysed(*label)) {
+      add(saved.analysed);
     } else if (label && solver.is_step_label(*label)) {
       add(saved.step);
     } else if (label && solver.is_diagnostic_label(*label)) {
@@ -46,7 +52,7 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) 
     } else {
       std::vector<std::string> names;
       for (Label l : all_labels())
-        if (solver.is_step_label(l) || solver.is_diagnostic_label(l) ||
+        if (solver.is_step_label(l) || solver.is_diagnostic_label(l) || is_analysed(l) ||
             l.info().centring == Centring::reduction)
           names.push_back(l.name());
       throw InputError(fmt::format("{}: <save label=\"{}\"> names no label of this run ({})",
@@ -60,12 +66,14 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver) 
 }
 
 OutputWriter::OutputWriter(const Scene& scene, const Component& component, Hierarchy& hierarchy,
-                           ArchiveWriter archive)
+                           ArchiveWriter archive, AnalysisRecorder* analysis)
     : scene_(&scene),
       component_(&component),
       hierarchy_(&hierarchy),
+      analysis_(analysis),
       archive_(std::move(archive)),
-      saved_(sort_saves(scene.output, hierarchy.level(0))) {}
+      saved_(sort_saves(scene.output, hierarchy.level(0),
+                        analysis != nullptr ? analysis->field_labels() : std::vector<Label>())) {}
 
 bool OutputWriter::wants(Label label, int material, int level,
                          const SaveRequest*& request) const {
@@ -110,6 +118,34 @@ void OutputWriter::add_output_pieces(LevelSolver& solver, bool initial,
   }
 }
 
+// Of the materials that have them.
+void OutputWriter::add_analysed_pieces(LevelSolver& solver, std::vector<FieldPiece>& pieces) const {
+  const Warehouse& outputs = solver.outputs();
+  const int level = solver.level().index;
+  for (int s = 0; s < outputs.slot_count(); ++s) {
+    const SlotInfo& slot = outputs.info(s);
+    if (std::find(saved_.analysed.begin(), saved_.analysed.end(), slot.label) ==
+        saved_.analysed.end())
+      continue;
+    const SaveRequest* request = nullptr;
+    if (!wants(slot.label, slot.material, level, request)) continue;
+    for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
+      for (int c = 0; c < slot.components; ++c) {
+        const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
+        FieldPiece piece;
+        piece.label = slot.label;
+        piece.material = slot.material;
+        piece.level = level;
+        piece.box_id = box.id;
+        piece.component = c;
+        piece.cells = box.cells;
+        piece.view = outputs.view(s, c, b);
+        piece.gzip = request->compression == "gzip" || scene_->output.compression == "gzip";
+        pieces.push_back(piece);
+      }
+  }
+}
+
 void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
                                          std::vector<FieldPiece>& pieces) const {
   const Warehouse& state = solver.state();
@@ -135,9 +171,12 @@ void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
 void OutputWriter::write_output(const StepInfo& info, bool initial) {
   const auto start = Clock::now();
   hierarchy_->compute_diagnostics(info.time, saved_.diagnostic);
+  if (!saved_.analysed.empty()) analysis_->store_fields(saved_.analysed);
   std::vector<FieldPiece> pieces;
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_output_pieces(hierarchy_->level(l), initial, pieces);
+  for (int l = 0; l < hierarchy_->level_count() && !saved_.analysed.empty(); ++l)
+    add_analysed_pieces(hierarchy_->level(l), pieces);
   archive_.write_output(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }
@@ -147,6 +186,7 @@ void OutputWriter::write_checkpoint(const StepInfo& info) {
   std::vector<FieldPiece> pieces;
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_checkpoint_pieces(hierarchy_->level(l), pieces);
+  if (analysis_ != nullptr) analysis_->add_checkpoint_pieces(pieces);
   archive_.write_checkpoint(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "framework/archive/archive_writer.hpp"
+#include "framework/run/analysis_recorder.hpp"
 #include "framework/run/component.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/scene/scene.hpp"
@@ -15,16 +16,19 @@ namespace sluice {
 struct SavedLabels {
   std::vector<Label> step;        // stored while a step runs
   std::vector<Label> diagnostic;  // computed from the state after it
+  std::vector<Label> analysed;    // fields that analyses keep
   std::vector<Label> histories;   // reductions
 };
 
-// Throws InputError naming entry and nearest label when a label is unknown.
-SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver);
+// Throws InputError naming entry and nearest label when a label is unknown. `analysed`: the labels of
+// fields that analyses keep.
+SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
+                       const std::vector<Label>& analysed = {});
 
 class OutputWriter {
  public:
   OutputWriter(const Scene& scene, const Component& component, Hierarchy& hierarchy,
-               ArchiveWriter archive);
+               ArchiveWriter archive, AnalysisRecorder* analysis = nullptr);
 
   const SavedLabels& saved() const { return saved_; }
   // Labels that a step must store for this output.
@@ -44,12 +48,14 @@ class OutputWriter {
 
  private:
   void add_output_pieces(LevelSolver& solver, bool initial, std::vector<FieldPiece>& pieces) const;
+  void add_analysed_pieces(LevelSolver& solver, std::vector<FieldPiece>& pieces) const;
   void add_checkpoint_pieces(LevelSolver& solver, std::vector<FieldPiece>& pieces) const;
   bool wants(Label label, int material, int level, const SaveRequest*& request) const;
 
   const Scene* scene_;
   const Component* component_;
   Hierarchy* hierarchy_;
+  AnalysisRecorder* analysis_;  // or null
   ArchiveWriter archive_;
   SavedLabels saved_;
   double seconds_ = 0;

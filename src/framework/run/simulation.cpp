@@ -75,7 +75,7 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   conservation_.restore(nlohmann::json::parse(kept.at("conservation")));
   ledger_ = EventLedger::from_json(nlohmann::json::parse(kept.at("events")));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
-    analysis_.restore(sampled->second);
+    analysis_.restore(sampled->second, &checkpoint);
   limit_ = limit_at_restart(kept);
   time_.remember_physics_dt(limit_.dt);
 }
@@ -108,8 +108,8 @@ void Simulation::start() {
     limit_ = hierarchy_.first_step_limit();
     time_.remember_physics_dt(limit_.dt);
   }
-  sort_saves(scene_.output,
-             hierarchy_.level(0));  // bad labels are found also when nothing is written
+  // Bad labels are found also when nothing is written.
+  sort_saves(scene_.output, hierarchy_.level(0), analysis_.field_labels());
   const bool writes = scene_.output.any() || scene_.output.checkpoint.any() || analysis_.any();
   if (options_.output && writes) {
     ArchiveWriter archive =
@@ -124,7 +124,8 @@ void Simulation::start() {
       level_history_.adopt(options_.restart, time_.state().time);
     }
     sample_levels();
-    output_ = std::make_unique<OutputWriter>(scene_, component_, hierarchy_, std::move(archive));
+    output_ = std::make_unique<OutputWriter>(scene_, component_, hierarchy_, std::move(archive),
+                                             &analysis_);
     if (!restarting && time_.outputs_initial_state()) output_->write_output(step_info(), true);
   }
   ProgressOptions p;
@@ -255,6 +256,7 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   if (hierarchy_.balance(plan.step) || regridded) {
     limit_ = hierarchy_.step_limit();
     time_.remember_physics_dt(limit_.dt);
+    analysis_.follow_levels();
   }
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -284,6 +286,7 @@ bool Simulation::step() {
   CycleResult result;
   plan = advance(plan, result);
   book(plan, result.sums);
+  analysis_.account(plan.dt, result.sums);
   limit_ = hierarchy_.step_limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

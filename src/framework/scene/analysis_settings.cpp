@@ -103,6 +103,12 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
   read_averages(node, materials, m, faults);
   read_analysis_places(node, m, faults);
   check_velocity(m);
+  const bool every_step =
+      m.name == "statistics" || m.name == "turbulentFluxes" || m.name == "vorticity";
+  if (!every_step && node.child("samplingFrequency") == nullptr)
+    add_error(
+        faults, node.where,
+        fmt::format("<Module> needs <samplingFrequency>: samples of {} per unit of time", m.name));
 }
 
 }  // namespace

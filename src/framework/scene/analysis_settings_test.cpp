@@ -48,14 +48,18 @@ TEST(AnalysisSettings, ModulesWithVariablesAndLines) {
 
 TEST(AnalysisSettings, PlanesPointsAndControlVolumes) {
   const AnalysisSettings a = read(R"(
-    <Module name="planeAverage"><planeOrientation>XZ</planeOrientation><weight label="mass_adv"/>
+    <Module name="planeAverage"><samplingFrequency>1</samplingFrequency>
+      <planeOrientation>XZ</planeOrientation><weight label="mass_adv"/>
       <Variables><analyze label="rho_CC" weighting="mass"/><analyze label="press_CC"/>
       </Variables></Module>
-    <Module name="planeExtract"><planes><plane name="p"><startingPt>[1,0.5,0]</startingPt>
+    <Module name="planeExtract"><samplingFrequency>1</samplingFrequency>
+      <planes><plane name="p"><startingPt>[1,0.5,0]</startingPt>
       <endingPt>[0,0.5,1]</endingPt></plane></planes></Module>
-    <Module name="controlVolFluxes"><controlVolumes><box label="b"><min>[0,0,0]</min>
+    <Module name="controlVolFluxes"><samplingFrequency>1</samplingFrequency>
+      <controlVolumes><box label="b"><min>[0,0,0]</min>
       <max>[1,2,3]</max></box></controlVolumes></Module>
-    <Module name="firstLawThermo"><engy_convt_factor>0.001</engy_convt_factor><controlVolume>
+    <Module name="firstLawThermo"><samplingFrequency>1</samplingFrequency>
+      <engy_convt_factor>0.001</engy_convt_factor><controlVolume>
       <Face side="x+" extents="entireFace"/><Face side="z-" extents="partialFace">
       <startPt>[0,1,0]</startPt><endPt>[1,0,0]</endPt></Face></controlVolume></Module>)");
   ASSERT_EQ(a.modules.size(), 4u);
