@@ -7,7 +7,7 @@
 //   p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2,   p = reference_pressure at cell (0,0,0).
 // A gas keeps the density of the deck, and its internal energy follows from both; a liquid or solid
 // (law that bears tension, or whose pressure knows density alone) keeps the temperature, and its
-// density follows, if that changes it by little.
+// density follows, if that changes it by little (docs/initial_state.md).
 #include "ice/initial_state.hpp"
 
 #include <fmt/format.h>

@@ -119,6 +119,7 @@ void balance_weight(const IceScene& scene, const PhysicalConstants& constants,
   for (std::size_t m = 0; m < fill.materials.size(); ++m)
     for (std::size_t n = 0; n < surrounding.pressure.size(); ++n) {
       MaterialFill& body = fill.materials[m];
+      if (body.volume_fraction[n] == 0) continue;
       set_pressure(scene.materials[m],
                    what_is_kept(scene.materials[m], body.density[n], body.temperature[n],
                                 constants.reference_pressure),

@@ -197,10 +197,14 @@ TEST(MaterialFill, TheSurroundingMaterialMakesThePressure) {
     const double rho = surrounding == 0 ? 1.2 : 1000;
     for_each_cell(mix.cells, [&](IntVec3 c) {
       const std::size_t n = mix.offset(c);
-      EXPECT_EQ(mix.materials[0].pressure[n], mix.materials[1].pressure[n]);
-      EXPECT_EQ(mix.materials[0].pressure[n], mix.materials[0].pressure[mix.offset({0, c.y, 0})]);
-      EXPECT_NEAR(mix.materials[0].pressure[n], 1e5 - 9.81 * rho * 0.125 * c.y,
-                  surrounding == 0 ? 1e-9 : 2.0 * 9.81 * c.y);
+      const std::size_t side = mix.offset({0, c.y, 0});  // air alone
+      for (const MaterialFill& m : mix.materials)
+        if (m.volume_fraction[n] > 0) {
+          EXPECT_EQ(m.pressure[n], mix.materials[0].pressure[side]);
+        }
+      if (mix.materials[1].volume_fraction[n] == 0) return;
+      EXPECT_NEAR(mix.materials[1].pressure[n], 1e5 - 9.81 * rho * 0.125 * c.y,
+                  surrounding == 0 ? 1e-9 : 0.02 * c.y);
       // The gas keeps its density, the liquid its temperature.
       EXPECT_EQ(mix.materials[0].density[n], 1.2);
       EXPECT_EQ(mix.materials[1].temperature[n], 300);
