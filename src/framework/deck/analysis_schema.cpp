@@ -218,6 +218,7 @@ void add_analysis_tags(Schema& schema) {
           .with_children(volume_tags())
           .with_children(unneeded_labels())
           .with_children(statistics_tags());
+  schema.rules.emplace_back(check_analyses);
   schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
 }
 

@@ -68,11 +68,31 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
   }
 }
 
+// The materials that have a field, as the component declares it.
+std::vector<int> AnalysisRecorder::materials_of(Label label) const {
+  const Component& component = hierarchy_->component();
+  TaskList list;
+  StepVariant general;
+  general.kind = component.step_kinds() - 1;
+  component.declare_step(list, general);
+  component.declare_diagnostics(list, 0);
+  std::vector<int> materials;
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output && v.label == label) materials.push_back(v.material);
+  return materials;
+}
+
 AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
   const LevelSolver& solver = hierarchy_->level(0);  // labels are the same on all levels
   const std::optional<Label> label = find_label(v.label);
-  if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label)))
-    return {*label, v.material, component_count(label->info().type)};
+  if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label))) {
+    const std::vector<int> materials = materials_of(*label);
+    if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
+      return {*label, v.material, component_count(label->info().type)};
+    throw InputError(fmt::format(
+        "{}: <analyze label=\"{}\">: there is none of material {}, but of {}; say which with matl",
+        to_string(v.where), v.label, v.material, fmt::join(materials, ", ")));
+  }
   std::vector<std::string> names;
   for (Label l : all_labels())
     if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());

@@ -84,6 +84,7 @@ class AnalysisRecorder {
   };
   using Visit = std::function<void(int level, LevelSampler&)>;
 
+  std::vector<int> materials_of(Label label) const;
   AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
   std::unique_ptr<VolumeBudgets> make_budgets(const AnalysisModule& module, int first);
   // Lines, planes and volumes: their names, and whether the domain holds them.

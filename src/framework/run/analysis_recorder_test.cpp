@@ -175,6 +175,17 @@ TEST_F(Recorded, UnknownLabelsAreRefusedOnWhateverLevel) {
   }
 }
 
+TEST_F(Recorded, AFieldOfAnotherMaterialIsRefused) {
+  scene_.analysis.modules = {module_of("minMax", {variable("mock_square")})};
+  scene_.analysis.modules[0].variables[0].material = 1;
+  try {
+    recorder();
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("there is none of material 1, but of 0"));
+  }
+}
+
 TEST_F(Recorded, TimesOfSamplesOutliveARestart) {
   scene_.analysis.modules = {module_of("minMax", {variable("mock_square", "1")}),
                              module_of("minMax", {variable("mock_square", "0")})};

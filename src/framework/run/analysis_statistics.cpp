@@ -58,7 +58,8 @@ Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, H
     const AnalysedVariable& v = module.variables[n];
     const std::vector<std::size_t>&own = of_variable[n], &u = of_variable[velocity];
     if (n == velocity || own.size() != 1) continue;
-    add_derived("covariance_" + v.label, ValueType::vector, "", v.material, 5,
+    add_derived("covariance_" + v.label, ValueType::vector,
+                quantities_[n].label.info().unit + " m/s", v.material, 5,
                 {add_product(own[0], u[0]), add_product(own[0], u[1]), add_product(own[0], u[2])},
                 "Covariances over time of a scalar with the components of the velocity.");
   }

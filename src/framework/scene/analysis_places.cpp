@@ -37,20 +37,11 @@ AnalysedPlane read_plane(const DeckNode& node) {
   plane.name = file_name(node, "name");
   plane.start = node.vector("startingPt");
   plane.end = node.vector("endingPt");
-  int flat = 0;
-  for (int d = 0; d < 3; ++d) {
-    if (plane.start[d] == plane.end[d]) {
+  for (int d = 2; d >= 0; --d)
+    if (plane.start[d] == plane.end[d])
       plane.normal = d;
-      ++flat;
-    } else if (plane.start[d] > plane.end[d]) {
+    else if (plane.start[d] > plane.end[d])
       std::swap(plane.start[d], plane.end[d]);
-    }
-  }
-  if (flat != 1)
-    throw InputError(fmt::format(
-        "<plane name=\"{}\">: startingPt and endingPt agree in {} coordinates; the corners of a "
-        "plane along the axes agree in exactly one (for a line use lineExtract)",
-        plane.name, flat));
   return plane;
 }
 
@@ -66,10 +57,6 @@ void read_corners(const DeckNode& box, ControlVolume& v) {
   v.whole = false;
   v.low = box.vector("min");
   v.high = box.vector("max");
-  for (int d = 0; d < 3; ++d)
-    if (!(v.low[d] < v.high[d]))
-      throw InputError(fmt::format("<box>: min {} is not below max {} in direction {}", v.low[d],
-                                   v.high[d], "xyz"[d]));
 }
 
 // A box of <controlVolumes>: all of its sides count.
@@ -86,14 +73,9 @@ void read_side(const DeckNode& face, ControlVolume& v) {
   const std::string side = face.attribute("side").value_or("");
   for (std::size_t s = 0; s < 6; ++s) {
     if (side != side_names[s]) continue;
-    if (v.sides[s].counts)
-      throw InputError(fmt::format("<Face side=\"{}\"> is named twice; once is enough", side));
     v.sides[s].counts = true;
     v.sides[s].whole = face.attribute("extents").value_or("entireFace") == "entireFace";
     if (v.sides[s].whole) return;
-    if (face.child("startPt") == nullptr || face.child("endPt") == nullptr)
-      throw InputError(fmt::format(
-          "<Face side=\"{}\">: a partialFace needs <startPt> and <endPt>, its corners", side));
     v.sides[s].start = face.vector("startPt");
     v.sides[s].end = face.vector("endPt");
     for (int d = 0; d < 3; ++d)

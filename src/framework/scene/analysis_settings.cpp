@@ -60,22 +60,6 @@ void read_averages(const DeckNode& node, const std::vector<std::string>& materia
   if (const DeckNode* velocity = node.child("velocity"))
     collect(faults, velocity->where,
             [&] { m.velocity = read_variable(*velocity, m.material, materials); });
-  for (const AnalysedVariable& v : m.variables)
-    if (v.weighting == Weighting::mass && m.weight.empty())
-      add_error(
-          faults, v.where,
-          fmt::format("<analyze label=\"{}\" weighting=\"mass\">: weighted by what?", v.label),
-          "name it in the module: <weight label=\"mass_adv\"/>");
-}
-
-// What one of the variables must be for this module.
-void check_velocity(const AnalysisModule& m) {
-  if (m.name != "turbulentFluxes") return;
-  for (const AnalysedVariable& v : m.variables)
-    if (v.fluid_velocity) return;
-  throw InputError(
-      "<Module name=\"turbulentFluxes\">: which variable is the velocity? Add "
-      "fluidVelocityLabel=\"true\" to its <analyze>");
 }
 
 void read_module(const DeckNode& node, const std::vector<std::string>& materials, AnalysisModule& m,
@@ -90,10 +74,6 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
   m.time_start = real_or(node, "timeStart", 0);
   m.time_stop = real_or(node, "timeStop", std::numeric_limits<double>::max());
   if (m.sampling_frequency < 0) throw InputError("<Module>: samplingFrequency must be at least 0");
-  if (m.time_start > m.time_stop)
-    throw InputError(
-        fmt::format("<Module>: timeStart {} lies after timeStop {}: nothing is sampled",
-                    m.time_start, m.time_stop));
   if (const DeckNode* variables = node.child("Variables"))
     for (const DeckNode* v : variables->all("analyze"))
       collect(faults, v->where,
@@ -102,13 +82,6 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
   m.energy_factor = real_or(node, "engy_convt_factor", 1);
   read_averages(node, materials, m, faults);
   read_analysis_places(node, m, faults);
-  check_velocity(m);
-  const bool every_step =
-      m.name == "statistics" || m.name == "turbulentFluxes" || m.name == "vorticity";
-  if (!every_step && node.child("samplingFrequency") == nullptr)
-    add_error(
-        faults, node.where,
-        fmt::format("<Module> needs <samplingFrequency>: samples of {} per unit of time", m.name));
 }
 
 }  // namespace

@@ -102,28 +102,6 @@ TEST(AnalysisSettings, Faults) {
       {"<Module name=\"lineExtract\"><lines><line name=\"../up\"><startingPt>[0,0,0]</startingPt>"
        "<endingPt>[0,0,0]</endingPt></line></lines></Module>",
        "cannot be a folder's name"},
-      {"<Module name=\"planeExtract\"><planes><plane name=\"p\"><startingPt>[0,0,0]</startingPt>"
-       "<endingPt>[1,1,1]</endingPt></plane></planes></Module>",
-       "agree in 0 coordinates"},
-      {"<Module name=\"planeExtract\"><planes><plane name=\"p\"><startingPt>[0,0,0]</startingPt>"
-       "<endingPt>[0,0,1]</endingPt></plane></planes></Module>",
-       "for a line use lineExtract"},
-      {"<Module name=\"minMax\"><timeStart>2</timeStart><timeStop>1</timeStop></Module>",
-       "lies after timeStop"},
-      {"<Module name=\"planeAverage\"><Variables><analyze label=\"T\" weighting=\"mass\"/>"
-       "</Variables></Module>",
-       "weighted by what?"},
-      {"<Module name=\"turbulentFluxes\"><Variables><analyze label=\"T\"/></Variables></Module>",
-       "fluidVelocityLabel"},
-      {"<Module name=\"controlVolFluxes\"><controlVolumes><box label=\"b\"><min>[0,0,0]</min>"
-       "<max>[1,0,1]</max></box></controlVolumes></Module>",
-       "not below max 0 in direction y"},
-      {"<Module name=\"momentumAnalysis\"><controlVolume><Face side=\"x-\" extents=\"entireFace\"/>"
-       "<Face side=\"x-\" extents=\"entireFace\"/></controlVolume></Module>",
-       "named twice"},
-      {"<Module name=\"momentumAnalysis\"><controlVolume><Face side=\"x-\" "
-       "extents=\"partialFace\"/></controlVolume></Module>",
-       "needs <startPt> and <endPt>"},
   };
   for (const Case& c : cases) {
     std::string said;

@@ -1,0 +1,227 @@
+// On-the-fly analysis of whole runs: budgets that close on moving levels, and files that neither
+// ranks, boxes, threads nor a restart change.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "framework/base/temporary_folder.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The numbers of a file, a vector a line.
+std::vector<std::vector<double>> lines_of(const fs::path& path) {
+  std::vector<std::vector<double>> lines;
+  std::istringstream text(text_of(path));
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    for (char& c : line)
+      if (c == ',') c = ' ';
+    std::istringstream words(line);
+    lines.emplace_back();
+    for (double x = 0; words >> x;) lines.back().push_back(x);
+  }
+  return lines;
+}
+
+constexpr const char* times =
+    "<materialIndex>0</materialIndex><samplingFrequency>30</samplingFrequency>"
+    "<timeStart>0.05</timeStart><timeStop>9</timeStop>";
+
+std::string module_text(const std::string& name, const std::string& content) {
+  return "<Module name=\"" + name + "\">" + times + content + "</Module>\n";
+}
+
+class AnalysisRuns : public ::testing::Test {
+ protected:
+  // One of our decks with these modules.
+  void write_deck(const std::string& deck, const std::string& modules,
+                  const std::string& saves_too = "") {
+    std::string text = text_of(fs::path(SLUICE_SOURCE_DIR "/inputs/ice") / (deck + ".ups"));
+    const std::string end = "</Uintah_specification>";
+    const auto at = text.rfind(end);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, end.size(), "<DataAnalysis>" + modules + "</DataAnalysis>" + end);
+    text.insert(text.find("</DataArchiver>"), saves_too);
+    std::ofstream(folder_ / "deck.ups") << text;
+  }
+  // The archive of a run into a folder of this name.
+  fs::path run(const std::string& name, const std::string& arguments, int ranks = 1) const {
+    const fs::path folder = folder_ / name;
+    fs::create_directories(folder);
+    std::string command = std::string(SLUICE_COMMAND) + " run -o " + folder.string() + " " +
+                          arguments + " > " + (folder / "said").string() + " 2>&1";
+    if (ranks > 1)
+      command = std::string(SLUICE_MPIEXEC) + " --allow-run-as-root --oversubscribe -np " +
+                std::to_string(ranks) + " " + command;
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(status, 0) << text_of(folder / "said");
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.is_directory() && !entry.is_symlink()) return entry.path();
+    ADD_FAILURE() << "no archive";
+    return {};
+  }
+  std::string deck() const { return (folder_ / "deck.ups").string(); }
+
+  // Every file that analyses have written: those of the archive that are neither XML, JSON nor
+  // fields.
+  static std::map<std::string, std::string> samples(const fs::path& archive) {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(archive)) {
+      const std::string name = fs::relative(entry.path(), archive).string();
+      const std::string end = entry.path().extension().string();
+      if (!entry.is_regular_file() || end == ".xml" || end == ".h5" || end == ".json" ||
+          name == "levels.txt")
+        continue;
+      found[name] = text_of(entry.path());
+    }
+    return found;
+  }
+
+  // All outputs and the last checkpoints, those of statistics among them.
+  static void expect_same_fields(const fs::path& a, const fs::path& b) {
+    const std::string compare = std::string(SLUICE_COMMAND) + " compare --common-times --quiet " +
+                                a.string() + " " + b.string();
+    EXPECT_EQ(std::system(compare.c_str()), 0);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// The change of what is held between two lines is what the rates of the second say: columns of
+// what is held, and for each the columns of what adds to it (from the second group on).
+void expect_closed(const std::vector<std::vector<double>>& lines, std::size_t held,
+                   const std::vector<std::pair<std::size_t, double>>& rates, double size,
+                   double tolerance) {
+  ASSERT_GE(lines.size(), 5u);
+  for (std::size_t n = 1; n < lines.size(); ++n) {
+    const double dt = lines[n][0] - lines[n - 1][0];
+    double gained = 0;
+    for (const auto& [column, sign] : rates) gained += sign * lines[n][column] * dt;
+    EXPECT_NEAR(lines[n][held] - lines[n - 1][held], gained, tolerance * size)
+        << "column " << held << ", line " << n;
+  }
+}
+
+const std::string square = "<box><min>[-1,-2,0]</min><max>[2,1,1]</max></box>";
+const std::string budgets =
+    module_text("controlVolFluxes",
+                "<controlVolumes><box label=\"square\"><min>[-1,-2,0]</min><max>[2,1,1]</max></box>"
+                "</controlVolumes>") +
+    module_text("momentumAnalysis", "<controlVolume>" + square + "</controlVolume>") +
+    module_text("firstLawThermo", "<controlVolume>" + square + "</controlVolume>");
+const std::string small = " --set Time/maxTime=0.6 --set Grid/Level/Box/resolution=[32,32,1]";
+
+// A vortex that moves into the volume, followed by a finer level. The volume holds 9/8 of mass,
+// momentum and energy of the order of 1. Measured: 1e-16, 2e-16, 4e-16.
+TEST_F(AnalysisRuns, BudgetsCloseWhileLevelsMove) {
+  write_deck("amr_vortex_followed", budgets);
+  const fs::path archive = run("a", deck() + small);
+  const auto mass = lines_of(archive / "square.dat");
+  expect_closed(mass, 1, {{2, 1.0}, {3, 1.0}, {4, 1.0}}, 1, 2e-15);
+  double most = 0;
+  for (const auto& line : mass) {
+    EXPECT_NEAR(line[2], line[5] - line[6], 1e-14);
+    EXPECT_NEAR(line[3], line[7] - line[8], 1e-14);
+    EXPECT_EQ(line[9], 0.0) << "z is no dimension of this run";
+    most = std::max(most, std::fabs(line[5]));
+  }
+  EXPECT_GT(most, 0.1) << "something flows";
+  const auto momentum = lines_of(archive / "momentumAnalysis.dat");
+  for (std::size_t d = 0; d < 3; ++d)
+    expect_closed(momentum, 1 + d, {{4 + d, 1.0}, {7 + d, 1.0}, {10 + d, 1.0}, {13 + d, 1.0}}, 1,
+                  2e-15);
+  auto energy = lines_of(archive / "1stLawThermo.dat");
+  for (auto& line : energy) line.push_back(line[3] + line[5]);  // internal and kinetic
+  expect_closed(energy, 7, {{4, -1.0}, {6, 1.0}}, 1, 4e-15);
+}
+
+// A tenfold pressure jump in a closed tube with gravity and friction; pressures of the order of 10.
+// The second budget is of the whole tube. Measured: 2e-15 of it.
+TEST_F(AnalysisRuns, BudgetsCloseUnderGravityWithFriction) {
+  const std::string part = "<box><min>[0.1,0,0]</min><max>[0.7,1,1]</max></box>";
+  write_deck("hot_gas_under_gravity",
+             module_text("momentumAnalysis", "<controlVolume>" + part + "</controlVolume>") +
+                 module_text("firstLawThermo", "<controlVolume/>"));
+  const fs::path archive =
+      run("a", deck() + " --set MaterialProperties/ICE/material/dynamic_viscosity=0.01");
+  const auto momentum = lines_of(archive / "momentumAnalysis.dat");
+  expect_closed(momentum, 1, {{4, 1.0}, {7, 1.0}, {10, 1.0}, {13, 1.0}}, 10, 4e-15);
+  double friction = 0;
+  for (const auto& line : momentum) {
+    EXPECT_LT(line[13], -0.05) << "gravity pulls";
+    friction = std::max(friction, std::fabs(line[7]));
+  }
+  EXPECT_GT(friction, 1e-3);
+  auto energy = lines_of(archive / "1stLawThermo.dat");
+  for (auto& line : energy) {
+    EXPECT_NEAR(line[4], 0.0, 1e-18) << "nothing passes a wall";
+    EXPECT_NE(line[6], 0.0);
+    line.push_back(line[3] + line[5]);
+  }
+  expect_closed(energy, 7, {{4, -1.0}, {6, 1.0}}, 10, 4e-15);
+}
+
+const std::string all_kinds =
+    budgets +
+    module_text("planeExtract",
+                "<Variables><analyze label=\"temp_CC\"/><analyze label=\"uvel_FC\" level=\"1\"/>"
+                "</Variables><planes><plane name=\"cut\"><startingPt>[-0.3,-9,0]</startingPt>"
+                "<endingPt>[-0.3,9,0.1]</endingPt></plane></planes>") +
+    module_text("planeAvgTurbFluxes",
+                "<planeOrientation>XZ</planeOrientation><weight label=\"rho_CC\"/>"
+                "<velocity label=\"vel_CC\" weighting=\"mass\"/><Variables>"
+                "<analyze label=\"press_CC\" weighting=\"nCells\"/></Variables>") +
+    module_text("minMax", "<Variables><analyze label=\"vorticity\"/></Variables>") +
+    module_text("pointExtract",
+                "<Variables><analyze label=\"press_CC\"/><analyze label=\"vel_CC\"/></Variables>"
+                "<points><point name=\"p\"><position>[0.3,0.1,0]</position></point></points>") +
+    module_text("statistics",
+                "<computeHigherOrderStats>true</computeHigherOrderStats><Variables>"
+                "<analyze label=\"temp_CC\"/><analyze label=\"vel_CC\" "
+                "computeReynoldsStress=\"true\"/></Variables>");
+const std::string saves =
+    "<save label=\"mean_temp_CC\"/><save label=\"variance_temp_CC\"/>"
+    "<save label=\"kurtosis_vel_CC\"/><save label=\"uv_vw_wu_prime\"/>";
+
+TEST_F(AnalysisRuns, NeitherRanksNorBoxesNorThreadsShow) {
+  write_deck("amr_vortex_followed", all_kinds, saves);
+  const fs::path a = run("a", deck() + small);
+  const fs::path b =
+      run("b", deck() + small + " --set Grid/Level/Box/patches=[3,2,1] --threads 2", 3);
+  const auto whole = samples(a);
+  EXPECT_GT(whole.size(), 50u);
+  EXPECT_EQ(whole, samples(b));
+  expect_same_fields(a, b);
+}
+
+TEST_F(AnalysisRuns, ARestartGoesOnAsIfNothingHadHappened) {
+  write_deck("amr_vortex_followed", all_kinds, saves);
+  const std::string checkpoints = small +
+                                  " --set DataArchiver/checkpoint/@timestepInterval=7 "
+                                  "--set DataArchiver/checkpoint/@cycle=2";
+  const fs::path whole = run("a", deck() + checkpoints);
+  const fs::path first = run("b", deck() + checkpoints + " --max-steps 8");
+  const fs::path second = run("c", "--restart " + first.string() + " --set Time/maxTime=0.6");
+  EXPECT_EQ(samples(whole), samples(second));
+  expect_same_fields(whole, second);
+}
+
+}  // namespace
+}  // namespace sluice
