@@ -9,14 +9,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "verification/amr_case.hpp"
 
 namespace sluice::verification {
 namespace {
 
-// Of the jump. Measured at Mach 1.2, 1.5, 1.8: out by 2 0.0029, 0.0066, 0.0087, out by 4 0.0057,
-// 0.0124, 0.0146 (the last two shed more than that by nature); in at most 0.0065.
+// Of the jump. Measured at Mach 1.2, 1.5, 1.8: out by 2 0.0029, 0.0061, 0.0084, out by 4 0.0023,
+// 0.0054, 0.0075 (without what prepares them 0.0055, 0.0124, 0.0142); in at most 0.0065.
 constexpr double allowed_peak = .01;
 
 // Gas at density 1.4, pressure 1 and rest ahead of a shock that starts at 0.1 or at the interface.
@@ -25,6 +26,7 @@ struct Shock {
   double pressure() const { return 1 + 2.8 / 2.4 * (mach * mach - 1); }
   double density() const { return 1.4 * 2.4 * mach * mach / (.4 * mach * mach + 2); }
   double velocity() const { return 2 / 2.4 * (mach - 1 / mach); }
+  double sound_speed() const { return std::sqrt(1.4 * pressure() / density()); }
 };
 
 struct Wave {
@@ -45,16 +47,16 @@ std::vector<std::string> shock_overrides(const Shock& shock) {
           fmt::format("{}velocity=[{:.17g},0,0]", behind, shock.velocity())};
 }
 
-// Between the gas that the start has marked, which lies at `marked`, and the shock.
-Wave wave_behind(const CaseRun& run, const Shock& shock, double marked) {
+// Between the wave that the start has shed, which lies at `shed`, and the shock.
+Wave wave_behind(const CaseRun& run, const Shock& shock, double shed) {
   Wave wave;
   const double jump = shock.pressure() - 1;
   for (const LevelCell& cell : level_cells(run, "press_CC")) {
     if (cell.covered) continue;
     const double off = (cell.value - shock.pressure()) / jump;
-    if (cell.centre.x > marked + .04 && cell.centre.x < end - .05)
+    if (cell.centre.x > shed + .1 && cell.centre.x < end - .05)
       wave.peak = std::max(wave.peak, std::abs(off));
-    if (cell.centre.x > marked + .04 && cell.centre.x < interface)
+    if (cell.centre.x > shed + .1 && cell.centre.x < interface)
       wave.integral += off * cell.volume * 1e4;  // the tube's section is 1e-4
     if (off > -.5) wave.front = std::max(wave.front, cell.centre.x);
   }
@@ -70,7 +72,8 @@ Wave pass(const Shock& shock, int ratio, bool entering) {
   }
   const CaseRun run("amr_shock_leaving", overrides);
   EXPECT_EQ(run.events(), 0);
-  return wave_behind(run, shock, start + shock.velocity() * (end - start) / shock.mach);
+  const double backwards = shock.velocity() - shock.sound_speed();
+  return wave_behind(run, shock, start + backwards * (end - start) / shock.mach);
 }
 
 struct Passage {
@@ -93,13 +96,34 @@ INSTANTIATE_TEST_SUITE_P(
     Of, AmrPassage,
     testing::Values(Passage{"WeakOut", 1.2, 2, false}, Passage{"MiddlingOut", 1.5, 2, false},
                     Passage{"StrongOut", 1.8, 2, false}, Passage{"WeakOutByFour", 1.2, 4, false},
-                    Passage{"WeakIn", 1.2, 2, true}, Passage{"MiddlingIn", 1.5, 2, true},
-                    Passage{"MiddlingInByFour", 1.5, 4, true}),
+                    Passage{"MiddlingOutByFour", 1.5, 4, false},
+                    Passage{"StrongOutByFour", 1.8, 4, false}, Passage{"WeakIn", 1.2, 2, true},
+                    Passage{"MiddlingIn", 1.5, 2, true}, Passage{"MiddlingInByFour", 1.5, 4, true}),
     [](const auto& test) { return std::string(test.param.name); });
+
+// A round shock that leaves a square of fine cells through all its sides.
+TEST(AmrPassage, LeavesAllSidesAlike) {
+  const std::string formula = "CFD/ICE/customInitialization/formula/";
+  const CaseRun run(
+      "amr_vortex",
+      {level_resolution(1, 32, 32), level_resolution(2, 64, 64), formula + "velocity_x=0",
+       formula + "velocity_y=0", formula + "density=1", formula + "pressure=x^2 + y^2 < 10 ? 5 : 1",
+       "Time/maxTime=2", "DataArchiver/outputInterval=2"});
+  for (const int level : {0, 1}) {
+    std::map<std::pair<double, double>, double> values;
+    for (const LevelCell& c : level_cells(run, "press_CC"))
+      if (c.level == level) values[{c.centre.x, c.centre.y}] = c.value;
+    for (const auto& [at, value] : values) {
+      EXPECT_EQ(value, values.at({-at.first, at.second}));
+      EXPECT_EQ(value, values.at({at.second, at.first}));
+    }
+  }
+  EXPECT_EQ(run.events(), 0);
+}
 
 // From spacing h/r to h the shock sheds (1 - 1/r) of what a jump sheds that starts on spacing h.
 TEST(AmrPassage, InterfaceAddsNothingToWhatACapturedShockSheds) {
-  constexpr double allowed = .1;  // 0.504 for 0.5, 0.760 for 0.75
+  constexpr double allowed = .1;  // 0.477 for 0.5, 0.730 for 0.75
   const Shock shock{1.5};
   std::vector<std::string> overrides = shock_overrides(shock);
   overrides.push_back(resolution(100));

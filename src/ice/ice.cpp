@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ice/classic/classic.hpp"
+#include "ice/conservative/leaving_shocks.hpp"
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
 #include "ice/mixture/variables.hpp"
@@ -113,9 +114,8 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
-    boundary_.push_back(
-        std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots, level,
-                                       ice_.conditions));
+    boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
+                                                       level, ice_.conditions));
 }
 
 SchemeOptions Ice::at_level(int level) const {
@@ -250,6 +250,12 @@ int Ice::reduction_sums() const {
 bool Ice::quiet_blocks_allowed() const {
   return !options_.gravity_on &&
          (first_volume_sum() < 0 || control_volumes(scene_->analysis).empty());
+}
+
+// A regridder follows shocks: they do not leave its levels.
+IntVec3 Ice::interface_depth(const Level& level) const {
+  if (options_.classic || !options_.second_order || scene_->refinement.adaptive) return {};
+  return leaving_depth(level);
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {

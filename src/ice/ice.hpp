@@ -29,6 +29,7 @@ class Ice : public Component {
   std::optional<double> absent_value(Label label, int material, int kind) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
   const TransferOperators& transfer() const override { return *transfer_; }
+  IntVec3 interface_depth(const Level& level) const override;
   Label refine_flag() const override;
   std::vector<ErrorEstimate> error_estimates() const override { return estimates_; }
   Label mask_label() const override;

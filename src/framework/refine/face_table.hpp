@@ -8,6 +8,8 @@
 
 namespace sluice {
 
+class InterfaceDistance;
+
 // The active directions of a level in order.
 Axes active_axes(const Level& level);
 
@@ -77,6 +79,8 @@ class FaceTable {
 struct FluxRecorder {
   FaceTable* as_coarse = nullptr;  // towards the next finer level
   FaceTable* as_fine = nullptr;    // towards the next coarser level
+  // Where the level ends, if the component asked for it.
+  const InterfaceDistance* ends = nullptr;
 };
 
 inline std::span<const FaceTable::Segment> FaceTable::segments(int box, int axis,

@@ -126,6 +126,8 @@ class Component {
   virtual void declare_diagnostics(TaskList& list, int level) const = 0;
   // What happens where levels meet.
   virtual const TransferOperators& transfer() const = 0;
+  // How many cells before its end a level is to know of it, by direction; 0: need not.
+  virtual IntVec3 interface_depth(const Level& /*level*/) const { return {}; }
   // The diagnostic label that is 1 in cells that ask for refinement.
   virtual Label refine_flag() const = 0;
   // Criteria that need to know the range of a variable over all levels and ranks.

@@ -36,6 +36,7 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   done_.assign(levels.size(), 0);
   ends_.assign(levels.size(), 0.0);
   maxima_.resize(levels.size());
+  ends_of_levels_.resize(levels.size());
   costs_.resize(levels.size());
   joints_.resize(levels.size());
   if (component.first_volume_sum() >= 0)

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "framework/refine/interface_distance.hpp"
 #include "framework/refine/level_transfer.hpp"
 #include "framework/refine/regridder.hpp"
 #include "framework/run/event_ledger.hpp"
@@ -121,6 +122,7 @@ class Hierarchy {
   std::vector<double> ends_;                    // of the last sweep over a level: its time
   std::vector<std::vector<double>> maxima_;     // rates by level
   std::vector<LevelCost> costs_;
+  std::vector<InterfaceDistance> ends_of_levels_;
   std::vector<VolumeCells> volumes_;
   std::optional<Regridder> regridder_;
   RefinementFlags refinement_flags_;

@@ -42,6 +42,10 @@ void Hierarchy::join_levels() {
     FluxRecorder recorder;
     if (joints_[n] != nullptr) recorder.as_coarse = &joints_[n]->fluxes.coarse_faces();
     if (l > 0 && joints_[n - 1] != nullptr) recorder.as_fine = &joints_[n - 1]->fluxes.fine_faces();
+    ends_of_levels_[n] =
+        InterfaceDistance(level(l).level(), rank, component_->interface_depth(level(l).level()),
+                          halo_width(*component_));
+    if (!ends_of_levels_[n].empty()) recorder.ends = &ends_of_levels_[n];
     const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
     level(l).join(recorder, LevelCoverage(level(l).level(), finer, rank));
     level(l).touch();

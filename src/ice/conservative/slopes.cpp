@@ -6,6 +6,8 @@
 // with h = dt/(2 dx). Under gravity the pressure differences are taken from the discrete
 // hydrostatic balance p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2, so that a column at rest has
 // no slope; the flow carries the whole pressure, sp_d + g dx rho.
+#include "framework/refine/face_table.hpp"
+#include "ice/conservative/leaving_shocks.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 
@@ -111,6 +113,15 @@ void mask_rows(const Row& row, const Handles& h) {
     }
 }
 
+template <int D>
+void damp_rows(const Row& row, const Handles& h, const InterfaceDistance& ends) {
+  for (int d = 0; d < D; ++d)
+    damp_leaving_shocks(
+        row, ends, d,
+        {row(h.pressure, 0, d, -1), row(h.pressure, 0, d, 1), row(h.rho), row(h.sound)},
+        row(h.pressure_slope, d));
+}
+
 }  // namespace
 
 void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
@@ -141,6 +152,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         if constexpr (D > 1) transverse_row<D>(row, h, d, half_courant);
       }
       if (o.masked) mask_rows<D>(row, h);
+      if (o.recorder != nullptr && o.recorder->ends != nullptr)
+        damp_rows<D>(row, h, *o.recorder->ends);
       predict_row<D>(row, h, half_courant, g_dx);
     });
   });
