@@ -69,6 +69,7 @@ std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeO
     mixture::declare_quantities(quantities);
   else
     declare_of_one(quantities);
+  declare_amounts(quantities);
   return std::move(quantities).all();
 }
 

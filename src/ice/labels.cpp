@@ -44,6 +44,8 @@ void declare_primitives(Labels& l) {
   l.sound_speed = cell("speedSound_CC", "m/s", "Speed of sound.");
   l.mach = cell("mach", "1", "Speed over speed of sound.");
   l.sum_rho = cell("sum_rho_CC", "kg/m^3", "Mass of all materials per volume of the cell.");
+  l.mass_of_cell = cell("mass_adv", "kg", "Mass of the material in the cell.");
+  l.momentum_of_cell = cell_vector("mom_adv", "kg m/s", "Momentum of the material in the cell.");
   l.compressibility =
       cell("compressiblity", "1/Pa", "Specific volume over the speed of sound squared.");
   l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity.");

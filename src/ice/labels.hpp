@@ -17,6 +17,7 @@ struct Labels {
   Label rho_micro, gradient_rho, gradient_temperature, gradient_pressure, gradient_volume_fraction;
   Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, specific_heat, gamma;
   Label thermal_conductivity, compressibility;
+  Label mass_of_cell, momentum_of_cell;
 
   // From within a step.
   Label equilibrium_pressure, pressure_change, lagrangian_momentum;

@@ -21,6 +21,7 @@ class QuantityList {
   TaskList& list() { return list_; }
   const SchemeOptions& options() const { return o_; }
   std::vector<DiagnosticQuantity> all() && { return std::move(all_); }
+  const std::vector<DiagnosticQuantity>& so_far() const { return all_; }
 
   void add(Label label, int material, VariableId variable) {
     all_.push_back({label, material, component_count(label.info().type), variable});
@@ -68,5 +69,9 @@ class QuantityList {
   const SchemeOptions& o_;
   std::vector<DiagnosticQuantity> all_;
 };
+
+// Mass and momentum of each material in a cell, from its density and velocity in the list.
+// (analysis_amounts.cpp)
+void declare_amounts(QuantityList& quantities);
 
 }  // namespace sluice::ice
