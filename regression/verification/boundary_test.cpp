@@ -69,5 +69,35 @@ TEST(Boundary, ACarriedVelocityIsThatOfTheForcedSweep) {
     EXPECT_NEAR(a.values[n], b.values[n], allowed_by_sweeps) << n;
 }
 
+// Largest deviation from the pressure far away after everything has left, as a share of the largest
+// there was.
+double left_over(const CaseRun& run, double height) {
+  constexpr double far_away = 1 / 1.4;
+  return farthest_from(run.field("press_CC"), far_away) / height;
+}
+
+TEST(OpenBoundary, APulseOfSoundLeaves) {
+  const CaseRun run("pulse_leaving");
+  const double share = left_over(run, 0.5 * 0.01 / 1.4);  // each half
+  record("share of a pulse that comes back", share);
+  EXPECT_LE(share, 0.01);  // measured 0.006, as the pull to the pressure far away must
+  EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+TEST(OpenBoundary, AVortexLeaves) {
+  const CaseRun run("vortex_leaving");
+  const double share = left_over(run, farthest_from(run.field("press_CC", 0, "first"), 1 / 1.4));
+  record("share of a vortex that comes back", share);
+  EXPECT_LE(share, 0.01);  // measured 0.0074
+  EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+TEST(OpenBoundary, DoesNotShowTheBoxes) {
+  const std::vector<std::string> early = {"Time/maxTime=2"};
+  const CaseRun one("vortex_leaving", early);
+  const CaseRun many("vortex_leaving", {early[0], "Grid/Level/Box/patches=[3,4,1]"});
+  EXPECT_EQ(one.field("press_CC").values, many.field("press_CC").values);
+}
+
 }  // namespace
 }  // namespace sluice::verification

@@ -29,6 +29,8 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
       add_region(side, region, materials);
     has_walls_[n] = std::any_of(rules_[n].begin(), rules_[n].end(),
                                 [](const GhostRule& r) { return r.mirrored(); });
+    has_waves_[n] =
+        std::any_of(rules_[n].begin(), rules_[n].end(), [](const GhostRule& r) { return r.waves; });
     regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
   }
 }

@@ -59,6 +59,9 @@ class BoundaryFill {
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
+  // Open faces (LODI).
+  bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
+  bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
 
  private:
   // The region of a boundary face; beyond the domain that of its image or of the nearest face.
@@ -85,7 +88,7 @@ class BoundaryFill {
   std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region; of several, the common one
   std::array<std::vector<MixtureRule>, 6> mixtures_;  // of several materials
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
-  std::array<bool, 6> has_walls_{};
+  std::array<bool, 6> has_walls_{}, has_waves_{};
 };
 
 }  // namespace sluice::ice

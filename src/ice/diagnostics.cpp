@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "ice/boundary/wave_labels.hpp"
 #include "ice/mixture/quantities.hpp"
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
@@ -45,6 +46,7 @@ void declare_of_one(QuantityList& q) {
   q.slopes(p, l.gradient_pressure, 0);
   q.slopes(u, l.divergence_velocity, 0, true);
   q.vorticity(u, 0);
+  declare_wave_amplitudes(q, {rho, u, p, c});
 }
 
 void save(TaskList& list, const DiagnosticQuantity& q) {

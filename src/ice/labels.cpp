@@ -54,6 +54,18 @@ void declare_primitives(Labels& l) {
   l.gamma = cell("gamma", "1", "Ratio of specific heats.");
 }
 
+void declare_waves(Labels& l) {
+  constexpr const char* names[] = {"Li1", "Li2", "Li3", "Li4", "Li5"};
+  constexpr const char* units[] = {"Pa/s", "kg/(m^3 s)", "m/s^2", "m/s^2", "Pa/s"};
+  constexpr const char* definitions[] = {
+      "Waves at LODI faces, by direction: (u - c)(dp - rho c du)/2 along the axis.",
+      "Waves at LODI faces, by direction: u (drho - dp/c^2) along the axis.",
+      "Waves at LODI faces, by direction: u du_t along the axis, first tangent.",
+      "Waves at LODI faces, by direction: u du_t along the axis, second tangent.",
+      "Waves at LODI faces, by direction: (u + c)(dp + rho c du)/2 along the axis."};
+  for (int n = 0; n < 5; ++n) l.wave_amplitude[n] = cell_vector(names[n], units[n], definitions[n]);
+}
+
 void declare_derivatives(Labels& l) {
   l.gradient_rho = cell("mag_grad_rho_CC", "kg/m^4", "Magnitude of the density gradient.");
   l.gradient_temperature =
@@ -106,6 +118,7 @@ const Labels& labels() {
     declare_state(l);
     declare_primitives(l);
     declare_derivatives(l);
+    declare_waves(l);
     declare_step_labels(l);
     declare_reductions(l);
     return l;

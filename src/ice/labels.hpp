@@ -25,6 +25,8 @@ struct Labels {
 
   // Reductions (.dat).
   Label total_mass, total_momentum, total_internal_energy, kinetic_energy;
+
+  Label wave_amplitude[5];  // Li1 to Li5, from a state alone
 };
 
 // Declares them once; later calls return the same.

@@ -99,6 +99,8 @@ TagSpec sine() {
 
 TagSpec inlet_velocity() {
   return tag("inletVelocity", "conditions of kind powerLawProfile and logLawProfile")
+      .attribute(
+          attribute("type", "accepted without effect: the kind of each condition says it").text())
       .with_children(
           {tag("verticalDirection", "direction of the height, from the low side of the domain")
                .integer()
