@@ -93,13 +93,17 @@ void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Tota
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
 StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
   StepBalance b;
-  b.mass = {sums[StepSlots::mass]};
+  for (int m = 0; m < material_count(); ++m)
+    b.mass.push_back(sums[static_cast<std::size_t>(StepSlots::mass_of(m, options_.sums))]);
+  double mass = 0;  // of all materials at the start
+  if (start != nullptr)
+    for (const double of_one : start->mass) mass += of_one;
   b.energy = sums[StepSlots::energy];
   for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
     if (start == nullptr) continue;
     const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
-    const double kick = dt * options_.gravity[d] * start->mass.front();
+    const double kick = dt * options_.gravity[d] * mass;
     b.momentum_of_forces[d] = kick;
     b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
