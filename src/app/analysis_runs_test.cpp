@@ -178,6 +178,62 @@ TEST_F(AnalysisRuns, BudgetsCloseUnderGravityWithFriction) {
   expect_closed(energy, 7, {{4, -1.0}, {6, 1.0}}, 10, 4e-15);
 }
 
+// All gas falls alike, u = (1, -10 t, 0): variances over time follow from the times of samples, sums
+// of masses over planes are the mass, means by mass the velocity.
+TEST_F(AnalysisRuns, FreeFallHasTheStatisticsOfItsTimes) {
+  const std::string every_step =
+      "<materialIndex>0</materialIndex><samplingFrequency>1e10</samplingFrequency>"
+      "<timeStart>0.01</timeStart><timeStop>0.04</timeStop>";
+  write_deck("free_fall",
+             "<Module name=\"turbulentFluxes\">" + every_step +
+                 "<Variables><analyze label=\"vel_CC\" fluidVelocityLabel=\"true\"/>"
+                 "<analyze label=\"temp_CC\"/></Variables></Module>"
+                 "<Module name=\"planeAverage\">" +
+                 every_step +
+                 "<planeOrientation>YZ</planeOrientation><weight label=\"mass_adv\"/><Variables>"
+                 "<analyze label=\"mass_adv\"/><analyze label=\"vel_CC\" weighting=\"mass\"/>"
+                 "</Variables></Module>",
+             "<save label=\"variance_vel_CC\"/><save label=\"mean_vel_CC\"/>"
+             "<save label=\"uv_vw_wu_prime\"/><save label=\"covariance_temp_CC\"/>");
+  const fs::path archive = run("a", deck());
+  std::vector<double> fallen;
+  for (const auto& step : fs::directory_iterator(archive / "planeAverage")) {
+    const fs::path folder = step.path() / "L-0";
+    const std::string head = "# Simulation time: ";
+    const double time = std::stod(text_of(folder / "vel_CC_0").substr(head.size()));
+    fallen.push_back(-10 * time);
+    double mass = 0;
+    for (const auto& line : lines_of(folder / "mass_adv_0")) mass += line[3];
+    EXPECT_NEAR(mass, 0.025, 1e-16);
+    for (const auto& line : lines_of(folder / "vel_CC_0")) {
+      EXPECT_NEAR(line[3], 1.0, 1e-14);
+      EXPECT_NEAR(line[4], -10 * time, 1e-14);
+    }
+  }
+  ASSERT_GE(fallen.size(), 3u);
+  double mean = 0, variance = 0;
+  for (const double v : fallen) mean += v / static_cast<double>(fallen.size());
+  for (const double v : fallen)
+    variance += (v - mean) * (v - mean) / static_cast<double>(fallen.size());
+  EXPECT_GT(variance, 1e-4);
+  const auto last = [&](const std::string& label) {  // x, y, z of the first cell
+    const fs::path csv = folder_ / (label + ".csv");
+    const std::string command = std::string(SLUICE_COMMAND) + " extract " + archive.string() +
+                                " --var " + label + " --time last --csv " + csv.string();
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    std::string text = text_of(csv);
+    text.erase(0, text.find('\n') + 1);
+    std::istringstream line(text.substr(0, text.find('\n')));
+    std::vector<double> words;
+    for (std::string word; std::getline(line, word, ',');) words.push_back(std::stod(word));
+    return std::vector<double>(words.end() - 3, words.end());
+  };
+  EXPECT_NEAR(last("mean_vel_CC")[1], mean, 1e-14);
+  EXPECT_NEAR(last("variance_vel_CC")[1], variance, 1e-14);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(last("uv_vw_wu_prime")[static_cast<std::size_t>(c)], 0.0, 1e-15);
+}
+
 const std::string all_kinds =
     budgets +
     module_text("planeExtract",

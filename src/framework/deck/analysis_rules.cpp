@@ -1,4 +1,4 @@
-// What the modules of DataAnalysis must have beyond single tags: places, times, weights, velocities.
+// What the modules of DataAnalysis must have beyond single tags: places, times, weights.
 #include <fmt/format.h>
 
 #include "framework/deck/framework_schema.hpp"

@@ -3,9 +3,10 @@
 //   planeAverage        planeAverage/tNNNNN/L-<level>/<label>_<material>
 //   planeAvgTurbFluxes  planarAveTurbFluxes/AvgQ/tNNNNN/...         the same
 //                       planarAveTurbFluxes/TurbFluxes/tNNNNN/...   <label>_turbFlux_<material>,
-//                                              normalTurbStrss_<material>, shearTurbStrss_<material>
+//                                          normalTurbStrss_<material>, shearTurbStrss_<material>
 // a line a plane: X Y Z, then the values, then the number of cells (or the sum of weights). The
-// sums are exact; a covariance is mean(Q'u') over the cells with Q' = Q - average of Q, u' likewise,
+// sums are exact;
+// a covariance is mean(Q'u') over the cells with Q' = Q - average of Q, u' likewise,
 // computed from exact sums of products: nothing is lost when fluctuations are small.
 #pragma once
 #include <optional>

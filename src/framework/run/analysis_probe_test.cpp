@@ -34,7 +34,7 @@ TEST(ProbeStencils, AtCentresEndsAndAcrossPeriodicEnds) {
   EXPECT_THAT(across.weights, ElementsAre(0.5, 0.5));
 }
 
-// A value is i + 100 j: linear in place. Level 1 takes the place of level 0 where it holds the cells.
+// A value is i + 100 j: linear in place. Level 1 counts where it holds the cells.
 TEST(Probes, TakeTheFinestLevelThatHoldsTheirCells) {
   TemporaryFolder folder;
   const std::vector<AnalysedQuantity> quantities = {{labels().value, 0, 1}, {labels().wind, 0, 3}};

@@ -39,7 +39,7 @@ class Statistics {
   const std::vector<Label>& labels() const { return labels_; }
   void store(const std::vector<Label>& wanted);
   void add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const;
-  // From a checkpoint that has taken so many samples; a checkpoint that knows nothing of them leaves
+  // From a checkpoint that has taken so many samples; one that knows nothing of them leaves
   // all at zero.
   void restore(const ArchiveStep& checkpoint, int samples);
 

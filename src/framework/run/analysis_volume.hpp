@@ -3,10 +3,10 @@
 //   controlVolFluxes  <label>.dat           time, mass, net mass fluxes x y z, six face fluxes
 //   momentumAnalysis  momentumAnalysis.dat  time, momentum, momentum flux, viscous force, pressure
 //                                           force, body force (three each), with commas
-//   firstLawThermo    1stLawThermo.dat      time, internal energies of ICE, MPM and both, energy that
+//   firstLawThermo    1stLawThermo.dat      time, internal energies (ICE, MPM, both), energy that
 //                                           leaves, kinetic energy, power of forces
 // Rates are means over the time since the line before (the first one's: over its step), summed
-// exactly over every substep of every level: they make up the whole change of what the volume holds,
+// exactly over every substep of every level: they make up all change of what the volume holds,
 // to round-off. In the archive's folder, 17 digits, '#' before header lines.
 #pragma once
 #include <filesystem>

@@ -139,7 +139,7 @@ class Component {
   virtual int reduction_sums() const = 0;
   // Where the sums of control volumes begin among these (VolumeSums, a tail as long as the scene
   // has volumes); -1: this scene keeps no account of them. A component that keeps it sums in the
-  // segments of StepVariant::volumes what passes, and in the uncovered cells inside what forces add.
+  // segments of StepVariant::volumes what passes, in the uncovered cells inside what forces add.
   virtual int first_volume_sum() const { return -1; }
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.

@@ -20,7 +20,7 @@ struct SavedLabels {
   std::vector<Label> histories;   // reductions
 };
 
-// Throws InputError naming entry and nearest label when a label is unknown. `analysed`: the labels of
+// Throws InputError naming entry and nearest label when a label is unknown. `analysed`: labels of
 // fields that analyses keep.
 SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
                        const std::vector<Label>& analysed = {});
