@@ -25,6 +25,10 @@ const Mixed decks[] = {
     {"inputs/ICE/massX.ups", 2, true},           {"inputs/ICE/advect2matAMR.ups", 2, true},
 };
 
+std::ostream& operator<<(std::ostream& out, const Mixed& mixed) {
+  return out << mixed.deck;
+}
+
 class PeerFill : public ::testing::TestWithParam<Mixed> {};
 
 TEST_P(PeerFill, FillsEveryCell) {
@@ -32,7 +36,9 @@ TEST_P(PeerFill, FillsEveryCell) {
   if (!folder) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
   const fs::path back = fs::current_path();
   fs::current_path(*folder);
-  const Deck deck = load_deck(GetParam().deck, {}, sluice_schema());
+  Deck deck = load_deck(GetParam().deck, {}, sluice_schema());
+  // What is not built does not keep the scene from being read.
+  std::erase_if(deck.faults, [](const Fault& fault) { return fault.not_built; });
   fs::current_path(back);
   ASSERT_NE(deck.root, nullptr);
   std::vector<Fault> faults;
@@ -42,6 +48,7 @@ TEST_P(PeerFill, FillsEveryCell) {
     EXPECT_TRUE(fault.severity != Severity::error || fault.not_built) << to_string(fault);
   ASSERT_EQ(ice.materials.size(), GetParam().materials);
   EXPECT_EQ(ice.one_velocity(), GetParam().one_velocity);
+  ASSERT_FALSE(scene.grid.levels.empty());
   const Level& level = scene.grid.levels.front();
   const ice::MixtureFill fill =
       ice::fill_materials(ice, scene.constants, level, level, level.domain);
