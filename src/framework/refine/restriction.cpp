@@ -38,6 +38,7 @@ struct Restriction::Plan {
   TransferGeometry geometry;
   std::vector<Part> sends, locals, receives;
   PackedMessages messages;
+  std::int64_t local_cells = 0;  // coarse ones whose fine cells are here, too
   std::vector<StateViews> fine_views, coarse_views;
   StateViews packed;
 };
@@ -57,6 +58,7 @@ Restriction::Plan::Plan(const Level& coarse, const Level& fine, int rank)
           fine_number[f], coarse_number[c], intersection(covered, coarse.boxes[c].cells), {}};
       held += part.cells.volume();
       if (part.fine >= 0 && part.coarse >= 0) {
+        local_cells += part.cells.volume();
         for (const IndexBox& slab : slabs(part.cells))
           locals.push_back({part.fine, part.coarse, slab, {}});
       } else if (part.fine >= 0) {
@@ -100,7 +102,7 @@ void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vecto
     operators.restrict_to(p.fine_views[static_cast<std::size_t>(l.fine)],
                           p.coarse_views[static_cast<std::size_t>(l.coarse)], l.cells, p.geometry);
   };
-  if (team != nullptr)
+  if (team != nullptr && team->size() > 1 && p.local_cells >= 2 * most_cells)
     team->for_each(p.locals.size(), restrict_local);
   else
     for (std::size_t n = 0; n < p.locals.size(); ++n) restrict_local(n, 0);

@@ -112,7 +112,7 @@ void Hierarchy::fill(int l, double time) {
     const Warehouse* after = share > 0 ? &coarser.state() : nullptr;
     joints_[static_cast<std::size_t>(l) - 1]->ghosts.run(
         before, after, share, state, solver.state_slots(), component_->transfer(),
-        scene_->refinement.interface_order);
+        scene_->refinement.interface_order, solver.team());
   });
 }
 
@@ -178,7 +178,8 @@ Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
     result_.unmatched = true;
     return Verdict::reject;
   }
-  joint.restriction.run(fine.state(), coarse.state(), coarse.state_slots(), component_->transfer());
+  joint.restriction.run(fine.state(), coarse.state(), coarse.state_slots(), component_->transfer(),
+                        coarse.team());
   coarse.touch();
   fine.touch();
   return Verdict::good;

@@ -82,7 +82,7 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
   Interpolation fresh = Interpolation::of_new_cells(coarser.level(), halo_width(*component_), now,
                                                     earlier.boxes, rank);
   fresh.run(nullptr, &coarser.state(), 1.0, solver.state(), solver.state_slots(),
-            component_->transfer(), scene_->refinement.interpolation_order);
+            component_->transfer(), scene_->refinement.interpolation_order, solver.team());
 }
 
 // The boxes that the regridder wants, coarse to fine. Each new level needs the ghost cells of the
@@ -117,8 +117,9 @@ std::vector<FlagField> Hierarchy::flags() {
 void Hierarchy::restrict_all() {
   for (int l = level_count() - 2; l >= 0; --l) {
     LevelSolver& coarse = level(l);
-    joints_[static_cast<std::size_t>(l)]->restriction.run(
-        level(l + 1).state(), coarse.state(), coarse.state_slots(), component_->transfer());
+    joints_[static_cast<std::size_t>(l)]->restriction.run(level(l + 1).state(), coarse.state(),
+                                                          coarse.state_slots(),
+                                                          component_->transfer(), coarse.team());
     coarse.touch();
   }
   for (int l = 0; l < level_count(); ++l) level(l).touch();

@@ -231,7 +231,7 @@ LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted)
 
 void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>& interface) {
   if (ghosts_filled_) return;
-  halo_->run(state_, state_slots_);
+  halo_->run(state_, state_slots_, team_.get());
   if (interface) interface(state_);
   component_->fill_boundary(state_, time, *team_);
   ghosts_filled_ = true;
@@ -353,7 +353,7 @@ std::int64_t LevelSolver::mask_faults(double time) {
       now += mask != 0.0;
       mask = 0.0;
     }
-  halo_->run(state_, {slot});
+  halo_->run(state_, {slot}, team_.get());
   component_->fill_boundary(state_, time, *team_);
   masked_ = true;
   Reduction all;

@@ -62,6 +62,7 @@ class LevelSolver {
   Warehouse& outputs() { return outputs_; }
   const Warehouse& outputs() const { return outputs_; }
   const std::vector<int>& state_slots() const { return state_slots_; }
+  const ThreadTeam* team() const { return team_.get(); }
 
   // Other boxes of the same level, other cells: the state so far is handed back, the new one is to
   // be filled by the caller (interior cells).

@@ -1,9 +1,12 @@
 // Finding and carrying out halo copies.
 #include "framework/task/halo.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <utility>
+
+#include "framework/grid/box_list.hpp"
 
 namespace sluice {
 namespace {
@@ -51,14 +54,22 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width) {
   std::vector<HaloCopy> copies;
   const IntVec3 ghosts = level.ghosts(width);
   const std::vector<IntVec3> shifts = periodic_shifts(level, ghosts);
+  std::vector<IndexBox> cells;
+  for (const GridBox& b : level.boxes) cells.push_back(b.cells);
+  const BoxFinder finder(cells);
   for (const GridBox& to : level.boxes) {
     const IndexBox grown = to.cells.grown(ghosts);
-    for (const GridBox& from : level.boxes)
-      for (IntVec3 shift : shifts) {
+    const auto first = copies.end() - copies.begin();
+    for (const IntVec3 shift : shifts)
+      for (const int n : finder.overlapping(grown.shifted(shift))) {
+        const GridBox& from = level.boxes[static_cast<std::size_t>(n)];
         if (from.id == to.id && shift == IntVec3{}) continue;
-        const IndexBox region = intersection(grown, from.cells.shifted(IntVec3{} - shift));
-        if (!region.empty()) copies.push_back({from.id, to.id, region, shift});
+        copies.push_back(
+            {from.id, to.id, intersection(grown, from.cells.shifted(IntVec3{} - shift)), shift});
       }
+    // Of one box, shifts keep their order.
+    std::stable_sort(copies.begin() + first, copies.end(),
+                     [](const HaloCopy& a, const HaloCopy& b) { return a.from < b.from; });
   }
   return copies;
 }
@@ -76,6 +87,7 @@ HaloExchange::HaloExchange(const Level& level, int width, int rank) {
                      local_number[static_cast<std::size_t>(c.to)], c.region, c.shift};
     if (from_owner == rank && to_owner == rank) {
       local_.push_back(copy);
+      local_cells_ += c.region.volume();
     } else if (from_owner == rank) {
       peers[to_owner].sends.push_back(copy);
     } else if (to_owner == rank) {
@@ -95,7 +107,24 @@ std::size_t HaloExchange::message_bytes(int components) const {
   return static_cast<std::size_t>(cells) * static_cast<std::size_t>(components) * sizeof(double);
 }
 
-void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots) {
+// Ghost cells are written and other boxes' cells read: copies may run in any order.
+void HaloExchange::copy_local(Warehouse& warehouse, const std::vector<int>& slots,
+                              const ThreadTeam* team) const {
+  constexpr std::int64_t worth_a_thread = 8192;  // cells
+  const auto copy = [&](std::size_t n, int) {
+    const Local& r = local_[n];
+    for (int s : slots)
+      for (int c = 0; c < warehouse.info(s).components; ++c)
+        copy_region(warehouse.view(s, c, r.to), r.region, warehouse.view(s, c, r.from), r.shift);
+  };
+  if (team != nullptr && team->size() > 1 && local_cells_ >= worth_a_thread * team->size())
+    team->for_each(local_.size(), copy);
+  else
+    for (std::size_t n = 0; n < local_.size(); ++n) copy(n, 0);
+}
+
+void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots,
+                       const ThreadTeam* team) {
   int components = 0;
   for (int s : slots) components += warehouse.info(s).components;
   auto doubles = [&](const std::vector<Local>& regions) {
@@ -121,10 +150,7 @@ void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots) {
         }
     messages_.post_send(p.send_buffer.data(), p.send_buffer.size(), p.rank, 1);
   }
-  for (const Local& r : local_)
-    for (int s : slots)
-      for (int c = 0; c < warehouse.info(s).components; ++c)
-        copy_region(warehouse.view(s, c, r.to), r.region, warehouse.view(s, c, r.from), r.shift);
+  copy_local(warehouse, slots, team);
   messages_.wait_all();
   for (Peer& p : peers_) {
     const double* next = p.receive_buffer.data();

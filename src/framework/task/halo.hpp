@@ -8,6 +8,7 @@
 
 #include "framework/base/communicator.hpp"
 #include "framework/field/warehouse.hpp"
+#include "framework/task/thread_team.hpp"
 
 namespace sluice {
 
@@ -26,8 +27,9 @@ class HaloExchange {
  public:
   HaloExchange(const Level& level, int width, int rank);
 
-  // Fills the ghosts of these slots. Deterministic: pure copies.
-  void run(Warehouse& warehouse, const std::vector<int>& slots);
+  // Fills the ghosts of these slots. Deterministic: pure copies, those inside this rank by the team
+  // where there are enough of them.
+  void run(Warehouse& warehouse, const std::vector<int>& slots, const ThreadTeam* team = nullptr);
   std::size_t message_bytes(int components) const;  // sent by this rank in one exchange
   int neighbour_ranks() const { return static_cast<int>(peers_.size()); }
 
@@ -43,7 +45,11 @@ class HaloExchange {
     std::vector<Local> receives;  // `to` is a local box number
     std::vector<double> send_buffer, receive_buffer;
   };
+  void copy_local(Warehouse& warehouse, const std::vector<int>& slots,
+                  const ThreadTeam* team) const;
+
   std::vector<Local> local_;
+  std::int64_t local_cells_ = 0;
   std::vector<Peer> peers_;
   Messages messages_;
 };

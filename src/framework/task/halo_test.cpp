@@ -38,7 +38,7 @@ bool wrapped(const Level& level, IntVec3& c) {
   return true;
 }
 
-void expect_filled(Level level, int width) {
+void expect_filled(Level level, int width, const ThreadTeam* team = nullptr) {
   Communicator& ranks = world();
   assign_owners(level.boxes, ranks.size());
   Warehouse state(level, ranks.rank());
@@ -56,7 +56,7 @@ void expect_filled(Level level, int width) {
     });
   });
   HaloExchange halo(level, width, ranks.rank());
-  for (int again = 0; again < 2; ++again) halo.run(state, slots);
+  for (int again = 0; again < 2; ++again) halo.run(state, slots, team);
   each([&](int s, int c, const RealView& v, const IndexBox&) {
     for_each_cell(v.box, [&](IntVec3 cell) {
       IntVec3 source = cell;
@@ -103,6 +103,13 @@ INSTANTIATE_TEST_SUITE_P(
                     // the halo is wider than the domain, which goes round more than once
                     Case{{2, 3, 4}, {1, 1, 2}, {true, true, true}, 3},
                     Case{{2, 6, 1}, {2, 3, 1}, {true, true, false}, 4}));
+
+TEST(Halo, ManyCopiesAreSharedAmongThreads) {
+  Level level = level_of({256, 192, 1}, {16, 12, 1}, {-4, 3, 1});
+  level.periodic = {true, false, false};
+  const ThreadTeam team(3);
+  expect_filled(level, 3, &team);
+}
 
 TEST(Halo, CopiesAreTheSameListOnEveryRankAndCoverEachGhostOnce) {
   Level level = level_of({9, 12, 1}, {2, 3, 1});
