@@ -13,13 +13,13 @@
 namespace sluice::verification {
 namespace {
 
-// Of pressure (from p - p_min) and density behind the shock, half way between it and the middle;
-// 200 cells. Measured beside each case below.
-constexpr double allowed_jump = 2e-3;
-// Distance of the steepest rise from where the shock must be, in cells. Measured: at most 0.6.
-constexpr double allowed_position = 1.5;
+// Of the jumps of pressure and density, half way between the middle and the shock;
+// 200 cells. Measured: at most 3.8e-4 and 4.8e-4 (Murnaghan, airNasa).
+constexpr double allowed_jump = 1e-3;
+// Distance of the steepest rise from where the shock must be, in cells. Measured: 0.
+constexpr double allowed_position = 1.01;
 constexpr double allowed_uniformity = 1e-12;
-constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps
+constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps; measured: 7.6e-16
 
 #define JWL_TNT \
   "<A>371.2e9</A><B>3.231e9</B><R1>4.15</R1><R2>0.95</R2><om>0.3</om><rho0>1630</rho0>"
@@ -49,8 +49,8 @@ const LawCase cases[] = {
      "<P0>101325</P0></EOS>",
      1, 820.7, 1823.3, 320, 50},
     {"Tillotson",
-     R"(<EOS type="Tillotson"><a>0.5</a><b>1.63</b><A>75.2e9</A><B>65e9</B><E0>5e6</E0><Es>3e6</Es>)"
-     "<Esp>13.9e6</Esp><alpha>5</alpha><beta>5</beta><rho0>2700</rho0></EOS>",
+     R"(<EOS type="Tillotson"><a>0.5</a><b>1.63</b><A>75.2e9</A><B>65e9</B><E0>5e6</E0>)"
+     "<Es>3e6</Es><Esp>13.9e6</Esp><alpha>5</alpha><beta>5</beta><rho0>2700</rho0></EOS>",
      1, 900, 2710, 300, 1000},
     {"Thomsen_Hartka_water",
      R"(<EOS type="Thomsen_Hartka_water"><a>2e-7</a><b>2.6</b><co>4205.7</co><ko>5e-10</ko>)"
@@ -60,8 +60,8 @@ const LawCase cases[] = {
     {"airNasa", R"(<EOS type="ideal_gas"/><SpecificHeatModel type="airNasa"/>)", 1.4, 717.5, 1.2,
      300, 1500},
     {"Component",
-     R"(<EOS type="ideal_gas"/><SpecificHeatModel type="Component"><XCO2>0.2</XCO2><XH2O>0.3</XH2O>)"
-     "<XN2>0.5</XN2></SpecificHeatModel>",
+     R"(<EOS type="ideal_gas"/><SpecificHeatModel type="Component"><XCO2>0.2</XCO2>)"
+     "<XH2O>0.3</XH2O><XN2>0.5</XN2></SpecificHeatModel>",
      1.25, 1184, 5, 2000, 1000},
     {"Polynomial",
      R"(<EOS type="ideal_gas"/><SpecificHeatModel type="Polynomial"><MaxOrder>7</MaxOrder>)"

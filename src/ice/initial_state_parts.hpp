@@ -11,9 +11,8 @@ bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants);
 IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants,
                        const Level& level, const IndexBox& cells);
 
-// What a pressure given beside density and temperature changes: the density of a liquid or solid
-// whose deck means the same by all three, the temperature otherwise. A function of the deck's values
-// alone.
+// What a pressure given beside density and temperature leaves: the temperature of a liquid or solid
+// if law and deck agree on its density, the density otherwise. A function of the deck's values.
 enum class Keeps { density, temperature };
 Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
                    double reference_pressure);
