@@ -1,6 +1,8 @@
 // Walls, inlets and gravity: what passes a boundary, and what must not.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "verification/case_run.hpp"
 
 namespace sluice::verification {
@@ -82,6 +84,18 @@ TEST(OpenBoundary, APulseOfSoundLeaves) {
   record("share of a pulse that comes back", share);
   EXPECT_LE(share, 0.01);  // measured 0.006, as the pull to the pressure far away must
   EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+// What comes in at x+ is the pull to the pressure far away: sigma/2 c (1 - M^2)(p - p_inf)/L.
+TEST(OpenBoundary, SavedWavesAreThoseOfItsGhosts) {
+  const CaseRun run("pulse_leaving");
+  const CellValues wave = run.field("Li1");
+  const int last = wave.size.x - 1;
+  const double c = run.field("speedSound_CC").at(last), u = run.field("vel_CC").at(last);
+  const double pull = 0.5 * 0.27 * (c - u * u / c) * (run.field("press_CC").at(last) - 1 / 1.4);
+  EXPECT_GT(std::abs(pull), 1e-7);
+  EXPECT_NEAR(wave.at(last), pull, 1e-5 * std::abs(pull));
+  for (int i = 1; i < last; ++i) EXPECT_EQ(wave.at(i), 0.0);
 }
 
 TEST(OpenBoundary, AVortexLeaves) {
