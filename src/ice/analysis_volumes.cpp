@@ -1,6 +1,6 @@
 // What control volumes of analyses exchange through their sides, and what gravity adds inside.
 //
-// Through a face (face_flux.hpp): mass, momentum that is advected, pressure along the normal,
+// Through a face (face_flux.hpp): mass of each material, momentum that is advected, pressure along the normal,
 // viscous momentum flux, total energy; amounts of the step, positive along the axis. Inside, over
 // the uncovered cells: impulse and work of gravity as in gravity_account.cpp. All sums are exact.
 // Absent without control volumes.
@@ -22,14 +22,15 @@ double cell_volume(const Row& row) {
 // One face, low (shift 0) or high (1), of cell i.
 void account_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
                   int shift, int i, int side) {
-  const VolumeSums slots(o.first_volume_sum, 1);
+  const VolumeSums slots(o.first_volume_sum, static_cast<int>(o.fluids.size()));
   const int volume = side / 6, s = side % 6;
   const double V = cell_volume(row);
   const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
   const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
   const double pressed = l * row(h.face_pressure, 0, axis, shift)[i];
   Reductions& sums = row.reductions();
-  sums.sum(slots.mass(volume, s, 0)).add(flux.mass * V);
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    sums.sum(slots.mass(volume, s, m)).add(material_flux(row, h, o, axis, shift, i, m).mass * V);
   sums.sum(slots.pressure(volume, s)).add(pressed * V);
   sums.sum(slots.energy(volume, s)).add(flux.energy * V);
   for (int c = 0; c < o.components; ++c) {
@@ -57,7 +58,7 @@ struct Handles {
 // Cells first ... end - 1 of the row.
 void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, int volume, int first,
                     int end) {
-  const VolumeSums slots(o.first_volume_sum, 1);
+  const VolumeSums slots(o.first_volume_sum, static_cast<int>(o.fluids.size()));
   const double* rho = row(h.rho);
   for (int c = 0; c < o.components; ++c) {
     const int d = o.direction[static_cast<std::size_t>(c)];

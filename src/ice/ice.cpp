@@ -95,6 +95,7 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
   add_gravity_account(list, v, o, effect_gravity);              // m, dp      sums
+  add_volume_account(list, v, o, effect_diagnostics);           // fluxes, dp sums
   add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
   declare_step_outputs(list, v, o);                             // saved      outputs
 }
@@ -193,7 +194,7 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   o.masked = variant.masked;
   o.coverage = variant.coverage;
   o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
-  o.volumes = first_volume_sum() >= 0 ? variant.volumes : nullptr;
+  o.volumes = variant.volumes;
   o.first_volume_sum = first_volume_sum();
   if (o.classic) return declare_classic(list, o, effects_);
   if (variant.kind == static_cast<int>(o.fluids.size())) {
@@ -237,19 +238,17 @@ int Ice::step_sums() const {
 }
 
 int Ice::first_volume_sum() const {
-  return material_count() == 1 ? step_sums() : -1;
+  return step_sums();
 }
 
 int Ice::reduction_sums() const {
-  if (first_volume_sum() < 0) return step_sums();
   const VolumeSums of_volumes(first_volume_sum(), material_count());
   return step_sums() + of_volumes.count(static_cast<int>(control_volumes(scene_->analysis).size()));
 }
 
 // What passes through a control volume's side must be counted in uniform flow as well.
 bool Ice::quiet_blocks_allowed() const {
-  return !options_.gravity_on &&
-         (first_volume_sum() < 0 || control_volumes(scene_->analysis).empty());
+  return !options_.gravity_on && control_volumes(scene_->analysis).empty();
 }
 
 // A regridder follows shocks: they do not leave its levels.
