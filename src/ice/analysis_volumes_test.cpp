@@ -41,7 +41,9 @@ class TwoFluids : public testing::Test {
     }
     ice_ = std::make_unique<Ice>(scene_, std::move(ice));
     const Level& level = scene_.grid.levels.front();
-    solver_ = std::make_unique<LevelSolver>(*ice_, level, world(), SolverOptions{});
+    SolverOptions options;
+    options.block = {6, 4, 1};  // some hold one of the materials alone
+    solver_ = std::make_unique<LevelSolver>(*ice_, level, world(), options);
     volume_ = cells_of(control_volumes(scene_.analysis).front(), level);
     solver_->watch(VolumeFaces({volume_}, level, level, nullptr, 0));
     for_each_cell(level.domain, [&](IntVec3 c) { fill(c, level.centre(c)); });
