@@ -32,10 +32,12 @@ struct FaceState {
   double u, p;
 };
 
-// The Riemann problem of two cell states in the middle of the step.
-inline FaceState solve_face(double uL, double pL, double uR, double pR, double ra, double rb,
-                            double ca, double cb, double slope_a, double slope_b, double u_jump,
-                            double p_jump) {
+// The Riemann problem of two cell states in the middle of the step. Always part of the loop over a
+// row: with a call for every face the whole step takes 1.5 times as long.
+[[gnu::always_inline]] inline FaceState solve_face(double uL, double pL, double uR, double pR,
+                                                   double ra, double rb, double ca, double cb,
+                                                   double slope_a, double slope_b, double u_jump,
+                                                   double p_jump) {
   const double du = uL - uR;
   const double squeeze = larger(0.0, du);
   double zL = ra * (ca + 0.5 * slope_a * squeeze);
