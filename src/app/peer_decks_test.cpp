@@ -134,6 +134,13 @@ TEST(OwnDecks, AreGoodWithoutAWarning) {
   EXPECT_GT(count, 0u);
 }
 
+// Tags that were dropped are not in what is written.
+std::ptrdiff_t lasting_faults(const Deck& deck) {
+  return std::count_if(deck.faults.begin(), deck.faults.end(), [](const Fault& fault) {
+    return fault.message.find("; dropped") == std::string::npos;
+  });
+}
+
 // What is read back from the XML of a checked deck is the same deck.
 TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
   const Schema schema = sluice_schema();
@@ -143,7 +150,7 @@ TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
     const std::string xml = to_xml(*deck.root);
     const Deck again = load_deck_text(xml, file, {}, schema);
     ASSERT_TRUE(again.good()) << file << to_string(again.faults.front());
-    EXPECT_EQ(again.faults.size(), deck.faults.size()) << file;
+    EXPECT_EQ(lasting_faults(again), lasting_faults(deck)) << file;
     EXPECT_EQ(to_xml(*again.root), xml) << file;
   }
 }
