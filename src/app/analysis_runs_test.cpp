@@ -178,7 +178,7 @@ TEST_F(AnalysisRuns, BudgetsCloseUnderGravityWithFriction) {
   expect_closed(energy, 7, {{4, -1.0}, {6, 1.0}}, 10, 4e-15);
 }
 
-// All gas falls alike, u = (1, -10 t, 0): variances follow from the times of samples, sums of masses
+// All gas falls alike, u = (1, -10 t, 0): variances follow from times of samples, sums of masses
 // over planes are the mass, means by mass the velocity.
 TEST_F(AnalysisRuns, FreeFallHasTheStatisticsOfItsTimes) {
   const std::string every_step =
