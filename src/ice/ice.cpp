@@ -30,6 +30,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   const IceMaterial& m = ice.materials.front();
   o.fluid = m.fluid;
   for (const IceMaterial& each : ice.materials) o.fluids.push_back(each.fluid);
+  o.heat_exchange = ice.exchange.heat;
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -160,27 +161,6 @@ Label Ice::refine_flag() const {
 
 Label Ice::mask_label() const {
   return labels().mask;
-}
-
-void Ice::initialise(Warehouse& state) const {
-  const IceMaterial& m = ice_.materials.front();
-  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
-            energy = state.find(labels().energy, 0);
-  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
-    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
-                                               scene_->grid.levels.front(), state.level(), cells);
-    std::size_t n = 0;
-    for_each_cell(cells, [&](IntVec3 cell) {
-      state.view(mass, 0, b)(cell) = fill.density[n];
-      state.view(energy, 0, b)(cell) =
-          m.fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
-      for (int c = 0; c < options_.components; ++c)
-        state.view(momentum, c, b)(cell) =
-            fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
-      ++n;
-    });
-  }
 }
 
 void Ice::fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const {

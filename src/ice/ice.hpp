@@ -54,6 +54,7 @@ class Ice : public Component {
   void declare_mixture(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
   int step_sums() const;  // without those of control volumes
+  void initialise_materials(Warehouse& state) const;
 
   const Scene* scene_;
   IceScene ice_;

@@ -8,6 +8,7 @@
 
 #include "framework/grid/index_box.hpp"
 #include "framework/task/task.hpp"
+#include "ice/exchange_settings.hpp"
 #include "ice/fluid.hpp"
 
 namespace sluice {
@@ -28,6 +29,7 @@ struct SchemeOptions {
   int material = 0;                       // its index
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
+  PairCoefficients heat_exchange;
   int sums = 8;          // exact sums before those of further materials: see StepSlots
   bool classic = false;  // the classic form, see classic/
   bool second_order = true;

@@ -4,10 +4,12 @@
 //   E_m' = E_mL + sum_d (G_m- - G_m+) + k M_m'/rho'
 //   k = sum_d (F- |U- - v|^2 - F+ |U+ - v|^2)/2 - rho' |m'/rho' - v|^2/2
 // the kinetic energy that the remap loses goes to the materials by mass. A material that ended with
-// no mass is gone: what is left of its energy goes into k. Then one pressure (equilibrate.hpp).
+// no mass is gone: what is left of its energy goes into k. Then one pressure
+// (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one pressure again.
 // Cells of pure neighbourhood run the rows of one material.
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/equilibrate.hpp"
+#include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 
@@ -169,7 +171,7 @@ bool is_gone(double M, double V, double M_before, double V_before) {
 
 // Shares the defect out and finds the one pressure of each cell.
 void finish_cells(const Row& row, const Handles& h, const SchemeOptions& o,
-                  const Equilibration& equilibration) {
+                  const Equilibration& equilibration, const HeatExchange& heat) {
   const int n = row.count(), materials = static_cast<int>(h.state.size());
   double *density = row(h.end, 0), *modulus = row(h.end, 1);  // modulus holds the defect so far
   const double* iJ = row(h.common.inverse_J);
@@ -189,7 +191,9 @@ void finish_cells(const Row& row, const Handles& h, const SchemeOptions& o,
     }
     const double share = (modulus[i] + left_over) / density[i];
     for (int m = 0; m < materials; ++m) E[m] += share * M[m];
-    const Equilibration::Result result = equilibration.equilibrate({M, V, E});
+    Equilibration::Result result = equilibration.equilibrate({M, V, E});
+    if (heat.on() && result.failed < 0 && heat.exchange({M, V, E}, row.step().dt))
+      result = equilibration.equilibrate({M, V, E});
     if (!(density[i] > 0.0 && density[i] < infinity)) {
       report(row, o.axes, i, fault_density, density[i]);
     } else if (!(iJ[i] > 0.0 && iJ[i] < infinity)) {
@@ -246,7 +250,8 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
     of_material.back().fluid = fluid;
   }
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, equilibration = Equilibration(o.fluids)](const Row& row) {
+    task.kernel([=, equilibration = Equilibration(o.fluids),
+                 heat = HeatExchange(o.fluids, o.heat_exchange)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         if (pure >= 0.0) {
@@ -255,7 +260,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
         }
         remap_materials<D>(part, h);
         mixture_motion<D, C>(part, h, part(h.end, 0), part(h.end, 1));
-        finish_cells(part, h, o, equilibration);
+        finish_cells(part, h, o, equilibration, heat);
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
     });

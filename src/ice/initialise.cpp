@@ -1,0 +1,75 @@
+// The conserved state at the start, from what the deck fills cells with.
+//
+// Several materials: each has its own density and temperature where it is, at whatever pressure its
+// law then has; one pressure is found before the first step, total energy kept. The momentum is the
+// sum over the materials.
+#include "ice/ice.hpp"
+#include "ice/labels.hpp"
+#include "ice/material_fill.hpp"
+#include "ice/mixture/equilibrate.hpp"
+
+namespace sluice::ice {
+
+void Ice::initialise(Warehouse& state) const {
+  if (material_count() > 1) return initialise_materials(state);
+  const IceMaterial& m = ice_.materials.front();
+  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
+            energy = state.find(labels().energy, 0);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
+                                               scene_->grid.levels.front(), state.level(), cells);
+    std::size_t n = 0;
+    for_each_cell(cells, [&](IntVec3 cell) {
+      state.view(mass, 0, b)(cell) = fill.density[n];
+      state.view(energy, 0, b)(cell) =
+          m.fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
+      for (int c = 0; c < options_.components; ++c)
+        state.view(momentum, c, b)(cell) =
+            fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
+      ++n;
+    });
+  }
+}
+
+// Writes only what differs: memory of an absent material stays untouched.
+void Ice::initialise_materials(Warehouse& state) const {
+  const auto put = [](double& at, double value) {
+    if (at != value) at = value;
+  };
+  const mixture::Equilibration equilibration(options_.fluids);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const MixtureFill fill =
+        fill_materials(ice_, scene_->constants, scene_->grid.levels.front(), state.level(), cells);
+    std::size_t n = 0;
+    for_each_cell(cells, [&](IntVec3 cell) {
+      double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
+      double momentum[3] = {0, 0, 0};
+      for (std::size_t m = 0; m < fill.materials.size(); ++m) {
+        const MaterialFill& f = fill.materials[m];
+        M[m] = V[m] = E[m] = 0.0;
+        if (f.volume_fraction[n] == 0.0) continue;
+        const Fluid& fluid = options_.fluids[m];
+        V[m] = f.volume_fraction[n];
+        M[m] = V[m] * f.density[n];
+        E[m] = V[m] * fluid.energy_from_pressure(f.density[n], f.pressure[n], f.temperature[n]);
+        for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
+      }
+      equilibration.equilibrate({M, V, E});
+      const auto at = [&](Label label, int m, int c) -> double& {
+        return state.view(state.find(label, m), c, b)(cell);
+      };
+      for (int m = 0; m < material_count(); ++m) {
+        put(at(labels().mass, m, 0), M[m]);
+        put(at(labels().volume, m, 0), V[m]);
+        put(at(labels().energy, m, 0), E[m]);
+      }
+      for (int c = 0; c < options_.components; ++c)
+        at(labels().momentum, 0, c) = momentum[options_.direction[static_cast<std::size_t>(c)]];
+      ++n;
+    });
+  }
+}
+
+}  // namespace sluice::ice
