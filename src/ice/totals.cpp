@@ -107,7 +107,7 @@ StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start
     b.momentum_of_forces[d] = kick;
     b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
-  if (start != nullptr || options_.sums < StepSlots::sums_with_gravity) return b;
+  if (start != nullptr || !options_.gravity_on) return b;
   for (int d = 0; d < 3; ++d)
     b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
   b.energy_of_forces = sums[StepSlots::gravity_work];
