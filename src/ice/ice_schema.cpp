@@ -246,8 +246,6 @@ SaveLabels ice_save_labels() {
                        "eng_L_ME_CC",
                        "sp_vol_src_CC",
                        "Tdot",
-                       "mass_adv",
-                       "mom_adv",
                        "eng_adv",
                        "sp_vol_adv",
                        "modelMass_src",
