@@ -9,7 +9,7 @@ namespace sluice::ice {
 
 struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity;
-  In materials;  // of a mixture
+  In materials, pure;  // of a mixture
 };
 
 // Low and high faces of the cells of a row.
@@ -22,7 +22,10 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   h.flux = task.read(v.flux[face], both);
   h.face_velocity = task.read(v.face_velocity[face], both);
   h.face_pressure = task.read(v.face_pressure[face], both);
-  if (o.mixture) h.materials = task.read(v.material_flux[face], both);
+  if (o.mixture) {
+    h.materials = task.read(v.material_flux[face], both);
+    h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
+  }
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
@@ -74,11 +77,16 @@ struct MaterialFlux {
 inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                                   int axis, int shift, int i, int material) {
   const auto face = [&](In in, int c) { return row(in, c, axis, shift)[i]; };
+  int alone = o.material;
   if (o.mixture) {
-    const int c = 3 * material;
-    return {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2)};
+    const double below = row(h.pure, 0, axis, shift - 1)[i], above = row(h.pure, 0, axis, shift)[i];
+    if (below != above || below < 0.0) {
+      const int c = 3 * material;
+      return {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2)};
+    }
+    alone = static_cast<int>(above);
   }
-  if (material != o.material) return {};
+  if (material != alone) return {};
   const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
   return {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1)};
 }

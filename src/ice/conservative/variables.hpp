@@ -70,6 +70,7 @@ struct SchemeVariables {
   VariableId impulse;
   // Of a mixture: shock slope and minus the lowest pressure of each cell; J, work, outlets.
   VariableId shock_slope, pi, lagrangian_mixture, new_pressure;
+  VariableId pure;                 // see mixture/variables.hpp
   VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
   VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step

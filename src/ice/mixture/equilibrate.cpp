@@ -74,6 +74,18 @@ Equilibration::Branch Equilibration::general_branch(const Fluid& fluid, double q
 
 bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q,
                                   int& iterations) const {
+  if (in.ideal) {
+    double energy = 0, volume = 0;
+    for (int n = 0; n < in.count; ++n) {
+      const int m = in.index[n];
+      const double G = linear_[static_cast<std::size_t>(m)].G, g = G / (1.0 + G);
+      energy += g * cell.E[m];
+      volume += g * cell.V[m];
+    }
+    q = energy / (1.0 - volume);
+    iterations = 1;
+    return q > 0.0 && q < infinity;
+  }
   double lowest = infinity;
   for (int n = 0; n < in.count; ++n)
     lowest = std::fmin(lowest, linear_[static_cast<std::size_t>(in.index[n])].pi);
@@ -126,6 +138,7 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
     softness += cell.V[m] / K;
     weighted += cell.V[m] / K * pm;
     in.linear = in.linear && l.is;
+    in.ideal = in.ideal && l.is && l.gamma_pi == 0.0 && l.q == 0.0;
     in.stiffest = std::fmax(in.stiffest, l.pi);
     if (l.pi == 0.0 && in.gas < 0) in.gas = m;
     if (in.largest < 0 || cell.V[m] > cell.V[in.largest]) in.largest = m;

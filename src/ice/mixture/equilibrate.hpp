@@ -6,7 +6,8 @@
 // The volumes sum to one, so the work sums to zero: total energy is kept, and both entropies rise,
 // T ds_m = (p_m - q) dV_m >= 0. For laws p = G (rho e) + F with constant G and F = -gamma pi
 //   V' = G (E + q V)/(q + gamma pi + G q), falling and convex in q;
-// other laws find V' by a bracketed Newton iteration. q by a hyperbolic Newton step in q + pi_min,
+// For ideal gases alone q = sum g_m E_m/(1 - sum g_m V_m), g = G/(1 + G). Other laws find V' by a
+// bracketed Newton iteration. q by a hyperbolic Newton step in q + pi_min,
 //   x <- x/(1 + f/(f' x)),   f = sum V' - 1,
 // bracketed, with the geometric mean of the bracket where it leaves it. The largest material takes
 // the rest of volume and energy: both are exact to the round-off of the sums. Materials that are at
@@ -53,9 +54,9 @@ class Equilibration {
   struct Present {
     int index[most_materials];
     int count = 0;
-    int largest = -1, gas = -1;  // by volume; the first with a lowest pressure of zero
-    double stiffest = 0;         // pi, Pa
-    bool linear = true;
+    int largest = -1, gas = -1;        // by volume; the first with a lowest pressure of zero
+    double stiffest = 0;               // pi, Pa
+    bool linear = true, ideal = true;  // all laws
   };
   // Who is there, at which mean pressure; true: pressures differ.
   bool survey(const Cell& cell, Present& in, Result& result) const;

@@ -4,6 +4,8 @@
 // W is the work defect of the mixture: p dV goes by volume, the rest (dissipation, second order) by
 // mass. Per own volume: rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of
 // each, from the pressure of that state. The scale of the mixture is sum V_m scale_m.
+#include <algorithm>
+
 #include "ice/closure_rows.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
@@ -13,7 +15,8 @@ namespace {
 
 struct Handles {
   std::vector<In> mass, volume, energy;
-  In presence, pressure, inverse_rho, inverse_J, lagrangian, density;
+  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, density;
+  In mixture_density_L, mixture_energy_L;
   Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
 
@@ -52,6 +55,17 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
   }
 }
 
+// Where one material is alone all around, its scale is the mixture's; an ideal gas has its energy.
+void alone(const Row& row, const Handles& h, const Fluid& fluid) {
+  const int n = row.count();
+  const double* E = row(h.mixture_energy_L);
+  double* scale = row(h.mixture_scale);
+  if (fluid.ideal() != nullptr)
+    std::copy(E, E + n, scale);
+  else
+    energy_scale_row(fluid, n, row(h.mixture_density_L), E, scale);
+}
+
 }  // namespace
 
 void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
@@ -64,6 +78,9 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
     h.energy.push_back(task.read(v.energy[m]));
   }
   h.presence = task.read(v.presence);
+  h.pure = task.read(v.pure);
+  h.mixture_density_L = task.read(v.common.rho_L);
+  h.mixture_energy_L = task.read(v.common.energy_L);
   h.pressure = task.read(v.common.pressure);
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.inverse_J = task.read(v.common.inverse_J);
@@ -76,8 +93,12 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.scratch = task.write(list.temporary("Lagrangian density of a material"));
   const std::vector<Fluid> fluids = o.fluids;
   task.kernel([=](const Row& row) {
-    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
-      share_cells(row.part(first, count), h, as_set(presence), fluids);
+    for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+      const Row part = row.part(first, count);
+      if (pure >= 0.0) return alone(part, h, fluids[static_cast<std::size_t>(pure)]);
+      for_each_run(part(h.presence), count, [&](int begin, int some, double presence) {
+        share_cells(part.part(begin, some), h, as_set(presence), fluids);
+      });
     });
   });
 }

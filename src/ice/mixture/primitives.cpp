@@ -61,11 +61,11 @@ struct Handles {
   std::vector<In> mass, volume, energy;
   In momentum, presence;
   Out rho, total_energy, velocity, pressure, sound, inverse_rho, shock_slope, pi;
-  Out density, specific_energy, scratch;
+  Out scratch;
 };
 
 // One material alone.
-void pure_cells(const Row& row, const Handles& h, int m, int materials, const Fluid& fluid) {
+void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const int n = row.count();
   const auto k = static_cast<std::size_t>(m);
   const double* M = row(h.mass[k]);
@@ -79,13 +79,6 @@ void pure_cells(const Row& row, const Handles& h, int m, int materials, const Fl
     energy[i] = E[i];
     slope[i] = fluid_slope;
     pi[i] = fluid_pi;
-  }
-  for (int other = 0; other < materials; ++other) {
-    double *r = row(h.density, other), *e = row(h.specific_energy, other);
-    for (int i = 0; i < n; ++i) {
-      r[i] = other == m ? M[i] : 0.0;
-      e[i] = other == m ? E[i] : 0.0;
-    }
   }
 }
 
@@ -102,17 +95,13 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
   double* __restrict pi = row(h.pi);
   double* __restrict pm = row(h.scratch, 0);
   double* __restrict Km = row(h.scratch, 1);
+  double* __restrict r = row(h.scratch, 2);
+  double* __restrict e = row(h.scratch, 3);
   for (int i = 0; i < n; ++i) {
     rho[i] = energy[i] = p[i] = c[i] = slope[i] = 0.0;
     pi[i] = std::numeric_limits<double>::infinity();
   }
-  for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
-    double* __restrict r = row(h.density, m);
-    double* __restrict e = row(h.specific_energy, m);
-    if ((set >> m & 1) == 0) {
-      for (int i = 0; i < n; ++i) r[i] = e[i] = 0.0;
-      continue;
-    }
+  for_each_of(set, [&](int m) {
     const auto k = static_cast<std::size_t>(m);
     const Fluid& fluid = fluids[k];
     const double* __restrict M = row(h.mass[k]);
@@ -134,25 +123,57 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
       slope[i] += V[i] * fluid_slope;
       pi[i] = fluid_pi < pi[i] ? fluid_pi : pi[i];
     }
-  }
+  });
   for (int i = 0; i < n; ++i) {
     p[i] = p[i] / c[i];
     w[i] = 1.0 / rho[i];
     c[i] = 0.0;
   }
   for_each_of(set, [&](int m) {
-    const double* __restrict V = row(h.volume[static_cast<std::size_t>(m)]);
-    modulus_row(fluids[static_cast<std::size_t>(m)], n, row(h.density, m), p, Km);
+    const auto k = static_cast<std::size_t>(m);
+    const double* __restrict M = row(h.mass[k]);
+    const double* __restrict V = row(h.volume[k]);
+    for (int i = 0; i < n; ++i) r[i] = M[i] / V[i];
+    modulus_row(fluids[k], n, r, p, Km);
     for (int i = 0; i < n; ++i) c[i] += V[i] / Km[i];
   });
   for (int i = 0; i < n; ++i) c[i] = std::sqrt(w[i] / c[i]);
 }
 
-}  // namespace
+// Density and energy of each material per its own volume; in a step not where the neighbourhood is
+// pure, where those of the mixture do.
+void add_material_values(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                         bool everywhere) {
+  TaskBuilder task = list.task("values of each material", effect);
+  const In pure = task.read(everywhere ? v.presence : v.pure);
+  std::vector<In> mass, volume, energy;
+  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    mass.push_back(task.read(v.mass[m]));
+    volume.push_back(task.read(v.volume[m]));
+    energy.push_back(task.read(v.energy[m]));
+  }
+  const Out density = task.write(v.density), specific_energy = task.write(v.specific_energy);
+  task.kernel([=](const Row& row) {
+    for_each_run(row(pure), row.count(), [&](int first, int count, double alone) {
+      if (!everywhere && alone >= 0.0) return;
+      const Row part = row.part(first, count);
+      for (std::size_t m = 0; m < mass.size(); ++m) {
+        const double* __restrict M = part(mass[m]);
+        const double* __restrict V = part(volume[m]);
+        const double* __restrict E = part(energy[m]);
+        double* __restrict r = part(density, static_cast<int>(m));
+        double* __restrict e = part(specific_energy, static_cast<int>(m));
+        for (int i = 0; i < count; ++i) {
+          const double inverse = V[i] > 0.0 ? 1.0 / V[i] : 0.0;
+          r[i] = M[i] * inverse;
+          e[i] = E[i] * inverse;
+        }
+      }
+    });
+  });
+}
 
-void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  add_presence(list, v, effect);
-  add_neighbourhood(list, v, o, effect);
+void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("primitives", effect);
   Handles h;
   for (std::size_t m = 0; m < o.fluids.size(); ++m) {
@@ -170,9 +191,7 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.inverse_rho = task.write(v.common.inverse_rho);
   h.shock_slope = task.write(v.common.shock_slope);
   h.pi = task.write(v.common.pi);
-  h.density = task.write(v.density);
-  h.specific_energy = task.write(v.specific_energy);
-  h.scratch = task.write(list.temporary("pressure and modulus of a material", 2));
+  h.scratch = task.write(list.temporary("closure of a material", 4));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
   task.kernel([=](const Row& row) {
@@ -180,13 +199,22 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
       const Row part = row.part(first, count);
       const int m = first_of(presence);
       if (is_single(presence))
-        pure_cells(part, h, m, static_cast<int>(fluids.size()),
-                   fluids[static_cast<std::size_t>(m)]);
+        pure_cells(part, h, m, fluids[static_cast<std::size_t>(m)]);
       else
         mixed_cells(part, h, as_set(presence), fluids);
     });
     velocity_rows(row, h.momentum, h.velocity, row(h.inverse_rho), components);
   });
+}
+
+}  // namespace
+
+void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                    bool everywhere) {
+  add_presence(list, v, effect);
+  add_neighbourhood(list, v, o, effect);
+  add_mixture_values(list, v, o, effect);
+  add_material_values(list, v, o, effect, everywhere);
 }
 
 }  // namespace sluice::ice::mixture

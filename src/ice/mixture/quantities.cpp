@@ -10,7 +10,7 @@ class Declarer {
  public:
   explicit Declarer(QuantityList& q)
       : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
-    add_primitives(q.list(), v_, of_mixture(o_), effect_diagnostics);
+    add_primitives(q.list(), v_, of_mixture(o_), effect_diagnostics, true);
     velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {

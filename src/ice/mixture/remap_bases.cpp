@@ -6,6 +6,8 @@
 // as for one material (conservative/remap_base_rows.hpp). Differences count only where the material
 // fills more than a trace of the cell and of both neighbours. Density is floored at a tenth,
 // energy .9 scales below the Lagrangian value.
+#include <algorithm>
+
 #include "ice/conservative/remap_base_rows.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
@@ -17,12 +19,16 @@ struct Handles {
   RemapBaseHandles common;
   std::vector<In> volume;
   In pure, density, specific_energy, inverse_J, specific_energy_L, scale;
+  In mixture_density, mixture_energy;
   std::array<Out, 3> base;  // of each material
 };
 
+constexpr int most_cells = 64;  // of a part of a row
+
 // Rows of one material, and the three components that they write for axis d.
 template <int D>
-struct MaterialRows {
+class MaterialRows {
+ public:
   Quantity V, r, e;
   const double *iJ, *eps_L, *scale, *p, *mask;
   const double *u[3], *su[3];
@@ -30,8 +36,8 @@ struct MaterialRows {
 
   MaterialRows(const Row& row, const Handles& handles, const Axes& axes, int m) {
     V = quantity<D>(row, handles.volume[static_cast<std::size_t>(m)], 0);
-    r = quantity<D>(row, handles.density, m);
-    e = quantity<D>(row, handles.specific_energy, m);
+    r = around(row, handles, handles.density, handles.mixture_density, m);
+    e = around(row, handles, handles.specific_energy, handles.mixture_energy, m);
     iJ = row(handles.inverse_J);
     eps_L = row(handles.specific_energy_L, m);
     scale = row(handles.scale, m);
@@ -41,6 +47,29 @@ struct MaterialRows {
       su[t] = row(handles.common.velocity_slope, t);
       h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
     }
+  }
+
+  // The cell and its neighbours; where the neighbourhood is pure the values of the mixture.
+  Quantity around(const Row& row, const Handles& handles, In own, In mixture, int m) {
+    Quantity q;
+    q.centre = row(own, m);
+    const auto neighbour = [&](int t, int shift) {
+      const double* __restrict mine = row(own, m, t, shift);
+      const double* __restrict all = row(mixture, 0, t, shift);
+      const double* __restrict key = row(handles.pure, 0, t, shift);
+      double* __restrict to = work[used++];
+      const double material = m;
+      for (int i = 0; i < row.count(); ++i) {
+        const double alone = key[i] == material ? all[i] : 0.0;
+        to[i] = key[i] < 0.0 ? mine[i] : alone;
+      }
+      return to;
+    };
+    for (int t = 0; t < D; ++t) {
+      q.minus[t] = neighbour(t, -1);
+      q.plus[t] = neighbour(t, 1);
+    }
+    return q;
   }
 
   double slope(const Quantity& q, int t, int i) const {
@@ -68,6 +97,10 @@ struct MaterialRows {
     }
   }
   static constexpr double trace = 1e-10;
+
+ private:
+  int used = 0;
+  double work[4 * D][most_cells];
 };
 
 template <int D>
@@ -90,7 +123,9 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   TaskBuilder task = list.task("remap bases", effect);
   Handles h;
   h.common = declare_remap_bases(task, v.common, o);
-  h.pure = task.read(v.pure);
+  h.pure = task.read(v.pure, Stencil::box(1));
+  h.mixture_density = task.read(v.common.rho, Stencil::box(1));
+  h.mixture_energy = task.read(v.common.energy, Stencil::box(1));
   for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
   h.density = task.read(v.density, Stencil::box(1));
   h.specific_energy = task.read(v.specific_energy, Stencil::box(1));
@@ -111,8 +146,10 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
             base_rows<D, C, true>(part, h.common, o.axes, gravity, scaled);
           else
             base_rows<D, C, false>(part, h.common, o.axes, gravity, scaled);
+          if (pure >= 0) return;
+          for (int begin = 0; begin < count; begin += most_cells)
+            material_bases<D>(part.part(begin, std::min(most_cells, count - begin)), h, o);
         });
-        material_bases<D>(row, h, o);
       });
   });
 }

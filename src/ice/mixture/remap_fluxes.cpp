@@ -30,23 +30,6 @@ struct Handles {
   Out flux;  // of each material
 };
 
-// The flux of the one material, under its own name too.
-void copy_pure(const Row& row, const Handles& h, int m, double l) {
-  const int n = row.count();
-  const double* uf = row(h.common.face_velocity);
-  const double *F = row(h.common.flux, 0), *G = row(h.common.flux, 1);
-  for (int other = 0; other < static_cast<int>(h.materials.volume.size()); ++other) {
-    double* volume = row(h.flux, component(other, of_volume));
-    double* mass = row(h.flux, component(other, of_mass));
-    double* energy = row(h.flux, component(other, of_energy));
-    for (int i = 0; i < n; ++i) {
-      volume[i] = other == m ? l * uf[i] : 0.0;
-      mass[i] = other == m ? F[i] : 0.0;
-      energy[i] = other == m ? G[i] : 0.0;
-    }
-  }
-}
-
 // Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
 template <int D, int C>
 void total_fluxes(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l) {
@@ -104,12 +87,12 @@ void total_fluxes(const Row& row, const Handles& h, const SchemeOptions& o, int 
 
 template <int D, int C>
 void mixed_faces(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l) {
-  FaceShares shares(row, h.common, h.materials, h.flux, o, axis, l);
-  shares.propose_volumes();
-  shares.close_volumes();
-  shares.keep_traces_together();
-  shares.carry_mass_and_energy();
-  total_fluxes<D, C>(row, h, o, axis, l);
+  for (int first = 0; first < row.count(); first += most_faces) {
+    const int left = row.count() - first;
+    const Row part = row.part(first, left < most_faces ? left : most_faces);
+    carry_materials(part, h.common, h.materials, h.flux, o, axis, l);
+    total_fluxes<D, C>(part, h, o, axis, l);
+  }
 }
 
 }  // namespace
@@ -138,7 +121,6 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
                               flux_row_of<D, C, true>(part, h.common, axis, l, o);
                             else
                               flux_row_of<D, C, false>(part, h.common, axis, l, o);
-                            copy_pure(part, h, m, l);
                           });
       });
     });

@@ -57,6 +57,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
     v.flux[n] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
   }
   v.common.material_flux = v.flux;
+  v.common.pure = v.pure;
   v.end = list.temporary("density and modulus of the new mixture", 2);
   return v;
 }

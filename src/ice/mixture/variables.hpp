@@ -18,12 +18,15 @@ struct Variables {
   std::vector<VariableId> mass, volume, energy, mass_new, volume_new, energy_new;
   VariableId presence;  // bit set of the materials in a cell, as a number
   VariableId pure;      // the material that is alone in a cell and all around it; -1: none
-  // By material: density and energy per its own volume (old; 0 where absent); after the Lagrangian
-  // phase energy per cell and per own volume, and the energy scale (p + pi)/G.
+  // By material, but only in cells whose neighbourhood is not pure: density and energy per its own
+  // volume (old; 0 where absent); after the Lagrangian phase energy per cell and per own volume, and
+  // the energy scale (p + pi)/G.
   VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
-  // By axis, 3 components a material: what volume, density and energy offer to the remap.
+  // By axis, 3 components a material: what volume, density and energy offer to the remap, in the
+  // same cells.
   std::array<VariableId, 3> base;
-  // By axis, 3 components a material: volume, mass and energy that pass a face.
+  // By axis, 3 components a material: volume, mass and energy that pass a face, unless both its
+  // cells have the same pure neighbourhood.
   std::array<VariableId, 3> flux;
   VariableId end;  // density, modulus of the new mixture
 };
@@ -37,7 +40,9 @@ inline int component(int material, Carried q) {
 }
 
 // Tasks of the step, in order; each in the file of its name.
-void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// `everywhere`: density and energy of each material also where it is alone, for outputs.
+void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
+                    bool everywhere = false);
 void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
