@@ -1,0 +1,362 @@
+#!/usr/bin/env python3
+"""Write docs/LIST_decks.md: the state of every deck of a list of the format's public suite.
+
+    SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
+
+LIST is amr (decks with <AMR> or several <Level>s, run to their end) or ice (decks of inputs/ICE,
+coarsened to seconds). A deck that `sluice check` finds good is run; of any other the first fault
+is told. --check writes nothing and fails when a page is not what it would write. --test runs only
+what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
+that SLUICE_DECKS is not set.
+"""
+import argparse
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from sluice_tools.archive import Archive  # noqa: E402
+
+LIMIT = 300  # seconds a deck
+NO_SUITE = 77
+MOST_CELLS = 20000  # of a coarsened deck
+MOST_STEPS = 200
+LARGEST_DRIFT = 1e-14  # of a total
+LARGEST_GROWTH = 10.0  # of density, temperature and pressure
+
+AMR_HEAD = """# Decks with levels
+
+Every deck of the format's public suite that has `<AMR>` or several `<Level>`s, and its state. This
+page is written by `tools/verify/suite_decks.py amr`, which finds the suite through the variable
+`SLUICE_DECKS`; `./dev verify decks` checks that it holds. The decks are taken as they stand. Of
+those that do not run the first thing that is missing is told, as `sluice check` or the start of the
+run says it.
+
+"""
+
+ICE_HEAD = f"""# Decks of the fluid
+
+Every deck of the folder `inputs/ICE` of the format's public suite, and its state. This page is
+written by `tools/verify/suite_decks.py ice`, which finds the suite through the variable
+`SLUICE_DECKS`; the test `tools.ice_decks` runs every deck that is said to run here, `./dev verify
+decks` checks every row. Decks run coarsened to seconds: at most {MOST_STEPS} steps, and a grid of
+one box of more than {MOST_CELLS:,} cells by a smaller `resolution`; the last step is saved. A deck
+runs when it ends in good order; all totals and all values of its last output are finite, densities,
+temperatures and volumes not negative, volume fractions at most 1; density, temperature and pressure
+are at most {LARGEST_GROWTH:g} times their largest in the first output; mass of each material,
+momentum and total energy are conserved to {LARGEST_DRIFT:g}, what passed the boundary counted. That
+says nothing of accuracy: see [theory_ice.md](theory_ice.md). Of the others the first thing that is
+missing is told, as `sluice check` or the start of the run says it.
+
+"""
+
+
+class NoDeck(Exception):
+    """The file cannot be read as a deck; what it says can still be searched."""
+
+
+def load(path):
+    """The deck's root with its includes resolved; files lie beside the deck or in the suite."""
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, OSError) as error:
+        raise NoDeck(str(error)) from error
+    resolve(root, path.parent)
+    return root
+
+
+def resolve(element, folder):
+    for place, child in enumerate(list(element)):
+        if child.tag != "include":
+            resolve(child, folder)
+            continue
+        name = child.get("href", "")
+        found = next((p for p in (folder / name, pathlib.Path(name)) if p.is_file()), None)
+        if found is None:
+            raise NoDeck(f"{name} does not exist")
+        part = load(found)
+        for step in (child.get("section") or "").strip("/").split("/"):
+            below = part.find(step) if step and step != part.tag else part
+            part = part if below is None else below
+        element.remove(child)
+        element.insert(place, part)
+
+
+def levels_of(path):
+    """What the deck says of levels, or None when it has none."""
+    try:
+        root = load(path)
+    except NoDeck:
+        text = re.sub(r"<!--.*?-->", "", path.read_text(errors="replace"), flags=re.DOTALL)
+        return "not readable" if "<AMR" in text or text.count("<Level>") > 1 else None
+    statics = len(root.findall("Grid/Level"))
+    amr = root.find("AMR")
+    if amr is None and statics < 2:
+        return None
+    if statics > 1:
+        return f"{statics} fixed"
+    most = (root.findtext("AMR/Regridder/max_levels") or "1").strip()
+    return f"up to {most}" if int(most) > 1 else "one"
+
+
+def component_of(path):
+    try:
+        found = load(path).find("SimulationComponent")
+    except NoDeck:
+        return ""
+    return "" if found is None else found.get("type", "")
+
+
+def materials_of(path):
+    try:
+        return str(len(load(path).findall("MaterialProperties/ICE/material")))
+    except NoDeck:
+        return ""
+
+
+def first_fault(sluice, suite, name):
+    """What to tell of the first error of the deck, or None; what is not built comes last."""
+    words = [sluice, "check", "--json", name]
+    told = subprocess.run(words, cwd=suite, capture_output=True, text=True)
+    faults = json.loads(told.stdout)["decks"][0]["faults"]
+    errors = [f for f in faults if f["kind"] in ("error", "not_built")]
+    errors.sort(key=lambda f: f["kind"] != "error")
+    if not errors:
+        return None
+    kind = "missing" if errors[0]["kind"] == "not_built" else "fault of the deck"
+    return f"{kind}: " + errors[0]["message"].replace(" is known to the format, but not built yet",
+                                                      "")
+
+
+def coarsened(path):
+    """Overrides that make the deck small, and the cells it then has (None: as it stands)."""
+    levels = load(path).findall("Grid/Level")
+    boxes = levels[0].findall("Box") if len(levels) == 1 else []
+    if len(boxes) != 1 or boxes[0].find("resolution") is None:
+        return [], None
+    cells = [int(part) for part in boxes[0].findtext("resolution").strip(" []\n").split(",")]
+    if math.prod(cells) <= MOST_CELLS:
+        return [], None
+    long = [n for n in cells if n > 1]
+    factor = (math.prod(cells) / MOST_CELLS) ** (1 / len(long))
+    cells = [max(1, int(n / factor)) if n > 1 else 1 for n in cells]
+    text = ",".join(map(str, cells))
+    return ["--set", f"Grid/Level/Box/resolution=[{text}]"], cells
+
+
+def run(sluice, suite, name, folder, options):
+    """(report or None, what went wrong)"""
+    report = folder / "report.json"
+    words = [sluice, "run", name, "-o", str(folder), "--progress", "none", "--quiet", "--json",
+             str(report), *options]
+    try:
+        done = subprocess.run(words, cwd=suite, capture_output=True, text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return None, f"not finished in {LIMIT} s"
+    if done.returncode == 2:
+        last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
+        last = re.sub(r"^\S+\.ups(:\d+)*: (error: )?", "", last)
+        return None, "missing: " + re.sub(r" are not built yet.*| is not built yet.*", "", last)
+    if done.returncode != 0:
+        last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
+        return None, f"fails: {last}"
+    told = json.loads(report.read_text())
+    if told["status"] not in ("done", "max_steps"):
+        return None, f"ends with {told['status']}: {told['message']}"
+    return told, ""
+
+
+def drift_of(report):
+    """The largest share of a total that was lost; momentum by the scale of its whole vector, or,
+    where all is at rest, by that of sound."""
+    totals = report["conservation"]
+    mass = sum(t["scale"] for name, t in totals.items() if name.startswith("mass"))
+    energy = totals["total energy"]["scale"]
+    momentum = max([t["scale"] for name, t in totals.items() if name.startswith("momentum")] +
+                   [math.sqrt(mass * energy)])
+    worst = 0.0
+    for name, t in totals.items():
+        scale = momentum if name.startswith("momentum") else t["scale"]
+        if not all(math.isfinite(t[part]) for part in ("now", "defect", "scale")):
+            return math.nan
+        worst = max(worst, abs(t["defect"]) / scale if scale > 0 else abs(t["defect"]))
+    return worst
+
+
+def values(step, label):
+    for name, material, level in step.stored():
+        if name == label:
+            yield from (values for _, _, values in step.pieces(name, material, level))
+
+
+def largest(step, label):
+    return max(float(abs(v).max()) for v in values(step, label))
+
+
+def bad_values(folder):
+    """What is wrong with the last output of the archive, or nothing."""
+    import numpy as np
+
+    archive = Archive(next(folder.glob("*.uda.000")))
+    first, last = archive.step("first"), archive.step("last")
+    for label in last.names():
+        parts = list(values(last, label))
+        if not all(np.isfinite(part).all() for part in parts):
+            return f"{label} is not finite"
+        if label in NEVER_NEGATIVE and min(part.min() for part in parts) < 0:
+            return f"{label} is negative"
+        if label == "vol_frac_CC" and max(part.max() for part in parts) > 1:
+            return f"{label} is above 1"
+        if label in MAY_NOT_GROW and largest(last, label) > LARGEST_GROWTH * largest(first, label):
+            return f"{label} grows {largest(last, label) / largest(first, label):.3g} times"
+    return None
+
+
+NEVER_NEGATIVE = {"rho_CC", "temp_CC", "sp_vol_CC", "vol_frac_CC", "rho_micro_CC"}
+MAY_NOT_GROW = {"rho_CC", "temp_CC", "press_CC"}
+
+
+def run_whole(sluice, suite, path):
+    """(good, what to tell) of the deck as it stands"""
+    with tempfile.TemporaryDirectory() as folder:
+        report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(),
+                            pathlib.Path(folder), [])
+    if report is None:
+        return False, wrong
+    return True, f"runs to its end, {report['steps']} coarse steps"
+
+
+def run_coarsened(sluice, suite, path):
+    """(good, what to tell) of the deck made small"""
+    options, cells = coarsened(path)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(), folder,
+                            ["--max-steps", str(MOST_STEPS), "--set",
+                             "DataArchiver/outputLastTimestep=true", *options])
+        if report is None:
+            return False, wrong
+        wrong = bad_values(folder)
+    drift = drift_of(report)
+    if wrong or not drift <= LARGEST_DRIFT:
+        return False, wrong or f"not conserved: {drift:.1e}"
+    whole = report["status"] == "done" or report["steps"] < MOST_STEPS
+    text = f"runs{' to its end' if whole else ''}, {report['steps']} steps"
+    if cells is not None:
+        text += f" on {' x '.join(map(str, cells))} cells"
+    return True, text
+
+
+def state_of(sluice, suite, path, run_deck):
+    fault = first_fault(sluice, suite, path.relative_to(suite).as_posix())
+    if fault:
+        good, text = False, fault
+    else:
+        good, text = run_deck(sluice, suite, path)
+    return good, re.sub(r"(<[^<>]+>)", r"`\1`", text).replace("|", "\\|")
+
+
+class AmrList:
+    page = ROOT / "docs" / "amr_decks.md"
+    head, folder = AMR_HEAD, "inputs"
+    columns = "| deck | component | levels | state |\n| --- | --- | --- | --- |\n"
+    told = "decks with levels run"
+    run_deck = staticmethod(run_whole)
+
+    @staticmethod
+    def cells(path):
+        levels = levels_of(path)
+        return None if levels is None else [component_of(path), levels]
+
+
+class IceList:
+    page = ROOT / "docs" / "ice_decks.md"
+    head, folder = ICE_HEAD, "inputs/ICE"
+    columns = "| deck | materials | levels | state |\n| --- | --- | --- | --- |\n"
+    told = "decks of the fluid run"
+    run_deck = staticmethod(run_coarsened)
+
+    @staticmethod
+    def cells(path):
+        return [materials_of(path), levels_of(path) or ""]
+
+
+LISTS = {"amr": AmrList, "ice": IceList}
+
+
+def short_name(suite, path):
+    return path.relative_to(suite).as_posix().removeprefix("inputs/")
+
+
+def make_page(sluice, suite, deck_list):
+    rows = []
+    for path in sorted((suite / deck_list.folder).rglob("*.ups")):
+        cells = deck_list.cells(path)
+        if cells is None:
+            continue
+        good, state = state_of(sluice, suite, path, deck_list.run_deck)
+        rows.append((good, f"| {' | '.join([short_name(suite, path), *cells, state])} |\n"))
+    running = [text for good, text in rows if good]
+    text = deck_list.head
+    text += f"{len(running)} of {len(rows)} decks run.\n\n" + deck_list.columns
+    text += "".join(running) + "".join(line for good, line in rows if not good)
+    return text, f"{len(running)} of {len(rows)} {deck_list.told}"
+
+
+def broken_decks(sluice, suite, deck_list):
+    """Decks that the page says run and that do not; how many ran."""
+    names = re.findall(r"^\| (\S+\.ups) \|.*\| runs[^|]*\|$", deck_list.page.read_text(), re.M)
+    broken = []
+    for name in names:
+        good, state = state_of(sluice, suite, suite / "inputs" / name, deck_list.run_deck)
+        if not good:
+            broken.append(f"{name}: {state}")
+    return broken, len(names)
+
+
+def treat(sluice, suite, deck_list, given):
+    """Whether all is well with a list; says what was found."""
+    if given.test:
+        broken, count = broken_decks(sluice, suite, deck_list)
+        for line in broken:
+            print(f"   FAILED {line}")
+        print(f"RESULT: {count - len(broken)} of {count} {deck_list.told} as the page says")
+        return count > 0 and not broken
+    text, told = make_page(sluice, suite, deck_list)
+    if not given.check:
+        deck_list.page.write_text(text)
+    elif not deck_list.page.exists() or deck_list.page.read_text() != text:
+        print(f"RESULT: {deck_list.page.name} is out of date: write it anew without --check")
+        return False
+    print(f"RESULT: {told}")
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sluice", required=True)
+    parser.add_argument("--check", action="store_true", help="compare with the pages only")
+    parser.add_argument("--test", action="store_true", help="run what the pages say runs")
+    parser.add_argument("lists", nargs="+", choices=sorted(LISTS))
+    given = parser.parse_args()
+    suite = os.environ.get("SLUICE_DECKS")
+    if not suite:
+        print("suite_decks: SLUICE_DECKS does not name the folder of the suite", file=sys.stderr)
+        return NO_SUITE if given.test else 2
+    suite = pathlib.Path(suite).resolve()
+    sluice = str(pathlib.Path(given.sluice).resolve())
+    os.chdir(suite)  # includes are also looked for here
+    good = [treat(sluice, suite, LISTS[name], given) for name in given.lists]
+    return 0 if all(good) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
