@@ -63,11 +63,11 @@ CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overri
   throw std::runtime_error(fmt::format("{}: exit status {}, {}:\n{}", deck, status, end, said));
 }
 
-CellValues CaseRun::field(const std::string& variable, int component,
-                          const std::string& which) const {
+CellValues CaseRun::field(const std::string& variable, int component, const std::string& which,
+                          int material) const {
   const Archive opened = Archive::open(archive());
   const ArchiveStep step = opened.read_output(opened.select_output(which));
-  const FieldInfo* info = step.find(variable, 0, 0);
+  const FieldInfo* info = step.find(variable, material, 0);
   if (!info) throw std::runtime_error("the archive holds no " + variable);
   const Level& level = step.grid().levels.at(0);
   CellValues out;
@@ -114,7 +114,7 @@ double CaseRun::worst_drift() const {
 long CaseRun::events() const {
   long count = 0;
   for (const auto& event : record_.at("events")) {
-    if (event.is_number()) count += event.get<long>();
+    count += event.at("count").get<long>();
   }
   return count;
 }

@@ -65,12 +65,13 @@ Fault refusal(const DeckNode& node, std::string_view name) {
   return fault;
 }
 
-void check_variable(const DeckNode& node, const char* attribute, std::vector<Fault>& faults) {
+void check_variable(const DeckNode& node, std::string_view attribute, int count,
+                    std::vector<Fault>& faults) {
   const std::optional<std::string> name = node.attribute(attribute);
   if (!name) return;  // told by the schema
   if (!listed(usable_variables(), *name))
     faults.push_back(refusal(node, *name));
-  else if (constant(*name))
+  else if (count < 2 && constant(*name))
     faults.push_back({Severity::warning, node.where,
                       fmt::format("<{}>: {} is the same in all cells of this deck; the criterion "
                                   "never asks for a finer level",
@@ -94,12 +95,13 @@ void check_material(const DeckNode& node, int count, std::vector<Fault>& faults)
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* amr = root.child("AMR");
   if (!runs_ice(root) || amr == nullptr) return;
-  for (const DeckNode* node : amr->all("ErrorEstimate")) check_variable(*node, "variable", faults);
+  const auto count = static_cast<int>(ice_materials(root).size());
+  for (const DeckNode* node : amr->all("ErrorEstimate"))
+    check_variable(*node, "variable", count, faults);
   const DeckNode* list = amr->find("ICE/Refinement_Criteria_Thresholds");
   if (list == nullptr) return;
-  const auto count = static_cast<int>(ice_materials(root).size());
   for (const DeckNode* node : list->all("Variable")) {
-    check_variable(*node, "name", faults);
+    check_variable(*node, "name", count, faults);
     check_material(*node, count, faults);
   }
 }

@@ -57,6 +57,22 @@ TEST(CriterionRules, OthersAreRefusedByName) {
   }
 }
 
+TEST(CriterionRules, VolumeFractionsOfSeveralMaterialsVary) {
+  Schema schema;
+  add_framework_tags(schema);
+  add_ice_tags(schema);
+  std::string text = deck_text(GasBox{});
+  const std::string end = "</material>";
+  const std::size_t first = text.find("<material"), last = text.find(end) + end.size();
+  text.insert(last, text.substr(first, last - first));
+  text.insert(text.rfind("</Uintah_specification>"),
+              "<AMR><ICE><orderOfInterpolation>1</orderOfInterpolation>"
+              "<Refinement_Criteria_Thresholds><Variable name='vol_frac_CC' value='1' matl='1'/>"
+              "</Refinement_Criteria_Thresholds></ICE></AMR>");
+  for (const Fault& f : load_deck_text(text, "box.ups", {}, schema).faults)
+    EXPECT_THAT(to_string(f), testing::Not(HasSubstr("Variable")));
+}
+
 TEST(CriterionRules, MaterialsMustExist) {
   EXPECT_THAT(threshold("rho_CC", "1"), HasSubstr("there is no material 1: the deck has 1"));
   EXPECT_THAT(threshold("rho_CC", "-1"), HasSubstr("there is no material -1"));

@@ -1,0 +1,129 @@
+// Materials that move together in equilibrium stay in it, on one level and across faces where levels
+// meet; a shock over a bubble.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/archive/archive.hpp"
+#include "verification/amr_case.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double allowed = 1e-10;        // relative
+constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps
+
+double drift_per_thousand(const CaseRun& run) {
+  const double drift = run.worst_drift() / std::max(1., run.steps() / 1000.);
+  record("drift", drift);
+  return drift;
+}
+
+// Largest relative distance of a variable of a material from `wanted` where that material is, on
+// any level.
+double unevenness(const CaseRun& run, const std::string& variable, int component, double wanted,
+                  int material) {
+  const Archive opened = Archive::open(run.archive());
+  const ArchiveStep step = opened.read_output(opened.select_output("last"));
+  double worst = 0;
+  long cells = 0;
+  for (std::size_t l = 0; l < step.grid().levels.size(); ++l) {
+    const FieldInfo* field = step.find(variable, material, static_cast<int>(l));
+    const FieldInfo* share = step.find("vol_frac_CC", material, static_cast<int>(l));
+    if (field == nullptr || share == nullptr)
+      throw std::runtime_error("the archive holds no " + variable);
+    for (const GridBox& box : step.grid().levels[l].boxes) {
+      const DenseField values = step.read(*field, box.cells), shares = step.read(*share, box.cells);
+      for_each_cell(box.cells, [&](IntVec3 c) {
+        if (!(shares.at(c, 0) > 0)) return;
+        ++cells;
+        const double distance = std::fabs(values.at(c, component) / wanted - 1);
+        if (!(distance <= worst)) worst = distance;  // a NaN stays
+      });
+    }
+  }
+  EXPECT_GT(cells, 0) << variable << " of material " << material;
+  return worst;
+}
+
+struct Equilibrium {
+  double pressure, temperature;
+  Vec3 velocity;
+  int materials;
+};
+
+void expect_uniform(const CaseRun& run, const Equilibrium& e) {
+  const double p = farthest_on_levels(run, "press_CC", 0, e.pressure) / e.pressure;
+  record("pressure", p);
+  EXPECT_LE(p, allowed);
+  double u = 0, T = 0;
+  for (int m = 0; m < e.materials; ++m) {
+    for (const int d : {0, 1})
+      if (e.velocity[d] != 0) u = std::fmax(u, unevenness(run, "vel_CC", d, e.velocity[d], m));
+    T = std::fmax(T, unevenness(run, "temp_CC", 0, e.temperature, m));
+  }
+  record("velocity", u);
+  record("temperature", T);
+  EXPECT_LE(u, allowed);
+  EXPECT_LE(T, allowed);
+}
+
+TEST(MixtureFlow, ThreeMaterialsInARowStayInEquilibrium) {
+  const CaseRun run("three_in_a_row");
+  expect_uniform(run, {101325, 300, {100, 0, 0}, 3});
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  EXPECT_EQ(run.events(), 0);
+  // Each is where it was, once round: its edges are no wider than four cells.
+  for (int m = 0; m < 3; ++m) {
+    const CellValues share = run.field("vol_frac_CC", 0, "last", m);
+    const auto mixed = std::count_if(share.values.begin(), share.values.end(),
+                                     [](double v) { return v > .01 && v < .99; });
+    record("mixed_" + std::to_string(m), static_cast<double>(mixed));
+    EXPECT_LE(mixed, 8);
+  }
+}
+
+// A finer level follows the edge of the water.
+struct Levels {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+void expect_untouched(const CaseRun& run) {
+  expect_uniform(run, {101325, 300, {100, -40, 0}, 2});
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  ASSERT_GE(most_cells(run).size(), 2u);
+  EXPECT_GT(most_cells(run)[1], 0);
+  EXPECT_EQ(run.events(), 0);
+}
+
+class WaterSquare : public testing::TestWithParam<Levels> {};
+
+TEST_P(WaterSquare, LeavesNoTraceInPressureVelocityAndTemperature) {
+  const CaseRun run("amr_water_square", GetParam().overrides);
+  expect_untouched(run);
+  EXPECT_GT(regrids(run), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    On, WaterSquare,
+    testing::Values(Levels{"Ratio2", {}}, Levels{"Lockstep", {"AMR/useLockStep=true"}},
+                    Levels{"Ratio4",
+                           {resolution(16, 16), "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]",
+                            "AMR/Regridder/min_patch_size=[[8,8,1]]"}},
+                    Levels{"ThreeLevels", {resolution(16, 16), "AMR/Regridder/max_levels=3"}},
+                    Levels{"CopiedCells", {"AMR/ICE/orderOfInterpolation=0"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(MixtureFlow, EdgesCrossFacesOfAFixedRegion) {
+  expect_untouched(CaseRun("amr_water_through_region"));
+}
+
+TEST(MixtureFlow, ShockOverAWaterCylinderConserves) {
+  const CaseRun run("amr_water_cylinder");
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  EXPECT_GT(regrids(run), 0);
+}
+
+}  // namespace
+}  // namespace sluice::verification
