@@ -193,5 +193,63 @@ TEST_F(PlanCommand, ARunTellsItsCostsAndItsError) {
   EXPECT_THAT(said_, testing::ContainsRegex("[0-9.]+ %.*conservative scheme"));
 }
 
+// The shock tube with another gas on the right.
+std::string two_gases() {
+  std::ifstream in(SLUICE_SOURCE_DIR "/inputs/ice/shock_tube.ups");
+  std::stringstream whole;
+  whole << in.rdbuf();
+  std::string text = whole.str();
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    for (; at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  };
+  replace("id=\"0\"", "id=\"all\"");
+  replace("<geom_object>\n          <box label=\"right\">",
+          "</material>\n<material name=\"heavy\"><EOS type=\"ideal_gas\"/>"
+          "<dynamic_viscosity>0</dynamic_viscosity>"
+          "<thermal_conductivity>0</thermal_conductivity><specific_heat>1</specific_heat>"
+          "<gamma>1.667</gamma><geom_object>\n          <box label=\"right\">");
+  replace("</ICE>\n  </MaterialProperties>",
+          "</ICE><exchange_properties><exchange_coefficients><momentum>[1e15]</momentum>"
+          "<heat>[0]</heat></exchange_coefficients></exchange_properties></MaterialProperties>");
+  return text;
+}
+
+TEST_F(PlanCommand, TellsWhatSeveralMaterialsCost) {
+  const std::string file = (folder_ / "two_gases.ups").string();
+  std::ofstream(file) << two_gases();
+  const json p = plan({file, "--quiet"});
+  EXPECT_TRUE(effect(p, "pressure equilibration").at("on").get<bool>());
+  EXPECT_TRUE(effect(p, "momentum exchange").at("on").get<bool>());
+  EXPECT_FALSE(effect(p, "heat exchange").at("on").get<bool>());
+  EXPECT_THAT(effect(p, "heat exchange").at("reason").get<std::string>(), HasSubstr("0 (0-1)"));
+  // Old and new: mass, volume, energy of each, one momentum.
+  double bytes = 0;
+  for (const json& e : p.at("effects")) bytes += e.at("bytes_per_cell").get<double>();
+  EXPECT_EQ(bytes, 2 * 8 * 7);
+  const std::vector<int> tasks = p.at("kind_tasks");
+  ASSERT_EQ(tasks.size(), 3u);
+  EXPECT_GT(tasks[2], tasks[0]);
+  EXPECT_EQ(tasks[1], tasks[0]);
+  for (const json& s : p.at("outputs").at("saves"))
+    if (s.at("label") == "press_CC") {
+      EXPECT_EQ(s.at("materials"), 2);
+      EXPECT_EQ(s.at("bytes_per_cell"), 16.0);
+    }
+  // The run that is planned.
+  const std::string report = (folder_ / "run.json").string();
+  ASSERT_EQ(sluice({"run", file, "--max-steps", "3", "-o", folder_.string(), "--quiet", "--json",
+                    report}),
+            0)
+      << said_;
+  const json run = json::parse(text_of(report));
+  for (const char* name : {"flow", "pressure equilibration", "boundary account"}) {
+    EXPECT_EQ(effect(p, name).at("tasks"), effect(run, name).at("tasks")) << name;
+    EXPECT_EQ(effect(p, name).at("bytes_per_cell"), effect(run, name).at("bytes_per_cell")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace sluice

@@ -29,6 +29,17 @@ std::string directions_text(const RunPlan& p) {
   return table.text("  ");
 }
 
+std::string kinds_text(const RunPlan& p) {
+  if (p.kind_tasks.size() < 2) return "";
+  std::string tasks;
+  for (std::size_t k = 0; k + 1 < p.kind_tasks.size(); ++k)
+    tasks += fmt::format("{}{}", k > 0 ? ", " : "", p.kind_tasks[k]);
+  return fmt::format(
+      "  blocks of one material run the step of that material alone ({} tasks); the table counts\n"
+      "  the step of blocks where materials meet ({} tasks)\n",
+      tasks, p.kind_tasks.back());
+}
+
 std::string outputs_text(const RunPlan& p) {
   if (p.outputs.empty()) return "  nothing is saved\n";
   TextTable table(
@@ -36,7 +47,9 @@ std::string outputs_text(const RunPlan& p) {
   for (const PlannedOutput& o : p.outputs) {
     const bool field = o.bytes_per_cell > 0;
     const double each = o.bytes_per_cell * static_cast<double>(p.cell_count);
-    table.row({o.label, o.made, field ? fmt::format("{:g}", o.bytes_per_cell) : "",
+    const std::string made =
+        o.materials > 1 ? fmt::format("{}, {} materials", o.made, o.materials) : o.made;
+    table.row({o.label, made, field ? fmt::format("{:g}", o.bytes_per_cell) : "",
                field ? human_bytes(each) : "", short_place(o.where)});
   }
   return table.text("  ") + fmt::format("  outputs {}: {} each; checkpoints {}: {} each\n",
@@ -112,6 +125,7 @@ Json outputs_json(const RunPlan& p) {
     list.push_back({{"label", o.label},
                     {"made", o.made},
                     {"bytes_per_cell", o.bytes_per_cell},
+                    {"materials", o.materials},
                     {"line", json_location(o.where)}});
   return {{"times", p.output_times},
           {"bytes_each", p.output_bytes},
@@ -161,6 +175,7 @@ std::string plan_text(const RunPlan& p) {
                        : fmt::format("{} to {} neighbour rank{}, and one reduction\n",
                                      human_bytes(static_cast<double>(p.message_bytes)),
                                      p.neighbour_ranks, p.neighbour_ranks == 1 ? "" : "s");
+  text += kinds_text(p);
   text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
                       p.quiet_reason,
                       p.quiet_where.file.empty() ? "" : " (" + short_place(p.quiet_where) + ")");
@@ -182,6 +197,7 @@ std::string plan_json(const RunPlan& p) {
                      {"threads", p.threads},
                      {"directions", directions_json(p)},
                      {"effects", effects_json(p)},
+                     {"kind_tasks", p.kind_tasks},
                      {"messages",
                       {{"halo", {p.halo.x, p.halo.y, p.halo.z}},
                        {"bytes_per_step", p.message_bytes},

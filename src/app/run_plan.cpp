@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "app/first_step_limit.hpp"
@@ -38,13 +39,16 @@ struct Graph {
   SweepPlan plan;
 };
 
+// The graph of a step of a kind of blocks; -1: the general one, which is right for every block.
 Graph compile_graph(const Component& component, const Level& level, bool diagnostic,
-                    const std::set<Label>& wanted) {
+                    const std::set<Label>& wanted, int kind = -1) {
   Graph g;
+  StepVariant variant;
+  variant.kind = kind < 0 ? component.step_kinds() - 1 : kind;
   if (diagnostic)
     component.declare_diagnostics(g.list, 0);
   else
-    component.declare_step(g.list, StepVariant{});
+    component.declare_step(g.list, variant);
   std::vector<VariableId> variables;
   for (std::size_t n = 0; n < g.list.variables().size(); ++n) {
     const Variable& v = g.list.variables()[n];
@@ -61,6 +65,12 @@ std::set<Label> output_labels(const TaskList& list) {
   for (const Variable& v : list.variables())
     if (v.storage == Storage::output) labels.insert(v.label);
   return labels;
+}
+
+// How many materials have each label among the outputs.
+void count_materials(const TaskList& list, std::map<Label, std::set<int>>& materials) {
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output) materials[v.label].insert(v.material);
 }
 
 double state_components(const Component& component) {
@@ -88,10 +98,13 @@ class Planner {
     TaskList diagnostics;
     component_.declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
+    count_materials(all_step.list, materials_of_);
+    count_materials(diagnostics, materials_of_);
     plain_ = compile_graph(component_, level_, false, stored_always());
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
     describe_effects();
+    describe_kinds();
     if (options_.output) describe_outputs();
     describe_quiet();
     find_first_step();
@@ -115,6 +128,13 @@ class Planner {
     plan_.directions = scene_.directions;
     block_ = options_.block == IntVec3{} ? default_block(level_) : options_.block;
     plan_.blocks = static_cast<int>(place_blocks(level_.boxes, block_).size());
+  }
+
+  // What a block of each kind runs.
+  void describe_kinds() {
+    for (int kind = 0; kind < component_.step_kinds(); ++kind)
+      plan_.kind_tasks.push_back(static_cast<int>(
+          compile_graph(component_, level_, false, stored_always(), kind).plan.tasks.size()));
   }
 
   void describe_effects() {
@@ -170,6 +190,20 @@ class Planner {
       }
   }
 
+  int saved_materials(const SaveRequest& request, Label label) const {
+    int count = 0;
+    for (const int m : materials_of_.at(label))
+      count += request.materials.contains(m, component_.material_count()) ? 1 : 0;
+    return count;
+  }
+  // A label that is wanted is kept for every material that has it.
+  double stored_components(Label label) const {
+    const auto found = materials_of_.find(label);
+    const double materials =
+        found == materials_of_.end() ? 1.0 : static_cast<double>(found->second.size());
+    return component_count(label.info().type) * materials;
+  }
+
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
     std::set<Label> counted;
@@ -186,8 +220,9 @@ class Planner {
         out.made = step_labels_.count(*label) > 0 ? "stored in the step" : "from the state";
         const bool short_reals = o.doubles_as_floats && label->info().type == ValueType::real;
         const double bytes = label->info().type == ValueType::integer || short_reals ? 4 : word;
-        out.bytes_per_cell = bytes * components;
-        out.memory_per_cell = word * components;
+        out.materials = saved_materials(r, *label);
+        out.bytes_per_cell = bytes * components * out.materials;
+        out.memory_per_cell = word * stored_components(*label);
         if (counted.insert(*label).second)
           plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
         (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
@@ -312,7 +347,7 @@ class Planner {
       m.scratch += scratch_bytes(compile_graph(component_, level_, true, computed_));
     kept.insert(computed_.begin(), computed_.end());
     m.state_doubles_per_cell = state_components(component_);
-    for (Label l : kept) m.output_doubles_per_cell += component_count(l.info().type);
+    for (Label l : kept) m.output_doubles_per_cell += stored_components(l);
     const PlannedMemory alike = m;  // on all ranks; the rest depends on their boxes
     double sum = 0;
     for (int rank = 0; rank < options_.ranks; ++rank) {
@@ -333,7 +368,7 @@ class Planner {
       for (const SlotInfo& s : component_.state_slots())
         m.states += copies * s.components * array_bytes(level, rank, s.ghosts);
       for (Label l : kept)
-        m.outputs += component_count(l.info().type) *
+        m.outputs += stored_components(l) *
                      array_bytes(level, rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
       for (const GridBox& b : level.boxes)
         if (b.owner == rank)
@@ -370,7 +405,8 @@ class Planner {
   Graph plain_;
   IntVec3 block_{};
   std::set<Label> step_labels_, diagnostic_labels_;
-  std::set<Label> stored_, computed_;  // of saves and analyses
+  std::map<Label, std::set<int>> materials_of_;  // by label that can be saved
+  std::set<Label> stored_, computed_;            // of saves and analyses
 };
 
 }  // namespace

@@ -32,7 +32,8 @@ struct PlanOptions {
 struct PlannedOutput {
   std::string label;
   std::string made;           // how: "stored in the step", "from the state", "history"
-  double bytes_per_cell = 0;  // in the archive
+  double bytes_per_cell = 0;  // in the archive, of all its materials
+  int materials = 1;          // that are saved
   double memory_per_cell = 0;
   Location where;
 };
@@ -64,7 +65,8 @@ struct RunPlan {
   std::array<ActiveDirection, 3> directions;
   std::vector<EffectCost> effects;
   std::vector<int> effect_fields;
-  IntVec3 halo{};  // ghost layers that a step reads
+  std::vector<int> kind_tasks;  // of a step of each kind of blocks; the last is the general one
+  IntVec3 halo{};               // ghost layers that a step reads
   std::int64_t message_bytes = 0;
   int neighbour_ranks = 0;  // of the rank that sends most
   std::vector<PlannedOutput> outputs;

@@ -60,9 +60,12 @@ void add_exchange(const IceScene& ice, EffectList& e) {
   Effect momentum =
       exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
   if (momentum.on && ice.one_velocity())
-    momentum.reason += fmt::format("; all at least {:g}: one velocity", one_velocity_coefficient);
+    momentum.reason += fmt::format("; all at least {:g}: one velocity, nothing to compute",
+                                   one_velocity_coefficient);
   e.add(momentum);
-  e.add(exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where));
+  Effect heat = exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where);
+  if (heat.on) heat.reason += ", in the update";
+  e.add(heat);
 }
 
 }  // namespace

@@ -142,6 +142,14 @@ def head_text(archive, step, given):
     return f"{text}   t = {step.time:.6g}   step {step.number}"
 
 
+def material_text(step, name, given):
+    """Which material is drawn, where there are several."""
+    there = step.materials(views.split_name(name)[0])
+    if len(there) < 2:
+        return ""
+    return f", material {there[0] if given.material is None else given.material}"
+
+
 def draw_fields(archive, given, plt):
     step = archive.step(given.time)
     names = given.var or usual_variables(step)
@@ -167,7 +175,7 @@ def draw_fields(archive, given, plt):
         caption = style.caption(name, unit_of(archive, name))
         if not one and "." not in name and archive.variables[name].components == 3:
             caption = caption.replace("  (", " magnitude  (")
-        ax.set_title(caption, loc="left")
+        ax.set_title(caption + material_text(step, name, given), loc="left")
     for ax in axes.flat[len(names):]:
         ax.set_visible(False)
     if one:
