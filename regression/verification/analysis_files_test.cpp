@@ -152,8 +152,8 @@ TEST(AnalysisFiles, UnknownLabelsAndDoubleNamesAreRefused) {
   };
   EXPECT_THAT(message("rho_CC", "rho_C"), testing::HasSubstr("did you mean 'rho_CC'"));
   EXPECT_THAT(message("rho_CC", "TotalMass"), testing::HasSubstr("names no field of this run"));
-  EXPECT_THAT(message("\"up\"", "\"across\""), testing::HasSubstr("choose another one"));
-  EXPECT_THAT(message("\"up\"", "\"t00010\""), testing::HasSubstr("choose another one"));
+  EXPECT_THAT(message("\"up\"", "\"across\""), testing::HasSubstr("choose another name"));
+  EXPECT_THAT(message("\"up\"", "\"t00010\""), testing::HasSubstr("choose another name"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 //     follows from pressure and temperature; all three: pressure and density count
 //   LODI: waves.hpp; Sine, inlet profiles: flow_conditions.hpp
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
-// Several materials: mixture_rule.cpp. What they fill is copied, or follows from the densities given;
+// Several materials: mixture_rule.cpp. What they fill is copied, or follows from given densities;
 // all have the ghost's pressure and, in their momentum, their own velocity.
 // Ghosts beyond two or three sides hold the mean of what the sides' rules make of each other's
 // ghosts: no axis comes first.

@@ -226,8 +226,12 @@ int Ice::reduction_sums() const {
   return step_sums() + of_volumes.count(static_cast<int>(control_volumes(scene_->analysis).size()));
 }
 
-// What passes through a control volume's side must be counted in uniform flow as well.
+// What passes through a control volume's side must be counted in uniform flow as well. Materials
+// that exchange heat change where nothing flows; so may those that a finer level left at pressures
+// of their own.
 bool Ice::quiet_blocks_allowed() const {
+  if (material_count() > 1 && (options_.heat_exchange.any() || scene_->grid.levels.size() > 1))
+    return false;
   return !options_.gravity_on && control_volumes(scene_->analysis).empty();
 }
 

@@ -55,8 +55,8 @@ class QuantityList {
   }
   // The length of a vector over a speed.
   void mach(VariableId velocity, VariableId sound, int material);
-  // Root of the sum over the axes of the squared slope along each: of a number, the magnitude of its
-  // gradient; of a vector, each component along its own axis.
+  // Root of the sum over the axes of the squared slope along each: of a number, the magnitude of
+  // its gradient; of a vector, each component along its own axis.
   void slopes(VariableId of, Label label, int material, bool vector = false);
   void vorticity(VariableId velocity, int material);
 

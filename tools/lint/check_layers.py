@@ -26,7 +26,7 @@ RANKS = [
     ["app"],
 ]
 # Arrows inside one rank that are wanted: (from, to).
-SIDEWAYS = {("framework/task", "framework/solve")}
+SIDEWAYS = {("framework/task", "framework/solve"), ("exact", "eos")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 RANK_OF = {room: rank for rank, rooms in enumerate(RANKS) for room in rooms}

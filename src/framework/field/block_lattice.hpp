@@ -1,4 +1,4 @@
-// Boxes cut into blocks by a lattice each, and the blocks that a region meets, found without search.
+// Boxes cut into blocks by a lattice each, and the blocks that a region meets, without a search.
 #pragma once
 #include <algorithm>
 #include <vector>

@@ -83,7 +83,7 @@ class Warehouse {
   }
   void forget(int slot, int block) { set_uniform(slot, block, unknown); }
   void forget();  // all slots and blocks
-  // Is any number (a NaN too) of a region of a view other than zero. Reads what is not known, row by
+  // Is any number (a NaN too) of a region of a view other than zero. Reads what is unknown, row by
   // row, and stops at the first that is.
   bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
   std::size_t bytes() const;

@@ -11,8 +11,9 @@ using namespace hierarchy_test;
 // Serially and (see CMakeLists.txt) on three ranks.
 class KindsOnRanksAndLevels : public OnLevels {};
 
-// Two levels follow a spot of b, which moves along x and leaves the rows beside it free. At one time cells
-// of every level are redone with masked slopes, at another the whole step is attempted again.
+// Two levels follow a spot of b, which moves along x and leaves the rows beside it free. At one
+// time cells of every level are redone with masked slopes, at another the whole step is attempted
+// again.
 struct Spot {
   Wishes wishes;
   bool refuse = false;

@@ -24,7 +24,7 @@ IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridB
                     int threads);
 
 // Blocks that follow each other along the last active direction (of two or three) and share cells
-// across, in order, by number: each block is in one stack. Stacks hold at most `most_cells` cells (a
+// across, in order, by number: each block is in one stack. A stack holds `most_cells` or less (a
 // block that has more is one), and are not much wider than their widest block.
 std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blocks,
                                                    const Level& level, std::int64_t most_cells);

@@ -12,7 +12,7 @@
 namespace sluice {
 namespace {
 
-// Extents of a stack as scratch memory sees them: one plane of rings is reused along the last active
+// Extents of a stack as scratch memory sees them: a plane of rings is reused along the last active
 // direction of two or three.
 IntVec3 across_swept(const IndexBox& hull, const std::array<bool, 3>& active) {
   IntVec3 size = hull.size();

@@ -37,8 +37,8 @@ inline std::string sides(const GasBox& box) {
       text += "<BCType id='all' label='Symmetric' var='symmetry'/>";
     } else {
       for (const char* label : {"Pressure", "Density", "Temperature"})
-        text +=
-            fmt::format("<BCType id='all' label='{}' var='Neumann'><value>0</value></BCType>", label);
+        text += fmt::format("<BCType id='all' label='{}' var='Neumann'><value>0</value></BCType>",
+                            label);
       text += "<BCType id='all' label='Velocity' var='Neumann'><value>[0,0,0]</value></BCType>";
     }
     text += "</Face>";

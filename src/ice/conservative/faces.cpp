@@ -3,8 +3,8 @@
 //   u_L = u_a + su_a/2 - (h/rho_a) sp_a - UT_a      p_L = P_a + (1/2 + h u_a) sp_a
 //   u_R = u_b - su_b/2 - (h/rho_b) sp_b - UT_b      p_R = P_b - (1/2 - h u_b) sp_b
 // (h u only in 2-D and 3-D: the states are Lagrangian along d, Eulerian across it), floored at a
-// tenth of the cell's pressure above the lowest one of its law. Impedances of Dukowicz, J. Comput. Phys. 61 (1985) 119, with one
-// correction; A = shock slope dUs/du:
+// tenth of the cell's pressure above the lowest one of its law. Impedances of Dukowicz, J. Comput.
+// Phys. 61 (1985) 119, with one correction; A = shock slope dUs/du:
 //   z_L = rho_a (c_a + A/2 max(0,du)), z_R alike;  u0 = ((z_L u_L + z_R u_R) + (p_L-p_R))/(z_L+z_R)
 //   z_L = rho_a (c_a + A max(0,u_L-u0)),  z_R = rho_b (c_b + A max(0,u0-u_R))
 //   u_f = ((z_L u_L + z_R u_R) + (p_L - p_R))/(z_L + z_R)

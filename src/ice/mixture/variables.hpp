@@ -19,8 +19,8 @@ struct Variables {
   VariableId presence;  // bit set of the materials in a cell, as a number
   VariableId pure;      // the material that is alone in a cell and all around it; -1: none
   // By material, but only in cells whose neighbourhood is not pure: density and energy per its own
-  // volume (old; 0 where absent); after the Lagrangian phase energy per cell and per own volume, and
-  // the energy scale (p + pi)/G.
+  // volume (old; 0 where absent); after the Lagrangian phase energy per cell and per own volume,
+  // and the energy scale (p + pi)/G.
   VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
   // By axis, 3 components a material: what volume, density and energy offer to the remap, in the
   // same cells.

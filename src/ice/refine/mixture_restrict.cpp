@@ -1,6 +1,6 @@
 // Coarse cells as means of their fine cells, material by material.
 //
-//   M = <M_f>,  V = <V_f>,  P = <P_f>,  E = <E_f> + H M/rho,   H = <rho_f |u_f - U|^2>/2,  U = P/rho
+//   M = <M_f>,  V = <V_f>,  P = <P_f>,  E = <E_f> + H M/rho,  H = <rho_f |u_f - U|^2>/2,  U = P/rho
 // with rho the mass of all materials. Of one material the numbers are those of a gas, to the bit.
 // At uniform pressure the mean energy per mean volume of a material is that of the pressure again
 // if its law is linear in rho e with a constant offset (ideal and stiffened gases).
