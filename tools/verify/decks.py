@@ -17,6 +17,8 @@ BUDGET = 1700  # seconds in all: the part's limit less some room
 SUITE = {  # deck below inputs/: further options
     "ICE/riemann_sm.ups": [], "ICE/riemann3D.ups": [], "ICE/advect.ups": [],
     "ICE/advect_periodic.ups": [], "ICE/test2.ups": [], "ICE/test3.ups": [], "ICE/test4.ups": [],
+    "ICE/advect2mat.ups": [], "ICE/hotBlob2mat.ups": [], "ICE/hotBlob2mat_sym.ups": [],
+    "ICE/advect2matAMR.ups": [],
     "UintahRelease/ICE/shockTube.ups": [],
     "ICE/explosion.ups": [], "ICE/riemann_AMR.ups": [], "ICE/riemann2D_AMR.ups": [],
     "ICE/advectAMR.ups": [], "ICE/BW_reflect_AMR.ups": [],
