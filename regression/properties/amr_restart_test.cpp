@@ -92,7 +92,9 @@ TEST_P(EveryCheckpoint, GoesOnTheSameWayOnTwoRanks) {
 
 INSTANTIATE_TEST_SUITE_P(Decks, EveryCheckpoint,
                          testing::Values("amr_shock_tube", "amr_periodic_shocks", "amr_explosion",
-                                         "amr_explosion_lockstep", "amr_explosion_greedy"),
+                                         "amr_explosion_lockstep", "amr_explosion_greedy",
+                                         "amr_water_square", "amr_water_cylinder",
+                                         "amr_water_cylinder_greedy"),
                          [](const auto& test) { return std::string(test.param); });
 
 // A run of many ranks goes on on one.

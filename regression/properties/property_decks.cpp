@@ -70,6 +70,50 @@ std::vector<Entry> own() {
   };
 }
 
+// Two and three materials, gases, liquids, solids and products of detonation, on one level and on
+// several, with the edge moving across faces where levels meet.
+std::vector<Entry> of_materials() {
+  const char* const heat = "MaterialProperties/exchange_properties/exchange_coefficients/heat=";
+  const auto with_heat = [&](const char* list) { return heat + std::string(list); };
+  return {
+      {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
+      {"two_gases_strong", "two_gases_strong", {cells("[90,1,1]")}},
+      {"two_gases_heat", "two_gases_sod", {cells("[80,1,1]"), with_heat("[3]")}},
+      {"water_dense_air", "water_dense_air", {cells("[100,1,1]")}},
+      {"water_air", "water_air", {cells("[100,1,1]")}},
+      {"water_air_greedy", "water_air", {cells("[70,1,1]"), greedy}},
+      {"air_helium", "air_helium", {cells("[90,1,1]")}},
+      {"products_into_air", "products_into_air", {cells("[100,1,1]")}},
+      {"products_into_solid", "products_into_solid", {cells("[100,1,1]")}},
+      {"three_in_a_row", "three_in_a_row", {cells("[50,1,1]")}},
+      {"three_in_a_row_heat",
+       "three_in_a_row",
+       {cells("[50,1,1]"), with_heat("[1e3,1e12,0]"),
+        "MaterialProperties/ICE/material[3]/geom_object[1]/temperature=320"}},
+      {"helium_bubble", "helium_bubble", {cells("[40,15,1]")}},
+      {"helium_bubble_gravity",
+       "helium_bubble",
+       {cells("[40,15,1]"), gravity, "CFD/ICE/applyHydrostaticPressure=false"}},
+      {"amr_water_square",
+       "amr_water_square",
+       {cells("[16,16,1]"), "MaterialProperties/ICE/material[1]/geom_object/velocity=[1500,-600,0]",
+        "MaterialProperties/ICE/material[2]/geom_object/velocity=[1500,-600,0]"}},
+      {"amr_water_square_ratio_4",
+       "amr_water_square",
+       {cells("[16,16,1]"), ratio("[[4,4,1]]"), tile("[[8,8,1]]")}},
+      {"amr_water_square_three_levels",
+       "amr_water_square",
+       {cells("[12,14,1]"), "AMR/Regridder/max_levels=3"}},
+      {"amr_water_region", "amr_water_through_region", {box(0, "[16,16,1]"), box(1, "[8,16,1]")}},
+      {"amr_water_cylinder", "amr_water_cylinder", {cells("[22,18,1]")}},
+      {"amr_water_cylinder_lockstep", "amr_water_cylinder", {cells("[20,20,1]"), lockstep}},
+      {"amr_water_cylinder_greedy", "amr_water_cylinder", {cells("[20,20,1]"), greedy}},
+      {"amr_water_cylinder_three_levels",
+       "amr_water_cylinder",
+       {cells("[16,16,1]"), "AMR/Regridder/max_levels=3", with_heat("[1e4]")}},
+  };
+}
+
 // Levels that stay and levels that move, ratios 2 and 4, both ways of stepping, both schemes.
 std::vector<Entry> on_levels() {
   return {
@@ -144,7 +188,7 @@ std::vector<std::string> with_control(std::vector<std::string> overrides) {
 const std::vector<PropertyDeck>& property_decks() {
   static const std::vector<PropertyDeck> decks = [] {
     std::vector<PropertyDeck> all;
-    for (const std::vector<Entry>& table : {own(), on_levels()})
+    for (const std::vector<Entry>& table : {own(), of_materials(), on_levels()})
       for (const Entry& e : table)
         all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
                        with_control(e.overrides)});
