@@ -20,7 +20,8 @@ void add_plot_command(CLI::App& app, int& exit_status) {
                    "A .dat file by its label; levels: the cells of each level over time")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--material", request->material, "Material index (the first stored)");
+  command->add_option("--material", request->material,
+                      "Material index (lines: all; else the first stored)");
   command->add_option("--time", request->time, "last, first, #N (N-th output) or a time");
   command->add_option("--slice", request->slice, "Plane of a 3-D run, z=0.5 (the middle)");
   command->add_flag("--radius", request->radius,

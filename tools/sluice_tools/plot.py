@@ -48,16 +48,43 @@ def unit_of(archive, name):
     return archive.variables[views.split_name(name)[0]].unit
 
 
+def profiles_of_materials(step, name, material):
+    """[(material or None, profiles)]: the material that is asked for; else all that differ, each
+    where it is."""
+    there = step.materials(views.split_name(name)[0])
+    if material is not None or len(there) < 2:
+        return [(None, list(views.profiles(step, name, material)))]
+    found = [(m, list(views.profiles(step, name, m))) for m in there]
+    first = found[0][1]
+    if all(np.array_equal(a[2], b[2], equal_nan=True)
+           for _, parts in found[1:] for a, b in zip(first, parts)):
+        return [(None, first)]
+    return [(m, where_present(step, m, parts)) for m, parts in found]
+
+
+def where_present(step, material, parts):
+    if material not in (step.materials("rho_CC") if step.has("rho_CC") else []):
+        return parts
+    mass = views.profiles(step, "rho_CC", material)
+    return [(level, x, np.where(rho == 0, np.nan, values) if rho.shape == values.shape else values,
+             hidden) for (level, x, values, hidden), (_, _, rho, _) in zip(parts, mass)]
+
+
 def draw_line(ax, step, name, given, exact):
-    """All levels, the finest on top; what a finer level covers is drawn faintly."""
+    """All materials and levels, the finest on top; what a finer level covers is drawn faintly."""
     levels.draw_bands(ax, step, given.levels)
-    parts = list(views.profiles(step, name, given.material))
+    drawn = profiles_of_materials(step, name, given.material)
+    parts = [part for _, of_material in drawn for part in of_material]
+    owners = [m for m, of_material in drawn for _ in of_material]
     cells = [np.isfinite(values).sum() for _, _, values, _ in parts]
     many = max(cells) > 600
-    for (level, x, values, hidden), count in zip(parts, cells):
-        text = f"{count} cells" if len(parts) == 1 else f"level {level}, {count} cells"
-        marker = style.MARKERS[level % len(style.MARKERS)]
-        look = {"color": levels.colour(level), "zorder": 2.1 + 0.1 * level}
+    one_level = len(step.levels) == 1
+    for (level, x, values, hidden), count, material in zip(parts, cells, owners):
+        text = f"{count} cells" if one_level else f"level {level}, {count} cells"
+        text = text if material is None else f"material {material}, {text}"
+        series = material if one_level and material is not None else level
+        marker = style.MARKERS[(material or series) % len(style.MARKERS)]
+        look = {"color": levels.colour(series), "zorder": 2.1 + 0.1 * level}
         look |= {"linewidth": 1.1} if many else {
             "linestyle": "none", "marker": marker, "markersize": 2.6, "markerfacecolor": "none",
             "markeredgewidth": 0.6}
@@ -145,8 +172,9 @@ def head_text(archive, step, given):
 def material_text(step, name, given):
     """Which material is drawn, where there are several."""
     there = step.materials(views.split_name(name)[0])
-    if len(there) < 2:
-        return ""
+    line = len(step.levels[0].active_directions()) == 1 and not given.radius
+    if len(there) < 2 or (line and given.material is None):
+        return ""  # lines of all materials are told in the legend
     return f", material {there[0] if given.material is None else given.material}"
 
 
