@@ -1,0 +1,69 @@
+// A shock of Mach 1.22 over a cylinder of helium: speeds of the fronts against the experiment of
+// J.-F. Haas and B. Sturtevant, J. Fluid Mech. 181 (1987) 41-76.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "verification/case_run.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double ambient = 101325;
+constexpr double jump = 57700;  // of the incident shock, Pa
+// Of the speed; read from shadowgraphs it is uncertain by more.
+constexpr double allowed = .06;
+
+// Rightmost point of a row where the pressure is `rise` above the ambient one.
+double front(const CellValues& p, int row, double rise) {
+  const double limit = ambient + rise;
+  for (int i = p.size.x - 2; i >= 0; --i) {
+    if (!(p.at(i, row) > limit)) continue;
+    const double share = (p.at(i, row) - limit) / (p.at(i, row) - p.at(i + 1, row));
+    return p.centre(i).x + share * p.spacing.x;
+  }
+  ADD_FAILURE() << "no front in row " << row;
+  return 0;
+}
+
+TEST(ShockBubble, FrontsRunAsMeasuredInHelium) {
+  const CaseRun run("helium_bubble", {"DataArchiver/outputInterval=1e-5"});
+  const auto speed = [&](const char* from, const char* to, int row, double rise) {
+    const CellValues a = run.field("press_CC", 0, from), b = run.field("press_CC", 0, to);
+    return (front(b, row, rise) - front(a, row, rise)) / (b.time - a.time);
+  };
+  const int top = run.field("press_CC").size.y - 1;
+  const double incident = speed("2e-5", "7e-5", top, .5 * jump);
+  const double refracted = speed("4e-5", "7e-5", 0, .25 * jump);      // on the axis, in the helium
+  const double transmitted = speed("1e-4", "1.4e-4", 0, .25 * jump);  // in the air behind it
+  record("incident", incident);
+  record("refracted", refracted);
+  record("transmitted", transmitted);
+  EXPECT_NEAR(incident, 410, allowed * 410);
+  EXPECT_NEAR(refracted, 900, allowed * 900);
+  EXPECT_NEAR(transmitted, 393, allowed * 393);
+  EXPECT_EQ(run.events(), 0);
+  EXPECT_LE(run.worst_drift(), 1e-13);
+}
+
+// R22: heavier than air and slower, the front in it lags.
+TEST(ShockBubble, FrontsRunAsMeasuredInR22) {
+  const CaseRun run("helium_bubble",
+                    {"DataArchiver/outputInterval=1e-5", "Time/maxTime=2.2e-4",
+                     "MaterialProperties/ICE/material[1]/gamma=1.249",
+                     "MaterialProperties/ICE/material[1]/specific_heat=365",
+                     "MaterialProperties/ICE/material[1]/geom_object/density=3.863",
+                     // 101325 / (0.249 365 3.863)
+                     "MaterialProperties/ICE/material[1]/geom_object/temperature=288.6"});
+  const auto speed = [&](const char* from, const char* to, double rise) {
+    const CellValues a = run.field("press_CC", 0, from), b = run.field("press_CC", 0, to);
+    return (front(b, 0, rise) - front(a, 0, rise)) / (b.time - a.time);
+  };
+  const double refracted = speed("6e-5", "1.4e-4", .5 * jump);
+  record("refracted", refracted);
+  EXPECT_NEAR(refracted, 240, allowed * 240);
+  EXPECT_EQ(run.events(), 0);
+}
+
+}  // namespace
+}  // namespace sluice::verification
