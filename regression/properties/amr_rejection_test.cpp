@@ -116,6 +116,8 @@ const Place places[] = {{"amr_shock_tube", {0.5, 0, 0}},
                         {"amr_explosion_lockstep", {0.4, 0, 0}},
                         {"amr_explosion_viscous", {0.4, 0, 0}},
                         {"amr_vortex", {0, 1, 0}},
+                        {"amr_water_cylinder", {0.39, 0.51, 0}},
+                        {"amr_water_cylinder_lockstep", {0.39, 0.51, 0}},
                         {"amr_cube", {0.125, 0, 0}}};
 INSTANTIATE_TEST_SUITE_P(Decks, RejectedSubstep, testing::ValuesIn(places),
                          [](const auto& test) { return std::string(test.param.deck); });
