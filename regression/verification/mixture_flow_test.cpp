@@ -1,5 +1,5 @@
-// Materials that move together in equilibrium stay in it, on one level and across faces where levels
-// meet; a shock over a bubble.
+// Materials that move together in equilibrium stay in it, on one level and across faces where
+// levels meet; a shock over a bubble.
 #include <gtest/gtest.h>
 
 #include <algorithm>

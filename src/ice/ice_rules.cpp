@@ -218,8 +218,6 @@ void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults) {
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const auto materials = ice_materials(root);
-  if (materials.size() > 1 && !ice::many_materials_built())
-    not_built(faults, *materials[1], "more than one ICE material", "keep one material");
   check_surrounding(root, materials, faults);
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");

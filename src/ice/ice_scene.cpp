@@ -141,10 +141,6 @@ void refuse_what_mixtures_lack(const IceScene& s, std::vector<Fault>& faults) {
 
 }  // namespace
 
-bool many_materials_built() {
-  return true;
-}
-
 bool IceScene::one_velocity() const {
   return materials.size() < 2 || exchange.momentum.least_of_pairs() >= one_velocity_coefficient;
 }
@@ -165,11 +161,6 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
         read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
-  if (count > 1 && !many_materials_built()) {
-    add_error(faults, s.materials[1].where,
-              fmt::format("{} ICE materials; exactly one is built so far", count));
-    faults.back().not_built = true;
-  }
   s.exchange = read_exchange(root, count);
   s.conditions = read_flow_conditions(root);
   read_criteria(root, s);

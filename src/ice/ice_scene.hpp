@@ -62,10 +62,6 @@ struct IceScene {
   const IceMaterial& surrounding() const;
 };
 
-// Whether the kernels of several materials are there; decks with more than one are refused
-// otherwise.
-bool many_materials_built();
-
 // Adds errors and warnings to `faults`.
 IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults);
 
