@@ -260,8 +260,8 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
 std::string Ice::describe_fault(int kind) const {
   if (kind >= fault_of_material) {
     const auto m = static_cast<std::size_t>(kind / fault_of_material - 1);
-    return "material " + std::to_string(m) + " ('" + ice_.materials[m].name +
-           "'): its energy (J/m^3 of the cell) is no state of its equation of state";
+    return "energy of material " + std::to_string(m) + " ('" + ice_.materials[m].name +
+           "', J/m^3 of the cell; with its mass and volume it must be a state of its law)";
   }
   switch (kind) {
     case fault_state:

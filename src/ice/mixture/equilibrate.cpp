@@ -15,6 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 100;
 constexpr double same_pressure = 4e-15;  // of the modulus: round-off of p = G (rho e) + F
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
+constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
 
 }  // namespace
@@ -82,7 +83,7 @@ bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q
       energy += g * cell.E[m];
       volume += g * cell.V[m];
     }
-    q = energy / (1.0 - volume);
+    q = energy / (in.volume - volume);
     iterations = 1;
     return q > 0.0 && q < infinity;
   }
@@ -91,9 +92,10 @@ bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q
     lowest = std::fmin(lowest, linear_[static_cast<std::size_t>(in.index[n])].pi);
   const double lo = -lowest;
   double x = q - lo, below = 0.0, above = infinity;
+  bool found = false;
   if (!(x > 0.0)) x = 1e-3 * (std::fabs(q) + std::fabs(lo)) + 1e-300;
   for (iterations = 1; iterations <= most_iterations; ++iterations) {
-    double f = -1.0, slope = 0.0;
+    double f = -in.volume, slope = 0.0;
     for (int n = 0; n < in.count; ++n) {
       const int m = in.index[n];
       const Branch b = branch(m, x + lo, cell.M[m], cell.V[m], cell.E[m]);
@@ -108,13 +110,13 @@ bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q
     double next = x / (1.0 + f / (slope * x));
     if (!(next > below && next < above))
       next = above < infinity ? (below > 0.0 ? std::sqrt(below * above) : 1e-3 * above) : 8.0 * x;
-    const bool done = std::fabs(f) < volume_tolerance ||
-                      std::fabs(next - x) < pressure_tolerance * std::fabs(x + lo);
-    if (done) break;
+    found = std::fabs(f) < volume_tolerance ||
+            std::fabs(next - x) < pressure_tolerance * std::fabs(x + lo);
+    if (found) break;
     x = next;
   }
   q = x + lo;
-  return true;
+  return found;
 }
 
 bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const {
@@ -144,13 +146,29 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
     if (in.largest < 0 || cell.V[m] > cell.V[in.largest]) in.largest = m;
   }
   result.pressure = weighted / softness;
+  // The mean has the round-off of the mixture's modulus, 1/softness.
   bool same = true;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
     const double K = modulus(m, cell.M[m] / cell.V[m], result.pressure);
-    same = same && std::fabs(p[static_cast<std::size_t>(n)] - result.pressure) <= same_pressure * K;
+    const double round_off = same_pressure * (K + 1.0 / softness);
+    same = same && std::fabs(p[static_cast<std::size_t>(n)] - result.pressure) <= round_off;
   }
   return !same;
+}
+
+bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
+  const int all = in.count;
+  in.count = 0;
+  for (int n = 0; n < all; ++n) {
+    const int m = in.index[n];
+    if (cell.V[m] < trace)
+      in.volume -= cell.V[m];
+    else
+      in.index[in.count++] = m;
+  }
+  if (in.gas >= 0 && cell.V[in.gas] < trace) in.gas = -1;
+  return in.count > 0 && in.count < all;
 }
 
 double Equilibration::modulus(int m, double rho, double p) const {
@@ -172,7 +190,7 @@ double Equilibration::relax(const Cell& cell, const Present& in, double q, int r
     volume += now;
     energy += change;
   }
-  cell.V[rest] = 1.0 - volume;
+  cell.V[rest] = in.volume - volume;
   return energy;
 }
 
@@ -196,8 +214,11 @@ Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
   if (survey(cell, in, result)) {
     double q = result.pressure;
     if (!find_pressure(cell, in, q, result.iterations)) {
-      result.failed = in.largest;
-      return result;
+      q = result.pressure;
+      if (!leave_traces_out(cell, in) || !find_pressure(cell, in, q, result.iterations)) {
+        result.failed = in.largest;
+        return result;
+      }
     }
     // Gas beside a liquid under tension keeps a least pressure, or its energy would be lost in
     // round-off.

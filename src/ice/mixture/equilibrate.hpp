@@ -11,7 +11,9 @@
 //   x <- x/(1 + f/(f' x)),   f = sum V' - 1,
 // bracketed, with the geometric mean of the bracket where it leaves it. The largest material takes
 // the rest of volume and energy: both are exact to the round-off of the sums. Materials that are at
-// one pressure already (to a few units of the last place of their moduli) are left alone.
+// one pressure already (to a few units of the last place of their moduli) are left alone. Where no
+// pressure suits all (a solid that knows no tension, beside a liquid under tension), traces keep
+// their density and the others fill the rest.
 #pragma once
 #include <vector>
 
@@ -56,6 +58,7 @@ class Equilibration {
     int count = 0;
     int largest = -1, gas = -1;        // by volume; the first with a lowest pressure of zero
     double stiffest = 0;               // pi, Pa
+    double volume = 1.0;               // that they fill together
     bool linear = true, ideal = true;  // all laws
   };
   // Who is there, at which mean pressure; true: pressures differ.
@@ -63,6 +66,8 @@ class Equilibration {
   double modulus(int m, double rho, double p) const;
   Branch branch(int m, double q, double M, double V, double E) const;
   Branch general_branch(const Fluid& fluid, double q, double M, double V, double E) const;
+  // Without the materials of which there is a trace; false: there are none, or only one.
+  bool leave_traces_out(const Cell& cell, Present& in) const;
   // From the start q; false: there is none.
   bool find_pressure(const Cell& cell, const Present& in, double& q, int& iterations) const;
   double relax(const Cell& cell, const Present& in, double q, int rest) const;

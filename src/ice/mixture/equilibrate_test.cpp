@@ -1,0 +1,98 @@
+// One pressure of the materials of a cell: what is kept, what holds at the end, hard cells.
+#include "ice/mixture/equilibrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sluice::ice::mixture {
+namespace {
+
+Fluid stiffened(double gamma, double pinf) {
+  eos::StiffenedGas law;
+  law.gamma = gamma;
+  law.pinf = pinf;
+  law.specific_heat = 1000;
+  return {law, std::nullopt, gamma, 1000};
+}
+
+Fluid jwl() {
+  eos::Jwl law;
+  law.A = 6.3e11;
+  law.B = 8e9;
+  law.R1 = 4.3;
+  law.R2 = 1.2;
+  law.om = .35;
+  law.rho0 = 1840;
+  law.specific_heat = 1000;
+  return {law, std::nullopt, 1.35, 1000};
+}
+
+struct State {
+  double M[2], V[2], E[2];
+  Equilibration::Cell cell() { return {M, V, E}; }
+};
+
+// Shares V and 1 - V of materials at densities and pressures of their own.
+State mixed(const Fluid& a, const Fluid& b, double V, double rho_a, double p_a, double rho_b,
+            double p_b) {
+  State s{{V * rho_a, (1 - V) * rho_b}, {V, 1 - V}, {}};
+  s.E[0] = V * a.energy_from_pressure(rho_a, p_a, 300);
+  s.E[1] = (1 - V) * b.energy_from_pressure(rho_b, p_b, 300);
+  return s;
+}
+
+void expect_one_pressure(const Fluid& a, const Fluid& b, State s) {
+  const double energy = s.E[0] + s.E[1], size = std::fabs(s.E[0]) + std::fabs(s.E[1]);
+  const auto result = Equilibration({a, b}).equilibrate(s.cell());
+  ASSERT_EQ(result.failed, -1);
+  EXPECT_DOUBLE_EQ(s.V[0] + s.V[1], 1.0);
+  EXPECT_LE(std::fabs(s.E[0] + s.E[1] - energy), 4e-16 * size);
+  const Fluid* fluids[] = {&a, &b};
+  for (int m = 0; m < 2; ++m) {
+    const double rho = s.M[m] / s.V[m], p = fluids[m]->pressure(rho, s.E[m] / s.V[m]);
+    EXPECT_LE(std::fabs(p - result.pressure), 1e-13 * fluids[m]->bulk_modulus(rho, p));
+  }
+  // What is in equilibrium stays as it is, to the bit.
+  const State before = s;
+  Equilibration({a, b}).equilibrate(s.cell());
+  for (int m = 0; m < 2; ++m) {
+    EXPECT_EQ(s.V[m], before.V[m]);
+    EXPECT_EQ(s.E[m], before.E[m]);
+  }
+}
+
+TEST(Equilibration, FindsOnePressureForAnyPair) {
+  const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
+  const Fluid water = stiffened(4.4, 6e8);
+  for (const double V : {.5, 1e-4, 1 - 1e-4, 1e-12}) {
+    expect_one_pressure(air, heavy, mixed(air, heavy, V, 1, 1e5, 10, 5e5));
+    expect_one_pressure(water, air, mixed(water, air, V, 1000, 1e9, 1.2, 1e5));
+    expect_one_pressure(water, air, mixed(water, air, V, 1000, 1e5, 50, 1e7));
+    expect_one_pressure(jwl(), air, mixed(jwl(), air, V, 1840, 2e10, 50, 1e9));
+  }
+}
+
+TEST(Equilibration, TracesThatKnowNoTensionKeepTheirDensity) {
+  const Fluid water = stiffened(4.4, 6e8);
+  eos::Murnaghan law;
+  law.n = 7.4;
+  law.K = 39e-11;
+  law.rho0 = 1160;
+  law.specific_heat = 1000;
+  const Fluid solid{law, std::nullopt, 1, 1000};
+  const double rho = solid.density(1e5, 300), V = 3e-14;
+  State s{{(1 - V) * 958, V * rho}, {1 - V, V}, {}};
+  s.E[0] = (1 - V) * water.energy_from_pressure(958, -1e6, 300);
+  s.E[1] = V * solid.energy_from_temperature(rho, 300);
+  const double energy = s.E[0] + s.E[1];
+  const auto result = Equilibration({water, solid}).equilibrate(s.cell());
+  EXPECT_EQ(result.failed, -1);
+  EXPECT_DOUBLE_EQ(s.M[1] / s.V[1], rho);
+  EXPECT_NEAR(result.pressure, -1e6, 1);
+  EXPECT_DOUBLE_EQ(s.E[0] + s.E[1], energy);
+  EXPECT_DOUBLE_EQ(s.V[0] + s.V[1], 1.0);
+}
+
+}  // namespace
+}  // namespace sluice::ice::mixture
