@@ -48,6 +48,7 @@ class Program:
 TUBE = "inputs/ice/shock_tube.ups"
 BLAST_2D = "inputs/ice/blast_2d.ups"
 BLAST_3D = "inputs/ice/blast_3d.ups"
+MIXED_GASES = "inputs/ice/mixed_gases.ups"
 
 # On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
 LEVELS_TUBE = "inputs/ice/amr_shock_tube.ups"
@@ -69,6 +70,8 @@ CASES = [
     Run("start to first step", TUBE, 1, limit=50, savings=True, unit="ms"),
     Ratio("speed-up of 2 threads", "3-D, 96^3", "3-D, 96^3, 2 threads", 1.85, at_least=True),
     Ratio("speed-up of 2 ranks", "3-D, 96^3", "3-D, 96^3, 2 ranks", 1.85, at_least=True),
+    Run("2-D, 512^2, two gases in every cell", MIXED_GASES, 20, "[512,512,1]"),
+    Ratio("two gases over one", "2-D, 512^2, two gases in every cell", "2-D, 512^2", 2.5),
     Run("levels: shock tube, 50 to 800", LEVELS_TUBE, 0, limit=200, savings=True, settings=()),
     Run("levels: explosion, 64^2 to 256^2", LEVELS_EXPLOSION, 0, limit=200, savings=True,
         settings=()),
