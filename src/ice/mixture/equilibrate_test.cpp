@@ -5,28 +5,10 @@
 
 #include <cmath>
 
+#include "ice/mixture/mixture_test_support.hpp"
+
 namespace sluice::ice::mixture {
 namespace {
-
-Fluid stiffened(double gamma, double pinf) {
-  eos::StiffenedGas law;
-  law.gamma = gamma;
-  law.pinf = pinf;
-  law.specific_heat = 1000;
-  return {law, std::nullopt, gamma, 1000};
-}
-
-Fluid jwl() {
-  eos::Jwl law;
-  law.A = 6.3e11;
-  law.B = 8e9;
-  law.R1 = 4.3;
-  law.R2 = 1.2;
-  law.om = .35;
-  law.rho0 = 1840;
-  law.specific_heat = 1000;
-  return {law, std::nullopt, 1.35, 1000};
-}
 
 struct State {
   double M[2], V[2], E[2];
@@ -64,7 +46,7 @@ void expect_one_pressure(const Fluid& a, const Fluid& b, State s) {
 
 TEST(Equilibration, FindsOnePressureForAnyPair) {
   const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
-  const Fluid water = stiffened(4.4, 6e8);
+  const Fluid water = stiffened_gas(4.4, 6e8);
   for (const double V : {.5, 1e-4, 1 - 1e-4, 1e-12}) {
     expect_one_pressure(air, heavy, mixed(air, heavy, V, 1, 1e5, 10, 5e5));
     expect_one_pressure(water, air, mixed(water, air, V, 1000, 1e9, 1.2, 1e5));
@@ -74,7 +56,7 @@ TEST(Equilibration, FindsOnePressureForAnyPair) {
 }
 
 TEST(Equilibration, TracesThatKnowNoTensionKeepTheirDensity) {
-  const Fluid water = stiffened(4.4, 6e8);
+  const Fluid water = stiffened_gas(4.4, 6e8);
   eos::Murnaghan law;
   law.n = 7.4;
   law.K = 39e-11;

@@ -12,18 +12,6 @@ namespace {
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
 const Fluid water = stiffened_gas(4.4, 6e8);
 
-Fluid jwl() {
-  eos::Jwl law;
-  law.A = 6.3e11;
-  law.B = 8e9;
-  law.R1 = 4.3;
-  law.R2 = 1.2;
-  law.om = .35;
-  law.rho0 = 1840;
-  law.specific_heat = 1000;
-  return {law, std::nullopt, 1.35, 1000};
-}
-
 GasBox periodic(IntVec3 cells) {
   GasBox box;
   box.cells = cells;
