@@ -13,6 +13,14 @@ constexpr double least_rest = 1e-10;     // of a material's volume that may stay
 constexpr double trace = 1e-10;          // differences of smaller fractions are not trusted
 constexpr double interface_band = 0.01;  // distance from 0 and 1 within which there is an interface
 
+// Without a branch, so that rows vectorise.
+inline bool both(bool a, bool b) {
+  return (int{a} & int{b}) != 0;
+}
+inline bool either(bool a, bool b) {
+  return (int{a} | int{b}) != 0;
+}
+
 // Compressive slope: the bound itself.
 inline double sharp_slope(double dm, double dp, double B) {
   const double bound = smaller(B * std::fabs(dm), 2.0 * std::fabs(dp));
@@ -148,7 +156,7 @@ class FaceShares {
         const double least = smaller(smaller(smaller(mm[i], a[i]), smaller(b[i], pp[i])), far);
         const double greatest = larger(larger(larger(mm[i], a[i]), larger(b[i], pp[i])), far);
         const double sharp = sharp_slope(dm, dp, B), smooth = upwind_slope(dm, dp, nu, B);
-        const bool interface = (least < interface_band) | (greatest > 1.0 - interface_band);
+        const bool interface = either(least<interface_band, greatest> 1.0 - interface_band);
         const double mask = Masked ? mask_.at(i, left) : 1.0;
         value += (left ? -0.5 : 0.5) * (1.0 - nu) * mask * (interface ? sharp : smooth);
       }
@@ -186,12 +194,13 @@ class FaceShares {
       const double flow = std::fabs(l_ * uf_[i]);
       const bool left = l_ * uf_[i] < 0.0;
       const double V = left ? b[i] : a[i], receiver = left ? Ma[i] : Mb[i];
-      const bool shared = (V != 1.0) & (V != 0.0);  // else the donor has one material
-      const bool stays = shared & (receiver == 0.0) & (flow * share[i] < least_entry);
+      const bool shared = both(V != 1.0, V != 0.0);  // else the donor has one material
+      const bool stays = both(shared, both(receiver == 0.0, flow * share[i] < least_entry));
       const double now = stays ? 0.0 : share[i];
       const double V_L = V * J_.at(i, left);
-      const bool all = shared & (now > 0.0) & (flow > 0.0) & (outlets_.at(i, left) == 1.0) &
-                       (V_L - flow * now <= larger(least_entry, least_rest * V_L));
+      const bool leaves = V_L - flow * now <= larger(least_entry, least_rest * V_L);
+      const bool only_outlet = both(flow > 0.0, outlets_.at(i, left) == 1.0);
+      const bool all = both(both(shared, now > 0.0), both(only_outlet, leaves));
       share[i] = all ? V_L / flow : now;
       takes_all[i] = all ? 1.0 : 0.0;
     }
@@ -227,7 +236,7 @@ class FaceShares {
       if constexpr (Second) {
         const double nu = std::fabs(H) * iJ;
         const double beyond = left ? pp[i] : mm[i];
-        const bool full = (a[i] > trace) & (b[i] > trace) & (beyond > trace);
+        const bool full = both(a[i] > trace, both(b[i] > trace, beyond > trace));
         const double mask = Masked ? mask_.at(i, left) : 1.0;
         const double weight = (left ? -0.5 : 0.5) * (1.0 - nu) * iJ * mask;
         const double slope_r = donor_slope(k.r, i, left, nu, 2.0 * iN);
