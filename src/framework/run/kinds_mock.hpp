@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "framework/run/component.hpp"
+#include "framework/run/no_transfer.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice::kinds_test {
@@ -103,16 +104,6 @@ class KindsMock final : public Component {
 
  private:
   void declare_flux(TaskList& list, int material, bool masked, VariableId flux) const;
-
-  class NoTransfer final : public TransferOperators {
-   public:
-    void prolong(const StateViews&, const StateViews&, const IndexBox&, const TransferGeometry&,
-                 int) const override {}
-    void restrict_to(const StateViews&, const StateViews&, const IndexBox&,
-                     const TransferGeometry&) const override {}
-    int flux_quantities() const override { return 1; }
-    void correct(const StateViews&, const ConservedChange&, std::span<double>) const override {}
-  };
 
   const Level* level_;
   Start start_;

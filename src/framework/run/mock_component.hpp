@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "framework/run/component.hpp"
+#include "framework/run/no_transfer.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice::run_test {
@@ -145,17 +146,6 @@ class MockComponent : public Component {
       row.reductions().maximum(0, ordered_bits(1 / row.step().spacing.x));
     });
   }
-
-  // One level only: nothing moves between levels.
-  class NoTransfer final : public TransferOperators {
-   public:
-    void prolong(const StateViews&, const StateViews&, const IndexBox&, const TransferGeometry&,
-                 int) const override {}
-    void restrict_to(const StateViews&, const StateViews&, const IndexBox&,
-                     const TransferGeometry&) const override {}
-    int flux_quantities() const override { return 1; }
-    void correct(const StateViews&, const ConservedChange&, std::span<double>) const override {}
-  };
 
   const Level* level_;
   EffectList effects_;

@@ -84,16 +84,11 @@ class FaceShares {
 
   // The row of a material; where the neighbourhood is pure that of the mixture, or nothing.
   const double* pick(In own, int c, In mixture, int mixture_c, int m, int shift) {
-    const double* __restrict mine = row_(own, c, axis_, shift);
+    const double* mine = row_(own, c, axis_, shift);
     if (!any_pure_) return mine;
-    const double* __restrict key = row_(h_.pure, 0, axis_, shift);
-    const double* __restrict all = row_(mixture, mixture_c, axis_, shift);
-    double* __restrict to = work_[used_++];
-    const double material = m;
-    for (int i = 0; i < n_; ++i) {
-      const double alone = key[i] == material ? all[i] : 0.0;
-      to[i] = key[i] < 0.0 ? mine[i] : alone;
-    }
+    double* to = work_[used_++];
+    pick_row(n_, row_(h_.pure, 0, axis_, shift), m, mine, row_(mixture, mixture_c, axis_, shift),
+             to);
     return to;
   }
   const double* pick_base_of_volume(int m, int shift) {

@@ -14,7 +14,7 @@ namespace sluice::ice::mixture {
 namespace {
 
 struct Handles {
-  std::vector<In> mass, volume, energy;
+  StateReads state;
   In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, density;
   In mixture_density_L, mixture_energy_L;
   Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
@@ -40,9 +40,9 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
       continue;
     }
     const auto k = static_cast<std::size_t>(m);
-    const double* __restrict M = row(h.mass[k]);
-    const double* __restrict V = row(h.volume[k]);
-    const double* __restrict E = row(h.energy[k]);
+    const double* __restrict M = row(h.state.mass[k]);
+    const double* __restrict V = row(h.state.volume[k]);
+    const double* __restrict E = row(h.state.energy[k]);
     const double* __restrict r = row(h.density, m);
     for (int i = 0; i < n; ++i) {
       const double pdV = p[i] * (J[i] - 1.0);
@@ -72,11 +72,7 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   ice::add_lagrangian(list, v.common, o, effect);
   TaskBuilder task = list.task("Lagrangian phase of each material", effect);
   Handles h;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    h.mass.push_back(task.read(v.mass[m]));
-    h.volume.push_back(task.read(v.volume[m]));
-    h.energy.push_back(task.read(v.energy[m]));
-  }
+  h.state = read_state(task, v);
   h.presence = task.read(v.presence);
   h.pure = task.read(v.pure);
   h.mixture_density_L = task.read(v.common.rho_L);

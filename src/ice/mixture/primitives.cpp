@@ -58,7 +58,7 @@ void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& 
 }
 
 struct Handles {
-  std::vector<In> mass, volume, energy;
+  StateReads state;
   In momentum, presence;
   Out rho, total_energy, velocity, pressure, sound, inverse_rho, shock_slope, pi;
   Out scratch;
@@ -68,8 +68,8 @@ struct Handles {
 void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const int n = row.count();
   const auto k = static_cast<std::size_t>(m);
-  const double* M = row(h.mass[k]);
-  const double* E = row(h.energy[k]);
+  const double* M = row(h.state.mass[k]);
+  const double* E = row(h.state.energy[k]);
   primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
   double *rho = row(h.rho), *energy = row(h.total_energy);
   double *slope = row(h.shock_slope), *pi = row(h.pi);
@@ -104,9 +104,9 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
   for_each_of(set, [&](int m) {
     const auto k = static_cast<std::size_t>(m);
     const Fluid& fluid = fluids[k];
-    const double* __restrict M = row(h.mass[k]);
-    const double* __restrict V = row(h.volume[k]);
-    const double* __restrict E = row(h.energy[k]);
+    const double* __restrict M = row(h.state.mass[k]);
+    const double* __restrict V = row(h.state.volume[k]);
+    const double* __restrict E = row(h.state.energy[k]);
     const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
     for (int i = 0; i < n; ++i) {
       const double inverse = 1.0 / V[i];
@@ -131,8 +131,8 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
   }
   for_each_of(set, [&](int m) {
     const auto k = static_cast<std::size_t>(m);
-    const double* __restrict M = row(h.mass[k]);
-    const double* __restrict V = row(h.volume[k]);
+    const double* __restrict M = row(h.state.mass[k]);
+    const double* __restrict V = row(h.state.volume[k]);
     for (int i = 0; i < n; ++i) r[i] = M[i] / V[i];
     modulus_row(fluids[k], n, r, p, Km);
     for (int i = 0; i < n; ++i) c[i] += V[i] / Km[i];
@@ -142,25 +142,19 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
 
 // Density and energy of each material per its own volume; in a step not where the neighbourhood is
 // pure, where those of the mixture do.
-void add_material_values(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
-                         bool everywhere) {
+void add_material_values(TaskList& list, const Variables& v, int effect, bool everywhere) {
   TaskBuilder task = list.task("values of each material", effect);
   const In pure = task.read(everywhere ? v.presence : v.pure);
-  std::vector<In> mass, volume, energy;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    mass.push_back(task.read(v.mass[m]));
-    volume.push_back(task.read(v.volume[m]));
-    energy.push_back(task.read(v.energy[m]));
-  }
+  const StateReads state = read_state(task, v);
   const Out density = task.write(v.density), specific_energy = task.write(v.specific_energy);
   task.kernel([=](const Row& row) {
     for_each_run(row(pure), row.count(), [&](int first, int count, double alone) {
       if (!everywhere && alone >= 0.0) return;
       const Row part = row.part(first, count);
-      for (std::size_t m = 0; m < mass.size(); ++m) {
-        const double* __restrict M = part(mass[m]);
-        const double* __restrict V = part(volume[m]);
-        const double* __restrict E = part(energy[m]);
+      for (std::size_t m = 0; m < state.mass.size(); ++m) {
+        const double* __restrict M = part(state.mass[m]);
+        const double* __restrict V = part(state.volume[m]);
+        const double* __restrict E = part(state.energy[m]);
         double* __restrict r = part(density, static_cast<int>(m));
         double* __restrict e = part(specific_energy, static_cast<int>(m));
         for (int i = 0; i < count; ++i) {
@@ -176,11 +170,7 @@ void add_material_values(TaskList& list, const Variables& v, const SchemeOptions
 void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("primitives", effect);
   Handles h;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    h.mass.push_back(task.read(v.mass[m]));
-    h.volume.push_back(task.read(v.volume[m]));
-    h.energy.push_back(task.read(v.energy[m]));
-  }
+  h.state = read_state(task, v);
   h.momentum = task.read(v.common.momentum);
   h.presence = task.read(v.presence);
   h.rho = task.write(v.common.rho);
@@ -214,7 +204,7 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
   add_presence(list, v, effect);
   add_neighbourhood(list, v, o, effect);
   add_mixture_values(list, v, o, effect);
-  add_material_values(list, v, o, effect, everywhere);
+  add_material_values(list, v, effect, everywhere);
 }
 
 }  // namespace sluice::ice::mixture

@@ -54,15 +54,9 @@ class MaterialRows {
     Quantity q;
     q.centre = row(own, m);
     const auto neighbour = [&](int t, int shift) {
-      const double* __restrict mine = row(own, m, t, shift);
-      const double* __restrict all = row(mixture, 0, t, shift);
-      const double* __restrict key = row(handles.pure, 0, t, shift);
-      double* __restrict to = work[used++];
-      const double material = m;
-      for (int i = 0; i < row.count(); ++i) {
-        const double alone = key[i] == material ? all[i] : 0.0;
-        to[i] = key[i] < 0.0 ? mine[i] : alone;
-      }
+      double* to = work[used++];
+      pick_row(row.count(), row(handles.pure, 0, t, shift), m, row(own, m, t, shift),
+               row(mixture, 0, t, shift), to);
       return to;
     };
     for (int t = 0; t < D; ++t) {

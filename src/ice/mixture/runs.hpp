@@ -29,6 +29,18 @@ void for_each_face_run(const double* a, const double* b, int n, F&& f) {
   }
 }
 
+// The values of a material: its own where the neighbourhood (`pure`) is mixed, those of the mixture
+// where it is alone, nothing where another is. No row overlaps `to`.
+inline void pick_row(int n, const double* __restrict pure, int material,
+                     const double* __restrict own, const double* __restrict mixture,
+                     double* __restrict to) {
+  const double m = material;
+  for (int i = 0; i < n; ++i) {
+    const double alone = pure[i] == m ? mixture[i] : 0.0;
+    to[i] = pure[i] < 0.0 ? own[i] : alone;
+  }
+}
+
 // Sets of materials as numbers: exact in a double up to 2^53.
 constexpr int most_materials = 32;
 inline double only(int material) {

@@ -62,4 +62,14 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   return v;
 }
 
+StateReads read_state(TaskBuilder& task, const Variables& v) {
+  StateReads r;
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    r.mass.push_back(task.read(v.mass[m]));
+    r.volume.push_back(task.read(v.volume[m]));
+    r.energy.push_back(task.read(v.energy[m]));
+  }
+  return r;
+}
+
 }  // namespace sluice::ice::mixture

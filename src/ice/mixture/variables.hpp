@@ -33,6 +33,12 @@ struct Variables {
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 
+// The old state of each material, at a point.
+struct StateReads {
+  std::vector<In> mass, volume, energy;
+};
+StateReads read_state(TaskBuilder& task, const Variables& v);
+
 // Component of a quantity of a material in `base` and `flux`.
 enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
 inline int component(int material, Carried q) {

@@ -35,6 +35,26 @@ class Children {
     return (2 * place(child, axis) + 1 - r) / (2.0 * r);
   }
 
+  // rows[child] = that child of each of n coarse cells from `first` on along level direction
+  // `along`.
+  template <int D, int Width>
+  void gather(const RealView& fine, int along, IntVec3 first, int n, double (*rows)[Width]) const {
+    std::ptrdiff_t step = 0;
+    IntVec3 corner = first;
+    for (int a = 0; a < D; ++a) {
+      const int d = axes_.direction[a];
+      corner[d] = first[d] * ratio_[a];
+      if (d == along) step = fine.stride[d] * ratio_[a];
+    }
+    for (int child = 0; child < count(); ++child) {
+      IntVec3 cell = corner;
+      for (int a = 0; a < D; ++a) cell[axes_.direction[a]] += place(child, a);
+      const double* __restrict from = fine.data + fine.offset(cell);
+      double* __restrict to = rows[child];
+      for (int i = 0; i < n; ++i) to[i] = from[i * step];
+    }
+  }
+
   // rows[0] = mean of the rows of all children, over n cells; the other rows are lost.
   template <int Width>
   void mean(double (*rows)[Width], int n) const {

@@ -46,22 +46,7 @@ class MixtureRestrictor {
   using Rows = double[Children::most_in(D)][width];
 
   void gather(std::size_t q, IntVec3 first, int n, Rows& rows) const {
-    const RealView& v = fine_[q];
-    const Axes& axes = children_.axes();
-    std::ptrdiff_t step = 0;
-    IntVec3 corner = first;
-    for (int a = 0; a < D; ++a) {
-      const int d = axes.direction[a];
-      corner[d] = first[d] * children_.ratio(a);
-      if (d == along_) step = v.stride[d] * children_.ratio(a);
-    }
-    for (int child = 0; child < children_.count(); ++child) {
-      IntVec3 cell = corner;
-      for (int a = 0; a < D; ++a) cell[axes.direction[a]] += children_.place(child, a);
-      const double* __restrict from = v.data + v.offset(cell);
-      double* __restrict to = rows[child];
-      for (int i = 0; i < n; ++i) to[i] = from[i * step];
-    }
+    children_.gather<D>(fine_[q], along_, first, n, rows);
   }
   // Into rows_[0].
   void mean(const Rows& rows, int n) {

@@ -18,7 +18,8 @@ class Restrictor {
 
   // n coarse cells along the line.
   void run(IntVec3 first, int n) {
-    for (int q = 0; q < quantities; ++q) gather(q, first, n);
+    for (int q = 0; q < quantities; ++q)
+      children_.gather<D>(fine_[static_cast<std::size_t>(q)], along_, first, n, values_[q]);
     double mean[quantities][width];
     for (int q = 0; q < quantities; ++q) {
       for (int child = 0; child < children_.count(); ++child)
@@ -39,25 +40,6 @@ class Restrictor {
 
  private:
   static constexpr int quantities = C + 2;
-
-  void gather(int q, IntVec3 first, int n) {
-    const RealView& v = fine_[static_cast<std::size_t>(q)];
-    const Axes& axes = children_.axes();
-    std::ptrdiff_t step = 0;
-    IntVec3 corner = first;
-    for (int a = 0; a < D; ++a) {
-      const int d = axes.direction[a];
-      corner[d] = first[d] * children_.ratio(a);
-      if (d == along_) step = v.stride[d] * children_.ratio(a);
-    }
-    for (int child = 0; child < children_.count(); ++child) {
-      IntVec3 cell = corner;
-      for (int a = 0; a < D; ++a) cell[axes.direction[a]] += children_.place(child, a);
-      const double* __restrict from = v.data + v.offset(cell);
-      double* __restrict to = values_[q][child];
-      for (int i = 0; i < n; ++i) to[i] = from[i * step];
-    }
-  }
 
   void add_heat(double (&mean)[quantities][width], int n) {
     double U[C][width];
