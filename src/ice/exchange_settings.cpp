@@ -50,19 +50,21 @@ std::string pair_names(int materials) {
   return names;
 }
 
-void check_count(const DeckNode& coefficients, const char* kind, int materials,
+// True: as many as there are pairs.
+bool check_count(const DeckNode& coefficients, const char* kind, int materials,
                  std::vector<Fault>& faults) {
   const DeckNode* list = coefficients.child(kind);
   const auto values = list == nullptr ? std::nullopt : parse_reals(list->text).value;
-  if (!values || materials == 0) return;
+  if (!values || materials == 0) return false;
   const std::size_t wanted = pairs_of(materials);
   // One material: whatever stands there has nobody to act on.
-  if (values->size() == wanted || materials == 1) return;
+  if (values->size() == wanted || materials == 1) return true;
   add_error(faults, list->where,
             fmt::format("<{}> has {} coefficient{}; {} materials have {} pair{}: {}", kind,
                         values->size(), values->size() == 1 ? "" : "s", materials, wanted,
                         wanted == 1 ? "" : "s", pair_names(materials)),
             "one number a pair, in this order");
+  return false;
 }
 
 void check_index(const DeckNode& parent, const char* tag, int materials,
@@ -146,6 +148,23 @@ ExchangeSettings read_exchange(const DeckNode& root, int materials) {
   return s;
 }
 
+namespace {
+
+void check_velocities(const DeckNode& root, int materials, std::vector<Fault>& faults) {
+  const ExchangeSettings s = read_exchange(root, materials);
+  if (materials < 2 || s.momentum.least_of_pairs() >= one_velocity_coefficient) return;
+  add_error(
+      faults, s.written ? s.momentum_where : ice_materials(root)[1]->where,
+      fmt::format("materials with velocities of their own (a momentum coefficient below {:g}) "
+                  "are not built yet",
+                  one_velocity_coefficient),
+      fmt::format("coefficients of {:g} and more move all materials together",
+                  one_velocity_coefficient));
+  faults.back().not_built = true;
+}
+
+}  // namespace
+
 TagSpec exchange_tag() {
   const auto variation = [](const std::string& name, const std::string& doc) {
     return tag(name, doc).words({"constant", "linearVariation"});
@@ -185,13 +204,17 @@ TagSpec exchange_tag() {
 
 void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* exchange = exchange_node(root);
-  if (!runs_ice(root) || exchange == nullptr) return;
+  if (!runs_ice(root)) return;
   const auto materials = static_cast<int>(ice_materials(root).size());
-  if (const DeckNode* coefficients = exchange->child("exchange_coefficients")) {
-    check_count(*coefficients, "momentum", materials, faults);
+  const DeckNode* coefficients =
+      exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
+  bool readable = true;
+  if (coefficients != nullptr) {
+    readable = check_count(*coefficients, "momentum", materials, faults);
     check_count(*coefficients, "heat", materials, faults);
   }
-  check_models(*exchange, materials, faults);
+  if (exchange != nullptr) check_models(*exchange, materials, faults);
+  if (readable) check_velocities(root, materials, faults);
 }
 
 }  // namespace sluice::ice

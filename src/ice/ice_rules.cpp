@@ -10,6 +10,7 @@
 #include "ice/fluid_laws.hpp"
 #include "ice/ice_scene.hpp"
 #include "ice/ice_schema.hpp"
+#include "ice/mixture/runs.hpp"
 #include "ice/read_fluid.hpp"
 
 namespace sluice {
@@ -219,7 +220,16 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const auto materials = ice_materials(root);
   check_surrounding(root, materials, faults);
+  constexpr std::size_t most = ice::mixture::most_materials;
+  if (materials.size() > most)
+    fault(faults, *materials[most],
+          fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
+          "join materials of the same law");
   for (const DeckNode* material : materials) {
+    const auto viscosity = real_of(material, "dynamic_viscosity");
+    if (materials.size() > 1 && viscosity && *viscosity > 0)
+      not_built(faults, *material->child("dynamic_viscosity"), "viscosity with several materials",
+                "write 0");
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
       not_built(faults, *work, "<includeFlowWork> false", "write true");

@@ -120,25 +120,6 @@ void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene&
       }
 }
 
-void refuse_what_mixtures_lack(const IceScene& s, std::vector<Fault>& faults) {
-  if (s.materials.size() < 2) return;
-  const auto refuse = [&](const Location& where, const std::string& what,
-                          const std::string& advice) {
-    add_error(faults, where, what, advice);
-    faults.back().not_built = true;
-  };
-  if (!s.one_velocity())
-    refuse(s.exchange.written ? s.exchange.momentum_where : s.materials[1].where,
-           fmt::format("materials with velocities of their own (a momentum coefficient below {:g}) "
-                       "are not built yet",
-                       one_velocity_coefficient),
-           fmt::format("coefficients of {:g} and more move all materials together",
-                       one_velocity_coefficient));
-  for (const IceMaterial& m : s.materials)
-    if (m.viscosity > 0)
-      refuse(m.viscosity_where, "viscosity with several materials is not built yet", "write 0");
-}
-
 }  // namespace
 
 bool IceScene::one_velocity() const {
@@ -165,7 +146,6 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   s.conditions = read_flow_conditions(root);
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);
-  refuse_what_mixtures_lack(s, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }
