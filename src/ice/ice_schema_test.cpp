@@ -208,6 +208,15 @@ TEST(IceSchema, CountsExchangeCoefficients) {
   EXPECT_EQ(good.find("coefficient"), std::string::npos) << good;
 }
 
+TEST(IceSchema, TellsThatMaterialsOfTheirOwnVelocitiesAreNotBuilt) {
+  constexpr const char* told = "materials with velocities of their own";
+  EXPECT_THAT(messages(with_a_second_material(coefficients("[100]", "[0]"))), HasSubstr(told));
+  EXPECT_THAT(messages(with_a_second_material("")), HasSubstr(told));
+  for (const char* silent : {"[1e10]", "[1e10,1e10]"})
+    EXPECT_THAT(messages(with_a_second_material(coefficients(silent, "[0]"))),
+                testing::Not(HasSubstr(told)));
+}
+
 TEST(IceSchema, AsksWhichMaterialMakesTheHydrostaticPressure) {
   EXPECT_THAT(messages(with_a_second_material("", "[0,-9.8,0]")),
               HasSubstr("no material says that its weight makes the hydrostatic pressure"));
