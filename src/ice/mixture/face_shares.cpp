@@ -10,6 +10,7 @@ namespace {
 
 constexpr double least_entry = 1e-16;    // of a cell's volume: what enters an empty cell
 constexpr double least_rest = 1e-10;     // of a material's volume that may stay behind
+constexpr double least_fill = 0.5;       // of the volume behind it, for a front to move on
 constexpr double trace = 1e-10;          // differences of smaller fractions are not trusted
 constexpr double interface_band = 0.01;  // distance from 0 and 1 within which there is an interface
 
@@ -131,10 +132,14 @@ class FaceShares {
     k.FE = row_(flux, component(m, of_energy));
   }
 
-  // Step 1.
+  // Step 1; FM tells whether the material may pass. Where a cell has none of it, it waits until the
+  // donor is filled compared with the cell behind, if the others can make up the outflow: else the
+  // foot of a front would run ahead, a cell a step, and flows that spread would carry it away.
   void propose(const Material& k) {
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
     double* __restrict share = k.FV;
+    double* __restrict passes = k.FM;
+    const double *Ma = k.M[0], *Mb = k.M[1];
     const Pair base = based_ ? k.base_V : Pair{a, b};
 #pragma GCC ivdep
     for (int i = 0; i < n_; ++i) {
@@ -155,8 +160,12 @@ class FaceShares {
         const double mask = Masked ? mask_.at(i, left) : 1.0;
         value += (left ? -0.5 : 0.5) * (1.0 - nu) * mask * (interface ? sharp : smooth);
       }
-      const double cap = smaller(1.0, V / larger(N_.at(i, left), 1e-12));
-      share[i] = smaller(larger(value, 0.0), cap);
+      const double N_out = larger(N_.at(i, left), 1e-12);
+      const bool enters = (left ? Ma[i] : Mb[i]) == 0.0;
+      const bool unfilled = V < least_fill * (left ? pp[i] : mm[i]);
+      const double may = both(both(enters, unfilled), 1.0 - V >= N_out) ? 0.0 : 1.0;
+      share[i] = may * smaller(larger(value, 0.0), smaller(1.0, V / N_out));
+      passes[i] = may;
     }
   }
 
@@ -168,7 +177,7 @@ class FaceShares {
       double sum = 0, room = 0, free[most];
       for (int k = 0; k < count(); ++k) {
         const Material& x = materials_[k];
-        free[k] = smaller(1.0, (left ? x.V[3][i] : x.V[2][i]) * inverse) - x.FV[i];
+        free[k] = x.FM[i] * smaller(1.0, (left ? x.V[3][i] : x.V[2][i]) * inverse) - x.FV[i];
         sum += x.FV[i];
         room += free[k];
       }
