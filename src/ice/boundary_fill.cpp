@@ -48,6 +48,13 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
   rules_[n].push_back(mixtures_[n].back().common);
 }
 
+const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {
+  const auto n = static_cast<std::size_t>(side);
+  const std::size_t r = region(side, cell);
+  return mixtures_[n].empty() ? rules_[n][r].heat
+                              : mixtures_[n][r].parts[static_cast<std::size_t>(material)].rule.heat;
+}
+
 bool BoundaryFill::copies(Side side, std::size_t region) const {
   const auto n = static_cast<std::size_t>(side);
   return setting_.gravity[direction_of(side)] == 0 &&

@@ -6,7 +6,7 @@
 //   symmetry, free-slip wall   mirror, normal velocity negated
 //   velocity Dirichlet with no normal component: a wall; the state is mirrored, the tangential
 //     velocity about the wall's (viscous) or plainly (inviscid). Density and temperature of a wall
-//     act through heat conduction only: without it they change nothing
+//     act through heat conduction only (heat_flux.cpp): without it they change nothing
 //   velocity Dirichlet with a normal component: prescribed
 //   Neumann q: the nearest interior cell minus q times the distance (0: a copy)
 //   pressure and density: Dirichlet values; where temperature and density are given but not the
@@ -59,6 +59,7 @@ class BoundaryFill {
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
+  const WallHeat& wall_heat(Side side, IntVec3 cell, int material = 0) const;
   // Open faces (LODI).
   bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }

@@ -57,6 +57,29 @@ void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
       fluid.law);
 }
 
+void temperature_row(const Fluid& fluid, int n, const double* __restrict rho,
+                     const double* __restrict rho_e, double* __restrict T) {
+  std::visit(
+      [&](const auto& law) {
+        if (fluid.heat) {
+          for (int i = 0; i < n; ++i) T[i] = fluid.temperature(rho[i], rho_e[i]);
+          return;
+        }
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) T[i] = law.temperature(rho[i], rho_e[i]);
+      },
+      fluid.law);
+}
+
+void heat_capacity_row(const Fluid& fluid, int n, const double* __restrict rho,
+                       const double* __restrict rho_e, double* __restrict cv) {
+  if (fluid.ideal() != nullptr && !fluid.heat) {
+    for (int i = 0; i < n; ++i) cv[i] = fluid.specific_heat;
+    return;
+  }
+  for (int i = 0; i < n; ++i) cv[i] = fluid.heat_capacity(rho[i], rho_e[i]);
+}
+
 void admissible_row(const Fluid& fluid, int n, const double* __restrict rho,
                     const double* __restrict rho_e, double* __restrict admissible) {
   std::visit(

@@ -18,6 +18,10 @@ void modulus_row(const Fluid& fluid, int n, const double* rho, const double* p, 
 // energy itself for an ideal gas.
 void energy_scale_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
                       double* scale);
+// T (K), and the heat capacity at constant volume cv (J/(kg K)).
+void temperature_row(const Fluid& fluid, int n, const double* rho, const double* rho_e, double* T);
+void heat_capacity_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
+                       double* cv);
 // 1 where density and energy are a state of the law, 0 elsewhere.
 void admissible_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
                     double* admissible);

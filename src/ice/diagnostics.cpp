@@ -37,7 +37,7 @@ void declare_of_one(QuantityList& q) {
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   constant(l.viscosity, o.viscosity);
-  constant(l.thermal_conductivity, 0.0);
+  constant(l.thermal_conductivity, o.conductivity);
   constant(l.gamma, fluid.gamma);
   constant(l.specific_heat, fluid.specific_heat);
   q.mach(u, c, 0);

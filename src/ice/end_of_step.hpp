@@ -1,8 +1,9 @@
 // How a step of either scheme ends: is the new state admissible, and what may the next step be.
 //
 // Rates: the deck's rule max_d (|u_d| + knob c)/dx_d (aggressive) or the outflow rule with face
-// velocities (conservative); with viscosity 2 knob mu/rho sum_d 1/dx_d^2; the scheme's own
-// sum_d |u_d|/dx_d and max_d (|u_d| + c)/dx_d.
+// velocities (conservative); with viscosity or conduction 2 D sum_d 1/dx_d^2, D the larger of
+// mu/rho and k/(rho cv); the scheme's own sum_d |u_d|/dx_d and max_d (|u_d| + c)/dx_d.
+// Coefficients that vary are those of the old state.
 #pragma once
 #include <array>
 #include <cmath>
@@ -58,6 +59,8 @@ struct RateHandles {
   In sound;                         // conservative rule only
   std::array<In, 3> face_velocity;  // conservative rule only
   Out closure;                      // pressure and modulus; not for ideal gases
+  In viscosity, conductivity;       // where they vary
+  Out heat_capacity;                // conduction only, where it is no constant
 };
 
 struct RateConstants {
@@ -144,30 +147,62 @@ void outflow_rate_row(const Row& row, const RateHandles& h, const RateConstants&
   row.reductions().maximum(StepSlots::deck_rate, most);
 }
 
-// The viscous rule: 2 mu/rho sum 1/dx^2, mu weighted by the deck's knob.
-inline void diffusion_rate_row(const Row& row, const RateHandles& h, double weighted_mu,
-                               double inverse_dx2) {
+// 2 D sum 1/dx^2 with D = coefficient(i)/rho.
+template <class Coefficient>
+void diffusion_rate_row(const Row& row, const RateHandles& h, Coefficient coefficient) {
   const int n = row.count();
   const double* __restrict r = row(h.rho);
-  const double rate = 2.0 * weighted_mu * inverse_dx2;
   std::int64_t most = 0;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    const std::int64_t a = ordered_bits(rate / r[i]);
+    const std::int64_t a = ordered_bits(coefficient(i) / r[i]);
     most = a > most ? a : most;
   }
   row.reductions().maximum(StepSlots::diffusion_rate, most);
 }
 
-// Those of the conservative rule and of viscosity.
+// Whether cv is the same everywhere.
+inline bool constant_heat_capacity(const Fluid& fluid) {
+  return fluid.ideal() != nullptr && !fluid.heat;
+}
+
+inline void viscous_rate_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
+                             double twice) {
+  if (o.viscosity_varies)
+    diffusion_rate_row(row, h, [=, mu = row(h.viscosity)](int i) { return twice * mu[i]; });
+  else
+    diffusion_rate_row(row, h, [rate = twice * o.viscosity](int) { return rate; });
+}
+
+inline void conduction_rate_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
+                                double twice) {
+  const double* k = o.conductivity_varies ? row(h.conductivity) : nullptr;
+  const auto conductivity = [k, all = o.conductivity](int i) { return k != nullptr ? k[i] : all; };
+  if (constant_heat_capacity(o.fluid)) {
+    const double scale = twice / o.fluid.specific_heat;
+    return diffusion_rate_row(row, h, [=](int i) { return scale * conductivity(i); });
+  }
+  double* cv = row(h.heat_capacity);
+  heat_capacity_row(o.fluid, row.count(), row(h.rho), row(h.energy), cv);
+  diffusion_rate_row(row, h, [=](int i) { return twice * conductivity(i) / cv[i]; });
+}
+
+// Those of the conservative rule and of diffusion.
 template <int D>
 void other_rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
                         const RateConstants& x) {
   if (x.conservative) outflow_rate_row<D>(row, h, x);
-  if (!o.viscous) return;
   double inverse_dx2 = 0;
   for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
-  diffusion_rate_row(row, h, o.diffusion_knob * o.viscosity, inverse_dx2);
+  if (o.viscous) viscous_rate_row(row, h, o, 2.0 * inverse_dx2);
+  if (o.conducting && !o.mixture) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
+}
+
+// What varying coefficients need in the task that ends the step.
+inline void read_transport(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+                           RateHandles& h) {
+  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity);
+  if (o.conductivity_varies) h.conductivity = task.read(v.conductivity);
 }
 
 template <int D>

@@ -39,6 +39,8 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.gravity_on = !(o.gravity == Vec3{});
   o.viscosity = m.viscosity;
   o.viscous = m.viscosity > 0;
+  o.conductivity = m.conductivity;
+  o.conducting = m.conductivity > 0;
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
@@ -68,7 +70,8 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_slopes(list, v, o, effect_second_order);       // u, p                     su, sp, P, UT
   add_faces(list, v, o, effect_flow);                // u, p, c, slopes          u_f, p_f
   add_viscous_stress(list, v, o, effect_viscosity);  // u                        t_f
-  add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f     rho_L, E_L, v, E*
+  add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
+  add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f, q  rho_L, E_L, v, E*
   add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
   add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
@@ -243,6 +246,8 @@ IntVec3 Ice::interface_depth(const Level& level) const {
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
   constexpr double flow_share = 0.9;
+  // Friction along its own direction acts with 4/3 mu: 0.75 is what explicit steps can bear.
+  constexpr double diffusion_share = 0.7;
   const double sound_share = options_.classic ? classic_sound_share(options_.axes.count) : 0.8;
   StepLimit limit{options_.cfl / maxima[StepSlots::deck_rate], options_.conservative_time_step
                                                                    ? "deck: conservative rule"
@@ -253,7 +258,9 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
   at_most(sound_share / maxima[StepSlots::sound_rate],
           options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)" : "scheme: 0.8 dx/(|u| + c)");
-  at_most(options_.cfl / maxima[StepSlots::diffusion_rate], "deck: cfl rho/(2 knob mu sum 1/dx^2)");
+  const double diffusion = maxima[StepSlots::diffusion_rate];
+  at_most(options_.cfl / (options_.diffusion_knob * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
+  at_most(diffusion_share / diffusion, "scheme: 0.7/(2 D sum 1/dx^2)");
   return limit;
 }
 

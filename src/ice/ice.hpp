@@ -38,7 +38,7 @@ class Ice : public Component {
   int first_volume_sum() const override;
   bool quiet_blocks_allowed() const override;
   double courant_number() const override { return options_.cfl; }
-  bool diffusive() const override { return options_.viscous; }
+  bool diffusive() const override { return options_.viscous || options_.conducting; }
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
   void add_totals(const Warehouse& state, const LevelCoverage& coverage,

@@ -235,10 +235,9 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
       not_built(faults, *work, "<includeFlowWork> false", "write true");
     }
     const auto conductivity = real_of(material, "thermal_conductivity");
-    if (conductivity && *conductivity > 0) {
-      not_built(faults, *material->child("thermal_conductivity"), "heat conduction",
-                "write 0 to run without it");
-    }
+    if (materials.size() > 1 && conductivity && *conductivity > 0)
+      not_built(faults, *material->child("thermal_conductivity"),
+                "heat conduction with several materials", "write 0 to run without it");
   }
   check_material_indices(root, static_cast<int>(materials.size()), faults);
   check_saved_levels(root, faults);
@@ -272,6 +271,14 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
   for (const DeckNode* material : ice_materials(root)) {
     const ice::Fluid fluid = ice::read_fluid(*material, faults);
     const DeckNode* eos = material->child("EOS");
+    const auto conductivity = real_of(material, "thermal_conductivity");
+    if (classic && conductivity && *conductivity > 0)
+      fault(
+          faults, *material->child("thermal_conductivity"),
+          fmt::format("<scheme> classic conducts no heat; this deck has a thermal_conductivity of "
+                      "{:g}",
+                      *conductivity),
+          "remove <scheme>, or write 0");
     if (!classic || eos == nullptr || fluid.ideal() != nullptr) continue;
     fault(faults, *scheme,
           fmt::format(

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
 #include "ice/mixture/equilibrate.hpp"
@@ -40,6 +41,13 @@ class CellStates {
     }
     return {rho, equilibration_.look({M, V, E}).modulus};
   }
+  double heat_capacity(IntVec3 cell) const {
+    const Fluid& fluid = fluids_.front();
+    double cv = 0;
+    const double rho = mass_[0](cell), E = energy_[0](cell);
+    heat_capacity_row(fluid, 1, &rho, &E, &cv);
+    return cv;
+  }
 
  private:
   const std::vector<Fluid>& fluids_;
@@ -77,15 +85,16 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
       rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
       rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
       rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
-      if (!options_.viscous) return;
+      if (!diffusive()) return;
       double inverse_dx2 = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];
         inverse_dx2 += 1.0 / (dx * dx);
       }
-      rates.maximum(
-          StepSlots::diffusion_rate,
-          ordered_bits(2.0 * options_.diffusion_knob * options_.viscosity * inverse_dx2 / rho));
+      double coefficient = options_.viscosity;
+      if (options_.conducting)
+        coefficient = std::max(coefficient, options_.conductivity / states.heat_capacity(cell));
+      rates.maximum(StepSlots::diffusion_rate, ordered_bits(2.0 * inverse_dx2 * coefficient / rho));
     });
   }
 }

@@ -33,7 +33,11 @@ class RuleMaker {
            rule_.temperature_gradient);
     // The pressure is common to all materials: its conditions carry index 0.
     scalar("Pressure", 0, rule_.fixed_pressure, rule_.pressure, rule_.pressure_gradient);
-    if (const Condition* u = region_.find("Velocity", material_)) velocity(*u, normal);
+    const WallHeat heat{rule_.fixed_temperature, rule_.temperature, rule_.temperature_gradient};
+    if (const Condition* u = region_.find("Velocity", material_)) {
+      velocity(*u, normal);
+      if (rule_.mirrored() && u->kind != ConditionKind::symmetry) rule_.heat = heat;
+    }
     return rule_;
   }
 
@@ -93,8 +97,8 @@ class RuleMaker {
         return;
       case ConditionKind::symmetry:
       case ConditionKind::free_slip_wall:
-        // What a wall does to the gas does not depend on its density and temperature (no
-        // conduction yet).
+        // What a wall does to the gas does not depend on its density, and on its temperature
+        // through conduction only.
         rule_ = {};
         rule_.velocity_kind = Kind::mirror;
         return;

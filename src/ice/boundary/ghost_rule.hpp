@@ -9,6 +9,12 @@
 
 namespace sluice::ice {
 
+// What a wall does to heat: it has a temperature of its own, or a gradient along the inward normal.
+struct WallHeat {
+  bool fixed = false;
+  double temperature = 0, gradient = 0;  // K, K/m
+};
+
 // One region's conditions for one material.
 struct GhostRule {
   enum class Velocity { copy, mirror, wall, prescribed, sine, power_law, log_law };
@@ -19,6 +25,7 @@ struct GhostRule {
   double density = 0, pressure = 0, temperature = 0;
   bool sine_pressure = false;
   bool waves = false;  // waves.hpp; what is fixed stays so
+  WallHeat heat;       // of walls, through conduction only; not of symmetry planes
   double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 
   bool mirrored() const {

@@ -1,14 +1,15 @@
 // What passes through a face in a step, of either scheme, as amounts per volume of a cell.
 //
-//   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u,
-// l = dt/dx, t the viscous stress, u the mean velocity of the two cells. Positive along the axis.
+//   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u + l q,
+// l = dt/dx, t the viscous stress, u the mean velocity of the two cells, q the flux of heat.
+// Positive along the axis.
 #pragma once
 #include "ice/conservative/variables.hpp"
 
 namespace sluice::ice {
 
 struct FaceFluxHandles {
-  In flux, face_velocity, face_pressure, stress, velocity;
+  In flux, face_velocity, face_pressure, stress, velocity, heat_flux;
   In materials, pure;  // of a mixture
 };
 
@@ -26,6 +27,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
     h.materials = task.read(v.material_flux[face], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
   }
+  if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
@@ -65,6 +67,7 @@ inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const Scheme
     flux.momentum[c] = FU + impulse;
   }
   flux.energy = l * pf * uf + 0.5 * FU2 + G - friction;
+  if (o.conducting) flux.energy += l * face(h.heat_flux);
   return flux;
 }
 

@@ -8,7 +8,8 @@
 // l = dt/dx. The work defect is what remains of the work of the face pressures when the kinetic
 // energy that the cell gains is taken away: no kinetic energy is ever subtracted. Viscous stress
 // adds its own defect, sum_d l_d [t_f+ . (u_f+ - ub) - t_f- . (u_f- - ub)] with t_f the stress
-// vector on the face and u_f the mean of the two cells: friction becomes heat, exactly.
+// vector on the face and u_f the mean of the two cells: friction becomes heat, exactly. Conduction
+// adds -sum_d l_d (q+ - q-).
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/impulse.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 struct Handles {
   In inverse_rho, velocity, energy;
-  std::array<In, 3> face_velocity;
+  std::array<In, 3> face_velocity, heat_flux;
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
   Out mixture;  // J, work, faces through which matter leaves
@@ -98,8 +99,26 @@ void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants&
   }
 }
 
+template <int D>
+void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                     double* __restrict Es) {
+  const int n = row.count();
+  const double *qm[D], *qp[D];
+  for (int d = 0; d < D; ++d) {
+    qm[d] = row(h.heat_flux[static_cast<std::size_t>(d)]);
+    qp[d] = row(h.heat_flux[static_cast<std::size_t>(d)], 0, d, 1);
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double heat = 0;
+    for (int d = 0; d < D; ++d) heat += s.l[d] * (qm[d][i] - qp[d][i]);
+    Es[i] += heat;
+  }
+}
+
 template <int D, int C>
-void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bool viscous) {
+void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                 const SchemeOptions& o) {
   const int n = row.count();
   const double* __restrict r = row(h.forces.rho);
   const double* __restrict w = row(h.inverse_rho);
@@ -145,7 +164,8 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bo
     N[i] = smaller(out * iJ[i], 1.0);
     iN[i] = 1.0 / larger(N[i], 0.05);
   }
-  if (viscous) viscous_work_rows<D, C>(row, h, s, Es);
+  if (o.viscous) viscous_work_rows<D, C>(row, h, s, Es);
+  if (o.conducting) conduction_rows<D>(row, h, s, Es);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) EL[i] = Es[i] * iJ[i];
 }
@@ -165,6 +185,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     h.face_velocity[a] = task.read(v.face_velocity[a], both);
     h.forces.face_pressure[a] = task.read(v.face_pressure[a], both);
     if (o.viscous) h.forces.stress[a] = task.read(v.stress[a], both);
+    if (o.conducting) h.heat_flux[a] = task.read(v.heat_flux[a], both);
   }
   h.inverse_J = task.write(v.inverse_J);
   h.rho_L = task.write(v.rho_L);
@@ -181,7 +202,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       momentum_rows<D, C>(row, h, s, o.viscous);
-      energy_rows<D, C>(row, h, s, o.viscous);
+      energy_rows<D, C>(row, h, s, o);
       if (o.mixture) {
         mixture_rows<D>(row, h, s.l);
         const double *E = row(h.energy), *Es = row(h.energy_star);

@@ -116,6 +116,7 @@ inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
   h.velocity_L = task.read(v.velocity_L);
   h.energy_star = task.read(v.energy_star);
   h.inverse_J = task.read(v.inverse_J);
+  read_transport(task, v, o, h.next);
   if (o.conservative_time_step) h.next.sound = task.read(v.sound, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -132,6 +133,8 @@ inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
   h.next.rho = task.write(v.rho_new);
   h.next.momentum = task.write(v.momentum_new);
   h.next.energy = task.write(v.energy_new);
+  if (o.conducting && !constant_heat_capacity(o.fluid))
+    h.next.heat_capacity = task.write(v.heat_capacity);
   if (o.fluid.ideal() != nullptr) return h;
   h.energy_scale = task.read(v.energy_scale);
   h.next.closure = task.write(v.closure);

@@ -20,8 +20,12 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
     v.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
     v.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
     v.stress[n] = list.temporary("stress" + axis, C, d);
+    if (o.conducting) v.heat_flux[n] = list.temporary("heat flux" + axis, 1, d);
     v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
   }
+  if (o.conducting) v.temperature = list.temporary("temperature");
+  if (o.viscosity_varies) v.viscosity = list.temporary("dynamic viscosity");
+  if (o.conductivity_varies) v.conductivity = list.temporary("thermal conductivity");
   v.energy_star = list.temporary("energy after work");
   v.impulse = list.temporary("impulse", C);
 }
@@ -65,6 +69,7 @@ SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptio
     v.energy_scale = list.temporary("energy scale");
     v.closure = list.temporary("closure of the new state", 3);
   }
+  if (o.conducting) v.heat_capacity = list.temporary("heat capacity of the new state");
   return v;
 }
 

@@ -38,9 +38,12 @@ struct SchemeOptions {
   double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
   Vec3 gravity{};                 // m/s^2
   bool gravity_on = false;
-  double viscosity = 0;  // dynamic, Pa s; 0: no stress
-  bool viscous = false;
-  double diffusion_knob = 1;            // weight of the viscous time-step rule
+  // Transport: one number for all cells, or the cell field of that name in SchemeVariables.
+  double viscosity = 0;  // dynamic, Pa s
+  bool viscous = false, viscosity_varies = false;
+  double conductivity = 0;  // W/(m K)
+  bool conducting = false, conductivity_varies = false;
+  double diffusion_knob = 1;            // weight of diffusion in the deck's time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;
   IndexBox domain;  // cells of the physical domain
@@ -64,6 +67,10 @@ struct SchemeVariables {
   VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
   std::array<VariableId, 3> face_velocity, face_pressure;  // by axis
   std::array<VariableId, 3> stress;                        // viscous, by axis: force per area
+  std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
+  VariableId temperature;                                  // of the old state; conduction only
+  VariableId viscosity, conductivity;                      // of cells, where they vary
+  VariableId heat_capacity;                                // cv of the new state, likewise
   // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
@@ -94,7 +101,7 @@ struct StepSlots {
   static constexpr int deck_rate = 0;       // max of sum or max of (|u| + knob c)/dx: 1/s
   static constexpr int flow_rate = 1;       // max of sum |u|/dx
   static constexpr int sound_rate = 2;      // max of (|u| + c)/dx
-  static constexpr int diffusion_rate = 3;  // max of 2 knob mu/rho sum 1/dx^2
+  static constexpr int diffusion_rate = 3;  // max of 2 D sum 1/dx^2, D = mu/rho or k/(rho cv)
   static constexpr int maxima = 4;
   // Exact sums: what came in through the boundary in this step.
   static constexpr int mass = 0;
@@ -145,6 +152,7 @@ void add_primitives(TaskList&, const SchemeVariables&, const SchemeOptions&, int
 void add_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_viscous_stress(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_heat_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);

@@ -2,14 +2,16 @@
 //
 //   t_n = mu (du_n/dn + du_n/dn) - (2/3) mu div u,   t_c = mu (du_c/dn + du_n/dc)
 // on a face with normal n. Normal derivatives from the two cells, transverse ones as the mean of
-// the central differences of the two cells. Inactive directions have no derivative.
+// the central differences of the two cells. Inactive directions have no derivative. mu is one
+// number, or the harmonic mean of the two cells' values (face_mean.hpp).
+#include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/variables.hpp"
 
 namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In velocity;
+  In velocity, viscosity;
   Out stress;
 };
 
@@ -18,7 +20,7 @@ struct TransverseRows {
   const double *am, *ap, *bm, *bp;
 };
 
-template <int D, int C>
+template <int D, int C, bool varies>
 void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis,
                 const TransverseRows (&rows)[3][3]) {
   const int n = row.count();
@@ -29,6 +31,8 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
     return 0.25 * inverse[t] * ((x.ap[i] - x.am[i]) + (x.bp[i] - x.bm[i]));
   };
   const double mu = o.viscosity;
+  const double* __restrict mu_a = varies ? row(h.viscosity, 0, axis, -1) : nullptr;
+  const double* __restrict mu_b = varies ? row(h.viscosity) : nullptr;
   for (int c = 0; c < C; ++c) {
     const double* __restrict ua = row(h.velocity, c, axis, -1);
     const double* __restrict ub = row(h.velocity, c);
@@ -44,7 +48,10 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
       } else if (c < D) {
         value += across(axis, c, i);
       }
-      t[i] = mu * value;
+      if constexpr (varies)
+        t[i] = harmonic_mean(mu_a[i], mu_b[i]) * value;
+      else
+        t[i] = mu * value;
     }
   }
 }
@@ -59,6 +66,8 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
     h.velocity = task.read(v.velocity, Stencil::box(1));
+    if (o.viscosity_varies)
+      h.viscosity = task.read(v.viscosity, Stencil::along(o.axes.direction[axis], 1, 0));
     h.stress = task.write(v.stress[static_cast<std::size_t>(axis)]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
@@ -70,7 +79,10 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
                           row.at_corner(h.velocity, c, axis, -1, t, 1), row(h.velocity, c, t, -1),
                           row(h.velocity, c, t, 1)};
           }
-        stress_row<D, C>(row, h, o, axis, rows);
+        if (o.viscosity_varies)
+          stress_row<D, C, true>(row, h, o, axis, rows);
+        else
+          stress_row<D, C, false>(row, h, o, axis, rows);
       });
     });
   }

@@ -1,0 +1,76 @@
+// Heat conduction (Fourier): temperature of the old state, and what passes through faces.
+//
+//   q = -k dT/dn,   dT/dn from the two cells of the face, k one number or their harmonic mean
+// On a wall with a temperature of its own dT/dn is taken over half a cell; a wall with a given
+// gradient has that, one without either lets no heat through. Absent without conduction.
+#include "ice/closure_rows.hpp"
+#include "ice/conservative/face_mean.hpp"
+#include "ice/conservative/variables.hpp"
+#include "ice/wall_faces.hpp"
+
+namespace sluice::ice {
+namespace {
+
+struct Handles {
+  In temperature, conductivity;
+  Out flux;
+};
+
+template <bool varies>
+void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
+  const int n = row.count();
+  const double dx = row.step().spacing[o.axes.direction[axis]], inverse = 1.0 / dx;
+  const double k = o.conductivity;
+  const double* __restrict Ta = row(h.temperature, 0, axis, -1);
+  const double* __restrict Tb = row(h.temperature);
+  const double* __restrict ka = varies ? row(h.conductivity, 0, axis, -1) : nullptr;
+  const double* __restrict kb = varies ? row(h.conductivity) : nullptr;
+  double* __restrict q = row(h.flux);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    if constexpr (varies)
+      q[i] = harmonic_mean(ka[i], kb[i]) * ((Ta[i] - Tb[i]) * inverse);
+    else
+      q[i] = k * ((Ta[i] - Tb[i]) * inverse);
+  }
+  for_each_wall_face(row, o, axis, [&](int i, bool plus) {
+    IntVec3 cell = row.cell();
+    cell[o.axes.direction[0]] += i;
+    const WallHeat& wall = o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell);
+    const double inside = plus ? Ta[i] : Tb[i];
+    // Over the wall outward, as if the next cell lay a whole cell away.
+    const double rise = wall.fixed ? 2.0 * (wall.temperature - inside) : -wall.gradient * dx;
+    const double outward = (varies ? harmonic_mean(ka[i], kb[i]) : k) * (-rise * inverse);
+    q[i] = plus ? outward : -outward;
+  });
+}
+
+}  // namespace
+
+void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  if (!o.conducting) return;
+  TaskBuilder cells = list.task("temperature", effect);
+  const In rho = cells.read(v.rho), energy = cells.read(v.energy);
+  const Out temperature = cells.write(v.temperature);
+  cells.kernel([=, fluid = o.fluid](const Row& row) {
+    temperature_row(fluid, row.count(), row(rho), row(energy), row(temperature));
+  });
+  static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
+                                "heat flux on axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    TaskBuilder task = list.task(names[axis], effect);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    Handles h;
+    h.temperature = task.read(v.temperature, both);
+    if (o.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
+    h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
+    task.kernel([=](const Row& row) {
+      if (o.conductivity_varies)
+        flux_row<true>(row, h, o, axis);
+      else
+        flux_row<false>(row, h, o, axis);
+    });
+  }
+}
+
+}  // namespace sluice::ice
