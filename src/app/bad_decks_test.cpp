@@ -150,8 +150,8 @@ TEST_P(BadDecks, AreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, BadDecks,
-                         ::testing::Values("values", "grids", "boundaries", "materials", "output",
-                                           "not_built", "xml"),
+                         ::testing::Values("values", "grids", "boundaries", "materials", "models",
+                                           "output", "not_built", "xml"),
                          [](const auto& set) { return std::string(set.param); });
 
 TEST(BadDeckChecks, TheGoodOneIsGood) {

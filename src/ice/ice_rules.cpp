@@ -12,6 +12,7 @@
 #include "ice/ice_schema.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/read_fluid.hpp"
+#include "models/models.hpp"
 
 namespace sluice {
 namespace {
@@ -257,6 +258,15 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
             fmt::format("there is no material {}: the deck has {}, counted from 0", *index, count));
     }
   }
+}
+
+void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_ice(root)) return;
+  models::check_models(root, material_names(root), faults);
+  const DeckNode* models = root.child("Models");
+  if (models == nullptr || !models::all_built(root)) return;
+  for (const DeckNode* model : models->all("Model"))
+    not_built(faults, *model, "what <Model> does to a flow");
 }
 
 void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {

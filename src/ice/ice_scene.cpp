@@ -143,6 +143,9 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
   s.exchange = read_exchange(root, count);
+  std::vector<std::string> names;
+  for (const IceMaterial& m : s.materials) names.push_back(m.name);
+  s.models = models::read_models(root, names, geometry, faults);
   s.conditions = read_flow_conditions(root);
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);

@@ -11,6 +11,7 @@
 #include "ice/custom_start.hpp"
 #include "ice/exchange_settings.hpp"
 #include "ice/fluid.hpp"
+#include "models/models.hpp"
 
 namespace sluice::ice {
 
@@ -53,6 +54,7 @@ struct IceScene {
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;
   ExchangeSettings exchange;
+  models::ModelList models;
   int most_equilibration_steps = 100;  // max_iteration_equilibration
   Location advection_where, cfl_where, scheme_where, gravity_where;
 

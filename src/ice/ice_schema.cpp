@@ -9,6 +9,7 @@
 #include "ice/fluid_laws.hpp"
 #include "ice/labels.hpp"
 #include "ice/read_fluid.hpp"
+#include "models/models.hpp"
 
 namespace sluice {
 namespace {
@@ -273,8 +274,19 @@ SaveLabels ice_save_labels() {
                        "totalHeatReleased",
                        "totalMassExchanged",
                        "totalIntEngExchanged",
-                       "totalMassExchange"};
+                       "totalMassExchange",
+                       "TotalModelMass_src",
+                       "TotalModelMom_src",
+                       "TotalModelEng_src"};
   return savable;
+}
+
+// Models bring variables of their own.
+void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_ice(root) || !models::all_built(root)) return;
+  SaveLabels savable = ice_save_labels();
+  for (std::string& label : models::save_labels(root)) savable.built.push_back(std::move(label));
+  check_save_labels(std::move(savable))(root, faults);
 }
 
 void add_ice_tags(Schema& schema) {
@@ -285,7 +297,9 @@ void add_ice_tags(Schema& schema) {
           .multiple()
           .attribute(attribute("add", "accepted without effect").boolean())
           .with_children({tag("ICE", "materials of ICE").child(material()), ice::exchange_tag()}));
+  schema.add(models::models_tag());
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
+  schema.rewrites.emplace_back(models::move_parameters);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
   schema.rules.emplace_back(check_ice_fluids);
@@ -295,11 +309,8 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_coverage);
   schema.rules.emplace_back(check_wave_conditions);
   schema.rules.emplace_back(check_criteria);
-  const DeckRule labels = check_save_labels(ice_save_labels());
-  schema.rules.emplace_back([labels](const DeckNode& root, std::vector<Fault>& faults) {
-    // Models bring variables of their own.
-    if (runs_ice(root) && root.child("Models") == nullptr) labels(root, faults);
-  });
+  schema.rules.emplace_back(check_ice_models);
+  schema.rules.emplace_back(check_ice_labels);
 }
 
 }  // namespace sluice

@@ -20,6 +20,8 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
 void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);  // LODI, Sine, inlets
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
+void check_ice_models(const DeckNode& root, std::vector<Fault>& faults);
+void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults);  // what can be saved
 
 // Tags of other equations of state inside <EOS> are dropped with one warning.
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);

@@ -1,0 +1,162 @@
+// The table of models.
+#include "models/models.hpp"
+
+#include <algorithm>
+
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice::models {
+namespace {
+
+struct Reading {
+  const std::vector<std::string>& materials;
+  const GeometryReader& geometry;
+  ModelList& list;
+  std::vector<Fault>& faults;
+};
+
+// One type of model: the word in <Model type=>, and the element that holds its parameters.
+struct Entry {
+  const char* type;
+  TagSpec parameters;
+  void (*check)(const DeckNode& parameters, const std::vector<std::string>& materials,
+                std::vector<Fault>& faults);
+  void (*read)(const DeckNode& parameters, const Reading& to);
+  // Names of variables that it brings; null: none.
+  std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
+};
+
+const std::vector<Entry>& table() {
+  static const std::vector<Entry> entries = {
+      {"Test", mass_exchange_tag(), check_mass_exchange,
+       [](const DeckNode& parameters, const Reading& to) {
+         to.list.mass_exchanges.push_back(read_mass_exchange(parameters, to.materials));
+       }},
+      {"mass_momentum_energy_src", fixed_values_tag(), check_fixed_values,
+       [](const DeckNode& parameters, const Reading& to) {
+         for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
+           to.list.fixed_values.push_back(std::move(v));
+       }},
+  };
+  return entries;
+}
+
+const Entry* find(const std::string& type) {
+  for (const Entry& entry : table())
+    if (type == entry.type) return &entry;
+  return nullptr;
+}
+
+// Known to the format.
+std::vector<std::string> not_built() {
+  std::vector<std::string> types = {"AdiabaticTable",
+                                    "BinaryProperties",
+                                    "ConstantSources",
+                                    "DDT0",
+                                    "DDT1",
+                                    "IandG",
+                                    "JWLpp",
+                                    "LightTime",
+                                    "MesoBurn",
+                                    "PassiveScalar",
+                                    "Radiation",
+                                    "Simple_Burn",
+                                    "Steady_Burn",
+                                    "TracerParticles",
+                                    "SolidReactionModel",
+                                    "Unsteady_Burn",
+                                    "ZeroOrder",
+                                    "ethyleneDetonation",
+                                    "flameSheet_rxn",
+                                    "gasCombustion",
+                                    "hydrogenBurke"};
+  std::erase_if(types, [](const std::string& type) { return find(type) != nullptr; });
+  return types;
+}
+
+// Calls f(entry, parameters) for every model of the deck that is built and has its element.
+template <class F>
+void for_each_model(const DeckNode& root, F&& f) {
+  const DeckNode* models = root.child("Models");
+  if (models == nullptr) return;
+  for (const DeckNode* model : models->all("Model")) {
+    const Entry* entry = find(model->attribute("type").value_or(""));
+    const DeckNode* parameters = entry == nullptr ? nullptr : model->child(entry->parameters.name);
+    if (parameters != nullptr) f(*entry, *parameters);
+  }
+}
+
+}  // namespace
+
+TagSpec models_tag() {
+  std::vector<std::string> types;
+  TagSpec model = tag("Model", "one of them; several of a type may stand side by side").multiple();
+  std::vector<TagSpec> elements;
+  for (const Entry& entry : table()) {
+    types.emplace_back(entry.type);
+    elements.push_back(entry.parameters.once().only_for("type", {entry.type}));
+  }
+  return tag("Models", "sources and exchange beside the flow itself")
+      .child(model
+                 .attribute(attribute("type",
+                                      "which one; its parameters stand in an element of "
+                                      "its own")
+                                .once()
+                                .words(types)
+                                .not_built(not_built()))
+                 .with_children(elements));
+}
+
+void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
+  for (const auto& models : root.children) {
+    if (models->name != "Models") continue;
+    for (const auto& model : models->children) {
+      if (model->attribute("type") != "Test" || model->child("Test") != nullptr) continue;
+      if (model->child("rate") == nullptr) continue;
+      auto element = std::make_unique<DeckNode>();
+      element->name = "Test";
+      element->where = model->where;
+      element->children.swap(model->children);
+      model->children.push_back(std::move(element));
+      add_warning(faults, model->where, "<Model>: parameters beside <Test> are read as inside it",
+                  "write <Test> around them");
+    }
+  }
+}
+
+void check_models(const DeckNode& root, const std::vector<std::string>& materials,
+                  std::vector<Fault>& faults) {
+  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+    entry.check(parameters, materials, faults);
+  });
+}
+
+ModelList read_models(const DeckNode& root, const std::vector<std::string>& materials,
+                      const GeometryReader& geometry, std::vector<Fault>& faults) {
+  ModelList list;
+  if (const DeckNode* models = root.child("Models")) list.where = models->where;
+  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+    entry.read(parameters, {materials, geometry, list, faults});
+  });
+  return list;
+}
+
+bool all_built(const DeckNode& root) {
+  const DeckNode* models = root.child("Models");
+  if (models == nullptr) return true;
+  const auto entries = models->all("Model");
+  return std::all_of(entries.begin(), entries.end(), [](const DeckNode* model) {
+    return find(model->attribute("type").value_or("")) != nullptr;
+  });
+}
+
+std::vector<std::string> save_labels(const DeckNode& root) {
+  std::vector<std::string> labels;
+  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+    if (entry.labels == nullptr) return;
+    for (std::string& label : entry.labels(parameters)) labels.push_back(std::move(label));
+  });
+  return labels;
+}
+
+}  // namespace sluice::models

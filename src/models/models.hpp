@@ -1,0 +1,42 @@
+// The block <Models>: which models there are, how a deck names them, what a deck asks of them.
+//
+// A model's law, tags, checks and reader stand in a file of its own; its row in the table of
+// models.cpp makes it known. What the laws do to a state is the component's part.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/deck/schema.hpp"
+#include "framework/scene/geometry_reader.hpp"
+#include "models/fixed_values.hpp"
+#include "models/mass_exchange.hpp"
+
+namespace sluice::models {
+
+// What the models of a deck are; plain data.
+struct ModelList {
+  std::vector<MassExchange> mass_exchanges;  // in the order in which they act
+  std::vector<FixedValues> fixed_values;
+  Location where;  // of <Models>
+
+  // Does any of them change masses, momenta or energies.
+  bool any_source() const { return !mass_exchanges.empty() || !fixed_values.empty(); }
+};
+
+TagSpec models_tag();
+// Old decks write the parameters of "Test" beside its element, not in it: moved, with a warning.
+void move_parameters(DeckNode& root, std::vector<Fault>& faults);
+
+// Rules beyond single tags; `materials`: names by index.
+void check_models(const DeckNode& root, const std::vector<std::string>& materials,
+                  std::vector<Fault>& faults);
+// Of a deck that has been checked.
+ModelList read_models(const DeckNode& root, const std::vector<std::string>& materials,
+                      const GeometryReader& geometry, std::vector<Fault>& faults);
+
+// Whether all models that the deck names are built: what others would bring nobody can judge.
+bool all_built(const DeckNode& root);
+// Variables that the models of this deck bring and that can be saved, beside the component's own.
+std::vector<std::string> save_labels(const DeckNode& root);
+
+}  // namespace sluice::models
