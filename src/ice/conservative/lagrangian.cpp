@@ -12,6 +12,7 @@
 // adds -sum_d l_d (q+ - q-).
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
+#include "ice/end_of_step.hpp"
 #include "ice/impulse.hpp"
 #include "ice/limiters.hpp"
 
@@ -40,7 +41,9 @@ void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, 
   }
 }
 
-// What the materials of a mixture share out: J, the work defect, and how many outlets a cell has.
+// What the materials of a mixture share out: J, the work defect, and the largest outflow H of a cell
+// through one face: as it is if that is the only outlet, negative if there are several, minus
+// infinity if several are the largest.
 template <int D>
 void mixture_rows(const Row& row, const Handles& h, const double* l) {
   const int n = row.count();
@@ -50,16 +53,23 @@ void mixture_rows(const Row& row, const Handles& h, const double* l) {
     up[d] = row(h.face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
   }
   double* __restrict J = row(h.mixture, 0);
-  double* __restrict outlets = row(h.mixture, 2);
+  double* __restrict outlet = row(h.mixture, 2);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    double stretch = 0, count = 0;
+    double stretch = 0, count = 0, largest = 0;
     for (int d = 0; d < D; ++d) {
       stretch += l[d] * (up[d][i] - um[d][i]);
-      count += (up[d][i] > 0.0 ? 1.0 : 0.0) + (um[d][i] < 0.0 ? 1.0 : 0.0);
+      const double high = l[d] * up[d][i], low = -(l[d] * um[d][i]);
+      count += (high > 0.0 ? 1.0 : 0.0) + (low > 0.0 ? 1.0 : 0.0);
+      largest = larger(largest, larger(high, low));
     }
+    double ties = 0;
+    for (int d = 0; d < D; ++d)
+      ties +=
+          (l[d] * up[d][i] == largest ? 1.0 : 0.0) + (-(l[d] * um[d][i]) == largest ? 1.0 : 0.0);
     J[i] = 1.0 + stretch;
-    outlets[i] = count;
+    const double several = ties > 1.0 ? -infinity : -largest;
+    outlet[i] = count > 1.0 ? several : largest;
   }
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double least_entry = 1e-16;    // of a cell's volume: what enters an empty cell
 constexpr double least_rest = 1e-10;     // of a material's volume that may stay behind
+constexpr double tiny = 1e-14;           // of a cell's volume: what leaves by one outlet alone
 constexpr double least_fill = 0.5;       // of the volume behind it, for a front to move on
 constexpr double trace = 1e-10;          // differences of smaller fractions are not trusted
 constexpr double interface_band = 0.01;  // distance from 0 and 1 within which there is an interface
@@ -55,7 +56,7 @@ class FaceShares {
     N_ = cells(common.courant);
     iN_ = cells(common.inverse_courant);
     J_ = cells(handles.lagrangian, 0);
-    outlets_ = cells(handles.lagrangian, 2);
+    outlet_ = cells(handles.lagrangian, 2);
     if (Masked) mask_ = cells(common.mask);
     look_for_pure_cells();
     for_each_of(set, [&](int m) { bind(materials_[count_++], m, flux); });
@@ -134,7 +135,8 @@ class FaceShares {
 
   // Step 1; FM tells whether the material may pass. Where a cell has none of it, it waits until the
   // donor is filled compared with the cell behind, if the others can make up the outflow: else the
-  // foot of a front would run ahead, a cell a step, and flows that spread would carry it away.
+  // foot of a front would run ahead, a cell a step, and flows that spread would carry it away. Tiny
+  // amounts pass the main outlet only: through several they would leave to a share, never all.
   void propose(const Material& k) {
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
     double* __restrict share = k.FV;
@@ -163,7 +165,10 @@ class FaceShares {
       const double N_out = larger(N_.at(i, left), 1e-12);
       const bool enters = (left ? Ma[i] : Mb[i]) == 0.0;
       const bool unfilled = V < least_fill * (left ? pp[i] : mm[i]);
-      const double may = both(both(enters, unfilled), 1.0 - V >= N_out) ? 0.0 : 1.0;
+      const double main = outlet_.at(i, left);
+      const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
+      const bool waits = either(both(enters, unfilled), aside);
+      const double may = both(waits, 1.0 - V >= N_out) ? 0.0 : 1.0;
       share[i] = may * smaller(larger(value, 0.0), smaller(1.0, V / N_out));
       passes[i] = may;
     }
@@ -203,8 +208,9 @@ class FaceShares {
       const double now = stays ? 0.0 : share[i];
       const double V_L = V * J_.at(i, left);
       const bool leaves = V_L - flow * now <= larger(least_entry, least_rest * V_L);
-      const bool only_outlet = both(flow > 0.0, outlets_.at(i, left) == 1.0);
-      const bool all = both(both(shared, now > 0.0), both(only_outlet, leaves));
+      const double main = outlet_.at(i, left);
+      const bool only_outlet = either(main == flow, both(V < tiny, main == -flow));
+      const bool all = both(both(shared, now > 0.0), both(both(flow > 0.0, only_outlet), leaves));
       share[i] = all ? V_L / flow : now;
       takes_all[i] = all ? 1.0 : 0.0;
     }
@@ -272,7 +278,7 @@ class FaceShares {
   bool based_ = false, any_pure_ = false;
   double l_;
   const double* uf_;
-  Pair iJ_, N_, iN_, mask_, J_, outlets_;
+  Pair iJ_, N_, iN_, mask_, J_, outlet_;
   Material materials_[most];
   double work_[most * rows_each][most_faces];
 };

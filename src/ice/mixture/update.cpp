@@ -162,10 +162,11 @@ void report(const Row& row, const Axes& axes, int i, int kind, double value) {
 }
 
 // Nothing is left of a material, to the round-off of what was there: through one outlet it leaves
-// to the bit (remap_fluxes.cpp), through several only the sum of their fluxes is all of it.
+// to the bit (remap_fluxes.cpp), through several only the sum of their fluxes is all of it. Below
+// `least` its numbers would lose their digits; no sum over cells knows of it.
 bool is_gone(double M, double V, double M_before, double V_before) {
-  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-  return M == 0.0 || std::fabs(M) <= round_off * M_before ||
+  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
+  return M == 0.0 || std::fabs(V) < least || std::fabs(M) <= round_off * M_before ||
          (std::fabs(V) <= round_off * V_before && V_before > 0.0);
 }
 

@@ -20,7 +20,7 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   v.shock_slope = list.temporary("shock slope");
   v.pi = list.temporary("lowest pressure");
   v.new_pressure = list.temporary("new pressure");
-  v.lagrangian_mixture = list.temporary("J, work, outlets", 3);
+  v.lagrangian_mixture = list.temporary("J, work, main outlet", 3);
   declare_step_temporaries(list, o, v);
   declare_conservative_temporaries(list, o, v);
   v.energy_scale = list.temporary("energy scale");
