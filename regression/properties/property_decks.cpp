@@ -10,6 +10,8 @@ const char* const grid = "Grid/Level/Box/resolution=";
 const char* const gravity = "PhysicalConstants/gravity=[0.02,-0.03,0.01]";
 const char* const pressure = "PhysicalConstants/reference_pressure=1";
 const char* const viscous = "MaterialProperties/ICE/material/dynamic_viscosity=0.003";
+const char* const air_conducting = "MaterialProperties/ICE/material/thermal_conductivity=20";
+const char* const conducting = "MaterialProperties/ICE/material/thermal_conductivity=0.004";
 const char* const first_order = "CFD/ICE/advection/@type=FirstOrder";
 const char* const coarsest = "AMR/Regridder/max_levels=1";
 
@@ -53,6 +55,9 @@ std::vector<Entry> own() {
       {"explosion", "explosion_2d", {cells("[33,29,1]")}},
       {"explosion_first_order", "explosion_2d", {cells("[33,29,1]"), first_order}},
       {"explosion_viscous", "explosion_2d", {cells("[33,29,1]"), viscous}},
+      {"explosion_conducting", "explosion_2d", {cells("[33,29,1]"), viscous, conducting}},
+      {"heated_plates", "couette_heated", {cells("[1,40,1]")}},
+      {"hot_air_conducting", "hot_air_shock_tube", {cells("[80,1,1]"), air_conducting}},
       {"explosion_deck_rule",
        "explosion_2d",
        {cells("[33,29,1]"), "CFD/ICE/TimeStepControl/Scheme_for_delT_calc=conservative"}},
@@ -66,7 +71,7 @@ std::vector<Entry> own() {
       {"hot_air", "hot_air_shock_tube", {cells("[80,1,1]")}},
       {"cube", "blast_3d", {cells("[14,12,13]")}},
       {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity, pressure}},
-      {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, pressure, viscous}},
+      {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, pressure, viscous, conducting}},
   };
 }
 
@@ -125,6 +130,7 @@ std::vector<Entry> on_levels() {
       {"amr_explosion_ratio_4", "amr_explosion", {cells("[10,12,1]"), ratio("[[4,2,1],[2,4,1]]")}},
       {"amr_explosion_lockstep", "amr_explosion", {cells("[20,20,1]"), lockstep}},
       {"amr_explosion_viscous", "amr_explosion", {cells("[18,20,1]"), viscous}},
+      {"amr_explosion_conducting", "amr_explosion", {cells("[18,20,1]"), viscous, conducting}},
       {"amr_explosion_first_order", "amr_explosion", {cells("[22,18,1]"), first_order}},
       {"amr_explosion_classic", "amr_explosion", {cells("[20,16,1]"), classic}},
       {"amr_explosion_one_level", "amr_explosion", {cells("[22,18,1]"), coarsest}},
@@ -150,7 +156,7 @@ std::vector<Entry> on_levels() {
       {"amr_cube", "amr_blast_3d", {cells("[10,9,8]"), tile("[[4,4,4]]")}},
       {"amr_cube_all",
        "amr_blast_3d",
-       {cells("[8,9,8]"), tile("[[4,4,4]]"), gravity, pressure, viscous}},
+       {cells("[8,9,8]"), tile("[[4,4,4]]"), gravity, pressure, viscous, conducting}},
   };
 }
 

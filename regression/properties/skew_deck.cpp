@@ -32,13 +32,17 @@ std::string condition(const char* label, const char* kind, const std::string& va
 }
 
 // Conditions of one side whose normal is axis `normal` of the case.
-std::string conditions(SideKind kind, int normal, bool plus, const Orientation& o) {
+std::string conditions(SideKind kind, int normal, bool plus, bool heated, const Orientation& o) {
   if (kind == SideKind::symmetry)
     return "    <BCType id=\"0\" label=\"Symmetric\" var=\"symmetry\"/>\n";
   std::string all = condition("Pressure", "Neumann", "0");
   const bool inflow = kind == SideKind::inflow;
   all += condition("Density", inflow ? "Dirichlet" : "Neumann", inflow ? "1.25" : "0");
-  all += condition("Temperature", inflow ? "Dirichlet" : "Neumann", inflow ? "0.9" : "0");
+  const bool warm = heated && (kind == SideKind::wall || kind == SideKind::moving_wall);
+  all += condition("Temperature", inflow || warm ? "Dirichlet" : "Neumann",
+                   inflow ? "0.9"
+                   : warm ? "1.4"
+                          : "0");
   if (kind == SideKind::open) return all + condition("Velocity", "Neumann", "[0,0,0]");
   Vec3 u{};
   if (kind == SideKind::moving_wall) u = {0.3, -0.2, 0.15};
@@ -56,7 +60,7 @@ std::string boundary(const SkewCase& c, const Orientation& o) {
       const SideKind kind = c.sides[static_cast<std::size_t>(2 * normal + (there ? 1 : 0))];
       if (kind == SideKind::periodic) continue;
       faces += fmt::format("  <Face side=\"{}{}\">\n{}  </Face>\n", "xyz"[d], plus ? '+' : '-',
-                           conditions(kind, normal, there, o));
+                           conditions(kind, normal, there, c.conductivity > 0, o));
     }
   return "<BoundaryConditions>\n" + faces + "</BoundaryConditions>\n";
 }
@@ -226,9 +230,9 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       text(o.turn(c.gravity)));
   deck += fmt::format(
       "<MaterialProperties><ICE><material name=\"gas\"><EOS type=\"ideal_gas\"/>\n"
-      "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>0</thermal_conductivity>\n"
+      "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>{}</thermal_conductivity>\n"
       "<specific_heat>1</specific_heat><gamma>1.4</gamma>\n",
-      c.viscosity);
+      c.viscosity, c.conductivity);
   deck += object(c, o, "everywhere", {-2, -2, -2}, {2, 2, 2}, 1, 1, {0.1, -0.2, 0.3});
   deck += object(c, o, "dense", {-0.6, -0.3, -0.7}, {0.2, 0.5, 0.1}, 4, 2, {0.5, 0.4, -0.3});
   deck += object(c, o, "thin", {0.3, -0.8, 0.2}, {0.7, -0.1, 0.9}, 0.2, 1.5, {-0.7, 0.2, 0.6});
