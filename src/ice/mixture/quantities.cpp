@@ -59,6 +59,38 @@ class Declarer {
     return to;
   }
 
+  // Of a mass that no sum over the cell knows of, energy over mass says nothing: such a trace is as
+  // warm as the heaviest material.
+  VariableId temperature(int m) {
+    constexpr double least = 1e-14;  // of the mass of the cell
+    const VariableId to = q_.fresh(labels().temperature, m);
+    TaskBuilder t = q_.task(labels().temperature, m);
+    const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
+    const In total = t.read(v_.common.rho);
+    std::vector<In> mass;
+    for (const VariableId id : v_.mass) mass.push_back(t.read(id));
+    const Out out = t.write(to);
+    t.kernel([=, fluids = o_.fluids](const Row& row) {
+      const auto own = [&](int k, int i) {
+        return fluids[static_cast<std::size_t>(k)].temperature(row(density, k)[i],
+                                                               row(energy, k)[i]);
+      };
+      const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
+      double* T = row(out);
+      for (int i = 0; i < row.count(); ++i) {
+        if (M[i] > least * rho[i] || M[i] == 0.0) {
+          T[i] = M[i] == 0.0 ? 0.0 : own(m, i);
+          continue;
+        }
+        std::size_t heaviest = 0;
+        for (std::size_t k = 1; k < mass.size(); ++k)
+          if (row(mass[k])[i] > row(mass[heaviest])[i]) heaviest = k;
+        T[i] = own(static_cast<int>(heaviest), i);
+      }
+    });
+    return to;
+  }
+
   void declare_material(int m) {
     const Labels& l = labels();
     const auto k = static_cast<std::size_t>(m);
@@ -67,8 +99,7 @@ class Declarer {
     q_.add(l.volume_fraction, m, v_.volume[k]);
     single(v_.density, m, l.rho_micro, m);
     closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
-    const VariableId T =
-        closure(l.temperature, m, [fluid](double r, double e) { return fluid.temperature(r, e); });
+    const VariableId T = temperature(m);
     closure(l.sound_speed, m,
             [fluid](double r, double e) { return fluid.sound_speed(r, fluid.pressure(r, e)); });
     closure(l.compressibility, m, [fluid](double r, double e) {

@@ -8,6 +8,7 @@
 // (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one pressure again.
 // Cells of pure neighbourhood run the rows of one material.
 #include "ice/conservative/update_rows.hpp"
+#include "ice/mixture/collapse.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/runs.hpp"
@@ -172,11 +173,12 @@ bool is_gone(double M, double V, double M_before, double V_before) {
 
 // Shares the defect out and finds the one pressure of each cell.
 void finish_cells(const Row& row, const Handles& h, const SchemeOptions& o,
-                  const Equilibration& equilibration, const HeatExchange& heat) {
+                  const Equilibration& equilibration, const Collapse& collapse,
+                  const HeatExchange& heat) {
   const int n = row.count(), materials = static_cast<int>(h.state.size());
   double *density = row(h.end, 0), *modulus = row(h.end, 1);  // modulus holds the defect so far
   const double* iJ = row(h.common.inverse_J);
-  double M[most_materials], V[most_materials], E[most_materials];
+  double M[most_materials], V[most_materials], E[most_materials], before[most_materials];
   for (int i = 0; i < n; ++i) {
     double left_over = 0;
     for (int m = 0; m < materials; ++m) {
@@ -192,7 +194,13 @@ void finish_cells(const Row& row, const Handles& h, const SchemeOptions& o,
     }
     const double share = (modulus[i] + left_over) / density[i];
     for (int m = 0; m < materials; ++m) E[m] += share * M[m];
+    const std::uint64_t bubbles =
+        collapse.possible() ? collapse.traces_of_gas({M, V, E}, density[i]) : 0;
+    if (bubbles != 0) collapse.remember({M, V, E}, bubbles, before);
     Equilibration::Result result = equilibration.equilibrate({M, V, E});
+    if (bubbles != 0 && result.failed < 0 &&
+        collapse.settle({M, V, E}, bubbles, before, result.pressure))
+      result = equilibration.equilibrate({M, V, E});
     if (heat.on() && result.failed < 0 && heat.exchange({M, V, E}, row.step().dt))
       result = equilibration.equilibrate({M, V, E});
     if (!(density[i] > 0.0 && density[i] < infinity)) {
@@ -251,7 +259,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
     of_material.back().fluid = fluid;
   }
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, equilibration = Equilibration(o.fluids),
+    task.kernel([=, equilibration = Equilibration(o.fluids), collapse = Collapse(o.fluids),
                  heat = HeatExchange(o.fluids, o.heat_exchange)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
@@ -261,7 +269,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
         }
         remap_materials<D>(part, h);
         mixture_motion<D, C>(part, h, part(h.end, 0), part(h.end, 1));
-        finish_cells(part, h, o, equilibration, heat);
+        finish_cells(part, h, o, equilibration, collapse, heat);
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
     });

@@ -1,0 +1,81 @@
+// Water torn apart and closing again around traces of air.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "ice/mixture/mixture_test_support.hpp"
+
+namespace sluice::ice {
+namespace {
+
+constexpr int cells = 100;
+const Fluid air = ideal_gas(1.4, 717), water = stiffened_gas(4.4, 6e8, 4180);
+
+// Between walls, the halves of the water part with 2u; air of the given volume everywhere.
+MixtureBox parting_water(double trace, double u) {
+  GasBox box;
+  box.cells = {cells, 1, 1};
+  box.scheme = "conservative";
+  box.periodic = false;
+  box.walls = true;
+  return {box, {water, air}, [=](Vec3 x) {
+            MixtureCell c;
+            c.volume = {1 - trace, trace};
+            c.density = {1000, 1.2};
+            c.pressure = {1e5, 1e5};
+            c.velocity[0] = x.x < .5 ? -u : u;
+            return c;
+          }};
+}
+
+double energy_of(const Totals& t) {
+  return t.internal_energy.sum.value() + t.kinetic_energy.sum.value();
+}
+
+// Highest temperature of the air now; the water of the cell where there is too little of it to tell.
+double hottest_air(const MixtureBox& run) {
+  double T = 0;
+  for (int i = 0; i < cells; ++i) {
+    const IntVec3 c{i, 0, 0};
+    const double M = run.mass(1, c);
+    if (M > 1e-14 * run.density(c)) T = std::fmax(T, run.energy(1, c) / (M * 717));
+  }
+  return T;
+}
+
+class Cavitation : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(Cavitation, OpensAndCollapses) {
+  constexpr double energy_limit = 1e-14, open = 1e-2;
+  const auto [trace, u] = GetParam();
+  MixtureBox run = parting_water(trace, u);
+  const double before = energy_of(run.totals());
+  double widest = 0, highest = 0;
+  for (int n = 0; n < 1000; ++n) {
+    run.steps(1);
+    for (int i = 0; i < cells; ++i) {
+      widest = std::fmax(widest, run.volume(1, {i, 0, 0}));
+      highest = std::fmax(highest, run.pressure({i, 0, 0}));
+    }
+  }
+  const double drift = std::fabs(energy_of(run.totals()) / before - 1);
+  const double T = hottest_air(run);
+  RecordProperty("widest", std::to_string(widest));
+  RecordProperty("drift", std::to_string(drift * 1e15) + "e-15");
+  RecordProperty("hottest", std::to_string(T));
+  EXPECT_GT(widest, open);
+  EXPECT_LE(drift, energy_limit);
+  // No hotter than one shock from the start to the highest pressure makes air (Hugoniot).
+  const double r = highest / 1e5, jump = 2.4 / .4;
+  EXPECT_LE(T, 300 * r * (jump + r) / (1 + jump * r));
+  EXPECT_EQ(run.rejected(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Cavitation,
+                         testing::Combine(testing::Values(1e-4, 1e-6, 1e-8, 1e-12, 1e-20, 1e-30),
+                                          testing::Values(1., 20., 100.)));
+
+}  // namespace
+}  // namespace sluice::ice
