@@ -35,6 +35,12 @@ std::string condition(const char* label, const char* kind, const std::string& va
 std::string conditions(SideKind kind, int normal, bool plus, bool heated, const Orientation& o) {
   if (kind == SideKind::symmetry)
     return "    <BCType id=\"0\" label=\"Symmetric\" var=\"symmetry\"/>\n";
+  if (kind == SideKind::waves) {
+    std::string all = condition("Velocity", "LODI", "[0,0,0]");
+    for (const char* label : {"Pressure", "Density", "Temperature"})
+      all += condition(label, "LODI", "0");
+    return all;
+  }
   std::string all = condition("Pressure", "Neumann", "0");
   const bool inflow = kind == SideKind::inflow;
   all += condition("Density", inflow ? "Dirichlet" : "Neumann", inflow ? "1.25" : "0");
@@ -45,10 +51,11 @@ std::string conditions(SideKind kind, int normal, bool plus, bool heated, const 
                           : "0");
   if (kind == SideKind::open) return all + condition("Velocity", "Neumann", "[0,0,0]");
   Vec3 u{};
-  if (kind == SideKind::moving_wall) u = {0.3, -0.2, 0.15};
-  if (kind == SideKind::moving_wall) u[normal] = 0;
+  const bool slip = kind == SideKind::slip;
+  if (kind == SideKind::moving_wall || slip) u = {0.3, -0.2, 0.15};
+  u[normal] = 0;
   if (inflow) u[normal] = plus ? -0.25 : 0.25;
-  return all + condition("Velocity", "Dirichlet", text(o.turn(u)));
+  return all + condition("Velocity", slip ? "creep" : "Dirichlet", text(o.turn(u)));
 }
 
 std::string boundary(const SkewCase& c, const Orientation& o) {
@@ -62,7 +69,15 @@ std::string boundary(const SkewCase& c, const Orientation& o) {
       faces += fmt::format("  <Face side=\"{}{}\">\n{}  </Face>\n", "xyz"[d], plus ? '+' : '-',
                            conditions(kind, normal, there, c.conductivity > 0, o));
     }
-  return "<BoundaryConditions>\n" + faces + "</BoundaryConditions>\n";
+  const std::string waves = fmt::format(
+      "<LODI> <press_infinity>0.4</press_infinity> <rho_infinity>1</rho_infinity>\n"
+      "<vel_infinity>{}</vel_infinity> </LODI>\n",
+      text(o.turn({0.1, -0.2, 0.3})));
+  const std::string slip =
+      "<microSlip> <alpha_momentum>0.8</alpha_momentum> <alpha_temperature>1</alpha_temperature>\n"
+      "<SlipModel type=\"SecondOrder_Deissler\"/> </microSlip>\n";
+  return "<BoundaryConditions>\n" + (c.has(SideKind::waves) ? waves : "") +
+         (c.has(SideKind::slip) ? slip : "") + faces + "</BoundaryConditions>\n";
 }
 
 // One box of a level. Cells of the whole domain would be `cells`; no part of a cell is cut.

@@ -4,6 +4,7 @@
 // and which way round. Domains are centred at 0 with spacings that are powers of two, so that the
 // start is the same to the bit.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <ostream>
 #include <string>
@@ -25,7 +26,7 @@ struct Orientation {
   Vec3 turn_along(Vec3 v) const;  // what has no sign
 };
 
-enum class SideKind { open, wall, moving_wall, inflow, symmetry, periodic };
+enum class SideKind { open, waves, wall, moving_wall, slip, inflow, symmetry, periodic };
 
 // Levels that follow density and pressure, or stay: the last entry of a list holds on.
 struct SkewLevels {
@@ -56,6 +57,9 @@ struct SkewCase {
 
   // A direction that the grid keeps: gravity makes a dimension of one cell.
   bool active(int d) const { return cells[d] > 1 || gravity[d] != 0; }
+  bool has(SideKind kind) const {
+    return std::find(sides.begin(), sides.end(), kind) != sides.end();
+  }
   // Cells of the domain of a level.
   IntVec3 cells_of(int level) const;
 };

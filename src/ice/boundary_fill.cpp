@@ -15,6 +15,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
     setting_.fluids.push_back(material.fluid);
     setting_.viscous = setting_.viscous || material.viscosity > 0;
   }
+  if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
   setting_.directions = slots.directions;
   setting_.gravity = scene.constants.gravity;
   setting_.level = level_;

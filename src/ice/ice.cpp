@@ -133,9 +133,9 @@ SchemeOptions Ice::at_level(int level) const {
 // One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
 // each.
 std::vector<SlotInfo> Ice::state_slots() const {
-  // LODI looks one cell aside from the ghosts that it fills.
-  const int ghosts =
-      (options_.classic ? classic_ghost_layers(options_) : 3) + (ice_.conditions.lodi ? 1 : 0);
+  // LODI and slip look one cell aside from the ghosts that they fill.
+  const bool aside = ice_.conditions.lodi || ice_.conditions.slip;
+  const int ghosts = (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0);
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});

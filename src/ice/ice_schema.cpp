@@ -308,6 +308,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
   schema.rules.emplace_back(check_wave_conditions);
+  schema.rules.emplace_back(check_slip_conditions);
   schema.rules.emplace_back(check_criteria);
   schema.rules.emplace_back(check_ice_models);
   schema.rules.emplace_back(check_ice_labels);

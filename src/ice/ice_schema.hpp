@@ -18,7 +18,9 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
-void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);  // LODI, Sine, inlets
+// Blocks that kinds of conditions need: LODI, Sine, inlets, slip.
+void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);
+void check_slip_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults);  // what can be saved

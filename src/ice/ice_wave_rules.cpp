@@ -1,4 +1,5 @@
-// Conditions of an ICE deck's boundary that need a block of their own: LODI, Sine, inlet profiles.
+// Conditions of an ICE deck's boundary that need a block of their own: LODI, Sine, inlet profiles,
+// slip and creep.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,12 +17,14 @@ struct SpecialKind {
   std::vector<std::string_view> labels;  // that it is for
 };
 
-const std::array<SpecialKind, 4>& special_kinds() {
-  static const std::array<SpecialKind, 4> all = {
+const std::array<SpecialKind, 6>& special_kinds() {
+  static const std::array<SpecialKind, 6> all = {
       SpecialKind{"LODI", "LODI", {"Pressure", "Density", "Temperature", "Velocity"}},
       SpecialKind{"Sine", "SINE_BC", {"Pressure", "Temperature", "Velocity"}},
       SpecialKind{"powerLawProfile", "inletVelocity", {"Velocity"}},
-      SpecialKind{"logLawProfile", "inletVelocity", {"Velocity"}}};
+      SpecialKind{"logLawProfile", "inletVelocity", {"Velocity"}},
+      SpecialKind{"slip", "microSlip", {"Velocity", "Temperature"}},
+      SpecialKind{"creep", "microSlip", {"Velocity"}}};
   return all;
 }
 

@@ -26,11 +26,11 @@ TagSpec condition() {
            attribute("var", "kind of condition")
                .once()
                .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity", "FreeSlipWall",
-                       "LODI", "Sine", "powerLawProfile", "logLawProfile"})
+                       "LODI", "Sine", "powerLawProfile", "logLawProfile", "slip", "creep"})
                .spelling("zeroNeumann", "symmetry")
-               .not_built({"slip", "creep", "MMS_1", "Custom", "VelocityInlet", "StABL",
-                           "PressureBC", "WallBC", "OutletBC", "NOutletBC", "VelocityFileInput",
-                           "MassFlowInlet", "PartMassFlowInlet", "Swirl", "ScalarSwirl", "FromFile",
+               .not_built({"MMS_1", "Custom", "VelocityInlet", "StABL", "PressureBC", "WallBC",
+                           "OutletBC", "NOutletBC", "VelocityFileInput", "MassFlowInlet",
+                           "PartMassFlowInlet", "Swirl", "ScalarSwirl", "FromFile",
                            "ForcedDirichlet", "TurbulentInlet", "Tabulated"}),
            attribute("type", "int: the value is an integer")
                .words({"int"})
@@ -122,6 +122,29 @@ TagSpec inlet_velocity() {
            tag("material", "accepted without effect").text()});
 }
 
+TagSpec micro_slip() {
+  return tag("microSlip", "rarefied gas at walls: conditions of kind slip and creep")
+      .with_children(
+          {tag("alpha_momentum", "share of the molecules that leave with the wall's velocity")
+               .once()
+               .real()
+               .above(0)
+               .at_most(2),
+           tag("alpha_temperature", "share of the molecules that leave with the wall's temperature")
+               .once()
+               .real()
+               .above(0)
+               .at_most(2),
+           tag("CreepFlow", "gas creeps along walls towards where it is warmer")
+               .boolean()
+               .by_default("false"),
+           tag("SlipModel", "what the velocity on the wall depends on")
+               .attribute(attribute("type", "FirstOrder: its slope; the others: its curvature too")
+                              .words({"FirstOrder", "SecondOrder_Deissler",
+                                      "SecondOrder_Karniadakis-Beskok"})
+                              .by_default("FirstOrder"))});
+}
+
 TagSpec box() {
   return tag("Box", "a box of cells of this level")
       .at_least_once()
@@ -175,7 +198,7 @@ void add_grid_tags(Schema& schema) {
                    .with_children(
                        {tag("DefaultMaterial", "material of conditions without id: an index or all")
                             .text(),
-                        face(), lodi(), sine(), inlet_velocity()})}));
+                        face(), lodi(), sine(), inlet_velocity(), micro_slip()})}));
   schema.rules.emplace_back(check_boxes);
   schema.rules.emplace_back(check_periodicity);
   schema.rules.emplace_back(check_faces);

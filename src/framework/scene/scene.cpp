@@ -81,12 +81,17 @@ void check_formulas(const DeckNode& root, std::vector<Fault>& faults) {
       collect(faults, child->where, [&] { const Formula parsed(child->text); });
 }
 
+// Kinds whose value is a velocity of the gas or of a wall.
+bool gives_velocity(const Condition& c) {
+  return c.kind == ConditionKind::dirichlet ||
+         (c.kind == ConditionKind::other && c.is_vector && c.kind_name != "LODI");
+}
+
 void note_boundary_velocities(const BoundaryConditions& boundary, DirectionFacts& facts) {
   for (const BoundarySide& side : boundary.sides)
     for (const BoundaryRegion& region : side.regions)
       for (const Condition& c : region.conditions)
-        if (c.variable == "Velocity" && c.kind == ConditionKind::dirichlet)
-          note_velocity(c.vector, c.where, facts);
+        if (c.variable == "Velocity" && gives_velocity(c)) note_velocity(c.vector, c.where, facts);
 }
 
 PhysicalConstants read_constants(const DeckNode& root, std::vector<Fault>& faults) {

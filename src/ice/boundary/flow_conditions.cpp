@@ -41,6 +41,19 @@ InletProfile read_profile(const DeckNode& node) {
   return s;
 }
 
+SlipSettings read_slip(const DeckNode& node) {
+  using Model = SlipSettings::Model;
+  SlipSettings s;
+  s.momentum_accommodation = node.real("alpha_momentum");
+  s.thermal_accommodation = node.real("alpha_temperature");
+  s.creep = boolean_or(node, "CreepFlow", s.creep);
+  const DeckNode* model = node.child("SlipModel");
+  const std::string type = model == nullptr ? "" : model->attribute("type").value_or("");
+  if (type == "SecondOrder_Deissler") s.model = Model::deissler;
+  if (type == "SecondOrder_Karniadakis-Beskok") s.model = Model::karniadakis_beskok;
+  return s;
+}
+
 }  // namespace
 
 FlowConditions read_flow_conditions(const DeckNode& root) {
@@ -51,6 +64,7 @@ FlowConditions read_flow_conditions(const DeckNode& root) {
   if (const DeckNode* sine = conditions->child("SINE_BC")) c.sine = read_sine(*sine);
   if (const DeckNode* profile = conditions->child("inletVelocity"))
     c.profile = read_profile(*profile);
+  if (const DeckNode* slip = conditions->child("microSlip")) c.slip = read_slip(*slip);
   return c;
 }
 

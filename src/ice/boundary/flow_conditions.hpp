@@ -1,5 +1,5 @@
-// Conditions of a deck's boundary that hold for all faces of a kind: <LODI>, <SINE_BC> and
-// <inletVelocity> in <BoundaryConditions>. Plain data.
+// Conditions of a deck's boundary that hold for all faces of a kind: <LODI>, <SINE_BC>,
+// <inletVelocity> and <microSlip> in <BoundaryConditions>. Plain data.
 #pragma once
 #include <optional>
 #include <vector>
@@ -35,10 +35,21 @@ struct InletProfile {
   double von_karman = 0.4;
 };
 
+// Rarefied gas at walls (wall_slip.hpp).
+struct SlipSettings {
+  enum class Model { first_order, deissler, karniadakis_beskok };
+  Model model = Model::first_order;
+  double momentum_accommodation = 1, thermal_accommodation = 1;
+  bool creep = false;  // at all its walls
+
+  bool second_order() const { return model != Model::first_order; }
+};
+
 struct FlowConditions {
   std::optional<LodiSettings> lodi;
   std::optional<SineSettings> sine;
   std::optional<InletProfile> profile;
+  std::optional<SlipSettings> slip;
 };
 
 FlowConditions read_flow_conditions(const DeckNode& root);

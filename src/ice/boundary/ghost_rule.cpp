@@ -18,7 +18,8 @@ namespace {
 [[noreturn]] void refuse(const Condition& c) {
   throw InputError(fmt::format(
       "{}: boundary condition {} of {} is not built yet; built are Dirichlet, Neumann, symmetry, "
-      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile and logLawProfile",
+      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile, logLawProfile, slip and "
+      "creep",
       to_string(c.where), c.kind_name, c.variable));
 }
 
@@ -58,6 +59,9 @@ class RuleMaker {
       // The temperature follows from pressure and density.
       if (c.variable == "Pressure") rule_.sine_pressure = true;
       if (c.variable == "Density") refuse(c);
+    } else if (c.kind_name == "slip" && c.variable == "Temperature") {
+      // Without heat conduction the temperature of a wall acts on nothing.
+      need(conditions_.slip, c, "microSlip");
     } else {
       return false;
     }
@@ -111,6 +115,17 @@ class RuleMaker {
       if (rule_.velocity_kind == Kind::log_law && !(conditions_.profile->roughness > 0))
         throw InputError(
             fmt::format("{}: a logLawProfile needs <roughness> above 0", to_string(u.where)));
+      return;
+    }
+    if (u.kind_name == "slip" || u.kind_name == "creep") {
+      need(conditions_.slip, u, "microSlip");
+      if (u.vector[normal] != 0)
+        throw InputError(fmt::format(
+            "{}: {} is for walls, but this velocity has {:g} across the face; write 0 there",
+            to_string(u.where), u.kind_name, u.vector[normal]));
+      rule_.velocity_kind = Kind::slip;
+      rule_.creep = conditions_.slip->creep || u.kind_name == "creep";
+      rule_.waves = false;
       return;
     }
     if (!special(u)) refuse(u);

@@ -17,26 +17,28 @@ struct WallHeat {
 
 // One region's conditions for one material.
 struct GhostRule {
-  enum class Velocity { copy, mirror, wall, prescribed, sine, power_law, log_law };
+  enum class Velocity { copy, mirror, wall, slip, prescribed, sine, power_law, log_law };
   Velocity velocity_kind = Velocity::copy;
-  Vec3 velocity{};           // wall, prescribed or of a profile
+  Vec3 velocity{};           // wall, wall with slip, prescribed or of a profile
   Vec3 velocity_gradient{};  // copy
   bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
   double density = 0, pressure = 0, temperature = 0;
   bool sine_pressure = false;
+  bool creep = false;  // slip: towards warmer gas along the wall
   bool waves = false;  // waves.hpp; what is fixed stays so
   WallHeat heat;       // of walls, through conduction only; not of symmetry planes
   double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 
   bool mirrored() const {
-    return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall;
+    return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall ||
+           velocity_kind == Velocity::slip;
   }
   // The conserved state is copied (or mirrored) as it is.
   bool plain() const;
 };
 
 // Throws InputError naming the deck line of a condition that is not built, or whose block
-// (<LODI>, <SINE_BC>, <inletVelocity>) is missing.
+// (<LODI>, <SINE_BC>, <inletVelocity>, <microSlip>) is missing.
 GhostRule make_rule(const BoundaryRegion& region, int material, int normal,
                     const FlowConditions& conditions);
 

@@ -43,13 +43,11 @@ void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
 }
 
 double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
-  const auto kind = rule.velocity_kind;
-  if (kind != GhostRule::Velocity::power_law && kind != GhostRule::Velocity::log_law) return 1.0;
   const InletProfile& profile = *setting_.conditions.profile;
   const Level& level = *setting_.level;
   const int e = profile.vertical;
   const double height = (ghost[e] - level.domain.lower[e] + 0.5) * level.spacing[e];
-  if (kind == GhostRule::Velocity::power_law) {
+  if (rule.velocity_kind == GhostRule::Velocity::power_law) {
     const double whole = profile.height.value_or(level.domain.size()[e] * level.spacing[e]);
     return std::pow(std::clamp(height / whole, 0.0, 1.0), profile.exponent);
   }
@@ -60,25 +58,37 @@ double GhostStates::given_pressure(const GhostRule& rule) const {
   return rule.sine_pressure ? setting_.conditions.sine->reference_pressure + swing_ : rule.pressure;
 }
 
-double GhostStates::velocity(const GhostRule& rule, double u, int direction, double distance,
-                             double profile) const {
+Vec3 GhostStates::given_velocity(const GhostRule& rule, IntVec3 ghost) const {
+  switch (rule.velocity_kind) {
+    case GhostRule::Velocity::slip:
+      return setting_.viscous ? gliding_velocity(rule, ghost) : rule.velocity;
+    case GhostRule::Velocity::power_law:
+    case GhostRule::Velocity::log_law:
+      return profile(rule, ghost) * rule.velocity;
+    default:
+      return rule.velocity;
+  }
+}
+
+double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int direction,
+                             double distance) const {
   switch (rule.velocity_kind) {
     case GhostRule::Velocity::copy:
       return u - rule.velocity_gradient[direction] * distance;
     case GhostRule::Velocity::mirror:
       return direction == d_ ? -u : u;
     case GhostRule::Velocity::wall:
+    case GhostRule::Velocity::slip:
       if (direction == d_) return -u;
-      return setting_.viscous ? 2.0 * rule.velocity[direction] - u : u;
-    case GhostRule::Velocity::prescribed:
-      return rule.velocity[direction];
+      return setting_.viscous ? 2.0 * given[direction] - u : u;
     case GhostRule::Velocity::sine: {
       const double reference = setting_.conditions.sine->reference_velocity[direction];
       return reference == 0 ? 0.0 : reference + swing_;
     }
+    case GhostRule::Velocity::prescribed:
     case GhostRule::Velocity::power_law:
     case GhostRule::Velocity::log_law:
-      return profile * rule.velocity[direction];
+      return given[direction];
   }
   return u;
 }
@@ -94,7 +104,7 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   const double T = rule.fixed_temperature ? rule.temperature
                                           : fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
-  const double shape = profile(rule, ghost);
+  const Vec3 given = given_velocity(rule, ghost);
   double p;
   if (rule.fixed_pressure || rule.sine_pressure) {
     p = given_pressure(rule);
@@ -109,8 +119,8 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   mass(ghost) = rho;
   energy(ghost) = fluid.energy_from_pressure(rho, p, T);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c)
-    v_.momentum[c](ghost) = rho * velocity(rule, v_.momentum[c](source) / source_rho,
-                                           setting_.directions[c], distance, shape);
+    v_.momentum[c](ghost) = rho * velocity(rule, given, v_.momentum[c](source) / source_rho,
+                                           setting_.directions[c], distance);
 }
 
 double GhostStates::mixture_pressure(IntVec3 source) const {
@@ -211,8 +221,8 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
     for (std::size_t m = 0; m < parts_.size(); ++m)
       if (parts_[m].V > 0)
         momentum += parts_[m].V * parts_[m].rho *
-                    velocity(rule.parts[m].rule, u, setting_.directions[c], distance,
-                             profile(rule.parts[m].rule, ghost));
+                    velocity(rule.parts[m].rule, given_velocity(rule.parts[m].rule, ghost), u,
+                             setting_.directions[c], distance);
     v_.momentum[c](ghost) = momentum;
   }
 }

@@ -21,12 +21,15 @@ struct BoundaryViews {
   }
 };
 
+struct SlipCell;
+
 // What holds on all sides.
 struct BoundarySetting {
   std::vector<Fluid> fluids;    // by material
   std::vector<int> directions;  // of the momentum components
   Vec3 gravity{};
   bool viscous = false;
+  double viscosity = 0;  // of one material, Pa s
   const Level* level = nullptr;
   FlowConditions conditions;
 };
@@ -49,10 +52,20 @@ class GhostStates {
     bool given_T = false;
   };
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
-  double velocity(const GhostRule& rule, double source_u, int direction, double distance,
-                  double profile) const;
+  // `given`: that of the rule at this ghost.
+  double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,
+                  double distance) const;
+  Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost) const;
   // Of the velocity given, what a profile leaves at the height of a ghost.
   double profile(const GhostRule& rule, IntVec3 ghost) const;
+  Vec3 gliding_velocity(const GhostRule& rule, IntVec3 ghost) const;
+  // Cells on both sides of one along a direction, for differences; the cell itself where they end.
+  struct Neighbours {
+    IntVec3 low, high;
+    int steps = 0;
+  };
+  Neighbours neighbours(IntVec3 cell, int direction) const;
+  void differences_along(IntVec3 cell, int direction, SlipCell& slip) const;
   double given_pressure(const GhostRule& rule) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
   WaveState wave_state(IntVec3 cell) const;

@@ -38,21 +38,10 @@ WaveState GhostStates::wave_state(IntVec3 cell) const {
 
 // Central differences; at the edge of the domain one-sided. Cells beyond it have none.
 WaveState GhostStates::along(IntVec3 cell, int e) const {
-  const Level& level = *setting_.level;
-  const auto n = static_cast<std::size_t>(e);
-  IntVec3 low = cell, high = cell;
-  --low[e];
-  ++high[e];
-  if (!level.periodic[n]) {
-    if (cell[e] < level.domain.lower[e] || cell[e] >= level.domain.upper[e]) return {};
-    low[e] = std::max(low[e], level.domain.lower[e]);
-    high[e] = std::min(high[e], level.domain.upper[e] - 1);
-  }
-  const IndexBox& box = v_.mass.front().box;
-  const int count = high[e] - low[e];
-  if (!level.active[n] || count == 0 || low[e] < box.lower[e] || high[e] >= box.upper[e]) return {};
-  const WaveState a = wave_state(low), b = wave_state(high);
-  const double scale = 1.0 / (count * level.spacing[e]);
+  const Neighbours at = neighbours(cell, e);
+  if (at.steps == 0) return {};
+  const WaveState a = wave_state(at.low), b = wave_state(at.high);
+  const double scale = 1.0 / (at.steps * setting_.level->spacing[e]);
   WaveState slope;
   slope.rho = (b.rho - a.rho) * scale;
   slope.p = (b.p - a.p) * scale;
@@ -121,7 +110,7 @@ void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
   }
   v_.mass.front()(ghost) = rho;
   v_.energy.front()(ghost) = fluid.energy_from_pressure(rho, p, T);
-  const double shape = profile(rule, ghost);
+  const Vec3 given = given_velocity(rule, ghost);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
     const int e = setting_.directions[c];
     const int t = e == d_ ? 0 : e == tangents[d_][0] ? 1 : 2;
@@ -130,7 +119,7 @@ void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
     v_.momentum[c](ghost) =
         rho * (rule.velocity_kind == GhostRule::Velocity::copy
                    ? u
-                   : velocity(rule, v_.momentum[c](source) / cell.here.rho, e, distance, shape));
+                   : velocity(rule, given, v_.momentum[c](source) / cell.here.rho, e, distance));
   }
 }
 

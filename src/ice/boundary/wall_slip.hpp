@@ -1,0 +1,33 @@
+// Rarefied gas that slips along a wall: its velocity on the wall, from that of the cell beside it.
+//
+//   u_s = u_w + L u' - C lambda^2 u'' + [creep] 3/4 mu/(rho T) dT/ds     ' along the inward normal
+//   L = lambda (2 - a)/a,  lambda = mu/(rho sqrt(2 R T/pi)) = mu sqrt(pi/(2 rho p))
+//   C = 0 (first order), 9/8 (Deissler), -(2 - a)/(2 a) (Karniadakis and Beskok)
+// u' is 2 (u - u_s)/dx, with u_s itself in it: whatever lambda/dx, u_s lies between u_w and u.
+// u'' is that of a thin layer in steady flow, mu u'' = dp/ds - rho g. Taken from differences of u it
+// would feed back upon itself: the third model then amplifies what is shorter than 2.7 lambda.
+// Limits: Knudsen numbers up to about 0.1; Deissler's derivatives along the wall are left out.
+// References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Transfer
+// 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
+#pragma once
+#include "ice/boundary/flow_conditions.hpp"
+
+namespace sluice::ice {
+
+// Of an ideal gas, m.
+double mean_free_path(double viscosity, double rho, double p);
+
+// The cell next to the wall, and one direction along it.
+struct SlipCell {
+  double rho = 1, p = 1, temperature = 1, viscosity = 0;
+  double spacing = 1;   // across the wall
+  double velocity = 0;  // along it
+  double wall_velocity = 0;
+  double pull = 0;     // dp/ds - rho g, Pa/m
+  double warming = 0;  // dT/ds, K/m
+};
+
+// `creep`: with thermal creep.
+double slip_velocity(const SlipSettings& settings, const SlipCell& cell, bool creep);
+
+}  // namespace sluice::ice
