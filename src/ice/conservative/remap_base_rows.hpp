@@ -22,6 +22,17 @@ struct Quantity {
   const double* minus[3];
   const double* centre;
   const double* plus[3];
+
+  template <int D>
+  Quantity from(int first) const {
+    Quantity q;
+    q.centre = centre + first;
+    for (int t = 0; t < D; ++t) {
+      q.minus[t] = minus[t] + first;
+      q.plus[t] = plus[t] + first;
+    }
+    return q;
+  }
 };
 
 template <int D>

@@ -26,6 +26,7 @@ struct RemapFluxHandles {
 // The four old values around a face: two on either side.
 struct Around {
   const double *mm, *m, *p, *pp;
+  Around from(int first) const { return {mm + first, m + first, p + first, pp + first}; }
 };
 
 inline Around around(const Row& row, In in, int component, int axis) {

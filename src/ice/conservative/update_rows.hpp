@@ -17,46 +17,36 @@ struct UpdateHandles {
   RateHandles next;  // the new state
 };
 
+// Momentum of a row, and what of the kinetic energy becomes heat.
 template <int D, int C>
-void update_row(const Row& row, const UpdateHandles& h) {
-  const int n = row.count();
-  const double* Fm[3];
-  const double* Fp[3];
-  const double* Gm[3];
-  const double* Gp[3];
-  const double* Um[3][3];
-  const double* Up[3][3];
-  for (int d = 0; d < D; ++d) {
-    const In flux = h.flux[static_cast<std::size_t>(d)];
-    Fm[d] = row(flux, 0);
-    Fp[d] = row(flux, 0, d, 1);
-    Gm[d] = row(flux, 1);
-    Gp[d] = row(flux, 1, d, 1);
+class MotionRows {
+ public:
+  MotionRows(const Row& row, const UpdateHandles& h) {
+    for (int d = 0; d < D; ++d) {
+      const In flux = h.flux[static_cast<std::size_t>(d)];
+      Fm[d] = row(flux, 0);
+      Fp[d] = row(flux, 0, d, 1);
+      for (int c = 0; c < C; ++c) {
+        Um[d][c] = row(flux, 2 + c);
+        Up[d][c] = row(flux, 2 + c, d, 1);
+      }
+    }
     for (int c = 0; c < C; ++c) {
-      Um[d][c] = row(flux, 2 + c);
-      Up[d][c] = row(flux, 2 + c, d, 1);
+      m[c] = row(h.momentum, c);
+      dp[c] = row(h.impulse, c);
+      v[c] = row(h.velocity_L, c);
+      mn[c] = row(h.next.momentum, c);
     }
   }
-  const double* m[3];
-  const double* dp[3];
-  const double* v[3];
-  double* mn[3];
-  for (int c = 0; c < C; ++c) {
-    m[c] = row(h.momentum, c);
-    dp[c] = row(h.impulse, c);
-    v[c] = row(h.velocity_L, c);
-    mn[c] = row(h.next.momentum, c);
+
+  double mass(int i) const {
+    double sum = 0;
+    for (int d = 0; d < D; ++d) sum += Fm[d][i] - Fp[d][i];
+    return sum;
   }
-  const double* __restrict r = row(h.rho);
-  const double* __restrict Es = row(h.energy_star);
-  double* __restrict rn = row(h.next.rho);
-  double* __restrict En = row(h.next.energy);
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    double mass = 0;
-    for (int d = 0; d < D; ++d) mass += Fm[d][i] - Fp[d][i];
-    const double rho = r[i] + mass;
-    const double w = 1.0 / rho;
+  // Writes m' of cell i. `passed`(d): what else to add for direction d, G- - G+.
+  template <class Passed>
+  double heat(int i, double rho, double w, Passed passed) const {
     double gain = 0;
     for (int d = 0; d < D; ++d) {
       // Components along axes and carried ones apart: no order of the axes shows in the bits.
@@ -69,7 +59,7 @@ void update_row(const Row& row, const UpdateHandles& h) {
         in += carried_in;
         out += carried_out;
       }
-      gain += (Gm[d][i] - Gp[d][i]) + 0.5 * (Fm[d][i] * in - Fp[d][i] * out);
+      gain += passed(d) + 0.5 * (Fm[d][i] * in - Fp[d][i] * out);
     }
     double defect = 0, carried_defect = 0;
     for (int c = 0; c < C; ++c) {
@@ -81,8 +71,33 @@ void update_row(const Row& row, const UpdateHandles& h) {
       (c < D ? defect : carried_defect) += change * change;
     }
     if constexpr (C > D) defect += carried_defect;
+    return gain - 0.5 * rho * defect;
+  }
+
+ private:
+  const double *Fm[D], *Fp[D], *Um[D][C], *Up[D][C], *m[C], *dp[C], *v[C];
+  double* mn[C];
+};
+
+template <int D, int C>
+void update_row(const Row& row, const UpdateHandles& h) {
+  const int n = row.count();
+  const MotionRows<D, C> motion(row, h);
+  const double* Gm[D];
+  const double* Gp[D];
+  for (int d = 0; d < D; ++d) {
+    Gm[d] = row(h.flux[static_cast<std::size_t>(d)], 1);
+    Gp[d] = row(h.flux[static_cast<std::size_t>(d)], 1, d, 1);
+  }
+  const double* __restrict r = row(h.rho);
+  const double* __restrict Es = row(h.energy_star);
+  double* __restrict rn = row(h.next.rho);
+  double* __restrict En = row(h.next.energy);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const double rho = r[i] + motion.mass(i);
     rn[i] = rho;
-    En[i] = Es[i] + (gain - 0.5 * rho * defect);
+    En[i] = Es[i] + motion.heat(i, rho, 1.0 / rho, [&](int d) { return Gm[d][i] - Gp[d][i]; });
   }
 }
 

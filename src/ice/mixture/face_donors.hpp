@@ -1,4 +1,4 @@
-// What passes a row of faces of each material: the shares of the volume, and what they carry.
+// What passes the faces of a row of each material: the shares of the volume, and what they carry.
 //
 // Values of the low cell (a) and the high cell (b) of each face; the donor is the upwind one. The
 // numbered steps are those of remap_fluxes.cpp. Only the materials present around the faces take
@@ -6,6 +6,7 @@
 // are the material's.
 #pragma once
 #include "ice/conservative/remap_flux_rows.hpp"
+#include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -13,7 +14,12 @@ namespace sluice::ice::mixture {
 // A cell variable in both cells of each face.
 struct Pair {
   const double *a = nullptr, *b = nullptr;
-  double at(int i, bool left) const { return left ? b[i] : a[i]; }
+  // Both are loaded: a choice between addresses would keep rows from vectorising.
+  double at(int i, bool left) const {
+    const double low = a[i], high = b[i];
+    return left ? high : low;
+  }
+  Pair from(int first) const { return {a + first, b + first}; }
 };
 
 inline Pair pair_of(const Row& row, In in, int component, int axis) {
@@ -32,11 +38,56 @@ struct MaterialHandles {
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
                                int axis);
 
-// Fluxes of volume, mass and energy (without the correction of the kinetic energy) of each material
-// through the faces of a row, at most `most_faces`.
-constexpr int most_faces = 64;
-void carry_materials(const Row& row, const RemapFluxHandles& common,
-                     const MaterialHandles& materials, Out flux, const SchemeOptions& options,
-                     int axis, double l);
+// A quantity of one material in cells next to a row of faces.
+struct Sought {
+  const double *own, *mixture;
+};
+
+// The rows of one material, looked up once for all faces of a row.
+struct MaterialFaceRows {
+  const double* V[6];  // volume fraction of the cells from the third below to the third above
+  const double* M[2];  // mass of the low and the high cell
+  Sought r[4], e[4];   // density and energy per own volume, two cells on either side
+  Sought energy_L[2], eps_L[2], scale[2];
+  Sought base_V[2], base_r[2], base_e[2];
+  double *FV, *FM, *FE;
+};
+
+class MaterialFaces {
+ public:
+  MaterialFaces(const Row& row, const RemapFluxHandles& common, const MaterialHandles& materials,
+                Out flux, const SchemeOptions& options, int axis, double l);
+
+  // Fluxes of volume, mass and energy (without the correction of the kinetic energy) of each
+  // material through `count` faces, at most `most_faces`. Returns the set of materials that may
+  // pass; fluxes of others are zero.
+  static constexpr int most_faces = 64;
+  std::uint64_t carry(int first, int count);
+  double* flux(int m, Carried q) const {
+    return q == of_volume ? rows_[m].FV : q == of_mass ? rows_[m].FM : rows_[m].FE;
+  }
+
+ private:
+  template <bool Second, bool Masked>
+  friend class FaceShares;
+
+  void bind(int m);
+  std::uint64_t materials_around(int first, int count) const;
+  void nothing_passes(int m, int first, int count) const;
+
+  const Row& row_;
+  const MaterialHandles& h_;
+  const SchemeOptions& options_;
+  Out flux_;
+  int axis_, materials_;
+  bool based_;
+  double l_;
+  std::uint64_t bound_ = 0;  // materials whose rows were looked up
+  const double* uf_;
+  const double* pure_[4];  // two cells on either side
+  const double* presence_[6];
+  Pair iJ_, N_, iN_, mask_, J_, outlet_;
+  MaterialFaceRows rows_[most_materials];
+};
 
 }  // namespace sluice::ice::mixture

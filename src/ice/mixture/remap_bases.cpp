@@ -7,6 +7,7 @@
 // fills more than a trace of the cell and of both neighbours. Density is floored at a tenth,
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
+#include <optional>
 
 #include "ice/conservative/remap_base_rows.hpp"
 #include "ice/mixture/runs.hpp"
@@ -23,91 +24,159 @@ struct Handles {
   std::array<Out, 3> base;  // of each material
 };
 
-constexpr int most_cells = 64;  // of a part of a row
+constexpr double trace = 1e-10;
 
-// Rows of one material, and the three components that they write for axis d.
-template <int D>
-class MaterialRows {
+// What every material offers in cells that are not of pure neighbourhood; rows are looked up once
+// for all of them.
+template <int D, bool Masked>
+class MixedBases {
  public:
-  Quantity V, r, e;
-  const double *iJ, *eps_L, *scale, *p, *mask;
-  const double *u[3], *su[3];
-  double h[3];
-
-  MaterialRows(const Row& row, const Handles& handles, const Axes& axes, int m) {
-    V = quantity<D>(row, handles.volume[static_cast<std::size_t>(m)], 0);
-    r = around(row, handles, handles.density, handles.mixture_density, m);
-    e = around(row, handles, handles.specific_energy, handles.mixture_energy, m);
-    iJ = row(handles.inverse_J);
-    eps_L = row(handles.specific_energy_L, m);
-    scale = row(handles.scale, m);
-    p = row(handles.common.pressure);
+  MixedBases(const Row& row, const Handles& handles, const Axes& axes)
+      : materials_(static_cast<int>(handles.volume.size())),
+        p_(row(handles.common.pressure)),
+        iJ_(row(handles.inverse_J)),
+        mask_(Masked ? row(handles.common.mask) : nullptr),
+        rho_(quantity<D>(row, handles.mixture_density, 0)),
+        energy_(quantity<D>(row, handles.mixture_energy, 0)),
+        pure_(quantity<D>(row, handles.pure, 0)) {
     for (int t = 0; t < D; ++t) {
-      u[t] = row(handles.common.velocity, t);
-      su[t] = row(handles.common.velocity_slope, t);
-      h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+      u_[t] = row(handles.common.velocity, t);
+      su_[t] = row(handles.common.velocity_slope, t);
+      h_[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
     }
+    for (int m = 0; m < materials_; ++m) bind(rows_[m], row, handles, m);
   }
 
-  // The cell and its neighbours; where the neighbourhood is pure the values of the mixture.
-  Quantity around(const Row& row, const Handles& handles, In own, In mixture, int m) {
-    Quantity q;
-    q.centre = row(own, m);
-    const auto neighbour = [&](int t, int shift) {
-      double* to = work[used++];
-      pick_row(row.count(), row(handles.pure, 0, t, shift), m, row(own, m, t, shift),
-               row(mixture, 0, t, shift), to);
-      return to;
-    };
-    for (int t = 0; t < D; ++t) {
-      q.minus[t] = neighbour(t, -1);
-      q.plus[t] = neighbour(t, 1);
-    }
-    return q;
-  }
-
-  double slope(const Quantity& q, int t, int i) const {
-    return central_slope(q.centre[i] - q.minus[t][i], q.plus[t][i] - q.centre[i]);
-  }
-  void write(int d, int n, const double* mask_row, double* __restrict volume,
-             double* __restrict mass, double* __restrict energy) const {
-    for (int i = 0; i < n; ++i) {
-      double dV = 0, dr = 0, de = 0;
-      for (int t = 0; t < D; ++t) {
-        if (t == d) continue;
-        const double full =
-            V.minus[t][i] > trace && V.centre[i] > trace && V.plus[t][i] > trace ? 1.0 : 0.0;
-        const double hu = h[t] * u[t][i];
-        dV += hu * slope(V, t, i);
-        dr += full * hu * slope(r, t, i) - h[t] * r.centre[i] * su[t][i];
-        de += full * hu * slope(e, t, i) - h[t] * (e.centre[i] + p[i]) * su[t][i];
+  void run(int first, int count) {
+    for (int done = 0; done < count; done += most_cells) {
+      const int from = first + done, some = std::min(most_cells, count - done);
+      const bool any_pure = has_pure_neighbours(from, some);
+      for (int m = 0; m < materials_; ++m) {
+        Material k = rows_[m].from(from);
+        if (any_pure) {
+          pick(k.r, rho_.template from<D>(from), m, from, some, work_[0]);
+          pick(k.e, energy_.template from<D>(from), m, from, some, work_[1]);
+        }
+        write(k, from, some);
       }
-      const double m = mask_row != nullptr ? mask_row[i] : 1.0;
-      const double here = V.centre[i] > 0.0 ? m : 0.0;
-      const double rho_L = r.centre[i] * iJ[i];
-      volume[i] = V.centre[i] - m * dV;
-      mass[i] = larger(rho_L - here * dr, 0.1 * rho_L);
-      energy[i] = larger(eps_L[i] - here * de, eps_L[i] - 0.9 * scale[i]);
     }
   }
-  static constexpr double trace = 1e-10;
 
  private:
-  int used = 0;
-  double work[4 * D][most_cells];
-};
+  static constexpr int most_cells = 64;
+  using Work = double[2 * D][most_cells];
 
-template <int D>
-void material_bases(const Row& row, const Handles& h, const SchemeOptions& o) {
-  const double* mask = o.masked ? row(h.common.mask) : nullptr;
-  for (int m = 0; m < static_cast<int>(h.volume.size()); ++m) {
-    const MaterialRows<D> rows(row, h, o.axes, m);
-    for (int d = 0; d < D; ++d) {
-      const Out base = h.base[static_cast<std::size_t>(d)];
-      rows.write(d, row.count(), mask, row(base, component(m, of_volume)),
-                 row(base, component(m, of_mass)), row(base, component(m, of_energy)));
+  struct Material {
+    Quantity V, r, e;
+    const double *eps_L, *scale;
+    double* base[3][D];
+
+    Material from(int first) const {
+      Material k{V.template from<D>(first),
+                 r.template from<D>(first),
+                 e.template from<D>(first),
+                 eps_L + first,
+                 scale + first,
+                 {}};
+      for (int q = 0; q < 3; ++q)
+        for (int d = 0; d < D; ++d) k.base[q][d] = base[q][d] + first;
+      return k;
+    }
+  };
+
+  static void bind(Material& k, const Row& row, const Handles& handles, int m) {
+    k.V = quantity<D>(row, handles.volume[static_cast<std::size_t>(m)], 0);
+    k.r = quantity<D>(row, handles.density, m);
+    k.e = quantity<D>(row, handles.specific_energy, m);
+    k.eps_L = row(handles.specific_energy_L, m);
+    k.scale = row(handles.scale, m);
+    for (const Carried q : {of_volume, of_mass, of_energy})
+      for (int d = 0; d < D; ++d)
+        k.base[q][d] = row(handles.base[static_cast<std::size_t>(d)], component(m, q));
+  }
+
+  bool has_pure_neighbours(int first, int n) const {
+    int pure = 0;
+    for (int t = 0; t < D; ++t)
+      for (const double* key : {pure_.minus[t], pure_.plus[t]})
+        for (int i = first; i < first + n; ++i) pure |= int{key[i] >= 0.0};
+    return pure != 0;
+  }
+
+  // Neighbours of pure neighbourhood have the values of the mixture.
+  void pick(Quantity& own, const Quantity& mixture, int m, int first, int n, Work& work) const {
+    for (int t = 0; t < D; ++t) {
+      double *low = work[2 * t], *high = work[2 * t + 1];
+      pick_row(n, pure_.minus[t] + first, m, own.minus[t], mixture.minus[t], low);
+      pick_row(n, pure_.plus[t] + first, m, own.plus[t], mixture.plus[t], high);
+      own.minus[t] = low;
+      own.plus[t] = high;
     }
   }
+
+  static double slope(const Quantity& q, int t, int i) {
+    return central_slope(q.centre[i] - q.minus[t][i], q.plus[t][i] - q.centre[i]);
+  }
+
+  void write(const Material& material, int first, int n) const {
+    const Material k = material;
+    const double *iJ = iJ_ + first, *p = p_ + first, *mask = Masked ? mask_ + first : nullptr;
+    const double *u[D], *su[D];
+    double h[D];
+    for (int t = 0; t < D; ++t) {
+      u[t] = u_[t] + first;
+      su[t] = su_[t] + first;
+      h[t] = h_[t];
+    }
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const double V = k.V.centre[i], r = k.r.centre[i], e = k.e.centre[i];
+      double dV[D], dr[D], de[D];
+#pragma GCC unroll 3
+      for (int t = 0; t < D; ++t) {
+        const bool full = smaller(smaller(k.V.minus[t][i], V), k.V.plus[t][i]) > trace;
+        const double hu = h[t] * u[t][i], slopes = full ? hu : 0.0;
+        dV[t] = hu * slope(k.V, t, i);
+        dr[t] = slopes * slope(k.r, t, i) - h[t] * r * su[t][i];
+        de[t] = slopes * slope(k.e, t, i) - h[t] * (e + p[i]) * su[t][i];
+      }
+      const double m = Masked ? mask[i] : 1.0, here = V > 0.0 ? m : 0.0;
+      const double rho_L = r * iJ[i], eps_L = k.eps_L[i], floor = eps_L - 0.9 * k.scale[i];
+#pragma GCC unroll 3
+      for (int d = 0; d < D; ++d) {
+        double by_V = 0, by_r = 0, by_e = 0;
+#pragma GCC unroll 3
+        for (int t = 0; t < D; ++t) {
+          by_V += t == d ? 0.0 : dV[t];
+          by_r += t == d ? 0.0 : dr[t];
+          by_e += t == d ? 0.0 : de[t];
+        }
+        k.base[of_volume][d][i] = V - m * by_V;
+        k.base[of_mass][d][i] = larger(rho_L - here * by_r, 0.1 * rho_L);
+        k.base[of_energy][d][i] = larger(eps_L - here * by_e, floor);
+      }
+    }
+  }
+
+  int materials_;
+  const double *p_, *iJ_, *mask_;
+  Quantity rho_, energy_, pure_;
+  const double *u_[D], *su_[D];
+  double h_[D];
+  Material rows_[most_materials];
+  Work work_[2];
+};
+
+template <int D, int C, bool Masked>
+void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
+  std::optional<MixedBases<D, Masked>> mixed;
+  for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+    const bool scaled = pure < 0 || o.fluids[static_cast<std::size_t>(pure)].ideal() == nullptr;
+    base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, scaled);
+    if (pure >= 0) return;
+    if (!mixed) mixed.emplace(row, h, o.axes);
+    mixed->run(first, count);
+  });
 }
 
 }  // namespace
@@ -132,18 +201,10 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
-        for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
-          const Row part = row.part(first, count);
-          const bool scaled =
-              pure < 0 || o.fluids[static_cast<std::size_t>(pure)].ideal() == nullptr;
-          if (o.masked)
-            base_rows<D, C, true>(part, h.common, o.axes, gravity, scaled);
-          else
-            base_rows<D, C, false>(part, h.common, o.axes, gravity, scaled);
-          if (pure >= 0) return;
-          for (int begin = 0; begin < count; begin += most_cells)
-            material_bases<D>(part.part(begin, std::min(most_cells, count - begin)), h, o);
-        });
+        if (o.masked)
+          base_rows_of<D, C, true>(row, h, o, gravity);
+        else
+          base_rows_of<D, C, false>(row, h, o, gravity);
       });
   });
 }

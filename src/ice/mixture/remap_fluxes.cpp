@@ -15,6 +15,9 @@
 //      |rho_m/rho_mL - 1| <= min(.9, .5 q), |eps_m - eps_mL| <= min(.9, .5 q) (p_m + pi_m)/G_m
 //   5. FV = H theta, FM = FV rho_m, FE = FV eps_m; F = sum FM; U, f, K of the mixture as for one
 //      material with its energy scale; G_m = FE + FM K, G = sum G_m.
+#include <algorithm>
+#include <optional>
+
 #include "ice/conservative/remap_flux_rows.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/runs.hpp"
@@ -30,70 +33,110 @@ struct Handles {
   Out flux;  // of each material
 };
 
-// Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
+// Faces beside cells that are not of pure neighbourhood; rows are looked up once for all of them.
 template <int D, int C>
-void total_fluxes(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l) {
-  const int n = row.count(), M = static_cast<int>(h.materials.volume.size());
-  double* __restrict F = row(h.common.flux, 0);
-  double* __restrict G = row(h.common.flux, 1);
-  for (int i = 0; i < n; ++i) F[i] = 0.0;
-  for (int m = 0; m < M; ++m) {
-    const double* FM = row(h.flux, component(m, of_mass));
-    for (int i = 0; i < n; ++i) F[i] += FM[i];
-  }
-  const bool based = o.second_order && D > 1;
-  const auto cells = [&](In in, int c = 0) { return pair_of(row, in, c, axis); };
-  const Pair w = cells(h.common.inverse_rho), rho_L = cells(h.common.rho_L);
-  const Pair scale = cells(h.common.energy_scale);
-  const Pair mask = o.masked ? cells(h.common.mask) : Pair{};
-  Around V[C];
-  Pair v[C], base[C];
-  double* U[C];
-  for (int c = 0; c < C; ++c) {
-    if (o.second_order) V[c] = around(row, h.common.velocity, c, axis);
-    v[c] = cells(h.common.velocity_L, c);
-    base[c] = based ? cells(h.common.base, 2 + c) : v[c];
-    U[c] = row(h.common.flux, 2 + c);
-  }
-  const double* uf = row(h.common.face_velocity);
-  for (int i = 0; i < n; ++i) {
-    const bool left = l * uf[i] < 0.0;
-    const double f = smaller(std::fabs(F[i]) * w.at(i, left), 0.99);
-    const double m = o.masked ? mask.at(i, left) : 1.0;
-    double d2 = 0, carried = 0;
+class MixedFaces {
+ public:
+  MixedFaces(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l)
+      : materials_(row, h.common, h.materials, h.flux, o, axis, l),
+        second_(o.second_order),
+        masked_(o.masked),
+        l_(l) {
+    const auto cells = [&](In in, int c = 0) { return pair_of(row, in, c, axis); };
+    const bool based = o.second_order && D > 1;
+    w_ = cells(h.common.inverse_rho);
+    rho_L_ = cells(h.common.rho_L);
+    scale_ = cells(h.common.energy_scale);
+    if (o.masked) mask_ = cells(h.common.mask);
     for (int c = 0; c < C; ++c) {
-      const double before = v[c].at(i, left);
-      double u = base[c].at(i, left);
-      if (o.second_order)
-        u += (left ? -0.5 : 0.5) * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
-      U[c][i] = u;
-      (c < D ? d2 : carried) += (u - before) * (u - before);
+      if (o.second_order) V_[c] = around(row, h.common.velocity, c, axis);
+      v_[c] = cells(h.common.velocity_L, c);
+      base_[c] = based ? cells(h.common.base, 2 + c) : v_[c];
+      U_[c] = row(h.common.flux, 2 + c);
     }
-    if constexpr (C > D) d2 += carried;
-    const double rL = rho_L.at(i, left);
-    G[i] = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
+    uf_ = row(h.common.face_velocity);
+    F_ = row(h.common.flux, 0);
+    G_ = row(h.common.flux, 1);
   }
-  for (int m = 0; m < M; ++m) {
-    const double* FM = row(h.flux, component(m, of_mass));
-    double* GE = row(h.flux, component(m, of_energy));
-    for (int i = 0; i < n; ++i) GE[i] += FM[i] * G[i];
-  }
-  for (int i = 0; i < n; ++i) G[i] = 0.0;
-  for (int m = 0; m < M; ++m) {
-    const double* GE = row(h.flux, component(m, of_energy));
-    for (int i = 0; i < n; ++i) G[i] += GE[i];
-  }
-}
 
-template <int D, int C>
-void mixed_faces(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l) {
-  for (int first = 0; first < row.count(); first += most_faces) {
-    const int left = row.count() - first;
-    const Row part = row.part(first, left < most_faces ? left : most_faces);
-    carry_materials(part, h.common, h.materials, h.flux, o, axis, l);
-    total_fluxes<D, C>(part, h, o, axis, l);
+  void run(int first, int count) {
+    constexpr int most = MaterialFaces::most_faces;
+    for (int done = 0; done < count; done += most) {
+      const int some = std::min(most, count - done);
+      const std::uint64_t set = materials_.carry(first + done, some);
+      if (!second_)
+        total<false, false>(first + done, some, set);
+      else if (masked_)
+        total<true, true>(first + done, some, set);
+      else
+        total<true, false>(first + done, some, set);
+    }
   }
-}
+
+ private:
+  // Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
+  template <bool Second, bool Masked>
+  void total(int first, int n, std::uint64_t set) {
+    double* __restrict F = F_ + first;
+    double* __restrict G = G_ + first;
+    std::fill_n(F, n, 0.0);
+    for_each_of(set, [&](int m) {
+      const double* __restrict FM = materials_.flux(m, of_mass) + first;
+      for (int i = 0; i < n; ++i) F[i] += FM[i];
+    });
+    const double l = l_;
+    const double* uf = uf_ + first;
+    const Pair w = w_.from(first), rho_L = rho_L_.from(first), scale = scale_.from(first);
+    const Pair mask = Masked ? mask_.from(first) : Pair{};
+    Around V[C];
+    Pair v[C], base[C];
+    double* U[C];
+    for (int c = 0; c < C; ++c) {
+      if (Second) V[c] = V_[c].from(first);
+      v[c] = v_[c].from(first);
+      base[c] = base_[c].from(first);
+      U[c] = U_[c] + first;
+    }
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const bool left = l * uf[i] < 0.0;
+      const double f = smaller(std::fabs(F[i]) * w.at(i, left), 0.99);
+      const double m = Masked ? mask.at(i, left) : 1.0;
+      double d2 = 0, carried = 0;
+      for (int c = 0; c < C; ++c) {
+        const double before = v[c].at(i, left);
+        double u = base[c].at(i, left);
+        if constexpr (Second)
+          u += (left ? -0.5 : 0.5) * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
+        U[c][i] = u;
+        (c < D ? d2 : carried) += (u - before) * (u - before);
+      }
+      if constexpr (C > D) d2 += carried;
+      const double rL = rho_L.at(i, left);
+      G[i] = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
+    }
+    double K[MaterialFaces::most_faces];
+    std::copy_n(G, n, K);
+    std::fill_n(G, n, 0.0);
+    for_each_of(set, [&](int m) {
+      const double* __restrict FM = materials_.flux(m, of_mass) + first;
+      double* __restrict GE = materials_.flux(m, of_energy) + first;
+      for (int i = 0; i < n; ++i) {
+        GE[i] += FM[i] * K[i];
+        G[i] += GE[i];
+      }
+    });
+  }
+
+  MaterialFaces materials_;
+  bool second_, masked_;
+  double l_;
+  const double* uf_;
+  Pair w_, rho_L_, scale_, mask_;
+  Around V_[C];
+  Pair v_[C], base_[C];
+  double *F_, *G_, *U_[C];
+};
 
 }  // namespace
 
@@ -112,12 +155,16 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
+        std::optional<MixedFaces<D, C>> mixed;
         for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
                           [&](int first, int count, double pure) {
+                            if (pure < 0) {
+                              if (!mixed) mixed.emplace(row, h, o, axis, l);
+                              return mixed->run(first, count);
+                            }
                             const Row part = row.part(first, count);
-                            if (pure < 0) return mixed_faces<D, C>(part, h, o, axis, l);
-                            const auto m = static_cast<int>(pure);
-                            if (o.fluids[static_cast<std::size_t>(m)].ideal() == nullptr)
+                            const auto m = static_cast<std::size_t>(pure);
+                            if (o.fluids[m].ideal() == nullptr)
                               flux_row_of<D, C, true>(part, h.common, axis, l, o);
                             else
                               flux_row_of<D, C, false>(part, h.common, axis, l, o);

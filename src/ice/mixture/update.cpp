@@ -7,10 +7,14 @@
 // no mass is gone: what is left of its energy goes into k. Then one pressure
 // (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one pressure again.
 // Cells of pure neighbourhood run the rows of one material.
+#include <algorithm>
+#include <optional>
+
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/collapse.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/mixture/heat_exchange.hpp"
+#include "ice/mixture/ideal_relaxation.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 
@@ -30,6 +34,14 @@ struct Handles {
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
 };
 
+// What finds the pressure of a cell.
+struct Laws {
+  Equilibration equilibration;
+  IdealRelaxation ideal;
+  Collapse collapse;
+  HeatExchange heat;
+};
+
 // What the update of one material calls its own.
 UpdateHandles handles_of(const Handles& h, int m) {
   UpdateHandles u = h.common;
@@ -44,6 +56,7 @@ void end_row(const Fluid& fluid, int n, const double* rho, const double* E, doub
              double* p, double* K) {
   std::copy(rho, rho + n, density);
   if (const eos::IdealGas* gas = fluid.ideal()) {
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       p[i] = gas->pressure(rho[i], E[i]);
       K[i] = gas->gamma * p[i];
@@ -72,153 +85,203 @@ void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m)
   }
 }
 
-// Mass, volume and energy of each material after the remap, without k.
-template <int D>
-void remap_materials(const Row& row, const Handles& h) {
-  const int n = row.count();
-  const double* __restrict J = row(h.lagrangian, 0);
-  for (int m = 0; m < static_cast<int>(h.state.size()); ++m) {
-    const MaterialState& s = h.state[static_cast<std::size_t>(m)];
-    const double *M = row(s.mass), *V = row(s.volume), *E_L = row(h.energy_L, m);
-    double *Mn = row(s.mass_new), *Vn = row(s.volume_new), *En = row(s.energy_new);
-    const double *minus[3][D], *plus[3][D];
-    for (int q = 0; q < 3; ++q)
-      for (int d = 0; d < D; ++d) {
-        const In flux = h.flux[static_cast<std::size_t>(d)];
-        minus[q][d] = row(flux, 3 * m + q);
-        plus[q][d] = row(flux, 3 * m + q, d, 1);
-      }
-    const auto gain = [&](int q, int i) {
-      double sum = 0;
-      for (int d = 0; d < D; ++d) sum += minus[q][d][i] - plus[q][d][i];
-      return sum;
-    };
-    for (int i = 0; i < n; ++i) {
-      Vn[i] = V[i] * J[i] + gain(of_volume, i);
-      Mn[i] = M[i] + gain(of_mass, i);
-      En[i] = E_L[i] + gain(of_energy, i);
-    }
-  }
-}
-
-// New density and momentum of the mixture; k in `defect`.
+// Cells that are not of pure neighbourhood; rows are looked up once for all of them.
 template <int D, int C>
-void mixture_motion(const Row& row, const Handles& h, double* __restrict density,
-                    double* __restrict defect) {
-  const int n = row.count();
-  for (int i = 0; i < n; ++i) density[i] = 0.0;
-  for (const MaterialState& s : h.state) {
-    const double* M = row(s.mass_new);
-    for (int i = 0; i < n; ++i) density[i] += M[i];
-  }
-  const double *Fm[D], *Fp[D], *Um[D][C], *Up[D][C], *m[C], *dp[C], *v[C];
-  double* mn[C];
-  for (int d = 0; d < D; ++d) {
-    const In flux = h.common.flux[static_cast<std::size_t>(d)];
-    Fm[d] = row(flux, 0);
-    Fp[d] = row(flux, 0, d, 1);
-    for (int c = 0; c < C; ++c) {
-      Um[d][c] = row(flux, 2 + c);
-      Up[d][c] = row(flux, 2 + c, d, 1);
-    }
-  }
-  for (int c = 0; c < C; ++c) {
-    m[c] = row(h.common.momentum, c);
-    dp[c] = row(h.common.impulse, c);
-    v[c] = row(h.common.velocity_L, c);
-    mn[c] = row(h.common.next.momentum, c);
-  }
-  for (int i = 0; i < n; ++i) {
-    double gain = 0;
-    for (int d = 0; d < D; ++d) {
-      double in = 0, out = 0, carried_in = 0, carried_out = 0;
-      for (int c = 0; c < C; ++c) {
-        (c < D ? in : carried_in) += (Um[d][c][i] - v[c][i]) * (Um[d][c][i] - v[c][i]);
-        (c < D ? out : carried_out) += (Up[d][c][i] - v[c][i]) * (Up[d][c][i] - v[c][i]);
-      }
-      gain += 0.5 * (Fm[d][i] * (in + carried_in) - Fp[d][i] * (out + carried_out));
-    }
-    const double w = 1.0 / density[i];
-    double square = 0, carried = 0;
-    for (int c = 0; c < C; ++c) {
-      double momentum = 0;
-      for (int d = 0; d < D; ++d) momentum += Fm[d][i] * Um[d][c][i] - Fp[d][i] * Up[d][c][i];
-      const double now = (m[c][i] - dp[c][i]) + momentum;
-      mn[c][i] = now;
-      const double change = now * w - v[c][i];
-      (c < D ? square : carried) += change * change;
-    }
-    defect[i] = gain - 0.5 * density[i] * (square + carried);
-  }
-}
-
-void report(const Row& row, const Axes& axes, int i, int kind, double value) {
-  CellFault f;
-  f.cell = row.cell();
-  f.cell[axes.direction[0]] += i;
-  f.level = row.step().level;
-  f.kind = kind;
-  f.value = value;
-  row.reductions().fault(f);
-}
-
-// Nothing is left of a material, to the round-off of what was there: through one outlet it leaves
-// to the bit (remap_fluxes.cpp), through several only the sum of their fluxes is all of it. Below
-// `least` its numbers would lose their digits; no sum over cells knows of it.
-bool is_gone(double M, double V, double M_before, double V_before) {
-  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
-  return M == 0.0 || std::fabs(V) < least || std::fabs(M) <= round_off * M_before ||
-         (std::fabs(V) <= round_off * V_before && V_before > 0.0);
-}
-
-// Shares the defect out and finds the one pressure of each cell.
-void finish_cells(const Row& row, const Handles& h, const SchemeOptions& o,
-                  const Equilibration& equilibration, const Collapse& collapse,
-                  const HeatExchange& heat) {
-  const int n = row.count(), materials = static_cast<int>(h.state.size());
-  double *density = row(h.end, 0), *modulus = row(h.end, 1);  // modulus holds the defect so far
-  const double* iJ = row(h.common.inverse_J);
-  double M[most_materials], V[most_materials], E[most_materials], before[most_materials];
-  for (int i = 0; i < n; ++i) {
-    double left_over = 0;
-    for (int m = 0; m < materials; ++m) {
+class MixedCells {
+ public:
+  MixedCells(const Row& row, const Handles& h, const SchemeOptions& o, const Laws& laws)
+      : row_(row),
+        axes_(o.axes),
+        laws_(laws),
+        materials_(static_cast<int>(h.state.size())),
+        motion_(row, h.common),
+        J_(row(h.lagrangian, 0)),
+        iJ_(row(h.common.inverse_J)),
+        density_(row(h.end, 0)),
+        pressure_(row(h.pressure)),
+        modulus_(row(h.end, 1)) {
+    for (int m = 0; m < materials_; ++m) {
       const MaterialState& s = h.state[static_cast<std::size_t>(m)];
-      M[m] = row(s.mass_new)[i];
-      V[m] = row(s.volume_new)[i];
-      E[m] = row(s.energy_new)[i];
-      if (is_gone(M[m], V[m], row(s.mass)[i], row(s.volume)[i])) {
-        left_over += E[m];
-        M[m] = V[m] = E[m] = 0.0;
-        row(s.mass_new)[i] = 0.0;
+      Material& k = rows_[m];
+      k.M = row(s.mass);
+      k.V = row(s.volume);
+      k.E_L = row(h.energy_L, m);
+      k.next[of_volume] = row(s.volume_new);
+      k.next[of_mass] = row(s.mass_new);
+      k.next[of_energy] = row(s.energy_new);
+      for (const Carried q : {of_volume, of_mass, of_energy})
+        for (int d = 0; d < D; ++d) {
+          const In flux = h.flux[static_cast<std::size_t>(d)];
+          k.minus[q][d] = row(flux, component(m, q));
+          k.plus[q][d] = row(flux, component(m, q), d, 1);
+        }
+    }
+  }
+
+  void run(int first, int count) {
+    constexpr int most = IdealRelaxation::most_cells;
+    for (int done = 0; done < count; done += most) {
+      const int some = std::min(most, count - done);
+      remap_materials(first + done, some);
+      move_mixture(first + done, some);
+      share_defect(first + done, some);
+      find_pressure(first + done, some);
+    }
+  }
+
+ private:
+  struct Material {
+    const double *M, *V, *E_L;  // old; after the Lagrangian phase
+    const double *minus[3][D], *plus[3][D];
+    double* next[3];
+  };
+
+  // Mass, volume and energy of each material after the remap, without k.
+  void remap_materials(int first, int n) const {
+    for (int m = 0; m < materials_; ++m) {
+      const Material k = rows_[m];
+      const double* J = J_;
+#pragma GCC ivdep
+      for (int i = first; i < first + n; ++i) {
+        const auto gain = [&](Carried q) {
+          double sum = 0;
+          for (int d = 0; d < D; ++d) sum += k.minus[q][d][i] - k.plus[q][d][i];
+          return sum;
+        };
+        k.next[of_volume][i] = k.V[i] * J[i] + gain(of_volume);
+        k.next[of_mass][i] = k.M[i] + gain(of_mass);
+        k.next[of_energy][i] = k.E_L[i] + gain(of_energy);
       }
     }
-    const double share = (modulus[i] + left_over) / density[i];
-    for (int m = 0; m < materials; ++m) E[m] += share * M[m];
+  }
+
+  // New density and momentum of the mixture; k in `modulus`.
+  void move_mixture(int first, int n) const {
+    double* __restrict density = density_ + first;
+    std::fill_n(density, n, 0.0);
+    for (int m = 0; m < materials_; ++m) {
+      const double* __restrict M = rows_[m].next[of_mass] + first;
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) density[i] += M[i];
+    }
+    const MotionRows<D, C> motion = motion_;
+    double* defect = modulus_;
+    const double* rho = density_;
+#pragma GCC ivdep
+    for (int i = first; i < first + n; ++i)
+      defect[i] = motion.heat(i, rho[i], 1.0 / rho[i], [](int) { return 0.0; });
+  }
+
+  // k by mass, with what materials leave that are gone: to the round-off of what was there. Through
+  // one outlet a material leaves to the bit (remap_fluxes.cpp), through several only the sum of
+  // their fluxes is all of it. Below `least` its numbers would lose their digits; no sum over
+  // cells knows of it.
+  void share_defect(int first, int n) const {
+    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
+    double* __restrict defect = modulus_ + first;
+    const double* __restrict density = density_ + first;
+    for (int m = 0; m < materials_; ++m) {
+      const Material& k = rows_[m];
+      const double* __restrict M_before = k.M + first;
+      const double* __restrict V_before = k.V + first;
+      double* __restrict M = k.next[of_mass] + first;
+      double* __restrict V = k.next[of_volume] + first;
+      double* __restrict E = k.next[of_energy] + first;
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) {
+        const int light = int{std::fabs(M[i]) <= round_off * M_before[i]};
+        const int thin = int{std::fabs(V[i]) <= round_off * V_before[i]} & int{V_before[i] > 0.0};
+        const int empty = int{M[i] == 0.0} | int{std::fabs(V[i]) < least};
+        const bool gone = (empty | light | thin) != 0;
+        defect[i] += gone ? E[i] : 0.0;
+        M[i] = gone ? 0.0 : M[i];
+        V[i] = gone ? 0.0 : V[i];
+        E[i] = gone ? 0.0 : E[i];
+      }
+    }
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) defect[i] = defect[i] / density[i];
+    for (int m = 0; m < materials_; ++m) {
+      const double* __restrict M = rows_[m].next[of_mass] + first;
+      double* __restrict E = rows_[m].next[of_energy] + first;
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) E[i] += defect[i] * M[i];
+    }
+  }
+
+  void find_pressure(int first, int n) {
+    if (laws_.ideal.applies() && !laws_.heat.on() && is_sound(first, n)) {
+      GasRows gases[most_materials];
+      for (int m = 0; m < materials_; ++m) {
+        double* const* next = rows_[m].next;
+        gases[m] = {next[of_mass] + first, next[of_volume] + first, next[of_energy] + first};
+      }
+      if (laws_.ideal.relax(n, gases, pressure_ + first, modulus_ + first)) return;
+    }
+    for (int i = first; i < first + n; ++i) find_pressure_of_cell(i);
+  }
+
+  bool is_sound(int first, int n) const {
+    const double *density = density_ + first, *iJ = iJ_ + first;
+    int sound = 1;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i)
+      sound &= int{density[i] > 0.0} & int{density[i] < infinity} & int{iJ[i] > 0.0} &
+               int{iJ[i] < infinity};
+    return sound != 0;
+  }
+
+  void find_pressure_of_cell(int i) {
+    double M[most_materials], V[most_materials], E[most_materials], before[most_materials];
+    for (int m = 0; m < materials_; ++m) {
+      M[m] = rows_[m].next[of_mass][i];
+      V[m] = rows_[m].next[of_volume][i];
+      E[m] = rows_[m].next[of_energy][i];
+    }
+    const Collapse& collapse = laws_.collapse;
     const std::uint64_t bubbles =
-        collapse.possible() ? collapse.traces_of_gas({M, V, E}, density[i]) : 0;
+        collapse.possible() ? collapse.traces_of_gas({M, V, E}, density_[i]) : 0;
     if (bubbles != 0) collapse.remember({M, V, E}, bubbles, before);
-    Equilibration::Result result = equilibration.equilibrate({M, V, E});
+    Equilibration::Result result = laws_.equilibration.equilibrate({M, V, E});
     if (bubbles != 0 && result.failed < 0 &&
         collapse.settle({M, V, E}, bubbles, before, result.pressure))
-      result = equilibration.equilibrate({M, V, E});
-    if (heat.on() && result.failed < 0 && heat.exchange({M, V, E}, row.step().dt))
-      result = equilibration.equilibrate({M, V, E});
-    if (!(density[i] > 0.0 && density[i] < infinity)) {
-      report(row, o.axes, i, fault_density, density[i]);
-    } else if (!(iJ[i] > 0.0 && iJ[i] < infinity)) {
-      report(row, o.axes, i, fault_volume, 1.0 / iJ[i]);
+      result = laws_.equilibration.equilibrate({M, V, E});
+    if (laws_.heat.on() && result.failed < 0 && laws_.heat.exchange({M, V, E}, row_.step().dt))
+      result = laws_.equilibration.equilibrate({M, V, E});
+    if (!(density_[i] > 0.0 && density_[i] < infinity)) {
+      report(i, fault_density, density_[i]);
+    } else if (!(iJ_[i] > 0.0 && iJ_[i] < infinity)) {
+      report(i, fault_volume, 1.0 / iJ_[i]);
     } else if (result.failed >= 0) {
-      report(row, o.axes, i, fault_of_material * (result.failed + 1), E[result.failed]);
+      report(i, fault_of_material * (result.failed + 1), E[result.failed]);
     }
-    modulus[i] = result.modulus;
-    row(h.pressure)[i] = result.pressure;
-    for (int m = 0; m < materials; ++m) {
-      const MaterialState& s = h.state[static_cast<std::size_t>(m)];
-      row(s.volume_new)[i] = V[m];
-      row(s.energy_new)[i] = E[m];
+    modulus_[i] = result.modulus;
+    pressure_[i] = result.pressure;
+    for (int m = 0; m < materials_; ++m) {
+      rows_[m].next[of_volume][i] = V[m];
+      rows_[m].next[of_energy][i] = E[m];
     }
   }
-}
+
+  void report(int i, int kind, double value) const {
+    CellFault f;
+    f.cell = row_.cell();
+    f.cell[axes_.direction[0]] += i;
+    f.level = row_.step().level;
+    f.kind = kind;
+    f.value = value;
+    row_.reductions().fault(f);
+  }
+
+  const Row& row_;
+  const Axes& axes_;
+  const Laws& laws_;
+  int materials_;
+  MotionRows<D, C> motion_;
+  const double *J_, *iJ_;
+  double *density_, *pressure_, *modulus_;
+  Material rows_[most_materials];
+};
 
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
@@ -259,17 +322,17 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
     of_material.back().fluid = fluid;
   }
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, equilibration = Equilibration(o.fluids), collapse = Collapse(o.fluids),
-                 heat = HeatExchange(o.fluids, o.heat_exchange)](const Row& row) {
+    task.kernel([=,
+                 laws = Laws{Equilibration(o.fluids), IdealRelaxation(o.fluids), Collapse(o.fluids),
+                             HeatExchange(o.fluids, o.heat_exchange)}](const Row& row) {
+      std::optional<MixedCells<D, C>> mixed;
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
-        const Row part = row.part(first, count);
         if (pure >= 0.0) {
           const auto m = static_cast<std::size_t>(pure);
-          return pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m));
+          return pure_cells<D, C>(row.part(first, count), h, of_material[m], static_cast<int>(m));
         }
-        remap_materials<D>(part, h);
-        mixture_motion<D, C>(part, h, part(h.end, 0), part(h.end, 1));
-        finish_cells(part, h, o, equilibration, collapse, heat);
+        if (!mixed) mixed.emplace(row, h, o, laws);
+        mixed->run(first, count);
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
     });

@@ -1,0 +1,102 @@
+// Looking up the rows of each material.
+#include "ice/mixture/face_donors.hpp"
+
+#include <algorithm>
+
+namespace sluice::ice::mixture {
+
+MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+                               int axis) {
+  const int direction = o.axes.direction[axis];
+  const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
+  const Stencil six = Stencil::along(direction, 3, 2);
+  MaterialHandles h;
+  for (const VariableId id : v.mass) h.mass.push_back(task.read(id, both));
+  for (const VariableId id : v.volume) h.volume.push_back(task.read(id, six));
+  h.presence = task.read(v.presence, six);
+  h.pure = task.read(v.pure, four);
+  h.density = task.read(v.density, four);
+  h.specific_energy = task.read(v.specific_energy, four);
+  h.mixture_density = task.read(v.common.rho, four);
+  h.mixture_energy = task.read(v.common.energy, four);
+  h.energy_L = task.read(v.energy_L, both);
+  h.mixture_energy_star = task.read(v.common.energy_star, both);
+  h.specific_energy_L = task.read(v.specific_energy_L, both);
+  h.mixture_energy_L = task.read(v.common.energy_L, both);
+  h.scale = task.read(v.energy_scale, both);
+  h.mixture_scale = task.read(v.common.energy_scale, both);
+  h.lagrangian = task.read(v.common.lagrangian_mixture, both);
+  if (o.second_order && o.axes.count > 1) {
+    h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
+    h.mixture_base = task.read(v.common.base[static_cast<std::size_t>(axis)], both);
+  }
+  return h;
+}
+
+MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
+                             const MaterialHandles& materials, Out flux,
+                             const SchemeOptions& options, int axis, double l)
+    : row_(row),
+      h_(materials),
+      options_(options),
+      flux_(flux),
+      axis_(axis),
+      materials_(static_cast<int>(materials.volume.size())),
+      based_(options.second_order && options.axes.count > 1),
+      l_(l),
+      uf_(row(common.face_velocity)) {
+  const auto cells = [&](In in, int c = 0) { return pair_of(row, in, c, axis); };
+  iJ_ = cells(common.inverse_J);
+  N_ = cells(common.courant);
+  iN_ = cells(common.inverse_courant);
+  J_ = cells(materials.lagrangian, 0);
+  outlet_ = cells(materials.lagrangian, 2);
+  if (options.masked) mask_ = cells(common.mask);
+  for (int s = 0; s < 4; ++s) pure_[s] = row(materials.pure, 0, axis, s - 2);
+  for (int s = 0; s < 6; ++s) presence_[s] = row(materials.presence, 0, axis, s - 3);
+}
+
+void MaterialFaces::bind(int m) {
+  if ((bound_ >> m & 1) != 0) return;
+  bound_ |= std::uint64_t{1} << m;
+  MaterialFaceRows& k = rows_[m];
+  const auto at = static_cast<std::size_t>(m);
+  for (int s = 0; s < 6; ++s) k.V[s] = row_(h_.volume[at], 0, axis_, s - 3);
+  for (int s = 0; s < 2; ++s) k.M[s] = row_(h_.mass[at], 0, axis_, s - 1);
+  const auto look_up = [&](Sought* to, int shift, int cells, In own, int c, In mixture,
+                           int mixture_c) {
+    for (int s = 0; s < cells; ++s)
+      to[s] = {row_(own, c, axis_, shift + s), row_(mixture, mixture_c, axis_, shift + s)};
+  };
+  look_up(k.r, -2, 4, h_.density, m, h_.mixture_density, 0);
+  look_up(k.e, -2, 4, h_.specific_energy, m, h_.mixture_energy, 0);
+  look_up(k.energy_L, -1, 2, h_.energy_L, m, h_.mixture_energy_star, 0);
+  look_up(k.eps_L, -1, 2, h_.specific_energy_L, m, h_.mixture_energy_L, 0);
+  look_up(k.scale, -1, 2, h_.scale, m, h_.mixture_scale, 0);
+  if (based_) {
+    // Alone, its fraction is one here and around, and so is what it offers.
+    look_up(k.base_V, -1, 2, h_.base, component(m, of_volume), h_.volume[at], 0);
+    look_up(k.base_r, -1, 2, h_.base, component(m, of_mass), h_.mixture_base, 0);
+    look_up(k.base_e, -1, 2, h_.base, component(m, of_energy), h_.mixture_base, 1);
+  }
+  k.FV = row_(flux_, component(m, of_volume));
+  k.FM = row_(flux_, component(m, of_mass));
+  k.FE = row_(flux_, component(m, of_energy));
+}
+
+// In the six cells around any of the faces.
+std::uint64_t MaterialFaces::materials_around(int first, int count) const {
+  std::uint64_t set = 0;
+  for (const double* presence : presence_) {
+    const double* here = presence + first;
+    for (int i = 0; i < count; ++i) set |= as_set(here[i]);
+  }
+  return set;
+}
+
+void MaterialFaces::nothing_passes(int m, int first, int count) const {
+  const MaterialFaceRows& k = rows_[m];
+  for (double* flux : {k.FV, k.FM, k.FE}) std::fill_n(flux + first, count, 0.0);
+}
+
+}  // namespace sluice::ice::mixture
