@@ -31,6 +31,12 @@ std::string condition(const char* label, const char* kind, const std::string& va
                      label, kind, value);
 }
 
+Vec3 along_wall(int normal) {
+  Vec3 u = {0.3, -0.2, 0.15};
+  u[normal] = 0;
+  return u;
+}
+
 // Conditions of one side whose normal is axis `normal` of the case.
 std::string conditions(SideKind kind, int normal, bool plus, bool heated, const Orientation& o) {
   if (kind == SideKind::symmetry)
@@ -45,17 +51,18 @@ std::string conditions(SideKind kind, int normal, bool plus, bool heated, const 
   const bool inflow = kind == SideKind::inflow;
   all += condition("Density", inflow ? "Dirichlet" : "Neumann", inflow ? "1.25" : "0");
   const bool warm = heated && (kind == SideKind::wall || kind == SideKind::moving_wall);
+  if (kind == SideKind::slip)
+    return all + condition("Temperature", "slip", "1.4") +
+           condition("Velocity", "creep", text(o.turn(along_wall(normal))));
   all += condition("Temperature", inflow || warm ? "Dirichlet" : "Neumann",
                    inflow ? "0.9"
                    : warm ? "1.4"
                           : "0");
   if (kind == SideKind::open) return all + condition("Velocity", "Neumann", "[0,0,0]");
   Vec3 u{};
-  const bool slip = kind == SideKind::slip;
-  if (kind == SideKind::moving_wall || slip) u = {0.3, -0.2, 0.15};
-  u[normal] = 0;
+  if (kind == SideKind::moving_wall) u = along_wall(normal);
   if (inflow) u[normal] = plus ? -0.25 : 0.25;
-  return all + condition("Velocity", slip ? "creep" : "Dirichlet", text(o.turn(u)));
+  return all + condition("Velocity", "Dirichlet", text(o.turn(u)));
 }
 
 std::string boundary(const SkewCase& c, const Orientation& o) {

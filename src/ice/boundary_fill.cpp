@@ -32,6 +32,8 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
                                 [](const GhostRule& r) { return r.mirrored(); });
     has_waves_[n] =
         std::any_of(rules_[n].begin(), rules_[n].end(), [](const GhostRule& r) { return r.waves; });
+    has_heat_slip_ = has_heat_slip_ || std::any_of(rules_[n].begin(), rules_[n].end(),
+                                                   [](const GhostRule& r) { return r.heat.slip; });
     regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
   }
 }

@@ -60,6 +60,9 @@ class BoundaryFill {
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
   const WallHeat& wall_heat(Side side, IntVec3 cell, int material = 0) const;
+  // Has a wall's gas another temperature than the wall (slip)?
+  bool has_heat_slip() const { return has_heat_slip_; }
+  const FlowConditions& conditions() const { return setting_.conditions; }
   // Open faces (LODI).
   bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
@@ -90,6 +93,7 @@ class BoundaryFill {
   std::array<std::vector<MixtureRule>, 6> mixtures_;  // of several materials
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
   std::array<bool, 6> has_walls_{}, has_waves_{};
+  bool has_heat_slip_ = false;
 };
 
 }  // namespace sluice::ice

@@ -34,7 +34,8 @@ class RuleMaker {
            rule_.temperature_gradient);
     // The pressure is common to all materials: its conditions carry index 0.
     scalar("Pressure", 0, rule_.fixed_pressure, rule_.pressure, rule_.pressure_gradient);
-    const WallHeat heat{rule_.fixed_temperature, rule_.temperature, rule_.temperature_gradient};
+    WallHeat heat{rule_.fixed_temperature, false, rule_.temperature, rule_.temperature_gradient};
+    if (slip_temperature_) heat = {true, true, *slip_temperature_, 0};
     if (const Condition* u = region_.find("Velocity", material_)) {
       velocity(*u, normal);
       if (rule_.mirrored() && u->kind != ConditionKind::symmetry) rule_.heat = heat;
@@ -60,8 +61,8 @@ class RuleMaker {
       if (c.variable == "Pressure") rule_.sine_pressure = true;
       if (c.variable == "Density") refuse(c);
     } else if (c.kind_name == "slip" && c.variable == "Temperature") {
-      // Without heat conduction the temperature of a wall acts on nothing.
       need(conditions_.slip, c, "microSlip");
+      slip_temperature_ = c.value;
     } else {
       return false;
     }
@@ -136,6 +137,7 @@ class RuleMaker {
   int material_;
   const FlowConditions& conditions_;
   GhostRule rule_;
+  std::optional<double> slip_temperature_;  // of the wall
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace sluice::ice {
 
 // What a wall does to heat: it has a temperature of its own, or a gradient along the inward normal.
 struct WallHeat {
-  bool fixed = false;
+  bool fixed = false, slip = false;      // slip: fixed, but the gas at the wall has another
   double temperature = 0, gradient = 0;  // K, K/m
 };
 

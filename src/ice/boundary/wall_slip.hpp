@@ -1,4 +1,5 @@
-// Rarefied gas that slips along a wall: its velocity on the wall, from that of the cell beside it.
+// Rarefied gas that slips along a wall: its velocity and temperature on the wall, from those of the
+// cell beside it.
 //
 //   u_s = u_w + L u' - C lambda^2 u'' + [creep] 3/4 mu/(rho T) dT/ds     ' along the inward normal
 //   L = lambda (2 - a)/a,  lambda = mu/(rho sqrt(2 R T/pi)) = mu sqrt(pi/(2 rho p))
@@ -6,6 +7,9 @@
 // u' is 2 (u - u_s)/dx, with u_s itself in it: whatever lambda/dx, u_s lies between u_w and u.
 // u'' is that of a thin layer in steady flow, mu u'' = dp/ds - rho g. Taken from differences of u it
 // would feed back upon itself: the third model then amplifies what is shorter than 2.7 lambda.
+//   T_s = T_w + B T' - D lambda^2 T'',  B = lambda (2 - a_T)/a_T 2 k/((gamma + 1) cv mu)
+//   D = 0, 9/128 (177 gamma - 145)/(gamma + 1), -B/(2 lambda);  k T'' = -mu u'^2 likewise
+// lambda is there that at T_s.
 // Limits: Knudsen numbers up to about 0.1; Deissler's derivatives along the wall are left out.
 // References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Transfer
 // 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
@@ -27,7 +31,18 @@ struct SlipCell {
   double warming = 0;  // dT/ds, K/m
 };
 
+// The same for heat.
+struct SlipHeat {
+  double rho = 1, p = 1, temperature = 1;
+  double specific_heat = 1;  // cv
+  double viscosity = 0, conductivity = 0;
+  double spacing = 1;
+  double wall_temperature = 1;
+  double shear = 0;  // u'^2, 1/s^2
+};
+
 // `creep`: with thermal creep.
 double slip_velocity(const SlipSettings& settings, const SlipCell& cell, bool creep);
+double slip_temperature(const SlipSettings& settings, const SlipHeat& cell);
 
 }  // namespace sluice::ice

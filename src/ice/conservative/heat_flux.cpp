@@ -2,7 +2,9 @@
 //
 //   q = -k dT/dn,   dT/dn from the two cells of the face, k one number or their harmonic mean
 // On a wall with a temperature of its own dT/dn is taken over half a cell; a wall with a given
-// gradient has that, one without either lets no heat through. Absent without conduction.
+// gradient has that, one without either lets no heat through. Of rarefied gas that slips the
+// temperature on the wall is that of the gas there. Absent without conduction.
+#include "ice/boundary/wall_slip.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/variables.hpp"
@@ -13,8 +15,33 @@ namespace {
 
 struct Handles {
   In temperature, conductivity;
+  In rho, energy, pressure, velocity, viscosity;  // slip alone
   Out flux;
 };
+
+// The temperature of gas that slips on the wall at face i.
+double gas_on_wall(const Row& row, const Handles& h, const SchemeOptions& o, int axis,
+                   const WallHeat& wall, double conductivity, bool plus, int i) {
+  const int inside = plus ? -1 : 0;
+  const auto cell = [&](In in, int c, int shift) { return row(in, c, axis, shift)[i]; };
+  SlipHeat gas;
+  gas.rho = cell(h.rho, 0, inside);
+  gas.p = cell(h.pressure, 0, inside);
+  gas.temperature = cell(h.temperature, 0, inside);
+  gas.specific_heat = o.fluid.heat_capacity(gas.rho, cell(h.energy, 0, inside));
+  gas.viscosity = o.viscosity_varies ? cell(h.viscosity, 0, inside) : o.viscosity;
+  gas.conductivity = conductivity;
+  gas.spacing = row.step().spacing[o.axes.direction[axis]];
+  gas.wall_temperature = wall.temperature;
+  double change = 0;  // from cell to cell, squared
+  for (int c = 0; c < o.components; ++c) {
+    if (c == axis) continue;
+    const double du = cell(h.velocity, c, 0) - cell(h.velocity, c, -1);
+    change += du * du;
+  }
+  gas.shear = change / (gas.spacing * gas.spacing);
+  return slip_temperature(*o.boundary->conditions().slip, gas);
+}
 
 template <bool varies>
 void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
@@ -39,8 +66,13 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
     const WallHeat& wall = o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell);
     const double inside = plus ? Ta[i] : Tb[i];
     // Over the wall outward, as if the next cell lay a whole cell away.
-    const double rise = wall.fixed ? 2.0 * (wall.temperature - inside) : -wall.gradient * dx;
-    const double outward = (varies ? harmonic_mean(ka[i], kb[i]) : k) * (-rise * inverse);
+    const double k_wall = varies ? harmonic_mean(ka[i], kb[i]) : k;
+    double rise = -wall.gradient * dx;
+    if (wall.slip)
+      rise = 2.0 * (gas_on_wall(row, h, o, axis, wall, k_wall, plus, i) - inside);
+    else if (wall.fixed)
+      rise = 2.0 * (wall.temperature - inside);
+    const double outward = k_wall * (-rise * inverse);
     q[i] = plus ? outward : -outward;
   });
 }
@@ -63,6 +95,13 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
     Handles h;
     h.temperature = task.read(v.temperature, both);
     if (o.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
+    if (o.boundary != nullptr && o.boundary->has_heat_slip()) {
+      h.rho = task.read(v.rho, both);
+      h.energy = task.read(v.energy, both);
+      h.pressure = task.read(v.pressure, both);
+      h.velocity = task.read(v.velocity, both);
+      if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
+    }
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)
