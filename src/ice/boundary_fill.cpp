@@ -14,6 +14,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
   for (const IceMaterial& material : materials) {
     setting_.fluids.push_back(material.fluid);
     setting_.viscous = setting_.viscous || material.viscosity > 0;
+    setting_.rubs.push_back(material.viscosity > 0);
   }
   if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
   setting_.directions = slots.directions;

@@ -179,8 +179,8 @@ inline void conduction_rate_row(const Row& row, const RateHandles& h, const Sche
   const double* k = o.conductivity_varies ? row(h.conductivity) : nullptr;
   const auto conductivity = [k, all = o.conductivity](int i) { return k != nullptr ? k[i] : all; };
   if (constant_heat_capacity(o.fluid)) {
-    const double scale = twice / o.fluid.specific_heat;
-    return diffusion_rate_row(row, h, [=](int i) { return scale * conductivity(i); });
+    return diffusion_rate_row(
+        row, h, [=, cv = o.fluid.specific_heat](int i) { return twice * conductivity(i) / cv; });
   }
   double* cv = row(h.heat_capacity);
   heat_capacity_row(o.fluid, row.count(), row(h.rho), row(h.energy), cv);
@@ -194,8 +194,9 @@ void other_rates_of_row(const Row& row, const RateHandles& h, const SchemeOption
   if (x.conservative) outflow_rate_row<D>(row, h, x);
   double inverse_dx2 = 0;
   for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
+  if (o.mixture) return;  // mixture/diffusion_rates.hpp
   if (o.viscous) viscous_rate_row(row, h, o, 2.0 * inverse_dx2);
-  if (o.conducting && !o.mixture) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
+  if (o.conducting) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
 }
 
 // What varying coefficients need in the task that ends the step.

@@ -37,10 +37,14 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.sound_speed_knob = ice.sound_speed_knob;
   o.gravity = scene.constants.gravity;
   o.gravity_on = !(o.gravity == Vec3{});
+  for (const IceMaterial& each : ice.materials) {
+    o.viscosities.push_back(each.viscosity);
+    o.conductivities.push_back(each.conductivity);
+    o.viscous = o.viscous || each.viscosity > 0;
+    o.conducting = o.conducting || each.conductivity > 0;
+  }
   o.viscosity = m.viscosity;
-  o.viscous = m.viscosity > 0;
   o.conductivity = m.conductivity;
-  o.conducting = m.conductivity > 0;
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
@@ -92,6 +96,10 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   add_slopes(list, v, o, effect_second_order);                // u, p       su, sp, P, UT
   add_faces(list, v, o, effect_flow);                         // slopes     u_f, p_f
+  mixture::add_viscosity(list, m, o, effect_viscosity);       // V_m        mu
+  add_viscous_stress(list, v, o, effect_viscosity);           // u, mu      t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);           // u_f, p_f   E_mL, scales
   mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
   mixture::add_remap_fluxes(list, m, o, effect_flow);         // bases      FV, FM, FE of each, U
@@ -182,10 +190,16 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   if (o.classic) return declare_classic(list, o, effects_);
   if (variant.kind == static_cast<int>(o.fluids.size())) {
     o.mixture = true;
+    o.viscosity_varies = o.viscous;
     return declare_mixture(list, o);
   }
   o.material = variant.kind;
-  o.fluid = o.fluids[static_cast<std::size_t>(o.material)];
+  const auto m = static_cast<std::size_t>(o.material);
+  o.fluid = o.fluids[m];
+  o.viscosity = o.viscosities[m];
+  o.viscous = o.viscosity > 0;
+  o.conductivity = o.conductivities[m];
+  o.conducting = o.conductivity > 0;
   declare_conservative(list, o);
 }
 

@@ -227,18 +227,10 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
           fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
           "join materials of the same law");
   for (const DeckNode* material : materials) {
-    const auto viscosity = real_of(material, "dynamic_viscosity");
-    if (materials.size() > 1 && viscosity && *viscosity > 0)
-      not_built(faults, *material->child("dynamic_viscosity"), "viscosity with several materials",
-                "write 0");
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
       not_built(faults, *work, "<includeFlowWork> false", "write true");
     }
-    const auto conductivity = real_of(material, "thermal_conductivity");
-    if (materials.size() > 1 && conductivity && *conductivity > 0)
-      not_built(faults, *material->child("thermal_conductivity"),
-                "heat conduction with several materials", "write 0 to run without it");
   }
   check_material_indices(root, static_cast<int>(materials.size()), faults);
   check_saved_levels(root, faults);

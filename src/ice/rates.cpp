@@ -5,6 +5,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
 
 namespace sluice::ice {
@@ -48,6 +49,16 @@ class CellStates {
     heat_capacity_row(fluid, 1, &rho, &E, &cv);
     return cv;
   }
+  // Of several materials.
+  double diffusion_rate(const mixture::DiffusionRates& rates, IntVec3 cell, Vec3 spacing) const {
+    mixture::MaterialRows rows{};
+    for (std::size_t m = 0; m < fluids_.size(); ++m) {
+      rows.mass[m] = &mass_[m](cell);
+      rows.volume[m] = &volume_[m](cell);
+      rows.energy[m] = &energy_[m](cell);
+    }
+    return rates.largest(rows, 1, spacing);
+  }
 
  private:
   const std::vector<Fluid>& fluids_;
@@ -65,6 +76,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
   }
   const double gravity_speed = std::sqrt(dx_g);
+  const mixture::DiffusionRates diffusion(options_);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const CellStates states(state, options_.fluids, b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
@@ -90,6 +102,11 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];
         inverse_dx2 += 1.0 / (dx * dx);
+      }
+      if (diffusion.on() && material_count() > 1) {
+        const double most = states.diffusion_rate(diffusion, cell, state.level().spacing);
+        rates.maximum(StepSlots::diffusion_rate, ordered_bits(most));
+        return;
       }
       double coefficient = options_.viscosity;
       if (options_.conducting)

@@ -207,9 +207,11 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
   }
   rho = fill_cell(rule, p);
   const double source_rho = v_.density(source);
+  bool slides = rule.common.mirrored();  // one velocity: one viscous material sticks for all
   for (std::size_t m = 0; m < parts_.size(); ++m) {
     const Part& part = parts_[m];
     const bool present = part.V > 0;
+    slides = slides && !(present && setting_.rubs[m]);
     v_.volume[m](ghost) = present ? part.V : 0.0;
     v_.mass[m](ghost) = present ? part.V * part.rho : 0.0;
     v_.energy[m](ghost) =
@@ -217,12 +219,16 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
   }
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
     const double u = v_.momentum[c](source) / source_rho;
+    const double mirrored = setting_.directions[c] == d_ ? -u : u;
     double momentum = 0;
-    for (std::size_t m = 0; m < parts_.size(); ++m)
+    for (std::size_t m = 0; m < parts_.size(); ++m) {
+      const GhostRule& of_part = rule.parts[m].rule;
       if (parts_[m].V > 0)
         momentum += parts_[m].V * parts_[m].rho *
-                    velocity(rule.parts[m].rule, given_velocity(rule.parts[m].rule, ghost), u,
-                             setting_.directions[c], distance);
+                    (slides ? mirrored
+                            : velocity(of_part, given_velocity(of_part, ghost), u,
+                                       setting_.directions[c], distance));
+    }
     v_.momentum[c](ghost) = momentum;
   }
 }

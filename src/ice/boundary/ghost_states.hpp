@@ -26,6 +26,7 @@ struct SlipCell;
 // What holds on all sides.
 struct BoundarySetting {
   std::vector<Fluid> fluids;    // by material
+  std::vector<bool> rubs;       // by material: it has a viscosity
   std::vector<int> directions;  // of the momentum components
   Vec3 gravity{};
   bool viscous = false;

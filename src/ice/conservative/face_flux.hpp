@@ -1,15 +1,16 @@
 // What passes through a face in a step, of either scheme, as amounts per volume of a cell.
 //
 //   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u + l q,
-// l = dt/dx, t the viscous stress, u the mean velocity of the two cells, q the flux of heat.
+// l = dt/dx, t the viscous stress, u the velocity between the two cells, q the flux of heat.
 // Positive along the axis.
 #pragma once
+#include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/variables.hpp"
 
 namespace sluice::ice {
 
 struct FaceFluxHandles {
-  In flux, face_velocity, face_pressure, stress, velocity, heat_flux;
+  In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
   In materials, pure;  // of a mixture
 };
 
@@ -31,7 +32,19 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
+  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, Stencil::along(direction, 1, 1));
   return h;
+}
+
+// Velocity of the fluid on a face on which friction works, component c.
+inline double rubbed_velocity(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                              int axis, int shift, int i, int c) {
+  const double a = row(h.velocity, c, axis, shift - 1)[i], b = row(h.velocity, c, axis, shift)[i];
+  const double mean = 0.5 * (a + b);
+  if (!o.viscosity_varies) return mean;
+  return mean + velocity_tilt(row(h.viscosity, 0, axis, shift - 1)[i],
+                              row(h.viscosity, 0, axis, shift)[i]) *
+                    (b - a);
 }
 
 struct FaceFlux {
@@ -60,8 +73,7 @@ inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const Scheme
     if (o.viscous) {
       const double t = face(h.stress, c);
       impulse -= l * t;
-      friction += l * t * 0.5 *
-                  (row(h.velocity, c, axis, shift - 1)[i] + row(h.velocity, c, axis, shift)[i]);
+      friction += l * t * rubbed_velocity(row, h, o, axis, shift, i, c);
     }
     flux.impulse[c] = impulse;
     flux.momentum[c] = FU + impulse;

@@ -12,4 +12,12 @@ inline double harmonic_mean(double a, double b) {
   return 2.0 * lower * (higher / (lower + higher + nothing));
 }
 
+// Where the same stress acts on both halves of what lies between two cells, the velocity between
+// them is (mu_a u_a + mu_b u_b)/(mu_a + mu_b) = (u_a + u_b)/2 + tilt (u_b - u_a); 0 where the
+// viscosities are equal.
+inline double velocity_tilt(double mu_a, double mu_b) {
+  constexpr double nothing = 1e-300;
+  return 0.5 * (mu_b - mu_a) / (mu_a + mu_b + nothing);
+}
+
 }  // namespace sluice::ice

@@ -7,6 +7,7 @@
 #include "ice/boundary/wall_slip.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/face_mean.hpp"
+#include "ice/conservative/heat_flux_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/wall_faces.hpp"
 
@@ -53,26 +54,26 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   const double* __restrict ka = varies ? row(h.conductivity, 0, axis, -1) : nullptr;
   const double* __restrict kb = varies ? row(h.conductivity) : nullptr;
   double* __restrict q = row(h.flux);
+  if constexpr (varies) {
 #pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    if constexpr (varies)
-      q[i] = harmonic_mean(ka[i], kb[i]) * ((Ta[i] - Tb[i]) * inverse);
-    else
-      q[i] = k * ((Ta[i] - Tb[i]) * inverse);
+    for (int i = 0; i < n; ++i) q[i] = harmonic_mean(ka[i], kb[i]) * ((Ta[i] - Tb[i]) * inverse);
+  } else {
+    heat_flux_row(n, k, Ta, Tb, inverse, q);
   }
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
     cell[o.axes.direction[0]] += i;
-    const WallHeat& wall = o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell);
+    const WallHeat& wall =
+        o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell, o.material);
     const double inside = plus ? Ta[i] : Tb[i];
-    // Over the wall outward, as if the next cell lay a whole cell away.
     const double k_wall = varies ? harmonic_mean(ka[i], kb[i]) : k;
-    double rise = -wall.gradient * dx;
-    if (wall.slip)
-      rise = 2.0 * (gas_on_wall(row, h, o, axis, wall, k_wall, plus, i) - inside);
-    else if (wall.fixed)
-      rise = 2.0 * (wall.temperature - inside);
-    const double outward = k_wall * (-rise * inverse);
+    double outward = 0;
+    if (wall.slip) {
+      const double rise = 2.0 * (gas_on_wall(row, h, o, axis, wall, k_wall, plus, i) - inside);
+      outward = k_wall * (-rise * inverse);
+    } else {
+      outward = heat_to_wall(wall, k_wall, inside, dx, inverse);
+    }
     q[i] = plus ? outward : -outward;
   });
 }

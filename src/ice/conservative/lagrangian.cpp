@@ -11,6 +11,7 @@
 // vector on the face and u_f the mean of the two cells: friction becomes heat, exactly. Conduction
 // adds -sum_d l_d (q+ - q-).
 #include "ice/closure_rows.hpp"
+#include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/end_of_step.hpp"
 #include "ice/impulse.hpp"
@@ -20,11 +21,11 @@ namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In inverse_rho, velocity, energy;
+  In inverse_rho, velocity, energy, viscosity;
   std::array<In, 3> face_velocity, heat_flux;
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
-  Out mixture;  // J, work, faces through which matter leaves
+  Out mixture;  // J, work of pressures, faces through which matter leaves, of friction
 };
 
 template <int D, int C>
@@ -73,11 +74,11 @@ void mixture_rows(const Row& row, const Handles& h, const double* l) {
   }
 }
 
-// E* += work of the viscous stress, its kinetic part taken away. Summed over components, then over
+// Work of the viscous stress, its kinetic part taken away. Summed over components, then over
 // directions: no order of the axes shows in the bits of one and two dimensions.
-template <int D, int C>
+template <int D, int C, bool varies>
 void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
-                       double* __restrict Es) {
+                       double* __restrict friction) {
   const int n = row.count();
   const double* __restrict w = row(h.inverse_rho);
   const double *tm[D][C], *tp[D][C], *um[D][C], *up[D][C], *u[C], *dp[C];
@@ -92,6 +93,14 @@ void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants&
       up[d][c] = row(h.velocity, c, d, 1);
     }
   }
+  const double *mu = nullptr, *mum[D], *mup[D];
+  if constexpr (varies) {
+    mu = row(h.viscosity);
+    for (int d = 0; d < D; ++d) {
+      mum[d] = row(h.viscosity, 0, d, -1);
+      mup[d] = row(h.viscosity, 0, d, 1);
+    }
+  }
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     double work = 0;
@@ -99,13 +108,17 @@ void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants&
       double along = 0, carried = 0;
       for (int c = 0; c < C; ++c) {
         const double ub = u[c][i] - 0.5 * dp[c][i] * w[i];
-        (c < D ? along : carried) += tp[d][c][i] * (0.5 * (u[c][i] + up[d][c][i]) - ub) -
-                                     tm[d][c][i] * (0.5 * (um[d][c][i] + u[c][i]) - ub);
+        double above = 0.5 * (u[c][i] + up[d][c][i]), below = 0.5 * (um[d][c][i] + u[c][i]);
+        if constexpr (varies) {
+          above += velocity_tilt(mu[i], mup[d][i]) * (up[d][c][i] - u[c][i]);
+          below += velocity_tilt(mum[d][i], mu[i]) * (u[c][i] - um[d][c][i]);
+        }
+        (c < D ? along : carried) += tp[d][c][i] * (above - ub) - tm[d][c][i] * (below - ub);
       }
       if constexpr (C > D) along += carried;
       work += s.l[d] * along;
     }
-    Es[i] += work;
+    friction[i] = work;
   }
 }
 
@@ -127,8 +140,7 @@ void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s
 }
 
 template <int D, int C>
-void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
-                 const SchemeOptions& o) {
+void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
   const int n = row.count();
   const double* __restrict r = row(h.forces.rho);
   const double* __restrict w = row(h.inverse_rho);
@@ -151,7 +163,6 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   for (int c = D; c < C; ++c) u[c] = row(h.velocity, c);
   double* __restrict iJ = row(h.inverse_J);
   double* __restrict rL = row(h.rho_L);
-  double* __restrict EL = row(h.energy_L);
   double* __restrict Es = row(h.energy_star);
   double* __restrict N = row(h.courant);
   double* __restrict iN = row(h.inverse_courant);
@@ -174,8 +185,30 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     N[i] = smaller(out * iJ[i], 1.0);
     iN[i] = 1.0 / larger(N[i], 0.05);
   }
-  if (o.viscous) viscous_work_rows<D, C>(row, h, s, Es);
+}
+
+// E* and E_L with friction and conduction; of a mixture, what the materials share out.
+template <int D, int C>
+void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+               const SchemeOptions& o) {
+  const int n = row.count();
+  double *Es = row(h.energy_star), *EL = row(h.energy_L);
+  if (o.mixture) {
+    mixture_rows<D>(row, h, s.l);
+    const double* E = row(h.energy);
+    double* work = row(h.mixture, 1);
+    for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
+  }
+  if (o.viscous) {
+    double* friction = o.mixture ? row(h.mixture, 3) : EL;  // E_L is written last
+    if (o.viscosity_varies)
+      viscous_work_rows<D, C, true>(row, h, s, friction);
+    else
+      viscous_work_rows<D, C, false>(row, h, s, friction);
+    for (int i = 0; i < n; ++i) Es[i] += friction[i];
+  }
   if (o.conducting) conduction_rows<D>(row, h, s, Es);
+  const double* iJ = row(h.inverse_J);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) EL[i] = Es[i] * iJ[i];
 }
@@ -189,6 +222,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
+  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
@@ -212,13 +246,9 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       momentum_rows<D, C>(row, h, s, o.viscous);
-      energy_rows<D, C>(row, h, s, o);
-      if (o.mixture) {
-        mixture_rows<D>(row, h, s.l);
-        const double *E = row(h.energy), *Es = row(h.energy_star);
-        double* work = row(h.mixture, 1);
-        for (int i = 0; i < row.count(); ++i) work[i] = E[i] - Es[i];
-      } else if (scaled)
+      energy_rows<D, C>(row, h, s);
+      heat_rows<D, C>(row, h, s, o);
+      if (scaled && !o.mixture)
         energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));
     });
   });

@@ -43,6 +43,7 @@ struct SchemeOptions {
   bool viscous = false, viscosity_varies = false;
   double conductivity = 0;  // W/(m K)
   bool conducting = false, conductivity_varies = false;
+  std::vector<double> viscosities, conductivities;  // of all materials
   double diffusion_knob = 1;            // weight of diffusion in the deck's time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;

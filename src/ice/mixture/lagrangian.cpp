@@ -1,9 +1,11 @@
 // Step 6 with several materials: how they share what the Lagrangian phase of the mixture did.
 //
-//   V_m -> V_m J (uniform strain),   E_mL = E_m - V_m p (J - 1) - R M_m/rho,   R = W - p (J - 1)
+//   V_m -> V_m J (uniform strain),   E_mL = E_m - V_m p (J - 1) - R M_m/rho + Q_m,
+//   R = W - p (J - 1)
 // W is the work defect of the mixture: p dV goes by volume, the rest (dissipation, second order) by
-// mass. Per own volume: rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of
-// each, from the pressure of that state. The scale of the mixture is sum V_m scale_m.
+// mass. Q_m is what friction and conduction bring (transport.cpp). Per own volume: rho_mL = rho_m/J,
+// eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of each, from the pressure of that state.
+// The scale of the mixture is sum V_m scale_m.
 #include <algorithm>
 
 #include "ice/closure_rows.hpp"
@@ -15,13 +17,13 @@ namespace {
 
 struct Handles {
   StateReads state;
-  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, density;
+  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, density, heat;
   In mixture_density_L, mixture_energy_L;
   Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
 
 void share_cells(const Row& row, const Handles& h, std::uint64_t set,
-                 const std::vector<Fluid>& fluids) {
+                 const std::vector<Fluid>& fluids, bool heated) {
   const int n = row.count();
   const double* __restrict p = row(h.pressure);
   const double* __restrict w = row(h.inverse_rho);
@@ -47,6 +49,12 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
     for (int i = 0; i < n; ++i) {
       const double pdV = p[i] * (J[i] - 1.0);
       E_L[i] = E[i] - (V[i] * pdV + (W[i] - pdV) * (M[i] * w[i]));
+    }
+    if (heated) {
+      const double* __restrict Q = row(h.heat, m);
+      for (int i = 0; i < n; ++i) E_L[i] += Q[i];
+    }
+    for (int i = 0; i < n; ++i) {
       eps[i] = E_L[i] * iJ[i] / V[i];
       rho_L[i] = r[i] * iJ[i];
     }
@@ -82,6 +90,8 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.inverse_J = task.read(v.common.inverse_J);
   h.lagrangian = task.read(v.common.lagrangian_mixture);
   h.density = task.read(v.density);
+  const bool heated = o.viscous || o.conducting;
+  if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
   h.scale = task.write(v.energy_scale);
@@ -93,7 +103,7 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
       const Row part = row.part(first, count);
       if (pure >= 0.0) return alone(part, h, fluids[static_cast<std::size_t>(pure)]);
       for_each_run(part(h.presence), count, [&](int begin, int some, double presence) {
-        share_cells(part.part(begin, some), h, as_set(presence), fluids);
+        share_cells(part.part(begin, some), h, as_set(presence), fluids, heated);
       });
     });
   });

@@ -13,12 +13,18 @@ struct MixtureCell {
   double velocity[3] = {0, 0, 0};
 };
 
+// Friction, conduction and heat exchange; of each material, 0 where nothing is given.
+struct Transport {
+  std::vector<double> viscosity, conductivity;
+  double heat_exchange = 0;  // of every pair, W/(m^3 K)
+};
+
 class MixtureBox {
  public:
   // The scene is that of the box; its material is replaced by `fluids`.
   MixtureBox(const GasBox& box, const std::vector<Fluid>& fluids,
              const std::function<MixtureCell(Vec3)>& start, const SolverOptions& options = {},
-             IntVec3 boxes = {})
+             IntVec3 boxes = {}, const Transport& transport = {})
       : fluids_(fluids) {
     Schema schema;
     add_framework_tags(schema);
@@ -34,8 +40,15 @@ class MixtureBox {
     for (const Fluid& fluid : fluids) {
       ice.materials.push_back(first);
       ice.materials.back().fluid = fluid;
-      ice.materials.back().index = static_cast<int>(ice.materials.size()) - 1;
+      const std::size_t m = ice.materials.size() - 1;
+      ice.materials.back().index = static_cast<int>(m);
+      if (m < transport.viscosity.size()) ice.materials.back().viscosity = transport.viscosity[m];
+      if (m < transport.conductivity.size())
+        ice.materials.back().conductivity = transport.conductivity[m];
     }
+    ice.exchange.heat = PairCoefficients(count());
+    for (int a = 0; a < count(); ++a)
+      for (int b = a + 1; b < count(); ++b) ice.exchange.heat.set(a, b, transport.heat_exchange);
     ice_ = std::make_unique<Ice>(scene_, std::move(ice));
     solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), options);
     fill(start);

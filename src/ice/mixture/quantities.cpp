@@ -108,8 +108,8 @@ class Declarer {
     const auto constant = [&](Label label, double value) {
       closure(label, m, [value](double, double) { return value; });
     };
-    constant(l.viscosity, 0.0);
-    constant(l.thermal_conductivity, 0.0);
+    constant(l.viscosity, o_.viscosities[k]);
+    constant(l.thermal_conductivity, o_.conductivities[k]);
     constant(l.gamma, fluid.gamma);
     constant(l.specific_heat, fluid.specific_heat);
     q_.slopes(v_.mass[k], l.gradient_rho, m);

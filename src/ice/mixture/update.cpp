@@ -12,6 +12,7 @@
 
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/collapse.hpp"
+#include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/ideal_relaxation.hpp"
@@ -283,6 +284,18 @@ class MixedCells {
   Material rows_[most_materials];
 };
 
+// Over the whole row: in runs of one material alone too.
+void diffusion_rates_of_row(const Row& row, const Handles& h, const DiffusionRates& diffusion) {
+  MaterialRows state;
+  for (std::size_t m = 0; m < h.state.size(); ++m) {
+    state.mass[m] = row(h.state[m].mass_new);
+    state.volume[m] = row(h.state[m].volume_new);
+    state.energy[m] = row(h.state[m].energy_new);
+  }
+  const double most = diffusion.largest(state, row.count(), row.step().spacing);
+  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
+}
+
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
   h.common = read_update(task, v.common, o);
@@ -324,7 +337,8 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=,
                  laws = Laws{Equilibration(o.fluids), IdealRelaxation(o.fluids), Collapse(o.fluids),
-                             HeatExchange(o.fluids, o.heat_exchange)}](const Row& row) {
+                             HeatExchange(o.fluids, o.heat_exchange)},
+                 diffusion = DiffusionRates(o)](const Row& row) {
       std::optional<MixedCells<D, C>> mixed;
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         if (pure >= 0.0) {
@@ -335,6 +349,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
         mixed->run(first, count);
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
+      if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
     });
   });
 }

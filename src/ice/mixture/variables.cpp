@@ -20,7 +20,7 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   v.shock_slope = list.temporary("shock slope");
   v.pi = list.temporary("lowest pressure");
   v.new_pressure = list.temporary("new pressure");
-  v.lagrangian_mixture = list.temporary("J, work, main outlet", 3);
+  v.lagrangian_mixture = list.temporary("J, work, main outlet, friction", o.viscous ? 4 : 3);
   declare_step_temporaries(list, o, v);
   declare_conservative_temporaries(list, o, v);
   v.energy_scale = list.temporary("energy scale");
@@ -56,6 +56,14 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
     v.base[n] = list.temporary("remap base of each material" + axis, 3 * M);
     v.flux[n] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
   }
+  if (o.conducting) {
+    v.temperature = list.temporary("temperature of each material", M);
+    v.heat_capacity = list.temporary("heat capacity of each material", M);
+    for (int a = 0; a < o.axes.count; ++a)
+      v.heat_flux[static_cast<std::size_t>(a)] = list.temporary(
+          "heat through contacts of axis " + std::to_string(a), 2 * M, o.axes.direction[a]);
+  }
+  if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
   v.common.material_flux = v.flux;
   v.common.pure = v.pure;
   v.end = list.temporary("density and modulus of the new mixture", 2);

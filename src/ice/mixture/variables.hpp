@@ -28,6 +28,10 @@ struct Variables {
   // By axis, 3 components a material: volume, mass and energy that pass a face, unless both its
   // cells have the same pure neighbourhood.
   std::array<VariableId, 3> flux;
+  // Where materials conduct: temperature and rho_m cv_m of each; by axis and material what the low
+  // cell gives and what the high cell takes. What friction and conduction bring each.
+  VariableId temperature, heat_capacity, heat;
+  std::array<VariableId, 3> heat_flux;
   VariableId end;  // density, modulus of the new mixture
 };
 
@@ -39,6 +43,9 @@ struct StateReads {
 };
 StateReads read_state(TaskBuilder& task, const Variables& v);
 
+// Component of `lagrangian_mixture`.
+constexpr int friction_of_mixture = 3;
+
 // Component of a quantity of a material in `base` and `flux`.
 enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
 inline int component(int material, Carried q) {
@@ -49,6 +56,9 @@ inline int component(int material, Carried q) {
 // `everywhere`: density and energy of each material also where it is alone, for outputs.
 void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
                     bool everywhere = false);
+void add_viscosity(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_heat_flux(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_transported_heat(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);

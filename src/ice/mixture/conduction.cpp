@@ -1,0 +1,196 @@
+// Heat conduction with several materials: each has its own temperature, and touches others.
+//
+// Between two cells that hold the same material alone q = k (T_a - T_b)/dx, as with one material;
+// elsewhere through the contacts of contacts.hpp. Walls touch every material over its share of the
+// cell inside. Per face and material: what the one in the low cell gives, what the one in the high
+// cell takes (positive along the axis); the flux of the face is their sum. Absent without
+// conduction.
+#include "ice/closure_rows.hpp"
+#include "ice/conservative/heat_flux_rows.hpp"
+#include "ice/limiters.hpp"
+#include "ice/mixture/contacts.hpp"
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/variables.hpp"
+#include "ice/wall_faces.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+// T and rho_m cv_m of each material that conducts, where it is.
+void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("temperature of each material", effect);
+  const StateReads state = read_state(task, v);
+  const In presence = task.read(v.presence);
+  const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
+  const Out own = task.write(list.temporary("density and energy of a material", 2));
+  task.kernel([=, fluids = o.fluids, k = o.conductivities](const Row& row) {
+    for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
+      const Row part = row.part(first, count);
+      for_each_of(as_set(set), [&](int m) {
+        const auto n = static_cast<std::size_t>(m);
+        if (!(k[n] > 0.0)) return;
+        const double* __restrict M = part(state.mass[n]);
+        const double* __restrict V = part(state.volume[n]);
+        const double* __restrict E = part(state.energy[n]);
+        double* __restrict r = part(own, 0);
+        double* __restrict e = part(own, 1);
+        for (int i = 0; i < count; ++i) {
+          const double inverse = 1.0 / V[i];
+          r[i] = M[i] * inverse;
+          e[i] = E[i] * inverse;
+        }
+        temperature_row(fluids[n], count, r, e, part(temperature, m));
+        double* __restrict C = part(capacity, m);
+        heat_capacity_row(fluids[n], count, r, e, C);
+        for (int i = 0; i < count; ++i) C[i] *= r[i];
+      });
+    });
+  });
+}
+
+struct Handles {
+  In presence, pure, temperature, capacity;
+  std::vector<In> volume;
+  Out flux, of_materials;
+};
+
+// All that one side of a face has, gathered for one face.
+struct Gathered {
+  double share[most_materials], temperature[most_materials], most[most_materials];
+
+  ContactSide side() const { return {share, temperature, most}; }
+};
+
+class FaceHeat {
+ public:
+  FaceHeat(const SchemeOptions& o, const Handles& h, int axis)
+      : o_(o), h_(h), axis_(axis), contacts_(o.conductivities, o.heat_exchange) {}
+
+  void run(const Row& row) const {
+    const double* a = row(h_.presence, 0, axis_, -1);
+    const double* b = row(h_.presence);
+    for_each_face_run(a, b, row.count(), [&](int first, int count, double set) {
+      const Row part = row.part(first, count);
+      if (set > 0.0 && is_single(set))
+        one_material(part, first_of(set));
+      else
+        contacts(part);
+    });
+    walls(row);
+  }
+
+ private:
+  double dx(const Row& row) const { return row.step().spacing[o_.axes.direction[axis_]]; }
+  int materials() const { return static_cast<int>(o_.fluids.size()); }
+  double k(int m) const { return o_.conductivities[static_cast<std::size_t>(m)]; }
+
+  void one_material(const Row& row, int m) const {
+    const int n = row.count();
+    double* q = row(h_.flux);
+    if (k(m) > 0.0)
+      heat_flux_row(n, k(m), row(h_.temperature, m, axis_, -1), row(h_.temperature, m),
+                    1.0 / dx(row), q);
+    else
+      for (int i = 0; i < n; ++i) q[i] = 0.0;
+    const double *pure_a = row(h_.pure, 0, axis_, -1), *pure_b = row(h_.pure);
+    for_each_face_run(pure_a, pure_b, n, [&](int first, int count, double alone) {
+      if (alone >= 0.0) return;
+      const Row part = row.part(first, count);
+      for (int c = 0; c < 2 * materials(); ++c) {
+        double* to = part(h_.of_materials, c);
+        for (int i = 0; i < count; ++i) to[i] = c / 2 == m ? q[first + i] : 0.0;
+      }
+    });
+  }
+
+  // Side of the low (shift -1) or high (0) cell of face i.
+  void gather(const Row& row, int shift, int i, Gathered& g) const {
+    const auto set = as_set(row(h_.presence, 0, axis_, shift)[i]);
+    const double length = dx(row);
+    const double bound = length * length / (2.0 * o_.axes.count * row.step().dt);
+    for (int m = 0; m < materials(); ++m) {
+      const bool present = (set >> m & 1) != 0;
+      g.share[m] = present ? row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift)[i] : 0.0;
+      if (!present || !(k(m) > 0.0)) continue;
+      g.temperature[m] = row(h_.temperature, m, axis_, shift)[i];
+      g.most[m] = row(h_.capacity, m, axis_, shift)[i] * bound;
+    }
+  }
+
+  void contacts(const Row& row) const {
+    Gathered low, high;
+    double given[most_materials], taken[most_materials];
+    for (int i = 0; i < row.count(); ++i) {
+      gather(row, -1, i, low);
+      gather(row, 0, i, high);
+      contacts_.conduct(low.side(), high.side(), dx(row), given, taken);
+      put(row, i, given, taken);
+    }
+  }
+  void put(const Row& row, int i, const double* given, const double* taken) const {
+    double out = 0, in = 0;
+    for (int m = 0; m < materials(); ++m) {
+      row(h_.of_materials, 2 * m)[i] = given[m];
+      row(h_.of_materials, 2 * m + 1)[i] = taken[m];
+      out += given[m];
+      in += taken[m];
+    }
+    row(h_.flux)[i] = 0.5 * (out + in);  // the same to round-off; of a mirror image to the bit
+  }
+
+  void walls(const Row& row) const {
+    const double length = dx(row), inverse = 1.0 / length;
+    for_each_wall_face(row, o_, axis_, [&](int i, bool plus) {
+      IntVec3 cell = row.cell();
+      cell[o_.axes.direction[0]] += i;
+      const int inside = plus ? -1 : 0;
+      const auto set = as_set(row(h_.presence, 0, axis_, inside)[i]);
+      Gathered g;
+      gather(row, inside, i, g);
+      double q[most_materials];
+      for (int m = 0; m < materials(); ++m) {
+        q[m] = 0.0;
+        if ((set >> m & 1) == 0 || !(k(m) > 0.0)) continue;
+        const WallHeat& wall =
+            o_.boundary->wall_heat(side_of(o_.axes.direction[axis_], plus), cell, m);
+        const bool alone = is_single(static_cast<double>(set));
+        const double conductivity = alone ? k(m) : smaller(k(m), g.most[m]);
+        const double outward =
+            g.share[m] * heat_to_wall(wall, conductivity, g.temperature[m], length, inverse);
+        q[m] = plus ? outward : -outward;
+      }
+      put(row, i, q, q);
+    });
+  }
+
+  SchemeOptions o_;
+  Handles h_;
+  int axis_;
+  HeatContacts contacts_;
+};
+
+}  // namespace
+
+void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  if (!o.conducting) return;
+  add_temperatures(list, v, o, effect);
+  static const char* names[] = {"heat through contacts on axis 0",
+                                "heat through contacts on axis 1",
+                                "heat through contacts on axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    TaskBuilder task = list.task(names[axis], effect);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    Handles h;
+    h.presence = task.read(v.presence, both);
+    h.pure = task.read(v.pure, both);
+    h.temperature = task.read(v.temperature, both);
+    h.capacity = task.read(v.heat_capacity, both);
+    for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
+    h.flux = task.write(v.common.heat_flux[a]);
+    h.of_materials = task.write(v.heat_flux[a]);
+    task.kernel([heat = FaceHeat(o, h, axis)](const Row& row) { heat.run(row); });
+  }
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,46 @@
+// Which materials of two neighbouring cells touch at their face, and what heat passes there.
+//
+// Of the face's area a material takes its share of the cell on either side. It touches itself over
+// the smaller of its two shares; what is left of a on the low side and of b on the high side touch
+// over r_a r_b/R, R the sum of what is left. Through each contact passes, per its area,
+//   q = k (T_low - T_high)/dx,   k = k_m where a material touches itself,
+//   1/k = (1/k_a + 1/k_b)/2 + 4/(H_ab dx^2) where two meet:
+// half a cell of each and between them an interface that conducts as one in the middle of a cell
+// does by heat exchange, V_a V_b H dx with V = 1/2 each. Without heat exchange it is adiabatic.
+// So that no temperature leaves the range of its neighbours, k is at most
+//   rho_m cv_m dx^2/(2 dt axes) of each of the two.
+// Areas of a material sum to its share: the bound holds for the vanishing trace too.
+#pragma once
+#include <vector>
+
+#include "ice/exchange_settings.hpp"
+
+namespace sluice::ice::mixture {
+
+// Below this share of the cell a material neither gives nor takes heat.
+constexpr double least_conducting_share = 1e-8;
+
+// One side of a face, by material.
+struct ContactSide {
+  const double* share;              // 0: absent
+  const double* temperature;        // K
+  const double* most_conductivity;  // W/(m K)
+};
+
+class HeatContacts {
+ public:
+  HeatContacts(std::vector<double> conductivity, const PairCoefficients& heat_exchange);
+
+  // Heat per area and time along the axis: what each material of the low side gives, and what each
+  // of the high side takes.
+  void conduct(const ContactSide& low, const ContactSide& high, double dx, double* given,
+               double* taken) const;
+  // Of the contact of two materials, W/(m K).
+  double conductivity(int a, int b, double dx) const;
+
+ private:
+  std::vector<double> k_;
+  PairCoefficients H_;
+};
+
+}  // namespace sluice::ice::mixture

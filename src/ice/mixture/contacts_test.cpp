@@ -1,0 +1,135 @@
+// Contacts of materials at a face: two layers in series, areas, bounds, mirror images.
+#include "ice/mixture/contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace sluice::ice::mixture {
+namespace {
+
+constexpr double unbounded = 1e300;
+
+struct Cell {
+  std::vector<double> share, temperature, bound;
+  ContactSide side() const { return {share.data(), temperature.data(), bound.data()}; }
+};
+
+Cell cell(std::vector<double> share, std::vector<double> temperature) {
+  return {share, temperature, std::vector<double>(share.size(), unbounded)};
+}
+
+PairCoefficients exchange(int materials, double H) {
+  PairCoefficients all(materials);
+  for (int a = 0; a < materials; ++a)
+    for (int b = a + 1; b < materials; ++b) all.set(a, b, H);
+  return all;
+}
+
+struct Heat {
+  std::vector<double> given, taken;
+};
+Heat through(const HeatContacts& c, const Cell& low, const Cell& high, double dx) {
+  Heat q{std::vector<double>(low.share.size()), std::vector<double>(low.share.size())};
+  c.conduct(low.side(), high.side(), dx, q.given.data(), q.taken.data());
+  return q;
+}
+
+// Fourier's law through two half cells in series; the interface as a resistance of its own.
+TEST(HeatContacts, TwoMaterialsConductInSeries) {
+  const double dx = .01, k_a = 2, k_b = 50, H = 4e6;
+  const Cell hot = cell({1, 0}, {400, 0}), cold = cell({0, 1}, {0, 300});
+  const double perfect = 100 / (.5 * dx / k_a + .5 * dx / k_b);
+  const Heat q = through({{k_a, k_b}, exchange(2, 1e15)}, hot, cold, dx);
+  EXPECT_NEAR(q.given[0], perfect, 1e-6 * perfect);
+  EXPECT_EQ(q.given[0], q.taken[1]);
+  EXPECT_EQ(q.given[1], 0);
+  EXPECT_EQ(q.taken[0], 0);
+  // As much as H V_a V_b (T_b - T_a) in a cell of that length that is half full of each.
+  const double resistance = .5 * dx / k_a + .5 * dx / k_b + 1 / (H * .25 * dx);
+  EXPECT_NEAR(through({{k_a, k_b}, exchange(2, H)}, hot, cold, dx).given[0], 100 / resistance,
+              1e-12 * perfect);
+  EXPECT_EQ(through({{k_a, k_b}, exchange(2, 0)}, hot, cold, dx).given[0], 0);
+}
+
+// Like fluids at the same temperature are one fluid, whatever their shares are.
+TEST(HeatContacts, LikeFluidsConductAsOne) {
+  const double dx = .1, k = 3;
+  const HeatContacts contacts({k, k, k}, exchange(3, 1e18));
+  const Cell low = cell({.2, .5, .3}, {310, 310, 310}), high = cell({.6, 0, .4}, {290, 0, 290});
+  const Heat q = through(contacts, low, high, dx);
+  double given = 0, taken = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    given += q.given[m];
+    taken += q.taken[m];
+  }
+  EXPECT_NEAR(given, k * 20 / dx, 1e-13 * given);
+  EXPECT_NEAR(taken, given, 1e-15 * given);
+}
+
+// What one gives others take; the mirror image is the same with both sides exchanged, to the bit.
+TEST(HeatContacts, BalanceAndMirror) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const HeatContacts contacts({1, 20, .1, 4}, exchange(4, 1e3));
+  const auto draw = [&] {
+    Cell c = cell(std::vector<double>(4), std::vector<double>(4));
+    double sum = 0;
+    for (double& s : c.share) sum += s = unit(random) < .3 ? 0.0 : unit(random) + 1e-3;
+    for (std::size_t m = 0; m < 4; ++m) {
+      c.share[m] /= sum;
+      c.temperature[m] = 300 * unit(random) + 1;
+      c.bound[m] = 2 * unit(random);
+    }
+    return c;
+  };
+  for (int n = 0; n < 200; ++n) {
+    const Cell a = draw(), b = draw();
+    if (!(a.share[0] >= 0 && b.share[0] >= 0)) continue;  // all absent: 0/0
+    const Heat q = through(contacts, a, b, .3), image = through(contacts, b, a, .3);
+    double balance = 0, size = 0;
+    for (std::size_t m = 0; m < 4; ++m) {
+      EXPECT_EQ(q.given[m], -image.taken[m]);
+      EXPECT_EQ(q.taken[m], -image.given[m]);
+      balance += q.given[m] - q.taken[m];
+      size += std::fabs(q.given[m]);
+    }
+    EXPECT_LE(std::fabs(balance), 1e-14 * size + 1e-300);
+  }
+}
+
+// With the bound of a step no temperature leaves the range of its neighbours, however small a share.
+TEST(HeatContacts, TracesStayBetweenTheirNeighbours) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const HeatContacts contacts({1e3, 1e3}, exchange(2, 1e15));
+  const double dx = 1e-3, dt = 1;
+  for (int n = 0; n < 1000; ++n) {
+    Cell three[3];
+    double capacity[3][2];
+    double least = 1e300, most = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double trace = std::pow(10., -12 * unit(random));
+      three[i] = cell({trace, 1 - trace}, {1000 * unit(random) + 1, 1000 * unit(random) + 1});
+      for (std::size_t m = 0; m < 2; ++m) {
+        const double rho_cv = std::pow(10., 6 * unit(random) - 3);
+        three[i].bound[m] = rho_cv * dx * dx / (2 * dt);
+        capacity[i][m] = three[i].share[m] * rho_cv;
+        least = std::fmin(least, three[i].temperature[m]);
+        most = std::fmax(most, three[i].temperature[m]);
+      }
+    }
+    const Heat in = through(contacts, three[0], three[1], dx);
+    const Heat out = through(contacts, three[1], three[2], dx);
+    for (std::size_t m = 0; m < 2; ++m) {
+      const double T =
+          three[1].temperature[m] + dt / dx * (in.taken[m] - out.given[m]) / capacity[1][m];
+      EXPECT_GE(T, least * (1 - 1e-12));
+      EXPECT_LE(T, most * (1 + 1e-12));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sluice::ice::mixture

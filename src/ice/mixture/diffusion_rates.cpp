@@ -1,0 +1,53 @@
+// Diffusion rates of rows of cells.
+#include "ice/mixture/diffusion_rates.hpp"
+
+#include "ice/end_of_step.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+constexpr double least_limiting_share = 0.01;
+
+}  // namespace
+
+DiffusionRates::DiffusionRates(const SchemeOptions& o)
+    : fluids_(o.fluids),
+      viscosities_(o.viscosities),
+      conductivities_(o.conductivities),
+      axes_(o.axes),
+      viscous_(o.viscous),
+      conducting_(o.conducting) {}
+
+double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing) const {
+  double inverse_dx2 = 0;
+  for (int a = 0; a < axes_.count; ++a) {
+    const double inverse = 1.0 / spacing[axes_.direction[a]];
+    inverse_dx2 += inverse * inverse;
+  }
+  const double twice = 2.0 * inverse_dx2;
+  double most = 0;
+  for (int i = 0; viscous_ && i < n; ++i) {
+    double rho = 0, mu = 0;
+    for (std::size_t m = 0; m < fluids_.size(); ++m) {
+      rho += s.mass[m][i];
+      mu += s.volume[m][i] * viscosities_[m];
+    }
+    most = larger(most, twice * mu / rho);
+  }
+  for (std::size_t m = 0; m < fluids_.size(); ++m) {
+    const double k = conductivities_[m];
+    if (!(conducting_ && k > 0.0)) continue;
+    for (int i = 0; i < n; ++i) {
+      const double V = s.volume[m][i];
+      if (!(V >= least_limiting_share)) continue;
+      const double rho = s.mass[m][i] / V;
+      const double cv = constant_heat_capacity(fluids_[m])
+                            ? fluids_[m].specific_heat
+                            : fluids_[m].heat_capacity(rho, s.energy[m][i] / V);
+      most = larger(most, twice * k / cv / rho);
+    }
+  }
+  return most;
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,34 @@
+// What friction and conduction allow a step, from a state of several materials.
+//
+// max of 2 D sum 1/dx^2, D = mu/rho with mu = sum V_m mu_m, and k_m/(rho_m cv_m) of each material
+// that fills more than a hundredth of the cell: those that fill less take what heat they can bear
+// (contacts.hpp). A function of the state of a cell alone.
+#pragma once
+#include <vector>
+
+#include "ice/conservative/variables.hpp"
+#include "ice/mixture/runs.hpp"
+
+namespace sluice::ice::mixture {
+
+// State of a row of cells, by material.
+struct MaterialRows {
+  const double *mass[most_materials], *volume[most_materials], *energy[most_materials];
+};
+
+class DiffusionRates {
+ public:
+  explicit DiffusionRates(const SchemeOptions& o);
+
+  bool on() const { return viscous_ || conducting_; }
+  // Of n cells, 1/s.
+  double largest(const MaterialRows& state, int n, const Vec3& spacing) const;
+
+ private:
+  std::vector<Fluid> fluids_;
+  std::vector<double> viscosities_, conductivities_;
+  Axes axes_;
+  bool viscous_, conducting_;
+};
+
+}  // namespace sluice::ice::mixture
