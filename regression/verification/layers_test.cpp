@@ -1,0 +1,96 @@
+// Friction and conduction with two materials in layers: exact solutions, energy, levels.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "verification/amr_case.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double lowest_order = 1.9;
+constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps
+constexpr double straight = 1e-9;        // of the plate's velocity
+constexpr double pi = std::numbers::pi;
+
+double drift_per_thousand(const CaseRun& run) {
+  const double drift = run.worst_drift() / std::max(1., run.steps() / 1000.);
+  record("drift", drift);
+  return drift;
+}
+
+// Velocity between plates 1 apart, the interface at .25; the upper plate's is .01.
+double layered_couette(double y, double mu_below, double mu_above) {
+  const double stress = .01 / (.25 / mu_below + .75 / mu_above);
+  return y < .25 ? stress * y / mu_below : .01 - stress * (1 - y) / mu_above;
+}
+
+TEST(Layers, CouetteFlowHasOneStress) {
+  const CaseRun run("layers_couette");
+  const CellValues u = run.field("vel_CC");
+  double worst = 0;
+  for (int j = 0; j < u.size.y; ++j)
+    worst =
+        std::fmax(worst, std::fabs(u.at(0, j) - layered_couette(u.centre(0, j).y, .2, .05)) / .01);
+  record("velocity", worst);
+  EXPECT_LE(worst, straight);
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  EXPECT_EQ(run.events(), 0);
+}
+
+// An inviscid fluid slides along a viscous one: at rest below, dragged along above.
+TEST(Layers, AnInviscidLayerSlides) {
+  const CaseRun run("layers_couette",
+                    {"MaterialProperties/ICE/material[1]/dynamic_viscosity=0", "Time/maxTime=120"});
+  const CellValues u = run.field("vel_CC");
+  for (int j = 0; j < u.size.y; ++j)
+    EXPECT_NEAR(u.at(0, j) / .01, u.centre(0, j).y < .25 ? 0.0 : 1.0, straight) << j;
+}
+
+double mean_error(const CaseRun& run, double decay) {
+  double sum = 0;
+  int cells = 0;
+  for (int m = 0; m < 2; ++m) {
+    const CellValues T = run.field("temp_CC", 0, "last", m);
+    const CellValues share = run.field("vol_frac_CC", 0, "last", m);
+    for (int i = 0; i < T.size.x; ++i) {
+      if (!(share.at(i) > .5)) continue;
+      const double x = T.centre(i).x;
+      const double exact = x < 4 ? std::sin(pi * x / 16) : std::sin(pi * (7 - x) / 4);
+      sum += std::fabs(T.at(i) - 300 - decay * exact);
+      ++cells;
+    }
+  }
+  EXPECT_EQ(cells, run.field("vel_CC").size.x);
+  return sum / cells;
+}
+
+TEST(Layers, HeatPassesFromOneToTheOther) {
+  const double decay = std::exp(-pi * pi / 64 * 4);
+  const auto error = [&](int n) {
+    const CaseRun run("layers_bar", {resolution(n)});
+    EXPECT_EQ(run.events(), 0);
+    EXPECT_LE(drift_per_thousand(run), allowed_drift);
+    EXPECT_EQ(farthest_from(run.field("vel_CC"), 0), 0);
+    return mean_error(run, decay);
+  };
+  const double coarse = error(28), fine = error(56);
+  record("order", std::log2(coarse / fine));
+  EXPECT_GE(std::log2(coarse / fine), lowest_order) << coarse << " " << fine;
+}
+
+// Without heat exchange the interface insulates: each layer keeps its heat but for its own end.
+TEST(Layers, WithoutHeatExchangeTheInterfaceInsulates) {
+  const CaseRun run("layers_bar",
+                    {"MaterialProperties/exchange_properties/exchange_coefficients/heat=[0]",
+                     "MaterialProperties/ICE/material[1]/thermal_conductivity=0"});
+  const CellValues T = run.field("temp_CC", 0, "last", 0),
+                   before = run.field("temp_CC", 0, "first");
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(T.at(i), before.at(i), 1e-12) << i;
+  EXPECT_LE(run.worst_drift(), allowed_drift);
+}
+
+}  // namespace
+}  // namespace sluice::verification
