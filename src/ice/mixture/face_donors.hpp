@@ -11,9 +11,9 @@
 
 namespace sluice::ice::mixture {
 
-// A cell variable in both cells of each face.
+// A cell variable in both cells of each face. Left without values when declared: there are many.
 struct Pair {
-  const double *a = nullptr, *b = nullptr;
+  const double *a, *b;
   // Both are loaded: a choice between addresses would keep rows from vectorising.
   double at(int i, bool left) const {
     const double low = a[i], high = b[i];
@@ -86,7 +86,7 @@ class MaterialFaces {
   const double* uf_;
   const double* pure_[4];  // two cells on either side
   const double* presence_[6];
-  Pair iJ_, N_, iN_, mask_, J_, outlet_;
+  Pair iJ_, N_, iN_, mask_{}, J_, outlet_;
   MaterialFaceRows rows_[most_materials];
 };
 

@@ -36,14 +36,7 @@ template <bool Second, bool Masked>
 class FaceShares {
  public:
   FaceShares(const MaterialFaces& faces, int first, int count, std::uint64_t set)
-      : faces_(faces), axis_(faces.axis_), n_(count), first_(first), l_(faces.l_) {
-    uf_ = faces.uf_ + first;
-    iJ_ = faces.iJ_.from(first);
-    N_ = faces.N_.from(first);
-    iN_ = faces.iN_.from(first);
-    J_ = faces.J_.from(first);
-    outlet_ = faces.outlet_.from(first);
-    if (Masked) mask_ = faces.mask_.from(first);
+      : faces_(faces), n_(count), first_(first) {
     for (int s = 0; s < 4; ++s) {
       pure_[s] = faces.pure_[s] + first;
       int pure = 0;
@@ -63,12 +56,13 @@ class FaceShares {
     }
     close_volumes();
     for (int k = 0; k < count_; ++k) keep_traces_together(materials_[k], k);
-    for (int k = 0; k < count_; ++k) take_the_rest(materials_[k], k);
     for (int k = 0; k < count_; ++k) {
       if (faces_.based_)
-        carry<true>(materials_[k]);
+        takes_all_ != 0 ? carry<true, true>(materials_[k], k)
+                        : carry<true, false>(materials_[k], k);
       else
-        carry<false>(materials_[k]);
+        takes_all_ != 0 ? carry<false, true>(materials_[k], k)
+                        : carry<false, false>(materials_[k], k);
     }
   }
 
@@ -83,6 +77,8 @@ class FaceShares {
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
     double *FV, *FM, *FE;
   };
+
+  Pair cells(const Pair& row) const { return row.from(first_); }
 
   // The row of a material beside the face, cell `shift` + 2 of four; where the neighbourhood is
   // pure that of the mixture, or nothing.
@@ -117,14 +113,30 @@ class FaceShares {
     k.FE = x.FE + first_;
   }
 
+  // What all materials need of the donor.
   void prepare() {
     const int n = n_;
-    const double l = l_;
-    const double* const uf = uf_;
-    const Pair outlet = outlet_;
+    const double l = faces_.l_;
+    const double* const uf = faces_.uf_ + first_;
+    const Pair iJ = cells(faces_.iJ_), N_of = cells(faces_.N_), iN = cells(faces_.iN_);
+    const Pair J = cells(faces_.J_), outlet = cells(faces_.outlet_);
+    const Pair mask_of = Masked ? cells(faces_.mask_) : Pair{};
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      main_outlet_[i] = outlet.at(i, l * uf[i] < 0.0);
+      const double H = l * uf[i], flow = std::fabs(H);
+      const bool left = H < 0.0;
+      const double inverse = iJ.at(i, left), nu = flow * inverse, N = N_of.at(i, left);
+      const double mask = Masked ? mask_of.at(i, left) : 1.0;
+      H_[i] = H;
+      iJ_[i] = inverse;
+      nu_[i] = nu;
+      N_[i] = N;
+      iN_[i] = iN.at(i, left);
+      J_[i] = J.at(i, left);
+      main_outlet_[i] = outlet.at(i, left);
+      weight_[i] = (left ? -0.5 : 0.5) * (1.0 - nu) * mask;
+      per_N_[i] = 1.0 / larger(N, 1e-12);
+      per_flow_[i] = 1.0 / flow;
       sum_[i] = room_[i] = largest_[i] = others_[i] = largest_of_[i] = 0.0;
     }
   }
@@ -137,44 +149,39 @@ class FaceShares {
   template <bool Based>
   void propose(const Material& k) {
     const int n = n_;
-    const double l = l_;
-    const double* const uf = uf_;
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
-    const Pair base = k.base_V, iJ = iJ_, N = N_, iN = iN_, mask_of = mask_;
-    const Pair masses{k.M[0], k.M[1]};
-    double *share = k.FV, *more = k.FE, *receiver = k.FM, *sum = sum_, *room = room_;
-    const double* main = main_outlet_;
+    const Pair base = k.base_V, masses{k.M[0], k.M[1]};
+    double *share = k.FV, *more = k.FE, *receiver = k.FM;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double H = l * uf[i];
+      const double H = H_[i];
       const bool left = H < 0.0;
       const double V = left ? b[i] : a[i];
       double value = Based ? base.at(i, left) : V;
       if constexpr (Second) {
-        const double nu = std::fabs(H) * iJ.at(i, left), B = 2.0 * iN.at(i, left);
+        const double B = 2.0 * iN_[i];
         const double low = a[i] - mm[i], dp = b[i] - a[i], high = pp[i] - b[i];
         const double dm = left ? high : low;
         // Of the five cells around the donor.
         const double far = left ? ppp[i] : mmm[i];
         const double least = smaller(smaller(smaller(mm[i], a[i]), smaller(b[i], pp[i])), far);
         const double greatest = larger(larger(larger(mm[i], a[i]), larger(b[i], pp[i])), far);
-        const double sharp = sharp_slope(dm, dp, B), smooth = upwind_slope(dm, dp, nu, B);
+        const double sharp = sharp_slope(dm, dp, B), smooth = upwind_slope(dm, dp, nu_[i], B);
         const bool interface = either(least<interface_band, greatest> 1.0 - interface_band);
-        const double mask = Masked ? mask_of.at(i, left) : 1.0;
-        value += (left ? -0.5 : 0.5) * (1.0 - nu) * mask * (interface ? sharp : smooth);
+        value += weight_[i] * (interface ? sharp : smooth);
       }
-      const double N_out = larger(N.at(i, left), 1e-12), behind = left ? pp[i] : mm[i];
-      const double received = masses.at(i, !left);
+      const double behind = left ? pp[i] : mm[i], received = masses.at(i, !left);
+      const double main = main_outlet_[i];
       const bool unfilled = V < least_fill * behind;
-      const bool aside = both(V < tiny, both(main[i]<0.0, -main[i]> std::fabs(H)));
+      const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
       const bool waits = either(both(received == 0.0, unfilled), aside);
-      const double may = both(waits, 1.0 - V >= N_out) ? 0.0 : 1.0;
-      const double cap = may * smaller(1.0, V / N_out), now = smaller(larger(value, 0.0), cap);
+      const double may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
+      const double cap = may * smaller(1.0, V * per_N_[i]), now = smaller(larger(value, 0.0), cap);
       share[i] = now;
       more[i] = cap - now;
       receiver[i] = received;
-      sum[i] += now;
-      room[i] += cap - now;
+      sum_[i] += now;
+      room_[i] += cap - now;
     }
   }
 
@@ -195,79 +202,62 @@ class FaceShares {
   // Step 3; FM tells whether the face takes all.
   void keep_traces_together(const Material& k, int number) {
     const int n = n_;
-    const double l = l_;
-    const double* const uf = uf_;
-    const Pair cells{k.V[2], k.V[3]};
+    const Pair fraction{k.V[2], k.V[3]};
     const double *shrink = sum_, *fill = room_, *more = k.FE;
-    const double* main = main_outlet_;
-    const Pair J = J_;
     double *share = k.FV, *FM = k.FM;
-    double *largest = largest_, *others = others_, *largest_of = largest_of_;
     const double which = number;
+    int takes_all = 0;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double flow = std::fabs(l * uf[i]);
-      const bool left = l * uf[i] < 0.0;
-      const double V = cells.at(i, left), receiver = FM[i];
+      const double H = H_[i], flow = std::fabs(H), main = main_outlet_[i];
+      const double V = fraction.at(i, H < 0.0), receiver = FM[i];
       const double wanted = share[i] * shrink[i] + fill[i] * more[i];
       const bool shared = both(V != 1.0, V != 0.0);  // else the donor has one material
       const bool stays = both(shared, both(receiver == 0.0, flow * wanted < least_entry));
-      const double V_L = V * J.at(i, left);
+      const double V_L = V * J_[i];
       const double rest = V_L - flow * wanted;
       const bool leaves = either(rest <= least_entry, rest <= least_rest * V_L);
-      const bool only_outlet = either(main[i] == flow, both(V < tiny, main[i] == -flow));
+      const bool only_outlet = either(main == flow, both(V < tiny, main == -flow));
       const bool all = both(both(both(shared, !stays), wanted > 0.0),
                             both(both(flow > 0.0, only_outlet), leaves));
       const double kept = stays ? 0.0 : wanted;
-      const double now = all ? V_L / flow : kept;
+      const double now = all ? V_L * per_flow_[i] : kept;
       share[i] = now;
       FM[i] = all ? 1.0 : 0.0;
-      const double before = largest[i];
-      others[i] += smaller(now, before);
-      largest_of[i] = now > before ? which : largest_of[i];
-      largest[i] = larger(now, before);
+      takes_all |= int{all};
+      const double before = largest_[i];
+      others_[i] += smaller(now, before);
+      largest_of_[i] = now > before ? which : largest_of_[i];
+      largest_[i] = larger(now, before);
     }
+    takes_all_ |= takes_all;
   }
 
-  // The largest share takes what round-off and the rules left.
-  void take_the_rest(const Material& k, int number) {
+  // Steps 4 and 5; first the largest share takes what round-off and the rules left.
+  template <bool Based, bool All>
+  void carry(const Material& k, int number) {
     const int n = n_;
-    const double *others = others_, *largest_of = largest_of_;
-    double* share = k.FV;
-    const double which = number;
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) share[i] = largest_of[i] == which ? 1.0 - others[i] : share[i];
-  }
-
-  // Steps 4 and 5.
-  template <bool Based>
-  void carry(const Material& k) {
-    const int n = n_;
-    const double l = l_;
-    const double* const uf = uf_;
     const double *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4];
     const Pair masses{k.M[0], k.M[1]};
-    const Pair iJ_of = iJ_, N_of = N_, iN_of = iN_, J_of = J_, mask_of = mask_;
     const Around r = k.r, e = k.e;
     const Pair rho{r.m, r.p}, eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
     const Pair base_r = k.base_r, base_e = k.base_e;
     double *FV = k.FV, *FM = k.FM, *FE = k.FE;
+    const double which = number;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double H = l * uf[i];
+      const double H = H_[i], iJ = iJ_[i], N_out = N_[i], iN = iN_[i];
       const bool left = H < 0.0;
-      const double low = a[i], high = b[i], here = left ? high : low, share = FV[i];
-      const double iJ = iJ_of.at(i, left), N_out = N_of.at(i, left), iN = iN_of.at(i, left);
+      const double low = a[i], high = b[i], here = left ? high : low;
+      const double share = largest_of_[i] == which ? 1.0 - others_[i] : FV[i];
       const double rho_L = rho.at(i, left) * iJ, e_L = eps_L.at(i, left);
       const double sc = scale.at(i, left);
       double rho_s = Based ? base_r.at(i, left) : rho_L;
       double eps_s = Based ? base_e.at(i, left) : e_L;
       if constexpr (Second) {
-        const double nu = std::fabs(H) * iJ;
         const double beyond = left ? pp[i] : mm[i];
         const bool full = smaller(smaller(a[i], b[i]), beyond) > trace;
-        const double mask = Masked ? mask_of.at(i, left) : 1.0;
-        const double weight = (left ? -0.5 : 0.5) * (1.0 - nu) * iJ * mask;
+        const double weight = weight_[i] * iJ, nu = nu_[i];
         const double slope_r = donor_slope(r, i, left, nu, 2.0 * iN);
         const double slope_e = donor_slope(e, i, left, nu, 2.0);
         rho_s += full ? weight * slope_r : 0.0;
@@ -282,27 +272,34 @@ class FaceShares {
       const double least_e = one ? 0.9 : q, most_e = one ? (0.75 + 0.25 * N_out) * iN - 1.0 : q;
       rho_s = smaller(larger(rho_s, rho_L * least_r), rho_L * most_r);
       eps_s = smaller(larger(eps_s, e_L - least_e * sc), e_L + most_e * sc);
-      const bool all = FM[i] != 0.0, none = share == 0.0;
-      const double sign = left ? -1.0 : 1.0;
+      const bool none = share == 0.0;
       const double volume = none ? 0.0 : H * share;
-      FV[i] = all ? sign * (here * J_of.at(i, left)) : volume;
-      FM[i] = all ? sign * masses.at(i, left) : none ? 0.0 : volume * rho_s;
-      FE[i] = all ? sign * energy_L.at(i, left) : none ? 0.0 : volume * eps_s;
+      double mass = none ? 0.0 : volume * rho_s, energy = none ? 0.0 : volume * eps_s;
+      if constexpr (All) {
+        const bool all = FM[i] != 0.0;
+        const double sign = left ? -1.0 : 1.0;
+        mass = all ? sign * masses.at(i, left) : mass;
+        energy = all ? sign * energy_L.at(i, left) : energy;
+        FV[i] = all ? sign * (here * J_[i]) : volume;
+      } else {
+        FV[i] = volume;
+      }
+      FM[i] = mass;
+      FE[i] = energy;
     }
   }
 
   const MaterialFaces& faces_;
-  int axis_, n_, first_, count_ = 0, used_ = 0;
+  int n_, first_, count_ = 0, used_ = 0;
+  int takes_all_ = 0;  // some face does
   bool any_pure_ = false;
-  double l_;
-  const double* uf_;
   const double* pure_[4];
-  Pair iJ_, N_, iN_, mask_, J_, outlet_;
   Material materials_[most_materials];
   using Work = double[MaterialFaces::most_faces];
   Work sum_, room_;  // then by how much shares shrink, and which part of what is left they take
   Work largest_, others_, largest_of_;
-  Work main_outlet_;  // of the donor
+  // Of the donor; weight: s (1-nu)/2.
+  Work H_, iJ_, nu_, N_, iN_, J_, main_outlet_, weight_, per_N_, per_flow_;
   Work work_[most_materials * rows_each];
 };
 

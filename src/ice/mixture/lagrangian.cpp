@@ -46,6 +46,7 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
     const double* __restrict V = row(h.state.volume[k]);
     const double* __restrict E = row(h.state.energy[k]);
     const double* __restrict r = row(h.density, m);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double pdV = p[i] * (J[i] - 1.0);
       E_L[i] = E[i] - (V[i] * pdV + (W[i] - pdV) * (M[i] * w[i]));
@@ -58,7 +59,11 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
       eps[i] = E_L[i] * iJ[i] / V[i];
       rho_L[i] = r[i] * iJ[i];
     }
-    energy_scale_row(fluids[k], n, rho_L, eps, scale);
+    if (fluids[k].ideal() != nullptr)
+      std::copy_n(eps, n, scale);
+    else
+      energy_scale_row(fluids[k], n, rho_L, eps, scale);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
   }
 }

@@ -5,6 +5,7 @@
 //   pi = min over the materials,   shock slope = sum V_m A_m
 // A cell with one material takes all of them from its law. (The energy-weighted mean of pressures
 // would lose a gas beside a liquid in round-off.)
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -108,12 +109,14 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
     const double* __restrict V = row(h.state.volume[k]);
     const double* __restrict E = row(h.state.energy[k]);
     const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double inverse = 1.0 / V[i];
       r[i] = M[i] * inverse;
       e[i] = E[i] * inverse;
     }
     pressure_and_modulus_row(fluid, n, r, e, pm, Km);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double softness = V[i] / Km[i];
       rho[i] += M[i];
@@ -133,11 +136,51 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
     const auto k = static_cast<std::size_t>(m);
     const double* __restrict M = row(h.state.mass[k]);
     const double* __restrict V = row(h.state.volume[k]);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) r[i] = M[i] / V[i];
     modulus_row(fluids[k], n, r, p, Km);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) c[i] += V[i] / Km[i];
   });
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) c[i] = std::sqrt(w[i] / c[i]);
+}
+
+// Ideal gases alone: V_m/K_m = V_m^2/(gamma_m (gamma_m - 1) E_m), and K at the pressure p is that
+// at the pressures of the gases.
+void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
+                 const std::vector<Fluid>& fluids) {
+  const int n = row.count();
+  double* __restrict rho = row(h.rho);
+  double* __restrict energy = row(h.total_energy);
+  double* __restrict w = row(h.inverse_rho);
+  double* __restrict p = row(h.pressure);
+  double* __restrict c = row(h.sound);
+  double* __restrict slope = row(h.shock_slope);
+  double* __restrict pi = row(h.pi);
+  for (int i = 0; i < n; ++i) rho[i] = energy[i] = p[i] = c[i] = slope[i] = pi[i] = 0.0;
+  for_each_of(set, [&](int m) {
+    const auto k = static_cast<std::size_t>(m);
+    const double gamma = fluids[k].ideal()->gamma, fluid_slope = fluids[k].shock_slope();
+    const double per_gamma = 1.0 / gamma, per_K = 1.0 / (gamma * (gamma - 1.0));
+    const double* __restrict M = row(h.state.mass[k]);
+    const double* __restrict V = row(h.state.volume[k]);
+    const double* __restrict E = row(h.state.energy[k]);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      rho[i] += M[i];
+      energy[i] += E[i];
+      p[i] += V[i] * per_gamma;
+      c[i] += V[i] * V[i] * per_K / E[i];
+      slope[i] += V[i] * fluid_slope;
+    }
+  });
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    w[i] = 1.0 / rho[i];
+    p[i] = p[i] / c[i];
+    c[i] = std::sqrt(w[i] / c[i]);
+  }
 }
 
 // Density and energy of each material per its own volume; in a step not where the neighbourhood is
@@ -157,6 +200,7 @@ void add_material_values(TaskList& list, const Variables& v, int effect, bool ev
         const double* __restrict E = part(state.energy[m]);
         double* __restrict r = part(density, static_cast<int>(m));
         double* __restrict e = part(specific_energy, static_cast<int>(m));
+#pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
           const double inverse = V[i] > 0.0 ? 1.0 / V[i] : 0.0;
           r[i] = M[i] * inverse;
@@ -184,6 +228,8 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.scratch = task.write(list.temporary("closure of a material", 4));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
+  const bool gases = std::all_of(fluids.begin(), fluids.end(),
+                                 [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   task.kernel([=](const Row& row) {
     for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
@@ -191,7 +237,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
       if (is_single(presence))
         pure_cells(part, h, m, fluids[static_cast<std::size_t>(m)]);
       else
-        mixed_cells(part, h, as_set(presence), fluids);
+        (gases ? mixed_gases : mixed_cells)(part, h, as_set(presence), fluids);
     });
     velocity_rows(row, h.momentum, h.velocity, row(h.inverse_rho), components);
   });

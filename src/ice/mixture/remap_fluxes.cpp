@@ -65,29 +65,33 @@ class MixedFaces {
       const int some = std::min(most, count - done);
       const std::uint64_t set = materials_.carry(first + done, some);
       if (!second_)
-        total<false, false>(first + done, some, set);
+        total_of<false, false>(first + done, some, set);
       else if (masked_)
-        total<true, true>(first + done, some, set);
+        total_of<true, true>(first + done, some, set);
       else
-        total<true, false>(first + done, some, set);
+        total_of<true, false>(first + done, some, set);
     }
   }
 
  private:
   // Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
-  template <bool Second, bool Masked>
+  // N: materials of which something may pass; their energy fluxes get their parts of it.
+  template <int N, bool Second, bool Masked>
   void total(int first, int n, std::uint64_t set) {
-    double* __restrict F = F_ + first;
-    double* __restrict G = G_ + first;
-    std::fill_n(F, n, 0.0);
+    const double* FM[N > 0 ? N : most_materials];
+    double* FE[N > 0 ? N : most_materials];
+    int count = 0;
     for_each_of(set, [&](int m) {
-      const double* __restrict FM = materials_.flux(m, of_mass) + first;
-      for (int i = 0; i < n; ++i) F[i] += FM[i];
+      FM[count] = materials_.flux(m, of_mass) + first;
+      FE[count++] = materials_.flux(m, of_energy) + first;
     });
+    if constexpr (N > 0) count = N;
+    double* F = F_ + first;
+    double* G = G_ + first;
     const double l = l_;
     const double* uf = uf_ + first;
     const Pair w = w_.from(first), rho_L = rho_L_.from(first), scale = scale_.from(first);
-    const Pair mask = Masked ? mask_.from(first) : Pair{};
+    const Pair mask = Masked ? mask_.from(first) : w;
     Around V[C];
     Pair v[C], base[C];
     double* U[C];
@@ -99,10 +103,15 @@ class MixedFaces {
     }
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
+      double flow = 0;
+#pragma GCC unroll 3
+      for (int k = 0; k < count; ++k) flow += FM[k][i];
+      F[i] = flow;
       const bool left = l * uf[i] < 0.0;
-      const double f = smaller(std::fabs(F[i]) * w.at(i, left), 0.99);
+      const double f = smaller(std::fabs(flow) * w.at(i, left), 0.99);
       const double m = Masked ? mask.at(i, left) : 1.0;
       double d2 = 0, carried = 0;
+#pragma GCC unroll 3
       for (int c = 0; c < C; ++c) {
         const double before = v[c].at(i, left);
         double u = base[c].at(i, left);
@@ -113,26 +122,37 @@ class MixedFaces {
       }
       if constexpr (C > D) d2 += carried;
       const double rL = rho_L.at(i, left);
-      G[i] = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
-    }
-    double K[MaterialFaces::most_faces];
-    std::copy_n(G, n, K);
-    std::fill_n(G, n, 0.0);
-    for_each_of(set, [&](int m) {
-      const double* __restrict FM = materials_.flux(m, of_mass) + first;
-      double* __restrict GE = materials_.flux(m, of_energy) + first;
-      for (int i = 0; i < n; ++i) {
-        GE[i] += FM[i] * K[i];
-        G[i] += GE[i];
+      const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
+      double sum = 0;
+#pragma GCC unroll 3
+      for (int k = 0; k < count; ++k) {
+        const double energy = FE[k][i] + FM[k][i] * K;
+        FE[k][i] = energy;
+        sum += energy;
       }
-    });
+      G[i] = sum;
+    }
+  }
+
+  template <bool Second, bool Masked>
+  void total_of(int first, int n, std::uint64_t set) {
+    switch (std::popcount(set)) {
+      case 1:
+        return total<1, Second, Masked>(first, n, set);
+      case 2:
+        return total<2, Second, Masked>(first, n, set);
+      case 3:
+        return total<3, Second, Masked>(first, n, set);
+      default:
+        return total<0, Second, Masked>(first, n, set);
+    }
   }
 
   MaterialFaces materials_;
   bool second_, masked_;
   double l_;
   const double* uf_;
-  Pair w_, rho_L_, scale_, mask_;
+  Pair w_, rho_L_, scale_, mask_{};
   Around V_[C];
   Pair v_[C], base_[C];
   double *F_, *G_, *U_[C];
