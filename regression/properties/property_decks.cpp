@@ -88,6 +88,8 @@ std::vector<Entry> of_materials() {
   const auto with_heat = [&](const char* list) { return heat + std::string(list); };
   return {
       {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
+      {"interface_leaving", "interface_leaving", {cells("[60,1,1]")}},
+      {"mixture_pulse_leaving", "mixture_pulse_leaving", {cells("[60,1,1]")}},
       {"two_gases_strong", "two_gases_strong", {cells("[90,1,1]")}},
       {"two_gases_heat", "two_gases_sod", {cells("[80,1,1]"), with_heat("[3]")}},
       {"water_dense_air", "water_dense_air", {cells("[100,1,1]")}},

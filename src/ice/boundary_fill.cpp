@@ -139,6 +139,8 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
     const IntVec3 source = source_cell(ghost, d, plus, here.mirrored(), level_->domain);
     if (copies(side, r))
       states.plain(here, ghost, source);
+    else if (here.waves && !mixtures_[n].empty())
+      states.mixture_waves(mixtures_[n][r], ghost, source);
     else if (here.waves)
       states.waves(here, ghost, source);
     else if (mixtures_[n].empty())

@@ -33,7 +33,7 @@ void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message
   faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
 }
 
-void check_special(const DeckNode& conditions, const DeckNode& condition, int materials,
+void check_special(const DeckNode& conditions, const DeckNode& condition,
                    std::vector<Fault>& faults) {
   const std::string kind = condition.attribute("var").value_or("");
   const std::string label = condition.attribute("label").value_or("");
@@ -49,10 +49,6 @@ void check_special(const DeckNode& conditions, const DeckNode& condition, int ma
             fmt::format("{} of {} needs the block <{}> in <BoundaryConditions>", kind, label,
                         special.block),
             fmt::format("see sluice help Grid/BoundaryConditions/{}", special.block));
-    if (kind == "LODI" && materials > 1) {
-      fault(faults, condition, "LODI with several materials is not built yet", "write Neumann");
-      faults.back().not_built = true;
-    }
     const DeckNode* profile = conditions.child("inletVelocity");
     if (profile == nullptr || special.block != "inletVelocity") continue;
     const char* wanted = kind == "powerLawProfile" ? "exponent" : "roughness";
@@ -71,10 +67,9 @@ void check_special(const DeckNode& conditions, const DeckNode& condition, int ma
 void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* conditions = root.find("Grid/BoundaryConditions");
   if (!runs_ice(root) || conditions == nullptr) return;
-  const auto materials = static_cast<int>(ice_materials(root).size());
   for (const DeckNode* face : conditions->all("Face"))
     for (const DeckNode* condition : face->all("BCType"))
-      check_special(*conditions, *condition, materials, faults);
+      check_special(*conditions, *condition, faults);
   const DeckNode* lodi = conditions->child("LODI");
   if (lodi == nullptr) return;
   const DeckNode *velocity = lodi->child("vel_infinity"), *rho = lodi->child("rho_infinity");

@@ -125,7 +125,7 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
 
 double GhostStates::mixture_pressure(IntVec3 source) const {
   double work = 0, volume = 0;
-  for (std::size_t m = 0; m < parts_.size(); ++m) {
+  for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     if (M == 0.0) continue;
     const double p = setting_.fluids[m].pressure(M / V, v_.energy[m](source) / V);

@@ -44,7 +44,8 @@ class GhostStates {
   void plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
-  void waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
+  void waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, std::size_t material = 0) const;
+  void mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
 
  private:
   struct Part {
@@ -69,9 +70,15 @@ class GhostStates {
   void differences_along(IntVec3 cell, int direction, SlipCell& slip) const;
   double given_pressure(const GhostRule& rule) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
+  double pressure(IntVec3 cell) const;
+  double sound_speed(IntVec3 cell, const WaveState& s) const;
   WaveState wave_state(IntVec3 cell) const;
   WaveState along(IntVec3 cell, int direction) const;
   WaveCell wave_cell(IntVec3 source) const;
+  WaveState continued(IntVec3 source, int layers, double lowest_pressure) const;
+  void wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
+                     double rho) const;
+  int alone_in(IntVec3 cell) const;
   double transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const;
   double mixture_pressure(IntVec3 source) const;
   void take_over(const MixtureRule& rule, IntVec3 source, double distance);

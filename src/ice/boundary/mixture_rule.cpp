@@ -31,13 +31,13 @@ class MixtureRuleMaker {
     for (const IceMaterial& material : materials_) {
       Part part;
       part.rule = make_rule(region_, material.index, normal, conditions_);
-      if (part.rule.waves) refuse("LODI is not built yet for several materials");
       part.specific_volume = specific_volume(material.index);
       densest = std::max(densest, part.rule.density);
       rule_.parts.push_back(part);
     }
     for (Part& part : rule_.parts)
       part.absent = part.rule.fixed_density && part.rule.density <= trace * densest;
+    check_waves();
     find_volumes();
     find_common();
     return rule_;
@@ -63,6 +63,18 @@ class MixtureRuleMaker {
   void each_present(Use use) {
     for (std::size_t m = 0; m < rule_.parts.size(); ++m)
       if (!rule_.parts[m].absent) use(m, rule_.parts[m]);
+  }
+  // Waves belong to the mixture: open for all materials, or for none.
+  void check_waves() const {
+    const auto open = [](const Part& part) { return part.rule.waves; };
+    if (std::none_of(rule_.parts.begin(), rule_.parts.end(), open)) return;
+    for (std::size_t m = 0; m < rule_.parts.size(); ++m) {
+      const GhostRule& rule = rule_.parts[m].rule;
+      if (!rule.waves) refuse("LODI for some materials, but not for {}; write it for all", name(m));
+      if (rule.fixed_density || rule.fixed_temperature)
+        refuse("LODI beside a given {} of {}; of several materials give the pressure or velocity",
+               rule.fixed_density ? "density" : "temperature", name(m));
+    }
   }
   // What a material of this density fills at a pressure.
   double volume_at(std::size_t m, double pressure) const {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "ice/boundary/ghost_states.hpp"
 
@@ -25,10 +26,28 @@ void GhostStates::to_face_frame(Vec3 u, WaveState& s) const {
   for (int t = 0; t < 2; ++t) s.u[1 + t] = u[tangents[d_][t]];
 }
 
+double GhostStates::pressure(IntVec3 cell) const {
+  return v_.volume.empty()
+             ? setting_.fluids.front().pressure(v_.mass.front()(cell), v_.energy.front()(cell))
+             : mixture_pressure(cell);
+}
+
+double GhostStates::sound_speed(IntVec3 cell, const WaveState& s) const {
+  if (v_.volume.empty()) return setting_.fluids.front().sound_speed(s.rho, s.p);
+  double compliance = 0;  // 1/K
+  for (std::size_t m = 0; m < v_.mass.size(); ++m) {
+    const double M = v_.mass[m](cell), V = v_.volume[m](cell);
+    if (M == 0.0) continue;
+    if (V == 1.0) return setting_.fluids[m].sound_speed(M, s.p);
+    compliance += V / setting_.fluids[m].bulk_modulus(M / V, s.p);
+  }
+  return std::sqrt(1.0 / (compliance * s.rho));
+}
+
 WaveState GhostStates::wave_state(IntVec3 cell) const {
   WaveState s;
-  s.rho = v_.mass.front()(cell);
-  s.p = setting_.fluids.front().pressure(s.rho, v_.energy.front()(cell));
+  s.rho = v_.density(cell);
+  s.p = pressure(cell);
   Vec3 u{};
   for (std::size_t c = 0; c < v_.momentum.size(); ++c)
     u[setting_.directions[c]] = v_.momentum[c](cell) / s.rho;
@@ -56,7 +75,7 @@ WaveCell GhostStates::wave_cell(IntVec3 source) const {
   cell.here = wave_state(source);
   cell.spacing = level.spacing[d_];
   cell.domain_size = level.domain.size()[d_] * level.spacing[d_];
-  cell.sound_speed = setting_.fluids.front().sound_speed(cell.here.rho, cell.here.p);
+  cell.sound_speed = sound_speed(source, cell.here);
   if (settings.velocity_infinity && settings.rho_infinity) {
     cell.far_known = true;
     cell.far.rho = *settings.rho_infinity;
@@ -79,48 +98,121 @@ double GhostStates::transverse_part_of(const WaveCell& cell, IntVec3 source, int
   IntVec3 inner = source;
   inner[d_] += plus_ ? -1 : 1;
   in.here = wave_state(inner);
-  in.sound_speed = setting_.fluids.front().sound_speed(in.here.rho, in.here.p);
+  in.sound_speed = sound_speed(inner, in.here);
   for (int t = 0; t < 2; ++t) in.along[t] = along(inner, tangents[d_][t]);
   const double here = transverse_part(cell), change = here - transverse_part(in);
   return here + 0.5 * layers * std::clamp(change, -std::fabs(here), std::fabs(here));
 }
 
-void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
-  const Fluid& fluid = setting_.fluids.front();
+// The state that waves leave in a ghost, without hydrostatic pressure.
+WaveState GhostStates::continued(IntVec3 source, int layers, double lowest_pressure) const {
   const WaveCell cell = wave_cell(source);
-  const int layers = std::abs(ghost[d_] - source[d_]);
   const double distance = layers * cell.spacing;
   const WaveState slope =
       outward_slopes(cell, transverse_part_of(cell, source, layers), *setting_.conditions.lodi);
   const double step =
       distance * std::min(largest_share(cell.here.rho, distance * slope.rho),
-                          largest_share(cell.here.p - fluid.lowest_pressure(), distance * slope.p));
-  double rho = rule.fixed_density ? rule.density : cell.here.rho + step * slope.rho;
-  double p = rule.fixed_pressure || rule.sine_pressure
-                 ? given_pressure(rule)
-                 : cell.here.p + step * slope.p + hydrostatic(source, ghost, rho);
-  const double T = rule.fixed_temperature
-                       ? rule.temperature
-                       : fluid.temperature(cell.here.rho, v_.energy.front()(source));
+                          largest_share(cell.here.p - lowest_pressure, distance * slope.p));
+  WaveState s = cell.here;
+  s.rho += step * slope.rho;
+  s.p += step * slope.p;
+  for (int t = 0; t < 3; ++t) s.u[t] += step * slope.u[t];
+  return s;
+}
+
+// Of material `m`, alone in the source; momentum for all.
+void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, std::size_t m) const {
+  const Fluid& fluid = setting_.fluids[m];
+  const int layers = std::abs(ghost[d_] - source[d_]);
+  const WaveState out = continued(source, layers, fluid.lowest_pressure());
+  double rho = rule.fixed_density ? rule.density : out.rho;
+  double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule)
+                                                       : out.p + hydrostatic(source, ghost, rho);
+  const double source_rho = v_.mass[m](source);
+  const double T = rule.fixed_temperature ? rule.temperature
+                                          : fluid.temperature(source_rho, v_.energy[m](source));
   if (rule.fixed_temperature) {
     if (rule.fixed_density)
       p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
     else
       rho = fluid.density(p, T);
   }
-  v_.mass.front()(ghost) = rho;
-  v_.energy.front()(ghost) = fluid.energy_from_pressure(rho, p, T);
+  for (const auto* views : {&v_.mass, &v_.energy, &v_.volume})
+    for (const RealView& v : *views) v(ghost) = 0.0;
+  v_.mass[m](ghost) = rho;
+  v_.energy[m](ghost) = fluid.energy_from_pressure(rho, p, T);
+  if (!v_.volume.empty()) v_.volume[m](ghost) = 1.0;
+  wave_momentum(rule, out, ghost, source, rho);
+}
+
+void GhostStates::wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost,
+                                IntVec3 source, double rho) const {
   const Vec3 given = given_velocity(rule, ghost);
+  const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
+  const double source_rho = v_.density(source);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
     const int e = setting_.directions[c];
     const int t = e == d_ ? 0 : e == tangents[d_][0] ? 1 : 2;
     const double sign = t == 0 && !plus_ ? -1.0 : 1.0;
-    const double u = sign * (cell.here.u[t] + step * slope.u[t]);
     v_.momentum[c](ghost) =
         rho * (rule.velocity_kind == GhostRule::Velocity::copy
-                   ? u
-                   : velocity(rule, given, v_.momentum[c](source) / cell.here.rho, e, distance));
+                   ? sign * out.u[t]
+                   : velocity(rule, given, v_.momentum[c](source) / source_rho, e, distance));
   }
+}
+
+// The material that fills a cell alone; none: -1.
+int GhostStates::alone_in(IntVec3 cell) const {
+  for (std::size_t m = 0; m < v_.volume.size(); ++m)
+    if (v_.volume[m](cell) == 1.0) return static_cast<int>(m);
+  return -1;
+}
+
+// A mixture goes out as it is: mass fractions stay, each material is pressed along its isentrope.
+void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
+  IntVec3 inner = source;
+  inner[d_] += plus_ ? -1 : 1;
+  const int alone = alone_in(source);
+  if (alone >= 0 && alone == alone_in(inner)) {
+    const auto m = static_cast<std::size_t>(alone);
+    return waves(rule.parts[m].rule, ghost, source, m);
+  }
+  const std::size_t count = v_.mass.size();
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < count; ++m)
+    if (v_.mass[m](source) > 0.0) lowest = std::max(lowest, setting_.fluids[m].lowest_pressure());
+  const WaveState out = continued(source, std::abs(ghost[d_] - source[d_]), lowest);
+  const double p_source = mixture_pressure(source);
+  const double p = rule.common.fixed_pressure || rule.common.sine_pressure
+                       ? given_pressure(rule.common)
+                       : out.p + hydrostatic(source, ghost, out.rho);
+  double filled = 0;
+  for (std::size_t m = 0; m < count; ++m) {
+    Part& part = parts_[m];
+    part = {};
+    const double M = v_.mass[m](source), V = v_.volume[m](source);
+    if (M == 0.0) continue;
+    const double rho = M / V,
+                 change = (p - p_source) / setting_.fluids[m].bulk_modulus(rho, p_source);
+    part.rho = rho * (1.0 + std::clamp(change, -most_change, most_change));
+    part.T = setting_.fluids[m].temperature(rho, v_.energy[m](source) / V);
+    part.V = V * (rho / part.rho);
+    filled += part.V;
+  }
+  double rho = 0;
+  for (std::size_t m = 0; m < count; ++m) {
+    Part& part = parts_[m];
+    // A cell that is full to round-off stays as it is.
+    if (p != p_source) part.V = part.V == filled ? 1.0 : part.V / filled;
+    const bool present = part.V > 0;
+    const double M = part.V * part.rho;
+    v_.volume[m](ghost) = present ? part.V : 0.0;
+    v_.mass[m](ghost) = present ? M : 0.0;
+    v_.energy[m](ghost) =
+        present ? part.V * setting_.fluids[m].energy_from_pressure(part.rho, p, part.T) : 0.0;
+    if (present) rho += M;
+  }
+  wave_momentum(rule.common, out, ghost, source, rho);
 }
 
 }  // namespace sluice::ice
