@@ -1,6 +1,8 @@
 // The table of decks.
 #include "properties/property_decks.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/base/environment.hpp"
 
 namespace sluice::properties {
@@ -86,12 +88,23 @@ std::vector<Entry> own() {
 std::vector<Entry> of_materials() {
   const char* const heat = "MaterialProperties/exchange_properties/exchange_coefficients/heat=";
   const auto with_heat = [&](const char* list) { return heat + std::string(list); };
+  const auto of_material = [](int m, const char* tag, const char* value) {
+    return fmt::format("MaterialProperties/ICE/material[{}]/{}={}", m, tag, value);
+  };
+  const char* const rubs = "dynamic_viscosity";
+  const char* const conducts = "thermal_conductivity";
   return {
       {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
       {"interface_leaving", "interface_leaving", {cells("[60,1,1]")}},
       {"mixture_pulse_leaving", "mixture_pulse_leaving", {cells("[60,1,1]")}},
       {"two_gases_strong", "two_gases_strong", {cells("[90,1,1]")}},
       {"two_gases_heat", "two_gases_sod", {cells("[80,1,1]"), with_heat("[3]")}},
+      {"two_gases_transport",
+       "two_gases_sod",
+       {cells("[80,1,1]"), with_heat("[30]"), of_material(1, rubs, "0.002"),
+        of_material(1, conducts, "0.001"), of_material(2, conducts, "0.01")}},
+      {"layers_bar", "layers_bar", {cells("[28,1,1]")}},
+      {"layers_couette", "layers_couette", {cells("[1,10,1]")}},
       {"water_dense_air", "water_dense_air", {cells("[100,1,1]")}},
       {"water_air", "water_air", {cells("[100,1,1]")}},
       {"water_air_greedy", "water_air", {cells("[70,1,1]"), greedy}},
@@ -120,6 +133,11 @@ std::vector<Entry> of_materials() {
       {"amr_water_region", "amr_water_through_region", {box(0, "[16,16,1]"), box(1, "[8,16,1]")}},
       {"amr_water_cylinder", "amr_water_cylinder", {cells("[22,18,1]")}},
       {"amr_water_cylinder_lockstep", "amr_water_cylinder", {cells("[20,20,1]"), lockstep}},
+      {"amr_water_cylinder_transport",
+       "amr_water_cylinder",
+       {cells("[20,20,1]"), with_heat("[1e8]"), of_material(1, rubs, "2"),
+        of_material(1, conducts, "6e3"), of_material(2, rubs, "0.1"),
+        of_material(2, conducts, "200")}},
       {"amr_water_cylinder_greedy", "amr_water_cylinder", {cells("[20,20,1]"), greedy}},
       {"amr_water_cylinder_three_levels",
        "amr_water_cylinder",

@@ -92,5 +92,20 @@ TEST(Layers, WithoutHeatExchangeTheInterfaceInsulates) {
   EXPECT_LE(run.worst_drift(), allowed_drift);
 }
 
+// Water in a shocked gas on levels that follow it: friction, conduction and heat exchange across
+// faces where levels and materials meet.
+TEST(Layers, LevelsKeepWhatRubsAndConducts) {
+  const std::string material = "MaterialProperties/ICE/material";
+  const CaseRun run(
+      "amr_water_cylinder",
+      {"MaterialProperties/exchange_properties/exchange_coefficients/heat=[1e8]",
+       material + "[1]/dynamic_viscosity=2", material + "[1]/thermal_conductivity=6e3",
+       material + "[2]/dynamic_viscosity=0.1", material + "[2]/thermal_conductivity=200"});
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  ASSERT_GE(most_cells(run).size(), 2u);
+  EXPECT_GT(regrids(run), 0);
+  EXPECT_GT(lowest(run.field("press_CC")), 0);
+}
+
 }  // namespace
 }  // namespace sluice::verification

@@ -106,14 +106,20 @@ class FaceHeat {
   // Side of the low (shift -1) or high (0) cell of face i.
   void gather(const Row& row, int shift, int i, Gathered& g) const {
     const auto set = as_set(row(h_.presence, 0, axis_, shift)[i]);
-    const double length = dx(row);
-    const double bound = length * length / (2.0 * o_.axes.count * row.step().dt);
+    double inverse_dx2 = 0;
+    for (int a = 0; a < o_.axes.count; ++a) {
+      const double inverse = 1.0 / row.step().spacing[o_.axes.direction[a]];
+      inverse_dx2 += inverse * inverse;
+    }
+    const double bound = 1.0 / (2.0 * row.step().dt * inverse_dx2);
     for (int m = 0; m < materials(); ++m) {
       const bool present = (set >> m & 1) != 0;
       g.share[m] = present ? row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift)[i] : 0.0;
       if (!present || !(k(m) > 0.0)) continue;
       g.temperature[m] = row(h_.temperature, m, axis_, shift)[i];
-      g.most[m] = row(h_.capacity, m, axis_, shift)[i] * bound;
+      // The little that limits no step keeps half of what it has for the work that it does.
+      const double kept = g.share[m] < least_limiting_share ? 0.5 : 1.0;
+      g.most[m] = row(h_.capacity, m, axis_, shift)[i] * bound * kept;
     }
   }
 

@@ -8,7 +8,7 @@
 // half a cell of each and between them an interface that conducts as one in the middle of a cell
 // does by heat exchange, V_a V_b H dx with V = 1/2 each. Without heat exchange it is adiabatic.
 // So that no temperature leaves the range of its neighbours, k is at most
-//   rho_m cv_m dx^2/(2 dt axes) of each of the two.
+//   rho_m cv_m/(2 dt sum 1/dx^2) of each of the two (half of it below a hundredth of a cell).
 // Areas of a material sum to its share: the bound holds for the vanishing trace too.
 #pragma once
 #include <vector>
@@ -19,6 +19,8 @@ namespace sluice::ice::mixture {
 
 // Below this share of the cell a material neither gives nor takes heat.
 constexpr double least_conducting_share = 1e-8;
+// Below this one it does not limit the time step.
+constexpr double least_limiting_share = 0.01;
 
 // One side of a face, by material.
 struct ContactSide {

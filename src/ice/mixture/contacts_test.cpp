@@ -99,7 +99,8 @@ TEST(HeatContacts, BalanceAndMirror) {
   }
 }
 
-// With the bound of a step no temperature leaves the range of its neighbours, however small a share.
+// With the bound of a step no temperature leaves the range of its neighbours, however small the
+// share.
 TEST(HeatContacts, TracesStayBetweenTheirNeighbours) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);

@@ -2,13 +2,9 @@
 #include "ice/mixture/diffusion_rates.hpp"
 
 #include "ice/end_of_step.hpp"
+#include "ice/mixture/contacts.hpp"
 
 namespace sluice::ice::mixture {
-namespace {
-
-constexpr double least_limiting_share = 0.01;
-
-}  // namespace
 
 DiffusionRates::DiffusionRates(const SchemeOptions& o)
     : fluids_(o.fluids),

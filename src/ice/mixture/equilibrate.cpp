@@ -142,7 +142,7 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
     in.linear = in.linear && l.is;
     in.ideal = in.ideal && l.is && l.gamma_pi == 0.0 && l.q == 0.0;
     in.stiffest = std::fmax(in.stiffest, l.pi);
-    if (l.pi == 0.0 && in.gas < 0) in.gas = m;
+    if (l.pi == 0.0 && (in.gas < 0 || cell.V[m] > cell.V[in.gas])) in.gas = m;
     if (in.largest < 0 || cell.V[m] > cell.V[in.largest]) in.largest = m;
   }
   result.pressure = weighted / softness;

@@ -11,7 +11,7 @@ namespace sluice::ice {
 namespace {
 
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
-const Fluid water = stiffened_gas(4.4, 6e8, 4000);
+const Fluid water = stiffened_gas(4.4, 6e8, 588.33);  // 300 K at 1 bar
 
 GasBox box_of(IntVec3 cells, bool periodic) {
   GasBox box;
