@@ -40,6 +40,23 @@ TEST(Layers, CouetteFlowHasOneStress) {
   EXPECT_EQ(run.events(), 0);
 }
 
+// An interface inside a cell: the mean viscosity of the cell is not that of two layers in series.
+TEST(Layers, AnInterfaceInsideACellIsOfFirstOrder) {
+  constexpr double first_order = 0.95;
+  const auto error = [](int n) {
+    const CaseRun run("layers_couette", {resolution(1, n)});
+    const CellValues u = run.field("vel_CC");
+    double sum = 0;
+    for (int j = 0; j < n; ++j)
+      sum += std::fabs(u.at(0, j) - layered_couette(u.centre(0, j).y, .2, .05)) / .01;
+    return sum / n;
+  };
+  const double coarse = error(10), fine = error(30);
+  record("coarse", coarse);
+  record("order", std::log(coarse / fine) / std::log(3.));
+  EXPECT_GE(std::log(coarse / fine) / std::log(3.), first_order);
+}
+
 // An inviscid fluid slides along a viscous one: at rest below, dragged along above.
 TEST(Layers, AnInviscidLayerSlides) {
   const CaseRun run("layers_couette",

@@ -42,8 +42,8 @@ void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, 
   }
 }
 
-// What the materials of a mixture share out: J, the work defect, and the largest outflow H of a cell
-// through one face: as it is if that is the only outlet, negative if there are several, minus
+// What the materials of a mixture share out: J, the work defect, and the largest outflow H of a
+// cell through one face: as it is if that is the only outlet, negative if there are several, minus
 // infinity if several are the largest.
 template <int D>
 void mixture_rows(const Row& row, const Handles& h, const double* l) {

@@ -4,8 +4,8 @@
 //   R = W - p (J - 1)
 // W is the work defect of the mixture: p dV goes by volume, the rest (dissipation, second order) by
 // mass. Q_m is what friction and conduction bring (transport.cpp). Per own volume:
-// rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of each, from the pressure
-// of that state. The scale of the mixture is sum V_m scale_m.
+// rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of each, from the
+// pressure of that state. The scale of the mixture is sum V_m scale_m.
 #include <algorithm>
 
 #include "ice/closure_rows.hpp"
