@@ -5,6 +5,9 @@
 // cell inside. Per face and material: what the one in the low cell gives, what the one in the high
 // cell takes (positive along the axis); the flux of the face is their sum. Absent without
 // conduction.
+#include <algorithm>
+#include <cmath>
+
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/heat_flux_rows.hpp"
 #include "ice/limiters.hpp"
@@ -52,6 +55,15 @@ struct Handles {
   In presence, pure, temperature, capacity;
   std::vector<In> volume;
   Out flux, of_materials;
+};
+
+// Shares that differ by no more than this are the same on both sides.
+constexpr double round_off = 1e-13;
+
+// Rows of one side of the faces of a row, by material.
+struct SideRows {
+  const double *presence, *share[most_materials], *temperature[most_materials],
+      *capacity[most_materials];
 };
 
 // All that one side of a face has, gathered for one face.
@@ -103,45 +115,112 @@ class FaceHeat {
     });
   }
 
-  // Side of the low (shift -1) or high (0) cell of face i.
-  void gather(const Row& row, int shift, int i, Gathered& g) const {
-    const auto set = as_set(row(h_.presence, 0, axis_, shift)[i]);
+  // Of the low (shift -1) or high (0) cells of the faces.
+  SideRows side(const Row& row, int shift) const {
+    SideRows s;
+    s.presence = row(h_.presence, 0, axis_, shift);
+    for (int m = 0; m < materials(); ++m) {
+      s.share[m] = row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift);
+      s.temperature[m] = row(h_.temperature, m, axis_, shift);
+      s.capacity[m] = row(h_.capacity, m, axis_, shift);
+    }
+    return s;
+  }
+  // The most k for each unit of rho cv.
+  double bound(const Row& row) const {
     double inverse_dx2 = 0;
     for (int a = 0; a < o_.axes.count; ++a) {
       const double inverse = 1.0 / row.step().spacing[o_.axes.direction[a]];
       inverse_dx2 += inverse * inverse;
     }
-    const double bound = 1.0 / (2.0 * row.step().dt * inverse_dx2);
+    return 1.0 / (2.0 * row.step().dt * inverse_dx2);
+  }
+  void gather(const SideRows& s, double bound, int i, Gathered& g) const {
+    const auto set = as_set(s.presence[i]);
     for (int m = 0; m < materials(); ++m) {
       const bool present = (set >> m & 1) != 0;
-      g.share[m] = present ? row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift)[i] : 0.0;
+      g.share[m] = present ? s.share[m][i] : 0.0;
       if (!present || !(k(m) > 0.0)) continue;
-      g.temperature[m] = row(h_.temperature, m, axis_, shift)[i];
+      g.temperature[m] = s.temperature[m][i];
       // The little that limits no step keeps half of what it has for the work that it does.
       const double kept = g.share[m] < least_limiting_share ? 0.5 : 1.0;
-      g.most[m] = row(h_.capacity, m, axis_, shift)[i] * bound * kept;
+      g.most[m] = s.capacity[m][i] * bound * kept;
     }
   }
 
   void contacts(const Row& row) const {
+    const SideRows below = side(row, -1), above = side(row, 0);
+    double between[most_materials * most_materials], given[most_materials], taken[most_materials];
+    contacts_.conductivities(dx(row), between);
+    const Flows flows = this->flows(row);
+    const double most = bound(row), inverse = 1.0 / dx(row);
+    std::fill_n(flows.flux, row.count(), 0.0);
+    for (int m = 0; m < materials(); ++m)
+      touch_itself(row.count(), m, {below, above, flows, most, inverse});
     Gathered low, high;
-    double given[most_materials], taken[most_materials];
     for (int i = 0; i < row.count(); ++i) {
-      gather(row, -1, i, low);
-      gather(row, 0, i, high);
-      contacts_.conduct(low.side(), high.side(), dx(row), given, taken);
-      put(row, i, given, taken);
+      if (!(flows.flux[i] > round_off)) {
+        double sum = 0;
+        for (int m = 0; m < materials(); ++m) sum += flows.given[m][i];
+        flows.flux[i] = sum;
+        continue;
+      }
+      gather(below, most, i, low);
+      gather(above, most, i, high);
+      contacts_.conduct(low.side(), high.side(), inverse, between, given, taken);
+      put(flows, i, given, taken);
     }
   }
-  void put(const Row& row, int i, const double* given, const double* taken) const {
+  // Rows that are written.
+  struct Flows {
+    double *flux, *given[most_materials], *taken[most_materials];
+  };
+  Flows flows(const Row& row) const {
+    Flows f;
+    f.flux = row(h_.flux);
+    for (int m = 0; m < materials(); ++m) {
+      f.given[m] = row(h_.of_materials, 2 * m);
+      f.taken[m] = row(h_.of_materials, 2 * m + 1);
+    }
+    return f;
+  }
+  struct Faces {
+    const SideRows &below, &above;
+    const Flows& flows;
+    double most, inverse_dx;
+  };
+  // Contacts of a material with itself; how much its shares differ is added to `flux`.
+  void touch_itself(int n, int m, const Faces& f) const {
+    const double* __restrict sa = f.below.share[m];
+    const double* __restrict sb = f.above.share[m];
+    const double* __restrict Ta = f.below.temperature[m];
+    const double* __restrict Tb = f.above.temperature[m];
+    const double* __restrict Ca = f.below.capacity[m];
+    const double* __restrict Cb = f.above.capacity[m];
+    double* __restrict given = f.flows.given[m];
+    double* __restrict taken = f.flows.taken[m];
+    double* __restrict differ = f.flows.flux;
+    const double k_m = k(m), inverse = f.inverse_dx;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const double common = smaller(sa[i], sb[i]);
+      const double kept = f.most * (common < least_limiting_share ? 0.5 : 1.0);
+      const double conductivity = smaller(k_m, kept * smaller(Ca[i], Cb[i]));
+      const double q = common * (conductivity * ((Ta[i] - Tb[i]) * inverse));
+      const bool conducts = common >= least_conducting_share && k_m > 0.0;
+      given[i] = taken[i] = conducts ? q : 0.0;
+      differ[i] += std::fabs(sa[i] - sb[i]);
+    }
+  }
+  void put(const Flows& to, int i, const double* given, const double* taken) const {
     double out = 0, in = 0;
     for (int m = 0; m < materials(); ++m) {
-      row(h_.of_materials, 2 * m)[i] = given[m];
-      row(h_.of_materials, 2 * m + 1)[i] = taken[m];
+      to.given[m][i] = given[m];
+      to.taken[m][i] = taken[m];
       out += given[m];
       in += taken[m];
     }
-    row(h_.flux)[i] = 0.5 * (out + in);  // the same to round-off; of a mirror image to the bit
+    to.flux[i] = 0.5 * (out + in);  // the same to round-off; of a mirror image to the bit
   }
 
   void walls(const Row& row) const {
@@ -149,10 +228,10 @@ class FaceHeat {
     for_each_wall_face(row, o_, axis_, [&](int i, bool plus) {
       IntVec3 cell = row.cell();
       cell[o_.axes.direction[0]] += i;
-      const int inside = plus ? -1 : 0;
-      const auto set = as_set(row(h_.presence, 0, axis_, inside)[i]);
+      const SideRows inside = side(row, plus ? -1 : 0);
+      const auto set = as_set(inside.presence[i]);
       Gathered g;
-      gather(row, inside, i, g);
+      gather(inside, bound(row), i, g);
       double q[most_materials];
       for (int m = 0; m < materials(); ++m) {
         q[m] = 0.0;
@@ -165,7 +244,7 @@ class FaceHeat {
             g.share[m] * heat_to_wall(wall, conductivity, g.temperature[m], length, inverse);
         q[m] = plus ? outward : -outward;
       }
-      put(row, i, q, q);
+      put(flows(row), i, q, q);
     });
   }
 

@@ -33,12 +33,14 @@ class HeatContacts {
  public:
   HeatContacts(std::vector<double> conductivity, const PairCoefficients& heat_exchange);
 
-  // Heat per area and time along the axis: what each material of the low side gives, and what each
-  // of the high side takes.
-  void conduct(const ContactSide& low, const ContactSide& high, double dx, double* given,
-               double* taken) const;
-  // Of the contact of two materials, W/(m K).
+  int materials() const { return static_cast<int>(k_.size()); }
+  // Of the contact of two materials, W/(m K); of all pairs, row by row.
   double conductivity(int a, int b, double dx) const;
+  void conductivities(double dx, double* k) const;
+  // Heat per area and time along the axis: what each material of the low side gives, and what each
+  // of the high side takes. k: of all pairs at this dx.
+  void conduct(const ContactSide& low, const ContactSide& high, double inverse_dx, const double* k,
+               double* given, double* taken) const;
 
  private:
   std::vector<double> k_;

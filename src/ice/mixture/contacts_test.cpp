@@ -32,7 +32,9 @@ struct Heat {
 };
 Heat through(const HeatContacts& c, const Cell& low, const Cell& high, double dx) {
   Heat q{std::vector<double>(low.share.size()), std::vector<double>(low.share.size())};
-  c.conduct(low.side(), high.side(), dx, q.given.data(), q.taken.data());
+  std::vector<double> k(low.share.size() * low.share.size());
+  c.conductivities(dx, k.data());
+  c.conduct(low.side(), high.side(), 1 / dx, k.data(), q.given.data(), q.taken.data());
   return q;
 }
 

@@ -25,32 +25,30 @@ struct Handles {
   Out heat;
 };
 
-void friction_row(const Row& row, const Handles& h, const SchemeOptions& o, std::uint64_t set,
-                  int m) {
+void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std::uint64_t set) {
   const int n = row.count();
-  const double* __restrict mu = row(h.viscosity);
-  const double* __restrict w = row(h.inverse_rho);
-  const double* __restrict work = row(h.dissipation, friction_of_mixture);
-  double* __restrict heat = row(h.heat, m);
-  // The share of each, from a row of its volume and one of its mass.
-  const auto share = [&](int of, int i) {
-    const auto k = static_cast<std::size_t>(of);
-    const double by_mass = most_by_mass * (row(h.mass[k])[i] * w[i]);
-    return smaller(row(h.volume[k])[i] * o.viscosities[k] / mu[i], by_mass);
-  };
-  const double* M = row(h.mass[static_cast<std::size_t>(m)]);
+  const double* mu = row(h.viscosity);
+  const double* w = row(h.inverse_rho);
+  const double* work = row(h.dissipation, friction_of_mixture);
+  const double *M[most_materials], *V[most_materials];
+  double *heat[most_materials], viscosity[most_materials], share[most_materials];
+  int count = 0;
+  for_each_of(set, [&](int m) {
+    const auto k = static_cast<std::size_t>(m);
+    M[count] = row(h.mass[k]);
+    V[count] = row(h.volume[k]);
+    viscosity[count] = o.viscosities[k];
+    heat[count++] = row(h.heat, m);
+  });
   for (int i = 0; i < n; ++i) {
-    heat[i] = 0.0;
-    if (!(mu[i] > 0.0)) continue;
-    const double by_mass = M[i] * w[i];
-    double own = 0, rest = 1;
-    if (work[i] > 0.0)
-      for_each_of(set, [&](int of) {
-        const double s = share(of, i);
-        rest -= s;
-        if (of == m) own = s;
-      });
-    heat[i] = work[i] * (own + rest * by_mass);
+    const bool rubs = mu[i] > 0.0 && work[i] > 0.0;
+    const double inverse = rubs ? 1.0 / mu[i] : 0.0;
+    double rest = 1;
+    for (int m = 0; m < count; ++m) {
+      share[m] = smaller(V[m][i] * viscosity[m] * inverse, most_by_mass * (M[m][i] * w[i]));
+      rest -= share[m];
+    }
+    for (int m = 0; m < count; ++m) heat[m][i] = work[i] * (share[m] + rest * (M[m][i] * w[i]));
   }
 }
 
@@ -74,15 +72,14 @@ void conduction_row(const Row& row, const Handles& h, const SchemeOptions& o, in
 }
 
 template <int D>
-void heat_row(const Row& row, const Handles& h, const SchemeOptions& o, std::uint64_t set, int m) {
-  if (o.viscous) {
-    friction_row(row, h, o, set, m);
-  } else {
+void heat_rows(const Row& row, const Handles& h, const SchemeOptions& o, std::uint64_t set) {
+  if (o.viscous) friction_rows(row, h, o, set);
+  for_each_of(set, [&](int m) {
     double* heat = row(h.heat, m);
-    for (int i = 0; i < row.count(); ++i) heat[i] = 0.0;
-  }
-  if (o.conducting && o.conductivities[static_cast<std::size_t>(m)] > 0.0)
-    conduction_row<D>(row, h, o, m);
+    for (int i = 0; !o.viscous && i < row.count(); ++i) heat[i] = 0.0;
+    if (o.conducting && o.conductivities[static_cast<std::size_t>(m)] > 0.0)
+      conduction_row<D>(row, h, o, m);
+  });
 }
 
 template <int D>
@@ -91,8 +88,7 @@ void heat_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
     if (pure >= 0.0) return;  // the mixture's own energy has it
     const Row part = row.part(first, count);
     for_each_run(part(h.presence), count, [&](int begin, int some, double presence) {
-      for_each_of(as_set(presence),
-                  [&](int m) { heat_row<D>(part.part(begin, some), h, o, as_set(presence), m); });
+      heat_rows<D>(part.part(begin, some), h, o, as_set(presence));
     });
   });
 }
