@@ -12,6 +12,9 @@ const char* const grid = "Grid/Level/Box/resolution=";
 const char* const gravity = "PhysicalConstants/gravity=[0.02,-0.03,0.01]";
 const char* const pressure = "PhysicalConstants/reference_pressure=1";
 const char* const viscous = "MaterialProperties/ICE/material/dynamic_viscosity=0.003";
+const char* const smagorinsky = "CFD/ICE/turbulence/@model=Smagorinsky";
+const char* const constant = "CFD/ICE/turbulence/model_constant=0.3";
+const char* const germano = "CFD/ICE/turbulence/@model=Germano";
 const char* const air_conducting = "MaterialProperties/ICE/material/thermal_conductivity=20";
 const char* const conducting = "MaterialProperties/ICE/material/thermal_conductivity=0.004";
 const char* const first_order = "CFD/ICE/advection/@type=FirstOrder";
@@ -58,6 +61,9 @@ std::vector<Entry> own() {
       {"explosion_first_order", "explosion_2d", {cells("[33,29,1]"), first_order}},
       {"explosion_viscous", "explosion_2d", {cells("[33,29,1]"), viscous}},
       {"explosion_conducting", "explosion_2d", {cells("[33,29,1]"), viscous, conducting}},
+      {"explosion_turbulent", "explosion_2d", {cells("[33,29,1]"), smagorinsky, constant}},
+      {"explosion_dynamic", "explosion_2d", {cells("[27,29,1]"), germano, conducting}},
+      {"layers_of_sutherland", "sutherland_couette", {cells("[1,40,1]")}},
       {"heated_plates", "couette_heated", {cells("[1,40,1]")}},
       {"hot_air_conducting", "hot_air_shock_tube", {cells("[80,1,1]"), air_conducting}},
       {"explosion_deck_rule",
@@ -156,6 +162,10 @@ std::vector<Entry> on_levels() {
       {"amr_explosion_ratio_4", "amr_explosion", {cells("[10,12,1]"), ratio("[[4,2,1],[2,4,1]]")}},
       {"amr_explosion_lockstep", "amr_explosion", {cells("[20,20,1]"), lockstep}},
       {"amr_explosion_viscous", "amr_explosion", {cells("[18,20,1]"), viscous}},
+      {"amr_explosion_turbulent",
+       "amr_explosion",
+       {cells("[18,20,1]"), viscous, smagorinsky, constant}},
+      {"amr_cube_dynamic", "amr_blast_3d", {cells("[8,9,8]"), tile("[[4,4,4]]"), germano}},
       {"amr_explosion_conducting", "amr_explosion", {cells("[18,20,1]"), viscous, conducting}},
       {"amr_explosion_first_order", "amr_explosion", {cells("[22,18,1]"), first_order}},
       {"amr_explosion_classic", "amr_explosion", {cells("[20,16,1]"), classic}},

@@ -243,9 +243,15 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>\n"
       "</DataArchiver>\n",
       steps);
+  std::string eddies;
+  if (!c.turbulence.empty())
+    eddies =
+        fmt::format("<turbulence model=\"{}\">{}</turbulence>", c.turbulence,
+                    c.turbulence == "Smagorinsky" ? "<model_constant>0.2</model_constant>" : "");
   deck += fmt::format(
-      "<CFD><cfl>0.4</cfl><ICE><scheme>{}</scheme><advection type=\"{}\"/></ICE></CFD>\n",
-      c.classic ? "classic" : "conservative", c.second_order ? "SecondOrder" : "FirstOrder");
+      "<CFD><cfl>0.4</cfl><ICE><scheme>{}</scheme><advection type=\"{}\"/>{}</ICE></CFD>\n",
+      c.classic ? "classic" : "conservative", c.second_order ? "SecondOrder" : "FirstOrder",
+      eddies);
   deck += fmt::format(
       "<PhysicalConstants><gravity>{}</gravity>\n"
       "<reference_pressure>1</reference_pressure></PhysicalConstants>\n",

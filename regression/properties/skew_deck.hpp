@@ -53,7 +53,8 @@ struct SkewCase {
   bool cross_flow = false;  // the start moves along inactive directions as well
   bool classic = false;     // the one-stage, internal-energy scheme
   SkewLevels levels{};
-  double conductivity = 0;  // walls then have temperatures of their own
+  double conductivity = 0;   // walls then have temperatures of their own
+  std::string turbulence{};  // the model's name
 
   // A direction that the grid keeps: gravity makes a dimension of one cell.
   bool active(int d) const { return cells[d] > 1 || gravity[d] != 0; }

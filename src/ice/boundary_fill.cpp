@@ -13,8 +13,8 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
     : slots_(slots), level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
   for (const IceMaterial& material : materials) {
     setting_.fluids.push_back(material.fluid);
-    setting_.viscous = setting_.viscous || material.viscosity > 0;
-    setting_.rubs.push_back(material.viscosity > 0);
+    setting_.viscous = setting_.viscous || material.viscous();
+    setting_.rubs.push_back(material.viscous());
   }
   if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
   setting_.directions = slots.directions;
@@ -50,6 +50,11 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
   mixtures_[n].push_back(
       make_mixture_rule(region, materials, direction_of(side), setting_.conditions));
   rules_[n].push_back(mixtures_[n].back().common);
+}
+
+Vec3 BoundaryFill::wall_velocity(Side side, IntVec3 cell) const {
+  const GhostRule& here = rule(side, cell);
+  return here.velocity_kind == GhostRule::Velocity::wall ? here.velocity : Vec3{};
 }
 
 const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {

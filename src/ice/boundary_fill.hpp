@@ -59,6 +59,7 @@ class BoundaryFill {
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
+  Vec3 wall_velocity(Side side, IntVec3 cell) const;
   const WallHeat& wall_heat(Side side, IntVec3 cell, int material = 0) const;
   // Has a wall's gas another temperature than the wall (slip)?
   bool has_heat_slip() const { return has_heat_slip_; }

@@ -7,9 +7,36 @@
 #include "ice/mixture/quantities.hpp"
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
+#include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
 namespace {
+
+// Molecular and subgrid viscosity, and their sum.
+void declare_viscosities(QuantityList& q, const StateVariables& state) {
+  const Labels& l = labels();
+  const SchemeOptions& o = q.options();
+  const auto constant = [&](Label label, double value) {
+    return q.of(state.rho, state.rho, label, 0, [value](double, double) { return value; });
+  };
+  const auto task = [&](Label label) {
+    return TransportTask{q.list(), o, effect_diagnostics, "compute " + label.name() + ": "};
+  };
+  VariableId molecular, eddy;
+  if (o.transport.molecular_varies()) {
+    molecular = q.fresh(l.viscosity, 0);
+    add_molecular_viscosity(task(l.viscosity), state, molecular);
+  } else {
+    molecular = constant(l.viscosity, o.viscosity);
+  }
+  if (o.transport.turbulence) {
+    eddy = q.fresh(l.eddy_viscosity, 0);
+    add_eddy_viscosity(task(l.eddy_viscosity), state, eddy);
+  } else {
+    eddy = constant(l.eddy_viscosity, 0.0);
+  }
+  q.of(molecular, eddy, l.total_viscosity, 0, [](double a, double b) { return a + b; });
+}
 
 // What one material makes of its state.
 void declare_of_one(QuantityList& q) {
@@ -36,7 +63,7 @@ void declare_of_one(QuantityList& q) {
   };
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
-  constant(l.viscosity, o.viscosity);
+  declare_viscosities(q, {rho, E, u, true});
   constant(l.thermal_conductivity, o.conductivity);
   constant(l.gamma, fluid.gamma);
   constant(l.specific_heat, fluid.specific_heat);

@@ -30,6 +30,48 @@ Effect by_material(const char* effect, const char* tag, const IceScene& ice,
   return {effect, first != nullptr, reason, shown.*where};
 }
 
+Effect viscous_stress(const IceScene& ice) {
+  Effect e = by_material("viscous stress", "dynamic_viscosity", ice, &IceMaterial::viscosity,
+                         &IceMaterial::viscosity_where);
+  const ViscosityModels& models = ice.materials.front().viscosity_models;
+  if (models.any()) {
+    e.on = true;
+    e.line = models.where;
+    if (models.sutherland) e.reason = "Sutherland's law";
+    if (!models.sponges.empty())
+      e.reason += fmt::format(", {} sponge layer{}", models.sponges.size(),
+                              models.sponges.size() == 1 ? "" : "s");
+  }
+  if (ice.turbulence) e.reason += ", subgrid viscosity";
+  if (!ice.wall_shear.empty())
+    e.reason += fmt::format(", wall law on {} side{}", ice.wall_shear.size(),
+                            ice.wall_shear.size() == 1 ? "" : "s");
+  if (!e.on && ice.materials.front().subgrid) {
+    e.on = true;
+    e.line = ice.turbulence ? ice.turbulence->where : ice.wall_shear.front().where;
+  }
+  return e;
+}
+
+Effect conduction(const IceScene& ice) {
+  Effect e = by_material("heat conduction", "thermal_conductivity", ice, &IceMaterial::conductivity,
+                         &IceMaterial::conductivity_where);
+  if (!ice.turbulence) return e;
+  if (!e.on) e.line = ice.turbulence->where;
+  e.on = true;
+  e.reason += fmt::format(", subgrid heat flux of Prandtl number {:g}", ice.turbulence->prandtl);
+  return e;
+}
+
+Effect turbulence(const IceScene& ice) {
+  if (!ice.turbulence) return {"turbulence", false, "no <turbulence> in the deck", {}};
+  const Turbulence& t = *ice.turbulence;
+  return {"turbulence", true,
+          t.dynamic ? "Germano: the constant from the flow"
+                    : fmt::format("Smagorinsky with C_s = {:g}", t.constant),
+          t.where};
+}
+
 // The coefficients of all pairs, "1e+10 (0-1), 0 (0-2)".
 std::string pairs_text(const PairCoefficients& k) {
   std::string text;
@@ -82,8 +124,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          ice.advection_where});
   e.add({"gravity", gravity, gravity ? "<gravity> is not zero" : "<gravity> is zero",
          ice.gravity_where});
-  e.add(by_material("viscous stress", "dynamic_viscosity", ice, &IceMaterial::viscosity,
-                    &IceMaterial::viscosity_where));
+  e.add(viscous_stress(ice));
   bool open = false;
   const Level& level = scene.grid.levels.front();
   for (std::size_t d = 0; d < 3; ++d) open = open || (level.active[d] && !level.periodic[d]);
@@ -101,10 +142,9 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          unequal ? scene.refinement.reflux_where : Location{}});
   e.add({"saved intermediates", true, "only in steps that save them", scene.output.where});
   e.add({"diagnostics", true, "only in steps that save or analyse", scene.output.where});
-  e.add(by_material("heat conduction", "thermal_conductivity", ice, &IceMaterial::conductivity,
-                    &IceMaterial::conductivity_where));
+  e.add(conduction(ice));
   add_exchange(ice, e);
-  e.add({"turbulence", false, "no <turbulence> in the deck", {}});
+  e.add(turbulence(ice));
   e.add({"scalars", false, "no <Models> in the deck", {}});
   e.add({"reactions", false, "no <Models> in the deck", {}});
   return e;

@@ -76,5 +76,31 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
   EXPECT_FALSE(e.on(effect_momentum_exchange));
 }
 
+TEST(Effects, TurbulenceBringsFrictionAndHeatFlux) {
+  IceScene scene = materials(1, 0, 0);
+  EXPECT_FALSE(find_effects(tube(), scene).on(effect_turbulence));
+  scene.turbulence.emplace();
+  scene.turbulence->constant = 0.1;
+  scene.turbulence->where = {"deck.ups", 30, 1};
+  scene.materials[0].subgrid = true;
+  const EffectList e = find_effects(tube(), scene);
+  for (const int id : {effect_turbulence, effect_viscosity, effect_conduction}) {
+    EXPECT_TRUE(e.on(id));
+    EXPECT_EQ(e[id].line.line, 30);
+  }
+  EXPECT_THAT(e[effect_turbulence].reason, HasSubstr("C_s = 0.1"));
+  EXPECT_THAT(e[effect_conduction].reason, HasSubstr("Prandtl number 0.9"));
+}
+
+TEST(Effects, SutherlandAndSpongesAreViscous) {
+  IceScene scene = materials(1, 0, 0);
+  scene.materials[0].viscosity_models.sutherland.emplace();
+  scene.materials[0].viscosity_models.sponges.resize(2);
+  const EffectList e = find_effects(tube(), scene);
+  EXPECT_TRUE(e.on(effect_viscosity));
+  EXPECT_EQ(e[effect_viscosity].reason, "Sutherland's law, 2 sponge layers");
+  EXPECT_FALSE(e.on(effect_conduction));
+}
+
 }  // namespace
 }  // namespace sluice::ice

@@ -10,6 +10,7 @@
 #include "ice/labels.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/refine/criteria.hpp"
+#include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -44,7 +45,15 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
     o.conducting = o.conducting || each.conductivity > 0;
   }
   o.viscosity = m.viscosity;
+  o.viscous = o.viscous || m.viscous();
   o.conductivity = m.conductivity;
+  o.transport.sutherland = m.viscosity_models.sutherland;
+  o.transport.sponges = sponge_cells(m.viscosity_models, level);
+  o.transport.turbulence = ice.turbulence;
+  o.transport.wall_shear = ice.wall_shear;
+  o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
+  o.conducting = o.conducting || ice.turbulence;
+  o.conductivity_varies = ice.turbulence.has_value();
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
@@ -70,10 +79,11 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   const SchemeVariables v = declare_conservative_variables(list, o);
   // task                    reads                              writes
-  add_primitives(list, v, o, effect_flow);           // state                    u, p, c
-  add_slopes(list, v, o, effect_second_order);       // u, p                     su, sp, P, UT
-  add_faces(list, v, o, effect_flow);                // u, p, c, slopes          u_f, p_f
-  add_viscous_stress(list, v, o, effect_viscosity);  // u                        t_f
+  add_primitives(list, v, o, effect_flow);      // state                    u, p, c
+  add_slopes(list, v, o, effect_second_order);  // u, p                     su, sp, P, UT
+  add_faces(list, v, o, effect_flow);           // u, p, c, slopes          u_f, p_f
+  add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
+  add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
   add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
   add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f, q  rho_L, E_L, v, E*
   add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
@@ -133,7 +143,9 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
 
 SchemeOptions Ice::at_level(int level) const {
   SchemeOptions o = options_;
-  o.domain = scene_->grid.levels[static_cast<std::size_t>(level)].domain;
+  const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];
+  o.domain = cells.domain;
+  o.transport.sponges = sponge_cells(ice_.materials.front().viscosity_models, cells);
   o.boundary = boundary_[static_cast<std::size_t>(level)].get();
   return o;
 }
@@ -141,9 +153,12 @@ SchemeOptions Ice::at_level(int level) const {
 // One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
 // each.
 std::vector<SlotInfo> Ice::state_slots() const {
-  // LODI and slip look one cell aside from the ghosts that they fill.
+  // LODI and slip look one cell aside from the ghosts that they fill, the dynamic model filters
+  // twice.
   const bool aside = ice_.conditions.lodi || ice_.conditions.slip;
-  const int ghosts = (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0);
+  const bool filters = ice_.turbulence && ice_.turbulence->dynamic;
+  const int ghosts =
+      (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0) + (filters ? 2 : 0);
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});
@@ -196,10 +211,12 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   o.material = variant.kind;
   const auto m = static_cast<std::size_t>(o.material);
   o.fluid = o.fluids[m];
-  o.viscosity = o.viscosities[m];
-  o.viscous = o.viscosity > 0;
-  o.conductivity = o.conductivities[m];
-  o.conducting = o.conductivity > 0;
+  if (o.fluids.size() > 1) {
+    o.viscosity = o.viscosities[m];
+    o.viscous = o.viscosity > 0;
+    o.conductivity = o.conductivities[m];
+    o.conducting = o.conductivity > 0;
+  }
   declare_conservative(list, o);
 }
 

@@ -8,6 +8,7 @@
 #include "framework/scene/deck_values.hpp"
 #include "ice/ice_schema.hpp"
 #include "ice/read_fluid.hpp"
+#include "ice/transport/read_settings.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -43,6 +44,7 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.where = node.where;
   m.fluid = read_fluid(node, faults);
   m.viscosity = node.real("dynamic_viscosity");
+  m.viscosity_models = read_viscosity_models(node);
   m.viscosity_where = place(node.child("dynamic_viscosity"));
   m.conductivity = node.real("thermal_conductivity");
   m.conductivity_where = place(node.child("thermal_conductivity"));
@@ -140,6 +142,11 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (const DeckNode* node : ice_materials(root))
     s.materials.push_back(
         read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
+  if (const DeckNode* ice = root.find("CFD/ICE")) {
+    s.turbulence = read_turbulence(*ice);
+    s.wall_shear = read_wall_shear(*ice, scene, faults);
+  }
+  for (IceMaterial& m : s.materials) m.subgrid = s.turbulence || !s.wall_shear.empty();
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
   s.exchange = read_exchange(root, count);

@@ -11,6 +11,7 @@
 #include "ice/custom_start.hpp"
 #include "ice/exchange_settings.hpp"
 #include "ice/fluid.hpp"
+#include "ice/transport/settings.hpp"
 #include "models/models.hpp"
 
 namespace sluice::ice {
@@ -19,11 +20,15 @@ struct IceMaterial {
   std::string name;
   int index = 0;
   Fluid fluid;
-  double viscosity = 0;      // dynamic, Pa s
-  double conductivity = 0;   // W/(m K)
+  double viscosity = 0;     // dynamic, Pa s
+  double conductivity = 0;  // W/(m K)
+  ViscosityModels viscosity_models;
+  bool subgrid = false;      // turbulence or a law of the wall acts on it
   bool surrounding = false;  // its weight makes the hydrostatic pressure
   std::vector<GeomObject> objects;
   Location where, viscosity_where, conductivity_where;
+
+  bool viscous() const { return viscosity > 0 || viscosity_models.any() || subgrid; }
 };
 
 // Formulas of x, y, z that replace values of the geometry objects.
@@ -49,7 +54,9 @@ struct IceScene {
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   bool hydrostatic_start = true;
   std::vector<IceMaterial> materials;
-  FlowConditions conditions;  // LODI, Sine and inlet profiles of the boundary
+  std::optional<Turbulence> turbulence;
+  std::vector<WallShear> wall_shear;
+  FlowConditions conditions;        // LODI, Sine and inlet profiles of the boundary
   std::vector<CustomStart> custom;  // in the order in which they act
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;

@@ -9,6 +9,7 @@
 #include "ice/fluid_laws.hpp"
 #include "ice/labels.hpp"
 #include "ice/read_fluid.hpp"
+#include "ice/transport/read_settings.hpp"
 #include "models/models.hpp"
 
 namespace sluice {
@@ -83,7 +84,8 @@ TagSpec ice_block() {
                       tag("applyHydrostaticPressure",
                           "with gravity: the pressure at the start balances the weight")
                           .boolean()
-                          .by_default("true")});
+                          .by_default("true")})
+      .with_children(ice::transport_tags());
 }
 
 TagSpec fluid_dynamics() {
@@ -141,6 +143,7 @@ TagSpec material() {
                .real()
                .at_least(0)
                .unit("pressure time"),
+           ice::viscosity_models_tag(),
            tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
            tag("tiny_rho", "accepted without effect: no mass is added")
                .real()
@@ -222,9 +225,6 @@ SaveLabels ice_save_labels() {
                        "TempX_FC",
                        "TempY_FC",
                        "TempZ_FC",
-                       "tau_X_FC",
-                       "tau_Y_FC",
-                       "tau_Z_FC",
                        "sp_volX_FC",
                        "sp_volY_FC",
                        "sp_volZ_FC",
@@ -237,10 +237,8 @@ SaveLabels ice_save_labels() {
                        "grad_dp_XFC",
                        "grad_dp_YFC",
                        "grad_dp_ZFC",
-                       "viscous_src_CC",
                        "mom_source_CC",
                        "intE_source_CC",
-                       "heatCond_src_CC",
                        "mass_L_CC",
                        "mom_L_CC",
                        "int_eng_L_CC",
@@ -253,8 +251,6 @@ SaveLabels ice_save_labels() {
                        "modelMom_src",
                        "modelEng_src",
                        "modelVol_src",
-                       "turb_viscosity_CC",
-                       "total_viscosity_CC",
                        "eq_press_iters",
                        "imp_delP",
                        "sum_imp_delP",
@@ -304,6 +300,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_materials);
   schema.rules.emplace_back(check_ice_fluids);
   schema.rules.emplace_back(ice::check_ice_exchange);
+  schema.rules.emplace_back(ice::check_transport);
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);

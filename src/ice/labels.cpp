@@ -48,7 +48,10 @@ void declare_primitives(Labels& l) {
   l.momentum_of_cell = cell_vector("mom_adv", "kg m/s", "Momentum of the material in the cell.");
   l.compressibility =
       cell("compressiblity", "1/Pa", "Specific volume over the speed of sound squared.");
-  l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity.");
+  l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity of the material itself.");
+  l.eddy_viscosity =
+      cell("turb_viscosity_CC", "Pa s", "Subgrid viscosity of the turbulence model.");
+  l.total_viscosity = cell("total_viscosity_CC", "Pa s", "Sum of viscosity and turb_viscosity_CC.");
   l.thermal_conductivity = cell("thermalCond", "W/(m K)", "Thermal conductivity.");
   l.specific_heat = cell("specific_heat", "J/(kg K)", "Specific heat at constant volume.");
   l.gamma = cell("gamma", "1", "Ratio of specific heats.");
@@ -91,13 +94,21 @@ void declare_step_labels(Labels& l) {
   constexpr const char* velocity[] = {"uvel_FC", "vvel_FC", "wvel_FC"};
   constexpr const char* exchanged[] = {"uvel_FCME", "vvel_FCME", "wvel_FCME"};
   constexpr const char* pressure[] = {"pressX_FC", "pressY_FC", "pressZ_FC"};
+  constexpr const char* stress[] = {"tau_X_FC", "tau_Y_FC", "tau_Z_FC"};
   for (int d = 0; d < 3; ++d) {
     l.face_velocity[d] = face(velocity[d], d, "m/s", "Normal velocity of the face.");
     l.face_velocity_exchanged[d] =
         face(exchanged[d], d, "m/s",
              "Normal velocity of the face after momentum exchange between materials.");
     l.face_pressure[d] = face(pressure[d], d, "Pa", "Pressure on the face.");
+    l.face_stress[d] =
+        declare_label({stress[d], ValueType::vector, l.face_pressure[d].info().centring, "Pa",
+                       "Viscous stress on the face: force on the cell below it."});
   }
+  l.viscous_source =
+      cell_vector("viscous_src_CC", "N", "Viscous force on the cell, from its faces.");
+  l.heat_source =
+      cell("heatCond_src_CC", "J", "Heat conducted into the cell in the step, from its faces.");
 }
 
 void declare_reductions(Labels& l) {

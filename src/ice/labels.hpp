@@ -15,12 +15,14 @@ struct Labels {
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;
   Label rho_micro, gradient_rho, gradient_temperature, gradient_pressure, gradient_volume_fraction;
-  Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, specific_heat, gamma;
+  Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, eddy_viscosity,
+      total_viscosity, specific_heat, gamma;
   Label thermal_conductivity, compressibility;
   Label mass_of_cell, momentum_of_cell;
 
   // From within a step.
   Label equilibrium_pressure, pressure_change, lagrangian_momentum;
+  Label face_stress[3], viscous_source, heat_source;
   Label face_velocity[3], face_velocity_exchanged[3], face_pressure[3];
 
   // Reductions (.dat).

@@ -7,6 +7,7 @@
 #include "ice/labels.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
+#include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -42,6 +43,9 @@ class CellStates {
     }
     return {rho, equilibration_.look({M, V, E}).modulus};
   }
+  double temperature(IntVec3 cell) const {
+    return fluids_.front().temperature(mass_[0](cell), energy_[0](cell));
+  }
   double heat_capacity(IntVec3 cell) const {
     const Fluid& fluid = fluids_.front();
     double cv = 0;
@@ -66,6 +70,61 @@ class CellStates {
   std::vector<RealView> mass_, energy_, volume_;
 };
 
+// The larger of mu and k/cv of one gas (kg/(m s)). Subgrid viscosity needs ghost cells: without
+// them it is left out, and the dynamic model's constant is that of isotropic turbulence.
+class Diffusion {
+ public:
+  Diffusion(const Warehouse& state, SchemeOptions options, int box)
+      : o_(std::move(options)), spacing_(state.level().spacing) {
+    const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0);
+    mass_ = state.view(mass, 0, box);
+    for (int c = 0; c < o_.components; ++c) momentum_.push_back(state.view(momentum, c, box));
+    with_eddies_ = o_.transport.turbulence.has_value() && state.info(mass).ghosts > 0;
+  }
+
+  double coefficient(const CellStates& states, IntVec3 cell) const {
+    double mu = o_.viscosity;
+    if (o_.transport.sutherland) mu = o_.transport.sutherland->viscosity(states.temperature(cell));
+    for (const TransportModels::Sponge& sponge : o_.transport.sponges)
+      if (sponge.cells.contains(cell)) mu = std::max(mu, sponge.viscosity);
+    const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0;
+    if (!o_.conducting) return mu;
+    const double k_over_cv = o_.conductivity / states.heat_capacity(cell);
+    if (!o_.transport.turbulence) return std::max(mu, k_over_cv);
+    const double share = heat_ratio(o_.fluid) / o_.transport.turbulence->prandtl;
+    return std::max(mu + eddy, k_over_cv + share * eddy);
+  }
+
+ private:
+  double slope(IntVec3 cell, int c, int axis) const {
+    if (axis >= o_.axes.count) return 0;
+    const int d = o_.axes.direction[axis];
+    IntVec3 below = cell, above = cell;
+    --below[d];
+    ++above[d];
+    const RealView& m = momentum_[static_cast<std::size_t>(c)];
+    return (m(above) / mass_(above) - m(below) / mass_(below)) / (2 * spacing_[d]);
+  }
+  double eddy_viscosity(IntVec3 cell) const {
+    constexpr double isotropic = 0.17;
+    double squared = 0;  // 2 S:S
+    for (int a = 0; a < o_.components; ++a)
+      for (int b = 0; b < o_.components; ++b) {
+        const double twice = slope(cell, a, b) + slope(cell, b, a);
+        squared += 0.5 * twice * twice;
+      }
+    const Turbulence& model = *o_.transport.turbulence;
+    const double length = (model.dynamic ? isotropic : model.constant) * filter_width(o_, spacing_);
+    return mass_(cell) * length * length * std::sqrt(squared);
+  }
+
+  SchemeOptions o_;
+  Vec3 spacing_;
+  RealView mass_;
+  std::vector<RealView> momentum_;
+  bool with_eddies_ = false;
+};
+
 }  // namespace
 
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
@@ -76,9 +135,10 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
   }
   const double gravity_speed = std::sqrt(dx_g);
-  const mixture::DiffusionRates diffusion(options_);
+  const mixture::DiffusionRates of_mixtures(options_);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const CellStates states(state, options_.fluids, b);
+    const Diffusion diffusion(state, at_level(state.level().index), b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const auto [rho, modulus] = states.at(cell);
       const double c = std::sqrt(modulus / rho);
@@ -103,14 +163,12 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
         const double dx = state.level().spacing[options_.axes.direction[a]];
         inverse_dx2 += 1.0 / (dx * dx);
       }
-      if (diffusion.on() && material_count() > 1) {
-        const double most = states.diffusion_rate(diffusion, cell, state.level().spacing);
+      if (of_mixtures.on() && material_count() > 1) {
+        const double most = states.diffusion_rate(of_mixtures, cell, state.level().spacing);
         rates.maximum(StepSlots::diffusion_rate, ordered_bits(most));
         return;
       }
-      double coefficient = options_.viscosity;
-      if (options_.conducting)
-        coefficient = std::max(coefficient, options_.conductivity / states.heat_capacity(cell));
+      const double coefficient = diffusion.coefficient(states, cell);
       rates.maximum(StepSlots::diffusion_rate, ordered_bits(2.0 * inverse_dx2 * coefficient / rho));
     });
   }

@@ -2,6 +2,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/transport/outputs.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -90,6 +91,7 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
   else
     pressure_change_task(list, v, o);
   lagrangian_momentum_task(list, v, o);
+  declare_transport_outputs(list, v, o);
   for (int d = 0; d < 3; ++d) {
     int axis = -1;
     for (int a = 0; a < o.axes.count; ++a)

@@ -131,8 +131,10 @@ void Hierarchy::restrict_all() {
 void Hierarchy::measure_rates(int levels_before) {
   const bool all = scene_->refinement.lock_step || component_->diffusive();
   const int first = all ? 0 : levels_before;
-  for (int l = first; l < level_count(); ++l)
+  for (int l = first; l < level_count(); ++l) {
+    if (component_->diffusive()) fill(l, time_);  // coefficients may depend on gradients
     maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
+  }
 }
 
 void Hierarchy::initialise() {

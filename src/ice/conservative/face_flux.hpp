@@ -32,7 +32,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
-  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, Stencil::along(direction, 1, 1));
+  if (o.friction_tilts()) h.viscosity = task.read(v.viscosity, Stencil::along(direction, 1, 1));
   return h;
 }
 
@@ -41,7 +41,7 @@ inline double rubbed_velocity(const Row& row, const FaceFluxHandles& h, const Sc
                               int axis, int shift, int i, int c) {
   const double a = row(h.velocity, c, axis, shift - 1)[i], b = row(h.velocity, c, axis, shift)[i];
   const double mean = 0.5 * (a + b);
-  if (!o.viscosity_varies) return mean;
+  if (!o.friction_tilts()) return mean;
   return mean + velocity_tilt(row(h.viscosity, 0, axis, shift - 1)[i],
                               row(h.viscosity, 0, axis, shift)[i]) *
                     (b - a);

@@ -66,7 +66,8 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
     const WallHeat& wall =
         o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell, o.material);
     const double inside = plus ? Ta[i] : Tb[i];
-    const double k_wall = varies ? harmonic_mean(ka[i], kb[i]) : k;
+    // Subgrid motion ends at walls.
+    const double k_wall = varies && !o.transport.turbulence ? harmonic_mean(ka[i], kb[i]) : k;
     double outward = 0;
     if (wall.slip) {
       const double rise = 2.0 * (gas_on_wall(row, h, o, axis, wall, k_wall, plus, i) - inside);

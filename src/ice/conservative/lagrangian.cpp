@@ -201,7 +201,7 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   }
   if (o.viscous) {
     double* friction = o.mixture ? row(h.mixture, 3) : EL;  // E_L is written last
-    if (o.viscosity_varies)
+    if (o.friction_tilts())
       viscous_work_rows<D, C, true>(row, h, s, friction);
     else
       viscous_work_rows<D, C, false>(row, h, s, friction);
@@ -222,7 +222,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
-  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, Stencil::box(1));
+  if (o.friction_tilts()) h.viscosity = task.read(v.viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);

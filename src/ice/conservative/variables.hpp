@@ -10,6 +10,7 @@
 #include "framework/task/task.hpp"
 #include "ice/exchange_settings.hpp"
 #include "ice/fluid.hpp"
+#include "ice/transport/settings.hpp"
 
 namespace sluice {
 class LevelCoverage;
@@ -44,6 +45,7 @@ struct SchemeOptions {
   double conductivity = 0;  // W/(m K)
   bool conducting = false, conductivity_varies = false;
   std::vector<double> viscosities, conductivities;  // of all materials
+  TransportModels transport;            // what fills these fields, and friction on walls
   double diffusion_knob = 1;            // weight of diffusion in the deck's time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;
@@ -55,6 +57,10 @@ struct SchemeOptions {
   const FluxRecorder* recorder = nullptr;
   const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
   int first_volume_sum = 0;              // of their sums among those of the step
+
+  // Whether friction works on the velocity of a sharp front between two viscosities
+  // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
+  bool friction_tilts() const { return mixture && viscosity_varies; }
 };
 
 struct SchemeVariables {
@@ -71,6 +77,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
   VariableId temperature;                                  // of the old state; conduction only
   VariableId viscosity, conductivity;                      // of cells, where they vary
+  VariableId molecular_viscosity, eddy_viscosity;          // their parts with turbulence
   VariableId heat_capacity;                                // cv of the new state, likewise
   // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
   // the inverse of its bounded value, momentum source (what p and the forces took).

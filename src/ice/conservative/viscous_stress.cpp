@@ -4,14 +4,18 @@
 // on a face with normal n. Normal derivatives from the two cells, transverse ones as the mean of
 // the central differences of the two cells. Inactive directions have no derivative. mu is one
 // number, or the harmonic mean of the two cells' values (face_mean.hpp).
+#include <cmath>
+
 #include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/variables.hpp"
+#include "ice/transport/wall_shear.hpp"
+#include "ice/wall_faces.hpp"
 
 namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In velocity, viscosity;
+  In velocity, viscosity, molecular, rho;
   Out stress;
 };
 
@@ -56,6 +60,66 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
   }
 }
 
+// Subgrid motion ends at walls: the viscosity there is the molecular one.
+template <int C>
+void take_eddies_from_walls(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
+  const bool varies = o.transport.molecular_varies();
+  const double* molecular_a = varies ? row(h.molecular, 0, axis, -1) : nullptr;
+  const double* molecular_b = varies ? row(h.molecular) : nullptr;
+  const double *mu_a = row(h.viscosity, 0, axis, -1), *mu_b = row(h.viscosity);
+  for_each_wall_face(row, o, axis, [&](int i, bool) {
+    const double total = harmonic_mean(mu_a[i], mu_b[i]);
+    const double molecular = varies ? harmonic_mean(molecular_a[i], molecular_b[i]) : o.viscosity;
+    for (int c = 0; c < C; ++c) row(h.stress, c)[i] *= total > 0 ? molecular / total : 0.0;
+  });
+}
+
+// The stress along a wall from the velocity of the cell next to it, relative to the wall's.
+template <int C>
+void wall_law(const Row& row, const Handles& h, const SchemeOptions& o, int axis,
+              const WallShear& law) {
+  const int direction = o.axes.direction[axis];
+  if (direction_of(law.side) != direction) return;
+  const double y = 0.5 * row.step().spacing[direction];
+  for_each_wall_face(row, o, axis, [&](int i, bool plus) {
+    if (plus != is_plus(law.side)) return;
+    IntVec3 cell = row.cell();
+    cell[o.axes.direction[0]] += i;
+    const Vec3 wall = o.boundary->wall_velocity(law.side, cell);
+    const int inside = plus ? -1 : 0;
+    const auto value = [&](In in, int c) { return row(in, c, axis, inside)[i]; };
+    double relative[C] = {}, along = 0, carried = 0;
+    for (int c = 0; c < C; ++c) {
+      if (c == axis) continue;
+      relative[c] = value(h.velocity, c) - wall[o.direction[static_cast<std::size_t>(c)]];
+      (c < o.axes.count ? along : carried) += relative[c] * relative[c];
+    }
+    const double speed = std::sqrt(along + carried);
+    if (speed == 0) return;  // as the gradient says: no friction
+    const double rho = value(h.rho, 0);
+    const double mu = o.transport.molecular_varies() ? value(h.molecular, 0) : o.viscosity;
+    const double u_tau = friction_velocity(law, speed, y, mu / rho);
+    const double pull = (plus ? -1.0 : 1.0) * rho * u_tau * u_tau / speed;
+    for (int c = 0; c < C; ++c)
+      if (c != axis) row(h.stress, c)[i] = pull * relative[c];
+  });
+}
+
+template <int C>
+void wall_rows(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
+  if (o.transport.turbulence) take_eddies_from_walls<C>(row, h, o, axis);
+  for (const WallShear& law : o.transport.wall_shear) wall_law<C>(row, h, o, axis, law);
+}
+
+// What the walls need beside the velocity.
+void read_for_walls(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+                    Stencil both, Handles& h) {
+  const bool laws = !o.transport.wall_shear.empty();
+  if (laws) h.rho = task.read(v.rho, both);
+  if (o.transport.molecular_varies() && (laws || o.transport.turbulence))
+    h.molecular = task.read(o.transport.turbulence ? v.molecular_viscosity : v.viscosity, both);
+}
+
 }  // namespace
 
 void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
@@ -66,8 +130,9 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
     h.velocity = task.read(v.velocity, Stencil::box(1));
-    if (o.viscosity_varies)
-      h.viscosity = task.read(v.viscosity, Stencil::along(o.axes.direction[axis], 1, 0));
+    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
+    read_for_walls(task, v, o, both, h);
     h.stress = task.write(v.stress[static_cast<std::size_t>(axis)]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
@@ -83,6 +148,8 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
           stress_row<D, C, true>(row, h, o, axis, rows);
         else
           stress_row<D, C, false>(row, h, o, axis, rows);
+        if (o.transport.turbulence || !o.transport.wall_shear.empty())
+          wall_rows<C>(row, h, o, axis);
       });
     });
   }

@@ -109,6 +109,8 @@ class Declarer {
       closure(label, m, [value](double, double) { return value; });
     };
     constant(l.viscosity, o_.viscosities[k]);
+    constant(l.eddy_viscosity, 0.0);
+    constant(l.total_viscosity, o_.viscosities[k]);
     constant(l.thermal_conductivity, o_.conductivities[k]);
     constant(l.gamma, fluid.gamma);
     constant(l.specific_heat, fluid.specific_heat);

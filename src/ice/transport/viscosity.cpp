@@ -1,0 +1,114 @@
+// Molecular viscosity, and the sums of molecular and subgrid coefficients.
+#include "ice/transport/viscosity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ice/closure_rows.hpp"
+#include "ice/limiters.hpp"
+
+namespace sluice::ice {
+namespace {
+
+void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sponge, double* mu) {
+  const IntVec3 first = row.cell();
+  for (int d = 0; d < 3; ++d)
+    if (d != direction && (first[d] < sponge.cells.lower[d] || first[d] >= sponge.cells.upper[d]))
+      return;
+  const int low = std::max(0, sponge.cells.lower[direction] - first[direction]);
+  const int high = std::min(row.count(), sponge.cells.upper[direction] - first[direction]);
+  for (int i = low; i < high; ++i) mu[i] = larger(mu[i], sponge.viscosity);
+}
+
+// The total viscosity, and k + cp mu_t/Pr_t.
+void add_totals(const TransportTask& t, const SchemeVariables& v) {
+  TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
+  const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
+  const bool varies = t.options.transport.molecular_varies();
+  const In molecular = varies ? task.read(v.molecular_viscosity) : In{};
+  const Out viscosity = task.write(v.viscosity), conductivity = task.write(v.conductivity);
+  task.kernel([=, o = t.options](const Row& row) {
+    const int n = row.count();
+    const double* __restrict mu_t = row(eddy);
+    const double* __restrict mu = varies ? row(molecular) : nullptr;
+    double* __restrict total = row(viscosity);
+    double* __restrict k = row(conductivity);
+    heat_capacity_row(o.fluid, n, row(rho), row(E), k);
+    const double scale = heat_ratio(o.fluid) / o.transport.turbulence->prandtl;
+    for (int i = 0; i < n; ++i) {
+      total[i] = (varies ? mu[i] : o.viscosity) + mu_t[i];
+      k[i] = o.conductivity + scale * k[i] * mu_t[i];
+    }
+  });
+}
+
+}  // namespace
+
+double filter_width(const SchemeOptions& o, Vec3 spacing) {
+  double volume = 1;
+  for (int a = 0; a < o.axes.count; ++a) volume *= spacing[o.axes.direction[a]];
+  const double cell = o.axes.count == 1   ? volume
+                      : o.axes.count == 2 ? std::sqrt(volume)
+                                          : std::cbrt(volume);
+  return o.transport.turbulence->filter_width * cell;
+}
+
+double heat_ratio(const Fluid& fluid) {
+  const bool by_gamma = fluid.ideal() != nullptr ||
+                        std::holds_alternative<eos::HardSphereGas>(fluid.law) ||
+                        std::holds_alternative<eos::StiffenedGas>(fluid.law);
+  return by_gamma ? fluid.gamma : 1.0;
+}
+
+std::vector<TransportModels::Sponge> sponge_cells(const ViscosityModels& models,
+                                                  const Level& level) {
+  constexpr double far = 1 << 28;
+  std::vector<TransportModels::Sponge> all;
+  for (const SpongeLayer& layer : models.sponges)
+    for (const Bounds& box : layer.boxes) {
+      TransportModels::Sponge sponge{{}, layer.viscosity};
+      for (int d = 0; d < 3; ++d) {
+        const auto index = [&](double x) {
+          return std::clamp((x - level.anchor[d]) / level.spacing[d] - 0.5, -far, far);
+        };
+        sponge.cells.lower[d] = static_cast<int>(std::ceil(index(box.lower[d])));
+        sponge.cells.upper[d] = static_cast<int>(std::floor(index(box.upper[d]))) + 1;
+      }
+      all.push_back(sponge);
+    }
+  return all;
+}
+
+void add_molecular_viscosity(const TransportTask& t, const StateVariables& state,
+                             VariableId viscosity) {
+  TaskBuilder task = t.list.task(t.name + "molecular viscosity", t.effect);
+  const In rho = task.read(state.rho), E = task.read(state.energy);
+  const Out out = task.write(viscosity);
+  task.kernel([=, o = t.options](const Row& row) {
+    double* mu = row(out);
+    const int n = row.count();
+    if (o.transport.sutherland) {
+      temperature_row(o.fluid, n, row(rho), row(E), mu);
+      for (int i = 0; i < n; ++i) mu[i] = o.transport.sutherland->viscosity(mu[i]);
+    } else {
+      std::fill(mu, mu + n, o.viscosity);
+    }
+    for (const TransportModels::Sponge& sponge : o.transport.sponges)
+      sponge_row(row, o.axes.direction[0], sponge, mu);
+  });
+}
+
+void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                   int viscosity_effect, int turbulence_effect) {
+  const bool turbulent = o.transport.turbulence.has_value();
+  const StateVariables state{v.rho, v.energy, v.velocity};
+  if (o.transport.molecular_varies())
+    add_molecular_viscosity({list, o, viscosity_effect, ""}, state,
+                            turbulent ? v.molecular_viscosity : v.viscosity);
+  if (!turbulent) return;
+  const TransportTask task{list, o, turbulence_effect, ""};
+  add_eddy_viscosity(task, state, v.eddy_viscosity);
+  add_totals(task, v);
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,43 @@
+// Viscosity and conductivity of one gas as cell fields, from its state.
+//
+// The functions declare tasks, in a step's graph or in that of the diagnostics.
+#pragma once
+#include <string>
+
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice {
+
+// A state to take them from.
+struct StateVariables {
+  VariableId rho, energy, velocity;
+  bool by_direction = false;  // components of the velocity: of the level, or those of the scheme
+};
+
+// Names of the tasks begin with `name`.
+struct TransportTask {
+  TaskList& list;
+  const SchemeOptions& options;
+  int effect = 0;
+  std::string name;
+};
+
+// <dynamic_viscosity> or Sutherland's law, at least that of the layers.
+void add_molecular_viscosity(const TransportTask& task, const StateVariables& state,
+                             VariableId viscosity);
+// mu_t of the turbulence model.
+void add_eddy_viscosity(const TransportTask& task, const StateVariables& state, VariableId eddy);
+// The dynamic model's part of it (dynamic_smagorinsky.cpp).
+void add_dynamic_eddy_viscosity(const TransportTask& task, const StateVariables& state,
+                                VariableId eddy);
+
+// All fields that the step of the scheme needs: v.viscosity, v.conductivity, what they are made of.
+void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                   int viscosity_effect, int turbulence_effect);
+
+// Delta, m.
+double filter_width(const SchemeOptions& o, Vec3 spacing);
+// cp/cv as far as the law says; 1 for liquids and solids.
+double heat_ratio(const Fluid& fluid);
+
+}  // namespace sluice::ice
