@@ -76,6 +76,7 @@ std::vector<Entry> own() {
       {"column", "hydrostatic_column", {}},
       {"pulse_leaving", "pulse_leaving", {cells("[60,1,1]")}},
       {"vortex_leaving", "vortex_leaving", {cells("[24,20,1]")}},
+      {"manufactured_vortices", "manufactured_vortices", {cells("[20,14,1]")}},
       {"slip_channel", "slip_channel", {cells("[6,10,1]")}},
       {"rarefied_spot",
        "rarefied_spot",

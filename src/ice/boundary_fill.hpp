@@ -12,7 +12,7 @@
 //   pressure and density: Dirichlet values; where temperature and density are given but not the
 //     pressure, it follows from them; where temperature is given but not the density, the density
 //     follows from pressure and temperature; all three: pressure and density count
-//   LODI: waves.hpp; Sine, inlet profiles: flow_conditions.hpp; slip, creep: wall_slip.hpp
+//   LODI: waves.hpp; Sine, inlet profiles, MMS_1: flow_conditions.hpp; slip, creep: wall_slip.hpp
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
 // Several materials: mixture_rule.cpp. What they fill is copied, or follows from given densities;
 // all have the ghost's pressure and, in their momentum, their own velocity.

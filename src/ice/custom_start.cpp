@@ -5,7 +5,7 @@
 //                u_a -= C x_b w/(rho R^2),  u_b += C x_a w/(rho R^2),  p = p_ref + rho C^2 w/R^2
 //   gaussian     T += a exp(-(x - x0)^2/(2 s_x^2) - (y - y0)^2/(2 s_y^2))
 //   mms_1        u = 1 - A cos x sin y,  v = 1 + A sin x cos y,
-//                p = p_ref - A^2/4 (cos 2x + cos 2y)
+//                p = p_ref - rho A^2/4 (cos 2x + cos 2y)
 //   mms_3        u = B sin(f + 2 pi/3) sin x cos y cos z,  v = B sin(f - 2 pi/3) cos x sin y cos z,
 //                w = B sin f cos x cos y sin z,  B = 2/sqrt 3
 //   counterflow  u = -s (x - x_m), v = s (y - y_m) about the middle of the domain,
@@ -64,8 +64,8 @@ struct Apply {
     const double x = cell.centre.x, y = cell.centre.y, A = m.amplitude;
     cell.velocity.x = 1.0 - A * std::cos(x) * std::sin(y);
     cell.velocity.y = 1.0 + A * std::sin(x) * std::cos(y);
-    give_pressure(
-        cell, place.reference_pressure - 0.25 * A * A * (std::cos(2.0 * x) + std::cos(2.0 * y)));
+    give_pressure(cell, place.reference_pressure -
+                            0.25 * cell.density * A * A * (std::cos(2.0 * x) + std::cos(2.0 * y)));
   }
   void operator()(const ManufacturedCells& m) const {
     const Vec3 x = cell.centre;

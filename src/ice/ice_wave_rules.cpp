@@ -33,12 +33,28 @@ void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message
   faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
 }
 
-void check_special(const DeckNode& conditions, const DeckNode& condition,
+// The flow of a manufactured solution goes on at the boundary.
+void check_exact_flow(const DeckNode& root, const DeckNode& condition, const std::string& label,
+                      std::vector<Fault>& faults) {
+  if (label != "Pressure" && label != "Velocity" && label != "Temperature")
+    fault(faults, condition,
+          fmt::format("MMS_1 is for Pressure, Velocity, Temperature, not for {}", label));
+  const DeckNode* exact = root.find("CFD/ICE/customInitialization/manufacturedSolution");
+  if (exact == nullptr || exact->attribute("type") != "mms_1")
+    fault(faults, condition,
+          fmt::format("MMS_1 of {} needs <manufacturedSolution type=\"mms_1\"> in "
+                      "<customInitialization>",
+                      label),
+          "see sluice help CFD/ICE/customInitialization/manufacturedSolution");
+}
+
+void check_special(const DeckNode& root, const DeckNode& conditions, const DeckNode& condition,
                    std::vector<Fault>& faults) {
   const std::string kind = condition.attribute("var").value_or("");
   const std::string label = condition.attribute("label").value_or("");
   if (kind == "FreeSlipWall" && label != "Velocity")
     fault(faults, condition, fmt::format("FreeSlipWall is for Velocity only, not for {}", label));
+  if (kind == "MMS_1") check_exact_flow(root, condition, label, faults);
   for (const SpecialKind& special : special_kinds()) {
     if (kind != special.kind) continue;
     if (std::find(special.labels.begin(), special.labels.end(), label) == special.labels.end())
@@ -69,7 +85,7 @@ void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root) || conditions == nullptr) return;
   for (const DeckNode* face : conditions->all("Face"))
     for (const DeckNode* condition : face->all("BCType"))
-      check_special(*conditions, *condition, faults);
+      check_special(root, *conditions, *condition, faults);
   const DeckNode* lodi = conditions->child("LODI");
   if (lodi == nullptr) return;
   const DeckNode *velocity = lodi->child("vel_infinity"), *rho = lodi->child("rho_infinity");

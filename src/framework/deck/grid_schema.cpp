@@ -26,12 +26,13 @@ TagSpec condition() {
            attribute("var", "kind of condition")
                .once()
                .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity", "FreeSlipWall",
-                       "LODI", "Sine", "powerLawProfile", "logLawProfile", "slip", "creep"})
+                       "LODI", "Sine", "powerLawProfile", "logLawProfile", "slip", "creep",
+                       "MMS_1"})
                .spelling("zeroNeumann", "symmetry")
-               .not_built({"MMS_1", "Custom", "VelocityInlet", "StABL", "PressureBC", "WallBC",
-                           "OutletBC", "NOutletBC", "VelocityFileInput", "MassFlowInlet",
-                           "PartMassFlowInlet", "Swirl", "ScalarSwirl", "FromFile",
-                           "ForcedDirichlet", "TurbulentInlet", "Tabulated"}),
+               .not_built({"Custom", "VelocityInlet", "StABL", "PressureBC", "WallBC", "OutletBC",
+                           "NOutletBC", "VelocityFileInput", "MassFlowInlet", "PartMassFlowInlet",
+                           "Swirl", "ScalarSwirl", "FromFile", "ForcedDirichlet", "TurbulentInlet",
+                           "Tabulated"}),
            attribute("type", "int: the value is an integer")
                .words({"int"})
                .not_built(

@@ -1,6 +1,8 @@
 // Reading them; the schema has checked the values.
 #include "ice/boundary/flow_conditions.hpp"
 
+#include <cmath>
+
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::ice {
@@ -56,8 +58,20 @@ SlipSettings read_slip(const DeckNode& node) {
 
 }  // namespace
 
+TravellingVortices::Flow TravellingVortices::at(Vec3 x, double time, double rho,
+                                                double viscosity) const {
+  const double X = x.x - time, Y = x.y - time, decay = std::exp(-2.0 * viscosity / rho * time);
+  const double A = amplitude * decay;
+  return {1.0 - A * std::cos(X) * std::sin(Y), 1.0 + A * std::sin(X) * std::cos(Y),
+          reference_pressure - 0.25 * rho * A * A * (std::cos(2.0 * X) + std::cos(2.0 * Y))};
+}
+
 FlowConditions read_flow_conditions(const DeckNode& root) {
   FlowConditions c;
+  const DeckNode* exact = root.find("CFD/ICE/customInitialization/manufacturedSolution");
+  const DeckNode* constants = root.child("PhysicalConstants");
+  if (exact != nullptr && exact->attribute("type") == "mms_1" && constants != nullptr)
+    c.vortices = {real_or(*exact, "A", 1.0), real_or(*constants, "reference_pressure", 0.0)};
   const DeckNode* conditions = root.find("Grid/BoundaryConditions");
   if (conditions == nullptr) return c;
   if (const DeckNode* lodi = conditions->child("LODI")) c.lodi = read_lodi(*lodi);

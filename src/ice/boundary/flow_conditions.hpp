@@ -45,11 +45,24 @@ struct SlipSettings {
   bool second_order() const { return model != Model::first_order; }
 };
 
+// The travelling vortices of <manufacturedSolution type="mms_1">, an exact flow without compression:
+//   u = 1 - A cos(x - t) sin(y - t) d,  v = 1 + A sin(x - t) cos(y - t) d,  d = exp(-2 nu t)
+//   p = p_ref - rho A^2/4 d^2 (cos 2(x - t) + cos 2(y - t)),  nu = mu/rho
+struct TravellingVortices {
+  double amplitude = 1, reference_pressure = 0;
+
+  struct Flow {
+    double u = 0, v = 0, p = 0;
+  };
+  Flow at(Vec3 x, double time, double rho, double viscosity) const;
+};
+
 struct FlowConditions {
   std::optional<LodiSettings> lodi;
   std::optional<SineSettings> sine;
   std::optional<InletProfile> profile;
   std::optional<SlipSettings> slip;
+  std::optional<TravellingVortices> vortices;  // of the start
 };
 
 FlowConditions read_flow_conditions(const DeckNode& root);

@@ -10,7 +10,8 @@ bool GhostRule::plain() const {
   return (velocity_kind == Velocity::mirror ||
           (velocity_kind == Velocity::copy && velocity_gradient == Vec3{})) &&
          !fixed_density && !fixed_pressure && !fixed_temperature && density_gradient == 0 &&
-         pressure_gradient == 0 && temperature_gradient == 0 && !sine_pressure && !waves;
+         pressure_gradient == 0 && temperature_gradient == 0 && !sine_pressure &&
+         !vortex_pressure && !waves;
 }
 
 namespace {
@@ -18,7 +19,8 @@ namespace {
 [[noreturn]] void refuse(const Condition& c) {
   throw InputError(fmt::format(
       "{}: boundary condition {} of {} is not built yet; built are Dirichlet, Neumann, symmetry, "
-      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile, logLawProfile, slip and "
+      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile, logLawProfile, MMS_1, slip "
+      "and "
       "creep",
       to_string(c.where), c.kind_name, c.variable));
 }
@@ -60,6 +62,13 @@ class RuleMaker {
       // The temperature follows from pressure and density.
       if (c.variable == "Pressure") rule_.sine_pressure = true;
       if (c.variable == "Density") refuse(c);
+    } else if (c.kind_name == "MMS_1" && c.variable != "Density") {
+      if (!conditions_.vortices)
+        throw InputError(
+            fmt::format("{}: MMS_1 of {} needs <manufacturedSolution type=\"mms_1\"> in "
+                        "<customInitialization>",
+                        to_string(c.where), c.variable));
+      if (c.variable == "Pressure") rule_.vortex_pressure = true;
     } else if (c.kind_name == "slip" && c.variable == "Temperature") {
       need(conditions_.slip, c, "microSlip");
       slip_temperature_ = c.value;
@@ -131,6 +140,7 @@ class RuleMaker {
     }
     if (!special(u)) refuse(u);
     if (u.kind_name == "Sine") rule_.velocity_kind = Kind::sine;
+    if (u.kind_name == "MMS_1") rule_.velocity_kind = Kind::vortices;
   }
 
   const BoundaryRegion& region_;

@@ -17,16 +17,17 @@ struct WallHeat {
 
 // One region's conditions for one material.
 struct GhostRule {
-  enum class Velocity { copy, mirror, wall, slip, prescribed, sine, power_law, log_law };
+  enum class Velocity { copy, mirror, wall, slip, prescribed, sine, power_law, log_law, vortices };
   Velocity velocity_kind = Velocity::copy;
   Vec3 velocity{};           // wall, wall with slip, prescribed or of a profile
   Vec3 velocity_gradient{};  // copy
   bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
   double density = 0, pressure = 0, temperature = 0;
   bool sine_pressure = false;
-  bool creep = false;  // slip: towards warmer gas along the wall
-  bool waves = false;  // waves.hpp; what is fixed stays so
-  WallHeat heat;       // of walls, through conduction only; not of symmetry planes
+  bool vortex_pressure = false;  // of TravellingVortices
+  bool creep = false;            // slip: towards warmer gas along the wall
+  bool waves = false;            // waves.hpp; what is fixed stays so
+  WallHeat heat;                 // of walls, through conduction only; not of symmetry planes
   double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 
   bool mirrored() const {

@@ -9,7 +9,7 @@ namespace sluice::ice {
 
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
                          bool plus, double time)
-    : setting_(setting), v_(views), d_(direction), plus_(plus) {
+    : setting_(setting), v_(views), d_(direction), plus_(plus), time_(time) {
   if (const auto& sine = setting.conditions.sine)
     swing_ = sine->amplitude * std::sin(sine->omega * time);
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
@@ -54,6 +54,11 @@ double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
   return std::max(0.0, std::log(height / profile.roughness)) / profile.von_karman;
 }
 
+TravellingVortices::Flow GhostStates::vortices(IntVec3 ghost, double rho) const {
+  return setting_.conditions.vortices->at(setting_.level->centre(ghost), time_, rho,
+                                          setting_.viscosity);
+}
+
 double GhostStates::given_pressure(const GhostRule& rule) const {
   return rule.sine_pressure ? setting_.conditions.sine->reference_pressure + swing_ : rule.pressure;
 }
@@ -86,6 +91,7 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
       return reference == 0 ? 0.0 : reference + swing_;
     }
     case GhostRule::Velocity::prescribed:
+    case GhostRule::Velocity::vortices:
     case GhostRule::Velocity::power_law:
     case GhostRule::Velocity::log_law:
       return given[direction];
@@ -104,10 +110,12 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   const double T = rule.fixed_temperature ? rule.temperature
                                           : fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
-  const Vec3 given = given_velocity(rule, ghost);
+  Vec3 given = given_velocity(rule, ghost);
   double p;
   if (rule.fixed_pressure || rule.sine_pressure) {
     p = given_pressure(rule);
+  } else if (rule.vortex_pressure) {
+    p = vortices(ghost, rho).p;
   } else if (rule.fixed_density && given_T) {
     p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
   } else {
@@ -116,6 +124,10 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
     p += hydrostatic(source, ghost, rho);
   }
   if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
+  if (rule.velocity_kind == GhostRule::Velocity::vortices) {
+    const TravellingVortices::Flow flow = vortices(ghost, rho);
+    given = {flow.u, flow.v, 0};
+  }
   mass(ghost) = rho;
   energy(ghost) = fluid.energy_from_pressure(rho, p, T);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c)

@@ -69,6 +69,7 @@ class GhostStates {
   Neighbours neighbours(IntVec3 cell, int direction) const;
   void differences_along(IntVec3 cell, int direction, SlipCell& slip) const;
   double given_pressure(const GhostRule& rule) const;
+  TravellingVortices::Flow vortices(IntVec3 ghost, double rho) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
   double pressure(IntVec3 cell) const;
   double sound_speed(IntVec3 cell, const WaveState& s) const;
@@ -88,7 +89,7 @@ class GhostStates {
   const BoundaryViews& v_;
   int d_;
   bool plus_;
-  double swing_ = 0;  // A sin(omega t)
+  double time_ = 0, swing_ = 0;  // A sin(omega t)
   std::vector<Part> parts_;
 };
 

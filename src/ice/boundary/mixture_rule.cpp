@@ -31,6 +31,8 @@ class MixtureRuleMaker {
     for (const IceMaterial& material : materials_) {
       Part part;
       part.rule = make_rule(region_, material.index, normal, conditions_);
+      if (part.rule.velocity_kind == GhostRule::Velocity::vortices || part.rule.vortex_pressure)
+        refuse("MMS_1 is the exact flow of one gas; this deck has {}", materials_.size());
       part.specific_volume = specific_volume(material.index);
       densest = std::max(densest, part.rule.density);
       rule_.parts.push_back(part);
