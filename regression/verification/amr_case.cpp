@@ -39,13 +39,13 @@ class Covered {
 }  // namespace
 
 std::vector<LevelCell> level_cells(const CaseRun& run, const std::string& variable, int component,
-                                   const std::string& which) {
+                                   const std::string& which, int material) {
   const Archive opened = Archive::open(run.archive());
   const ArchiveStep step = opened.read_output(opened.select_output(which));
   const std::vector<Level>& levels = step.grid().levels;
   std::vector<LevelCell> cells;
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    const FieldInfo* field = step.find(variable, 0, static_cast<int>(l));
+    const FieldInfo* field = step.find(variable, material, static_cast<int>(l));
     if (field == nullptr)
       throw std::runtime_error(fmt::format("the archive holds no {} on level {}", variable, l));
     const Covered covered(levels[l], l + 1 < levels.size() ? &levels[l + 1] : nullptr);

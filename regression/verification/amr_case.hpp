@@ -17,7 +17,8 @@ struct LevelCell {
 
 // Cells of all levels, coarse to fine.
 std::vector<LevelCell> level_cells(const CaseRun& run, const std::string& variable,
-                                   int component = 0, const std::string& which = "last");
+                                   int component = 0, const std::string& which = "last",
+                                   int material = 0);
 // Largest |value - wanted| on any level, covered cells included.
 double farthest_on_levels(const CaseRun& run, const std::string& variable, int component,
                           double wanted);

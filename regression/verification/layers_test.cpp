@@ -98,6 +98,42 @@ TEST(Layers, HeatPassesFromOneToTheOther) {
   EXPECT_GE(std::log2(coarse / fine), lowest_order) << coarse << " " << fine;
 }
 
+// A region around the interface; one that ends there, one that begins there: next to interfaces
+// fine ghost cells hold what the coarse cell does, which is of first order.
+TEST(Layers, HeatPassesFromLevelToLevel) {
+  constexpr double lowest_at_interface = 0.8;  // measured 0.90, 0.87
+  const double decay = std::exp(-pi * pi / 64 * 4);
+  for (const char* low : {"2", "4", "3"}) {
+    const double lowest = std::string(low) == "3" ? lowest_order : lowest_at_interface;
+    const auto error = [&](int n) {
+      const std::string box = "Grid/Level[2]/Box/", from = low;
+      const std::string to = from == "2" ? "4" : from == "4" ? "6" : "5";
+      const CaseRun run("amr_layers_bar",
+                        {level_resolution(1, n), level_resolution(2, 4 * n / 7),
+                         box + "lower=[" + from + ",0,0]", box + "upper=[" + to + ",0.25,0.25]"});
+      EXPECT_EQ(run.events(), 0);
+      EXPECT_LE(drift_per_thousand(run), allowed_drift);
+      double sum = 0, length = 0;
+      for (int m = 0; m < 2; ++m) {
+        const auto share = level_cells(run, "vol_frac_CC", 0, "last", m);
+        const auto T = level_cells(run, "temp_CC", 0, "last", m);
+        for (std::size_t i = 0; i < T.size(); ++i) {
+          if (T[i].covered || !(share[i].value > .5)) continue;
+          const double x = T[i].centre.x;
+          const double exact = x < 4 ? std::sin(pi * x / 16) : std::sin(pi * (7 - x) / 4);
+          sum += T[i].volume * std::fabs(T[i].value - 300 - decay * exact);
+          length += T[i].volume;
+        }
+      }
+      return sum / length;
+    };
+    const double coarse = error(28), fine = error(56);
+    record(std::string("order_from_") + low, std::log2(coarse / fine));
+    record(std::string("error_from_") + low, fine);
+    EXPECT_GE(std::log2(coarse / fine), lowest) << low << ": " << coarse << " " << fine;
+  }
+}
+
 // Without heat exchange the interface insulates: each layer keeps its heat but for its own end.
 TEST(Layers, WithoutHeatExchangeTheInterfaceInsulates) {
   const CaseRun run("layers_bar",
