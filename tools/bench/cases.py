@@ -49,6 +49,12 @@ TUBE = "inputs/ice/shock_tube.ups"
 BLAST_2D = "inputs/ice/blast_2d.ups"
 BLAST_3D = "inputs/ice/blast_3d.ups"
 MIXED_GASES = "inputs/ice/mixed_gases.ups"
+BUBBLE = "inputs/ice/bubble_among_waves.ups"
+# The same flow of one gas: a bubble so small that no cell meets it.
+NO_BUBBLE = FOREVER + tuple(
+    f"MaterialProperties/ICE/material[{m}]/geom_object[{g}]/{of}{hole}sphere/radius=1e-9"
+    for m, hole in ((1, "difference/"), (2, ""))
+    for g, of in ((1, "difference/"), (2, "intersection/")))
 
 # On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
 LEVELS_TUBE = "inputs/ice/amr_shock_tube.ups"
@@ -72,6 +78,11 @@ CASES = [
     Ratio("speed-up of 2 ranks", "3-D, 96^3", "3-D, 96^3, 2 ranks", 1.85, at_least=True),
     Run("2-D, 512^2, two gases in every cell", MIXED_GASES, 20, "[512,512,1]"),
     Ratio("two gases over one", "2-D, 512^2, two gases in every cell", "2-D, 512^2", 2.5),
+    # Of the cells .5 to 1.6 % hold both gases.
+    Run("2-D, 256^2, a bubble", BUBBLE, 150, "[256,256,1]", savings=True),
+    Run("2-D, 256^2, no bubble", BUBBLE, 150, "[256,256,1]", savings=True, settings=NO_BUBBLE),
+    Ratio("two gases at an interface over one", "2-D, 256^2, a bubble", "2-D, 256^2, no bubble",
+          1.3),
     Run("levels: shock tube, 50 to 800", LEVELS_TUBE, 0, limit=200, savings=True, settings=()),
     Run("levels: explosion, 64^2 to 256^2", LEVELS_EXPLOSION, 0, limit=200, savings=True,
         settings=()),

@@ -61,7 +61,7 @@ class MaterialFaces {
   // Fluxes of volume, mass and energy (without the correction of the kinetic energy) of each
   // material through `count` faces, at most `most_faces`. Returns the set of materials that may
   // pass; fluxes of others are zero.
-  static constexpr int most_faces = 64;
+  static constexpr int most_faces = 128;
   std::uint64_t carry(int first, int count);
   double* flux(int m, Carried q) const {
     return q == of_volume ? rows_[m].FV : q == of_mass ? rows_[m].FM : rows_[m].FE;

@@ -158,8 +158,8 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
   double* __restrict c = row(h.sound);
   double* __restrict slope = row(h.shock_slope);
   double* __restrict pi = row(h.pi);
-  for (int i = 0; i < n; ++i) rho[i] = energy[i] = p[i] = c[i] = slope[i] = pi[i] = 0.0;
-  for_each_of(set, [&](int m) {
+  std::fill_n(pi, n, 0.0);
+  const auto add = [&](int m, auto to) {  // to(sum so far, value)
     const auto k = static_cast<std::size_t>(m);
     const double gamma = fluids[k].ideal()->gamma, fluid_slope = fluids[k].shock_slope();
     const double per_gamma = 1.0 / gamma, per_K = 1.0 / (gamma * (gamma - 1.0));
@@ -168,12 +168,20 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
     const double* __restrict E = row(h.state.energy[k]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      rho[i] += M[i];
-      energy[i] += E[i];
-      p[i] += V[i] * per_gamma;
-      c[i] += V[i] * V[i] * per_K / E[i];
-      slope[i] += V[i] * fluid_slope;
+      rho[i] = to(rho[i], M[i]);
+      energy[i] = to(energy[i], E[i]);
+      p[i] = to(p[i], V[i] * per_gamma);
+      c[i] = to(c[i], V[i] * V[i] * per_K / E[i]);
+      slope[i] = to(slope[i], V[i] * fluid_slope);
     }
+  };
+  bool first = true;
+  for_each_of(set, [&](int m) {
+    if (first)
+      add(m, [](double, double value) { return value; });
+    else
+      add(m, [](double sum, double value) { return sum + value; });
+    first = false;
   });
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {

@@ -175,7 +175,8 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
     base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, scaled);
     if (pure >= 0) return;
     if (!mixed) mixed.emplace(row, h, o.axes);
-    mixed->run(first, count);
+    // Nobody reads what is computed for cells of pure neighbourhood.
+    mixed->run(first, whole_vectors(count, row.count() - first));
   });
 }
 

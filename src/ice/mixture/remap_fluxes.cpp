@@ -180,7 +180,8 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
                           [&](int first, int count, double pure) {
                             if (pure < 0) {
                               if (!mixed) mixed.emplace(row, h, o, axis, l);
-                              return mixed->run(first, count);
+                              // Faces too many are computed again by the run that follows.
+                              return mixed->run(first, whole_vectors(count, row.count() - first));
                             }
                             const Row part = row.part(first, count);
                             const auto m = static_cast<std::size_t>(pure);

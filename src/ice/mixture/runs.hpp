@@ -29,6 +29,14 @@ void for_each_face_run(const double* a, const double* b, int n, F&& f) {
   }
 }
 
+// So many of at most `most` elements that loops end with whole vectors: what remains of a short run
+// would take longer than the run.
+inline int whole_vectors(int count, int most) {
+  constexpr int lanes = 8;
+  const int rounded = (count + lanes - 1) / lanes * lanes;
+  return rounded < most ? rounded : most;
+}
+
 // The values of a material: its own where the neighbourhood (`pure`) is mixed, those of the mixture
 // where it is alone, nothing where another is. No row overlaps `to`.
 inline void pick_row(int n, const double* __restrict pure, int material,
