@@ -1,4 +1,4 @@
-// What control volumes of analyses exchange through their sides, and what gravity adds inside.
+// What control volumes of analyses exchange through their sides, and what forces add inside.
 //
 // Through a face (face_flux.hpp): mass of each material, momentum that is advected, pressure along
 // the normal, viscous momentum flux, total energy; amounts of the step, positive along the axis.
@@ -64,12 +64,14 @@ void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, in
   for (int c = 0; c < o.components; ++c) {
     const int d = o.direction[static_cast<std::size_t>(c)];
     const double kick = row.step().dt * o.gravity[d] * cell_volume(row);
-    if (kick == 0.0) continue;
+    const double push = row.step().dt * o.force[d] * cell_volume(row);
+    if (kick == 0.0 && push == 0.0) continue;
     const double* m = row(h.momentum, c);
     const double* dp = row(h.impulse, c);
     for (int i = first; i < end; ++i) {
-      row.reductions().sum(slots.force(volume) + d).add(kick * rho[i]);
-      row.reductions().sum(slots.work(volume)).add(kick * (m[i] - 0.5 * dp[i]));
+      row.reductions().sum(slots.force(volume) + d).add(kick * rho[i] + push);
+      const double along = kick + push / rho[i];
+      row.reductions().sum(slots.work(volume)).add(along * (m[i] - 0.5 * dp[i]));
     }
   }
 }

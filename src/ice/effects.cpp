@@ -110,6 +110,31 @@ void add_exchange(const IceScene& ice, EffectList& e) {
   e.add(heat);
 }
 
+// What adds mass, momentum or energy to cells. It acts in the update; its task is the account.
+Effect sources(const IceScene& ice) {
+  std::string reason;
+  Location where = ice.models.where;
+  bool on = false;
+  const auto name = [&](const std::string& text, bool acts, const Location& place) {
+    reason += (reason.empty() ? "" : ", ") + text;
+    if (acts && !on) where = place;
+    on = on || acts;
+  };
+  const auto material = [&](int m) { return called(ice.materials[static_cast<std::size_t>(m)]); };
+  for (const models::MassExchange& x : ice.models.mass_exchanges)
+    name(fmt::format("{} becomes {} at {:g}/s", material(x.from), material(x.to), x.rate),
+         x.rate > 0, x.where);
+  for (const models::FixedValues& f : ice.models.fixed_values)
+    name(fmt::format("{} held at given values in a region", material(f.material)), true, f.where);
+  for (const models::AddedHeat& h : ice.added_heat)
+    name(fmt::format("{:g} W/kg to {}", h.power, material(h.material)), h.power != 0, h.where);
+  if (reason.empty())
+    reason = ice.models.where.line > 0 ? "no <Model> adds anything" : "no <Models>, no <ADD_HEAT>";
+  else if (on)
+    reason += ", in the update";
+  return {"model sources", on, reason, where};
+}
+
 }  // namespace
 
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
@@ -146,7 +171,17 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   add_exchange(ice, e);
   e.add(turbulence(ice));
   e.add({"scalars", false, "no <Models> in the deck", {}});
-  e.add({"reactions", false, "no <Models> in the deck", {}});
+  const DrivingForce& f = ice.driving_force;
+  e.add({"driving force", f.on(),
+         f.on() ? fmt::format("<fixedPressureGradient> is [{:g}, {:g}, {:g}]", f.force.x, f.force.y,
+                              f.force.z)
+         : f.where.line > 0 ? "<fixedPressureGradient> is zero"
+                            : "no <fixedPressureGradient> in the deck",
+         f.where});
+  e.add(sources(ice));
+  e.add({"reactions", false,
+         ice.models.where.line > 0 ? "no <Model> of a reaction" : "no <Models> in the deck",
+         ice.models.where});
   return e;
 }
 

@@ -1,6 +1,8 @@
 // The time step of ICE, readable as a table; and what the run loop asks of the component.
 #include "ice/ice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +39,9 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.compatible_fluxes = ice.compatible_fluxes;
   o.sound_speed_knob = ice.sound_speed_knob;
   o.gravity = scene.constants.gravity;
-  o.gravity_on = !(o.gravity == Vec3{});
+  o.force = ice.driving_force.force;
+  o.force_on = ice.driving_force.on();
+  o.gravity_on = !(o.gravity == Vec3{}) || o.force_on;
   for (const IceMaterial& each : ice.materials) {
     o.viscosities.push_back(each.viscosity);
     o.conductivities.push_back(each.conductivity);
@@ -59,8 +63,8 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.cfl = ice.cfl;
   o.domain = level.domain;
   o.periodic = level.periodic;
-  o.sums =
-      o.gravity_on && scene.grid.levels.size() > 1 ? StepSlots::sums_with_gravity : StepSlots::sums;
+  const bool summed = o.force_on || (o.gravity_on && scene.grid.levels.size() > 1);
+  o.sums = summed ? StepSlots::sums_with_gravity : StepSlots::sums;
   return o;
 }
 
@@ -91,7 +95,8 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes       sums
-  add_gravity_account(list, v, o, effect_gravity);              // m, dp                    sums
+  add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp                    sums
+  add_source_account(list, v, o, effect_sources);               // change                   sums
   add_volume_account(list, v, o, effect_diagnostics);           // fluxes, m, dp            sums
   add_flux_record(list, v, o, effect_flux_record);  // fluxes                   face tables
   declare_step_outputs(list, v, o);                 // whatever a deck saves    outputs
@@ -116,10 +121,12 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::add_update(list, m, o, effect_equilibration);      // fluxes     new state, rates
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
-  add_gravity_account(list, v, o, effect_gravity);              // m, dp      sums
+  add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp      sums
+  add_source_account(list, v, o, effect_sources);               // change     sums
   add_volume_account(list, v, o, effect_diagnostics);           // fluxes, dp sums
   add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
   declare_step_outputs(list, v, o);                             // saved      outputs
+  mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
 }
 
 Ice::Ice(const Scene& scene, IceScene ice_scene)
@@ -139,6 +146,10 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions));
+  if (!effects_.on(effect_sources)) return;
+  for (const Level& level : scene.grid.levels)
+    sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,
+                                                 level, options_.direction));
 }
 
 SchemeOptions Ice::at_level(int level) const {
@@ -147,6 +158,8 @@ SchemeOptions Ice::at_level(int level) const {
   o.domain = cells.domain;
   o.transport.sponges = sponge_cells(ice_.materials.front().viscosity_models, cells);
   o.boundary = boundary_[static_cast<std::size_t>(level)].get();
+  if (!sources_.empty()) o.sources = sources_[static_cast<std::size_t>(level)].get();
+  o.first_source_sum = first_source_sum();
   return o;
 }
 
@@ -236,6 +249,8 @@ int Ice::step_kind(const Warehouse& old_state, int local_box,
     if (only >= 0) return mixed;
     only = m;
   }
+  // A source may bring others in.
+  if (only >= 0 && !sources_.empty() && sources_.front()->takes_from(only)) return mixed;
   return only >= 0 ? only : mixed;
 }
 
@@ -247,8 +262,12 @@ void Ice::declare_diagnostics(TaskList& list, int level) const {
   declare_diagnostic_outputs(list, at_level(level), ice_, estimates_);
 }
 
-int Ice::step_sums() const {
+int Ice::first_source_sum() const {
   return options_.sums + material_count() - 1;
+}
+
+int Ice::step_sums() const {
+  return first_source_sum() + (sources_.empty() ? 0 : SourceSums::count(material_count()));
 }
 
 int Ice::first_volume_sum() const {
@@ -266,7 +285,7 @@ int Ice::reduction_sums() const {
 bool Ice::quiet_blocks_allowed() const {
   if (material_count() > 1 && (options_.heat_exchange.any() || scene_->grid.levels.size() > 1))
     return false;
-  return !options_.gravity_on && control_volumes(scene_->analysis).empty();
+  return !options_.gravity_on && sources_.empty() && control_volumes(scene_->analysis).empty();
 }
 
 // A regridder follows shocks: they do not leave its levels.
@@ -298,8 +317,10 @@ StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
 std::string Ice::describe_fault(int kind) const {
   if (kind >= fault_of_material) {
     const auto m = static_cast<std::size_t>(kind / fault_of_material - 1);
-    return "energy of material " + std::to_string(m) + " ('" + ice_.materials[m].name +
-           "', J/m^3 of the cell; with its mass and volume it must be a state of its law)";
+    return fmt::format(
+        "energy of material {} ('{}', J/m^3 of the cell; with its mass and volume it must be a "
+        "state of its law: pressure above {:g} Pa, sound speed squared above 0)",
+        m, ice_.materials[m].name, ice_.materials[m].fluid.lowest_pressure());
   }
   switch (kind) {
     case fault_state:

@@ -7,6 +7,7 @@
 #include "ice/conservative/variables.hpp"
 #include "ice/ice_scene.hpp"
 #include "ice/refine/mixture_transfer.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice {
 
@@ -45,6 +46,8 @@ class Ice : public Component {
                   Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
+  std::vector<std::string> tally_names() const override;
+  std::vector<double> tallies(const std::vector<double>& sums) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override;
@@ -54,6 +57,8 @@ class Ice : public Component {
   void declare_mixture(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
   int step_sums() const;  // without those of control volumes
+  int first_source_sum() const;
+  void add_source_balance(const std::vector<double>& sums, StepBalance& balance) const;
   void initialise_materials(Warehouse& state) const;
 
   const Scene* scene_;
@@ -61,6 +66,7 @@ class Ice : public Component {
   EffectList effects_;
   SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
   std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
+  std::vector<std::unique_ptr<Sources>> sources_;        // by level; empty: there are none
   std::unique_ptr<TransferOperators> transfer_;
   std::vector<ErrorEstimate> estimates_;
 };
@@ -87,8 +93,15 @@ enum EffectId {
   effect_heat_exchange,
   effect_turbulence,
   effect_scalars,
+  effect_driving_force,
+  effect_sources,
   effect_reactions
 };
+
+// Whose task the account of forces is.
+inline int effect_of_forces(const SchemeOptions& o) {
+  return o.force_on ? effect_driving_force : effect_gravity;
+}
 
 // Labels that are functions of a state, as tasks that read it as old state.
 void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,

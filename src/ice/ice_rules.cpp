@@ -25,12 +25,6 @@ void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message
   faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
 }
 
-void not_built(std::vector<Fault>& faults, const DeckNode& node, const std::string& what,
-               std::string suggestion = {}) {
-  fault(faults, node, what + " is known to the format, but not built yet", std::move(suggestion));
-  faults.back().not_built = true;
-}
-
 void warn(std::vector<Fault>& faults, const DeckNode& node, std::string message,
           std::string suggestion = {}) {
   faults.push_back({Severity::warning, node.where, std::move(message), std::move(suggestion)});
@@ -229,7 +223,9 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
-      not_built(faults, *work, "<includeFlowWork> false", "write true");
+      warn(faults, *work,
+           "<includeFlowWork> false has no effect: the work of the pressure is part of the energy",
+           "remove it");
     }
   }
   check_material_indices(root, static_cast<int>(materials.size()), faults);
@@ -255,10 +251,6 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   models::check_models(root, material_names(root), faults);
-  const DeckNode* models = root.child("Models");
-  if (models == nullptr || !models::all_built(root)) return;
-  for (const DeckNode* model : models->all("Model"))
-    not_built(faults, *model, "what <Model> does to a flow");
 }
 
 void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {

@@ -79,6 +79,8 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
       s.sound_speed_knob = n->as_real();
     if (const DeckNode* n = control->child("knob_for_diffusion")) s.diffusion_knob = n->as_real();
   }
+  s.added_heat = read_added_heat(*ice);
+  s.driving_force = read_driving_force(*ice);
   s.formula = read_formula(ice);
   if (const DeckNode* custom = ice->child("customInitialization"))
     s.custom = read_custom_starts(*custom);
@@ -122,6 +124,22 @@ void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene&
       }
 }
 
+// A region is held at a state that its material's law has.
+void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
+  for (const models::FixedValues& f : s.models.fixed_values) {
+    const IceMaterial& m = s.materials[static_cast<std::size_t>(f.material)];
+    const double rho_e = m.fluid.energy_from_temperature(f.density, f.temperature);
+    if (m.fluid.admissible(f.density, rho_e)) continue;
+    add_error(faults, f.where,
+              fmt::format("the equation of state of '{}' has no state with density_src {:g} and "
+                          "temperature_src {:g}: pressure {:g} (must be above {:g}), sound speed "
+                          "squared must be above 0",
+                          m.name, f.density, f.temperature, m.fluid.pressure(f.density, rho_e),
+                          m.fluid.lowest_pressure()),
+              "see the range of the law in docs/theory_eos.md");
+  }
+}
+
 }  // namespace
 
 bool IceScene::one_velocity() const {
@@ -153,6 +171,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, names, geometry, faults);
+  check_fixed_values(s, faults);
   s.conditions = read_flow_conditions(root);
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/scene/scene.hpp"
+#include "ice/body_sources.hpp"
 #include "ice/boundary/flow_conditions.hpp"
 #include "ice/custom_start.hpp"
 #include "ice/exchange_settings.hpp"
@@ -62,6 +63,8 @@ struct IceScene {
   std::vector<RefinementCriterion> criteria;
   ExchangeSettings exchange;
   models::ModelList models;
+  std::vector<models::AddedHeat> added_heat;
+  DrivingForce driving_force;
   int most_equilibration_steps = 100;  // max_iteration_equilibration
   Location advection_where, cfl_where, scheme_where, gravity_where;
 

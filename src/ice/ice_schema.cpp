@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "framework/field/label.hpp"
+#include "ice/body_sources.hpp"
 #include "ice/custom_start.hpp"
 #include "ice/exchange_settings.hpp"
 #include "ice/fluid_laws.hpp"
@@ -85,7 +86,8 @@ TagSpec ice_block() {
                           "with gravity: the pressure at the start balances the weight")
                           .boolean()
                           .by_default("true")})
-      .with_children(ice::transport_tags());
+      .with_children(ice::transport_tags())
+      .with_children(ice::body_source_tags());
 }
 
 TagSpec fluid_dynamics() {
@@ -154,7 +156,8 @@ TagSpec material() {
                "this may be left out")
                .boolean()
                .by_default("false"),
-           tag("includeFlowWork", "work of the pressure changes the energy")
+           tag("includeFlowWork",
+               "accepted without effect: the work of the pressure always changes the energy")
                .boolean()
                .by_default("true"),
            geom_object()});
@@ -242,15 +245,10 @@ SaveLabels ice_save_labels() {
                        "mass_L_CC",
                        "mom_L_CC",
                        "int_eng_L_CC",
-                       "eng_L_ME_CC",
                        "sp_vol_src_CC",
                        "Tdot",
                        "eng_adv",
                        "sp_vol_adv",
-                       "modelMass_src",
-                       "modelMom_src",
-                       "modelEng_src",
-                       "modelVol_src",
                        "eq_press_iters",
                        "imp_delP",
                        "sum_imp_delP",
@@ -268,12 +266,7 @@ SaveLabels ice_save_labels() {
                        "delF",
                        "totalMassBurned",
                        "totalHeatReleased",
-                       "totalMassExchanged",
-                       "totalIntEngExchanged",
-                       "totalMassExchange",
-                       "TotalModelMass_src",
-                       "TotalModelMom_src",
-                       "TotalModelEng_src"};
+                       "totalMassExchange"};
   return savable;
 }
 
@@ -308,6 +301,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_slip_conditions);
   schema.rules.emplace_back(check_criteria);
   schema.rules.emplace_back(check_ice_models);
+  schema.rules.emplace_back(ice::check_body_sources);
   schema.rules.emplace_back(check_ice_labels);
 }
 

@@ -246,6 +246,32 @@ TEST(IceSchema, WarnsOfAMixtureWithAnotherGasConstant) {
   EXPECT_THAT(messages(sample.load()), HasSubstr("has a gas constant of 284.65"));
 }
 
+TEST(IceSchema, SaysThatPressureAlwaysWorks) {
+  Sample sample;
+  sample.material = "<includeFlowWork>false</includeFlowWork>";
+  const Deck deck = sample.load();
+  EXPECT_TRUE(deck.good());
+  EXPECT_THAT(messages(deck), HasSubstr("<includeFlowWork> false has no effect"));
+}
+
+TEST(IceSchema, ChecksAddedHeat) {
+  const auto said = [](const std::string& materials, const std::string& powers,
+                       const std::string& stop) {
+    Sample sample;
+    sample.ice = "<ADD_HEAT><add_heat_matls>" + materials + "</add_heat_matls><add_heat_coeff>" +
+                 powers + "</add_heat_coeff><add_heat_t_start>1</add_heat_t_start>" +
+                 "<add_heat_t_final>" + stop + "</add_heat_t_final></ADD_HEAT>";
+    return messages(sample.load());
+  };
+  EXPECT_EQ(said("[0]", "[3e9]", "2"), "");
+  EXPECT_THAT(said("[1]", "[3e9]", "2"), HasSubstr("there is no material 1: the deck has 1"));
+  EXPECT_THAT(said("[0]", "[1,2]", "2"), HasSubstr("has 2 numbers for 1 material"));
+  EXPECT_THAT(said("[0]", "[1]", "1"), HasSubstr("no heat is ever added"));
+  Sample sample;
+  sample.ice = "<ADD_HEAT/>";
+  EXPECT_THAT(messages(sample.load()), HasSubstr("<ADD_HEAT> needs <add_heat_matls>"));
+}
+
 TEST(IceSchema, NamesWhatIsNotBuilt) {
   const auto said = [](auto change) {
     Sample sample;
@@ -258,9 +284,6 @@ TEST(IceSchema, NamesWhatIsNotBuilt) {
     return messages(deck);
   };
   EXPECT_THAT(said([](Sample& s) { s.ice = "<ImplicitSolver/>"; }), HasSubstr("<ImplicitSolver>"));
-  EXPECT_THAT(said([](Sample& s) { s.ice = "<ADD_HEAT/>"; }), HasSubstr("<ADD_HEAT>"));
-  EXPECT_THAT(said([](Sample& s) { s.material = "<includeFlowWork>false</includeFlowWork>"; }),
-              HasSubstr("<includeFlowWork> false"));
   EXPECT_THAT(said([](Sample& s) {
                 s.ice = "<customInitialization><vortexPairs/></customInitialization>";
               }),

@@ -1,6 +1,7 @@
-// What pressure, gravity and viscous stress take from the momentum of a cell in a step.
+// What pressure, gravity, a driving force and viscous stress take from the momentum of a cell in a
+// step.
 //
-//   dp_c = l_c (p_f+ - p_f-) - dt g_c rho - sum_d l_d (t_f+ - t_f-)_c,   l_d = dt/dx_d
+//   dp_c = l_c (p_f+ - p_f-) - dt (g_c rho + f_c) - sum_d l_d (t_f+ - t_f-)_c,   l_d = dt/dx_d
 #pragma once
 #include <array>
 
@@ -17,13 +18,15 @@ struct ImpulseHandles {
 struct ImpulseConstants {
   double l[3] = {0, 0, 0};     // dt/dx by component; the first are the axes
   double kick[3] = {0, 0, 0};  // dt g by component
+  double push[3] = {0, 0, 0};  // dt f
 };
 
 inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {
   ImpulseConstants s;
   for (int c = 0; c < o.components; ++c) {
     s.l[c] = step.dt / step.spacing[o.direction[static_cast<std::size_t>(c)]];
-    s.kick[c] = o.gravity_on ? step.dt * o.gravity[o.direction[static_cast<std::size_t>(c)]] : 0.0;
+    s.kick[c] = step.dt * o.gravity[o.direction[static_cast<std::size_t>(c)]];
+    s.push[c] = step.dt * o.force[o.direction[static_cast<std::size_t>(c)]];
   }
   return s;
 }
@@ -39,13 +42,13 @@ void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstant
       const auto axis = static_cast<std::size_t>(c);
       const double* __restrict pm = row(h.face_pressure[axis]);
       const double* __restrict pp = row(h.face_pressure[axis], 0, c, 1);
-      const double l = s.l[c], kick = s.kick[c];
+      const double l = s.l[c], kick = s.kick[c], push = s.push[c];
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = l * (pp[i] - pm[i]) - kick * r[i];
+      for (int i = 0; i < n; ++i) dp[i] = l * (pp[i] - pm[i]) - (kick * r[i] + push);
     } else {
-      const double kick = s.kick[c];
+      const double kick = s.kick[c], push = s.push[c];
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = -kick * r[i];
+      for (int i = 0; i < n; ++i) dp[i] = -(kick * r[i] + push);
     }
     if (!viscous) continue;
     const double *tm[D], *tp[D];

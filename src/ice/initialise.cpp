@@ -3,12 +3,40 @@
 // Several materials: each has its own density and temperature where it is, at whatever pressure its
 // law then has; one pressure is found before the first step, total energy kept. The momentum is the
 // sum over the materials.
+#include <fmt/format.h>
+
+#include "framework/base/error.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
 #include "ice/material_fill.hpp"
 #include "ice/mixture/equilibrate.hpp"
 
 namespace sluice::ice {
+namespace {
+
+// No pressure suits the materials of a cell as the deck has them.
+[[noreturn]] void refuse_start(const IceScene& scene, const MixtureFill& fill, std::size_t n,
+                               IntVec3 cell, int level, int failed) {
+  std::string states;
+  for (std::size_t m = 0; m < fill.materials.size(); ++m) {
+    const MaterialFill& f = fill.materials[m];
+    if (f.volume_fraction[n] == 0.0) continue;
+    const Fluid& fluid = scene.materials[m].fluid;
+    states += fmt::format(
+        "\n  material {} ('{}'): volume fraction {:g}, density {:g} kg/m^3, temperature {:g} K, "
+        "pressure {:g} Pa (its law allows more than {:g})",
+        m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
+        f.pressure[n], fluid.lowest_pressure());
+  }
+  throw InputError(fmt::format(
+      "initial state: the materials of cell [{}, {}, {}] of level {} have no common pressure; "
+      "material {} ('{}') finds no state:{}\n  give the materials that share a cell densities and "
+      "temperatures of about one pressure",
+      cell.x, cell.y, cell.z, level, failed, scene.materials[static_cast<std::size_t>(failed)].name,
+      states));
+}
+
+}  // namespace
 
 void Ice::initialise(Warehouse& state) const {
   if (material_count() > 1) return initialise_materials(state);
@@ -56,7 +84,8 @@ void Ice::initialise_materials(Warehouse& state) const {
         E[m] = V[m] * fluid.energy_from_pressure(f.density[n], f.pressure[n], f.temperature[n]);
         for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
       }
-      equilibration.equilibrate({M, V, E});
+      const int failed = equilibration.equilibrate({M, V, E}).failed;
+      if (failed >= 0) refuse_start(ice_, fill, n, cell, state.level().index, failed);
       const auto at = [&](Label label, int m, int c) -> double& {
         return state.view(state.find(label, m), c, b)(cell);
       };

@@ -91,6 +91,17 @@ void declare_step_labels(Labels& l) {
       cell("delP_Dilatate", "Pa", "Change of the pressure over the step by compression and flow.");
   l.lagrangian_momentum = cell_vector(
       "mom_L_ME_CC", "kg m/s", "Momentum of the cell after pressure and forces, before advection.");
+  l.lagrangian_energy = cell("eng_L_ME_CC", "J",
+                             "Internal energy of the material in the cell after pressure and "
+                             "forces, before advection.");
+  l.model_mass = cell("modelMass_src", "kg", "Mass that models add to the material in the step.");
+  l.model_momentum = cell_vector("modelMom_src", "kg m/s",
+                                 "Momentum that models add to the material in the step.");
+  l.model_energy =
+      cell("modelEng_src", "J", "Internal energy that models add to the material in the step.");
+  l.model_volume =
+      cell("modelVol_src", "m^3",
+           "Volume that models add to the material in the step, before one pressure is found.");
   constexpr const char* velocity[] = {"uvel_FC", "vvel_FC", "wvel_FC"};
   constexpr const char* exchanged[] = {"uvel_FCME", "vvel_FCME", "wvel_FCME"};
   constexpr const char* pressure[] = {"pressX_FC", "pressY_FC", "pressZ_FC"};
@@ -119,6 +130,18 @@ void declare_reductions(Labels& l) {
       reduction("TotalIntEng", ValueType::real, "J", "Internal energy in the domain.");
   l.kinetic_energy = reduction("KineticEnergy", ValueType::real, "J",
                                "Kinetic energy in the domain, sum of |m|^2/(2 rho) V.");
+  l.total_model_mass = reduction("TotalModelMass_src", ValueType::real, "kg",
+                                 "Mass that models have added since the start, of all materials.");
+  l.total_model_momentum = reduction("TotalModelMom_src", ValueType::vector, "kg m/s",
+                                     "Momentum that models have added since the start.");
+  l.total_model_energy = reduction("TotalModelEng_src", ValueType::real, "J",
+                                   "Total energy that models have added since the start.");
+  l.total_mass_exchanged =
+      reduction("totalMassExchanged", ValueType::real, "kg",
+                "Mass that has passed from material to material since the start.");
+  l.total_energy_exchanged =
+      reduction("totalIntEngExchanged", ValueType::real, "J",
+                "Internal energy that has passed with that mass since the start.");
 }
 
 }  // namespace

@@ -21,12 +21,15 @@ struct Labels {
   Label mass_of_cell, momentum_of_cell;
 
   // From within a step.
-  Label equilibrium_pressure, pressure_change, lagrangian_momentum;
+  Label equilibrium_pressure, pressure_change, lagrangian_momentum, lagrangian_energy;
   Label face_stress[3], viscous_source, heat_source;
+  Label model_mass, model_momentum, model_energy, model_volume;
   Label face_velocity[3], face_velocity_exchanged[3], face_pressure[3];
 
   // Reductions (.dat).
   Label total_mass, total_momentum, total_internal_energy, kinetic_energy;
+  Label total_model_mass, total_model_momentum, total_model_energy;
+  Label total_mass_exchanged, total_energy_exchanged;
 
   Label wave_amplitude[5];  // Li1 to Li5, from a state alone
 };

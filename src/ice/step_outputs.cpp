@@ -2,6 +2,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/sources/source_tasks.hpp"
 #include "ice/transport/outputs.hpp"
 
 namespace sluice::ice {
@@ -65,6 +66,21 @@ void lagrangian_momentum_task(TaskList& list, const SchemeVariables& v, const Sc
   });
 }
 
+// E* V of one material.
+void lagrangian_energy_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  TaskBuilder task =
+      list.task("save " + labels().lagrangian_energy.name(), effect_saved_intermediates);
+  const In energy = task.read(v.energy_star);
+  const Out out = task.write(list.output(labels().lagrangian_energy, o.material));
+  task.kernel([=](const Row& row) {
+    const Vec3 dx = row.step().spacing;
+    const double V = dx.x * dx.y * dx.z;
+    const double* E = row(energy);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = E[i] * V;
+  });
+}
+
 // A face label along a direction that is not active: nothing flows, the pressure is the cell's.
 void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int d,
                         Label label, bool pressure) {
@@ -92,6 +108,8 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
     pressure_change_task(list, v, o);
   lagrangian_momentum_task(list, v, o);
   declare_transport_outputs(list, v, o);
+  if (!o.mixture) lagrangian_energy_task(list, v, o);
+  declare_source_labels(list, v, o, effect_saved_intermediates);
   for (int d = 0; d < 3; ++d) {
     int axis = -1;
     for (int a = 0; a < o.axes.count; ++a)

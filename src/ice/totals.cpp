@@ -91,6 +91,40 @@ void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Tota
 
 // Gravity acts on the mass at the start of the step and works along the mean momentum of the
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
+void Ice::add_source_balance(const std::vector<double>& sums, StepBalance& b) const {
+  if (sources_.empty()) return;
+  const auto first = static_cast<std::size_t>(first_source_sum());
+  const std::size_t beside = first + static_cast<std::size_t>(material_count());
+  for (std::size_t s = first; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
+  for (int d = 0; d < 3; ++d)
+    b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + static_cast<std::size_t>(d)];
+  b.energy_of_forces += sums[beside + SourceSums::total_energy];
+}
+
+// What models add: mass, momentum, total energy; what passes between materials.
+std::vector<std::string> Ice::tally_names() const {
+  if (sources_.empty()) return {};
+  return {"model mass",   "model momentum x", "model momentum y", "model momentum z",
+          "model energy", "exchanged mass",   "exchanged energy"};
+}
+
+std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
+  if (sources_.empty()) return {};
+  StepBalance added;
+  add_source_balance(sums, added);
+  const auto beside = static_cast<std::size_t>(first_source_sum() + material_count());
+  double mass = 0;
+  for (const double m : added.mass_of_sources) mass += m;
+  const Vec3 momentum = added.momentum_of_forces;
+  return {mass,
+          momentum.x,
+          momentum.y,
+          momentum.z,
+          sums[beside + SourceSums::total_energy] - sums[beside + SourceSums::heat],
+          sums[beside + SourceSums::exchanged_mass],
+          sums[beside + SourceSums::exchanged_energy]};
+}
+
 StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
   StepBalance b;
   for (int m = 0; m < material_count(); ++m)
@@ -101,16 +135,17 @@ StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start
   b.energy = sums[StepSlots::energy];
   for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
-    if (start == nullptr) continue;
+    if (start == nullptr || options_.force_on) continue;
     const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
     const double kick = dt * options_.gravity[d] * mass;
     b.momentum_of_forces[d] = kick;
     b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
-  if (start != nullptr || !options_.gravity_on) return b;
+  add_source_balance(sums, b);
+  if (!options_.gravity_on || (start != nullptr && !options_.force_on)) return b;
   for (int d = 0; d < 3; ++d)
-    b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
-  b.energy_of_forces = sums[StepSlots::gravity_work];
+    b.momentum_of_forces[d] += sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
+  b.energy_of_forces += sums[StepSlots::gravity_work];
   return b;
 }
 
@@ -120,11 +155,22 @@ double Ice::history_value(Label label, const Totals& totals) const {
     for (const ConservedTotal& mass : totals.mass) all.merge(mass.sum);
     return all.value();
   }
+  const auto tally = [&](std::size_t n) {
+    return n < totals.tallies.size() ? totals.tallies[n] : 0.0;
+  };
+  if (label == labels().total_model_mass) return tally(0);
+  if (label == labels().total_model_energy) return tally(4);
+  if (label == labels().total_mass_exchanged) return tally(5);
+  if (label == labels().total_energy_exchanged) return tally(6);
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
   return totals.kinetic_energy.sum.value();
 }
 
-Vec3 Ice::history_vector(Label /*label*/, const Totals& totals) const {
+Vec3 Ice::history_vector(Label label, const Totals& totals) const {
+  if (label == labels().total_model_momentum) {
+    if (totals.tallies.empty()) return {};
+    return {totals.tallies[1], totals.tallies[2], totals.tallies[3]};
+  }
   return {totals.momentum[0].sum.value(), totals.momentum[1].sum.value(),
           totals.momentum[2].sum.value()};
 }

@@ -43,6 +43,7 @@ TagSpec fixed_values_tag() {
                .once()
                .child(tag("geom_object", "a region; the last one holds where regions overlap")
                           .at_least_once()
+                          .attribute(attribute("name", "name of the region").text())
                           .group("geometry_piece")
                           .child(algorithm()))});
 }

@@ -1,7 +1,7 @@
 // Model "Test": mass of one material becomes another's at a constant rate.
 //
-//   dm/dt = -k m from startTime on: of what is there at t, the share 1 - exp(-k (t1 - t0)) passes in
-//   a step, t0..t1 being the part of the step in which the model acts
+//   dm/dt = -k m from startTime on: of what is there, the share 1 - exp(-k (t1 - t0)) passes in a
+//   step, t0..t1 being the part of the step in which the model acts
 // With it go its volume, its momentum and its internal energy: totals stay. The shares of two steps
 // are together the share of one as long: the law is exact whatever the steps are.
 #pragma once

@@ -35,11 +35,13 @@ struct Totals {
   ConservedTotal momentum[3];        // kg m/s
   ConservedTotal internal_energy;    // J
   ConservedTotal kinetic_energy;     // J
+  std::vector<double> tallies;       // Component::tally_names, since the start; of all ranks
 };
 
-// What came in through the boundary in one accepted step, and what forces added.
+// What came in through the boundary in one accepted step, and what forces and sources added.
 struct StepBalance {
   std::vector<double> mass;
+  std::vector<double> mass_of_sources;  // by material; empty: none
   Vec3 momentum{}, momentum_of_forces{};
   double energy = 0, energy_of_forces = 0;
 };
@@ -161,6 +163,10 @@ class Component {
   // several levels: then the sums hold all that forces need.
   virtual StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                               double dt) const = 0;
+  // What a run counts beside what is conserved, from start to end and over restarts; names for
+  // checkpoints, and what an accepted step with these sums adds to each.
+  virtual std::vector<std::string> tally_names() const { return {}; }
+  virtual std::vector<double> tallies(const std::vector<double>& /*sums*/) const { return {}; }
   // Labels of .dat histories and their values.
   virtual double history_value(Label label, const Totals& totals) const = 0;
   virtual Vec3 history_vector(Label label, const Totals& totals) const = 0;

@@ -63,7 +63,8 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       hierarchy_(scene, component, communicator, solver_options(options_)),
       analysis_(scene, hierarchy_, communicator),
       level_history_(hierarchy_.possible_levels(), communicator.is_root()),
-      conservation_(conserved_names(component)) {}
+      conservation_(conserved_names(component)),
+      tallies_(component.tally_names()) {}
 
 Simulation::~Simulation() = default;
 
@@ -73,6 +74,8 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   time_.restart(time_state_from_json_text(kept.at("time")));
   set_totals(true);
   conservation_.restore(nlohmann::json::parse(kept.at("conservation")));
+  if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
+    tallies_.restore(nlohmann::json::parse(counted->second));
   ledger_ = EventLedger::from_json(nlohmann::json::parse(kept.at("events")));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
     analysis_.restore(sampled->second, &checkpoint);
@@ -151,6 +154,7 @@ StepInfo Simulation::step_info() const {
   info.next_delt = limit_.dt;
   info.state["time"] = to_json_text(t);
   info.state["conservation"] = conservation_.checkpoint().dump();
+  if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
   if (all_finite(hierarchy_.rates()))
     info.state["rates"] = nlohmann::json(hierarchy_.rates()).dump();

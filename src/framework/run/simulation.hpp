@@ -80,6 +80,7 @@ class Simulation {
   std::unique_ptr<Progress> progress_;
   EventLedger ledger_;
   Conservation conservation_;
+  Conservation tallies_;  // beside what is conserved: its "sources" alone
   StepStart step_start_;
   StepLimit limit_;
   RunStatus status_ = RunStatus::running;

@@ -39,6 +39,7 @@ Totals Simulation::totals() {
   for (ConservedTotal& m : t.momentum) merge_ranks(m, communicator_);
   merge_ranks(t.internal_energy, communicator_);
   merge_ranks(t.kinetic_energy, communicator_);
+  for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
   return t;
 }
 
@@ -70,6 +71,9 @@ void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
   for (std::size_t m = 0; m < b.mass.size(); ++m) {
     conservation_.add_boundary(q++, single(b.mass[m]));
     step_start_.mass[m] += b.mass[m];
+    if (b.mass_of_sources.empty()) continue;
+    conservation_.add_sources(q - 1, single(b.mass_of_sources[m]));
+    step_start_.mass[m] += b.mass_of_sources[m];
   }
   for (int d = 0; d < 3; ++d) {
     conservation_.add_boundary(q, single(b.momentum[d]));
@@ -78,6 +82,9 @@ void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
   }
   conservation_.add_boundary(q, single(b.energy));
   conservation_.add_sources(q, single(b.energy_of_forces));
+  const std::vector<double> added = component_.tallies(sums);
+  for (std::size_t n = 0; n < added.size(); ++n)
+    tallies_.add_sources(static_cast<int>(n), single(added[n]));
 }
 
 // By conserved quantity: the momentum that the energy could carry; others are what they are.

@@ -42,7 +42,8 @@ void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& e
   classic::add_update(list, v, o, effect_flow);           // m_L, E*, F            new state, rates
   if (effects.on(effect_boundary_account))
     add_boundary_account(list, s, o, effect_boundary_account);  // F, p_f          sums
-  add_gravity_account(list, s, o, effect_gravity);              // m, dp                       sums
+  add_gravity_account(list, s, o, effect_of_forces(o));         // m, dp                       sums
+  add_source_account(list, s, o, effect_sources);               // change          sums
   add_volume_account(list, s, o, effect_diagnostics);           // F, p_f          sums
   add_flux_record(list, s, o, effect_flux_record);  // F, p_f                      face tables
   declare_step_outputs(list, s, o);  // whatever a deck saves                      outputs

@@ -1,6 +1,7 @@
 // Steps 2 and 4 of the classic form: face velocity and face pressure.
 //
-//   u_f = (rho_a u_a + rho_b u_b)/(rho_a + rho_b) - 2 l (p_b - p_a)/(rho_a + rho_b) + dt g
+//   u_f = (rho_a u_a + rho_b u_b)/(rho_a + rho_b) - 2 l (p_b - p_a)/(rho_a + rho_b) + dt g'
+//         with g' = g + 2 f/(rho_a + rho_b) under a driving force f
 //   p_f = (rho_a p_b + rho_b p_a)/(rho_a + rho_b)          with p the pressure after its change
 // Both means are written as the plain mean plus half the difference times a weight, so that equal
 // values give their own bits and mirrored states mirrored ones. On a wall u_f = 0.
@@ -15,7 +16,8 @@ struct VelocityHandles {
   Out face_velocity;
 };
 
-void velocity_row(const Row& row, const VelocityHandles& h, int axis, double l, double kick) {
+void velocity_row(const Row& row, const VelocityHandles& h, int axis, double l, double kick,
+                  double push) {
   const int n = row.count();
   const double* __restrict ra = row(h.rho, 0, axis, -1);
   const double* __restrict rb = row(h.rho);
@@ -28,7 +30,7 @@ void velocity_row(const Row& row, const VelocityHandles& h, int axis, double l, 
   for (int i = 0; i < n; ++i) {
     const double w = 1.0 / (ra[i] + rb[i]);
     const double mean = 0.5 * (ua[i] + ub[i]) + 0.5 * (ub[i] - ua[i]) * ((rb[i] - ra[i]) * w);
-    uf[i] = (mean - 2.0 * l * (pb[i] - pa[i]) * w) + kick;
+    uf[i] = (mean - 2.0 * l * (pb[i] - pa[i]) * w) + (kick + 2.0 * push * w);
   }
 }
 
@@ -63,10 +65,10 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     h.velocity = task.read(v.common.velocity, both);
     h.pressure = task.read(v.common.pressure, both);
     h.face_velocity = task.write(v.common.face_velocity[static_cast<std::size_t>(axis)]);
-    const double gravity = o.gravity[direction];
+    const double gravity = o.gravity[direction], force = o.force[direction];
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
-      velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity);
+      velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity, dt * force);
       double* uf = row(h.face_velocity);
       for_each_wall_face(row, o, axis, [&](int i, bool) { uf[i] = 0.0; });
     });

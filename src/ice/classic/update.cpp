@@ -5,6 +5,7 @@
 // A cell must not lose more volume through its faces than it has: sum_d outflow < 1.
 #include "ice/classic/variables.hpp"
 #include "ice/end_of_step.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::classic {
 namespace {
@@ -109,10 +110,12 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
 void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
+  const SourceHandles sources = declare_sources(task, v.common, o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_rows<D, C>(row, h);
       rest_row<D>(row, h, o);
+      add_sources_of_one(row, sources, o, h.next.rho, h.next.momentum, h.next.energy);
       check_row(row, h, o.axes);
       rates_of_row<D>(row, h.next, o);
     });

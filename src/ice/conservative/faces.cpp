@@ -12,8 +12,9 @@
 // phi takes the dissipation away where the jump of velocity is neither acoustic nor a shock:
 //   phi = min(1, (2|p_b-p_a| + rbar D^2)/(rcbar D)),  D = max(|du|, |u_b-u_a|).
 // Under gravity p_L and p_R are hydrostatic extensions of the cell values, p_b - p_a the deviation
-// from hydrostatic balance; what P took for the flow along the hydrostatic part is given back. On a
-// wall the cell inside meets its own mirror image: u_f = 0 to the bit, whatever the ghosts hold.
+// from hydrostatic balance (of g rho + f with a driving force f); what P took for the flow along
+// the hydrostatic part is given back. On a wall the cell inside meets its own mirror image: u_f = 0
+// to the bit, whatever the ghosts hold.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 #include "ice/wall_faces.hpp"
@@ -60,6 +61,7 @@ struct FaceState {
 struct FaceConstants {
   double half_courant = 0;  // h = dt/(2 dx)
   double g_dx = 0;
+  double f_dx = 0;  // of a driving force
   double shock_slope = 1;
   double pi = 0;  // minus the lowest pressure of the law
 };
@@ -104,12 +106,12 @@ struct FaceRows {
       if constexpr (D > 1) {
         u -= UTa[i];
         p = Pa[i] + (0.5 + k.half_courant * ua[i]) * spa[i];
-        if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i]);
+        if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i] + k.f_dx);
       }
       const double pi = Mixed ? pi_a[i] : k.pi;
       p = larger(p, 0.1 * (pa[i] + pi) - pi);
     }
-    if constexpr (Gravity) p += 0.5 * k.g_dx * ra[i];
+    if constexpr (Gravity) p += 0.5 * (k.g_dx * ra[i] + k.f_dx);
     return {u, p};
   }
   FaceState right(int i) const {
@@ -120,19 +122,19 @@ struct FaceRows {
       if constexpr (D > 1) {
         u -= UTb[i];
         p = Pb[i] - (0.5 - k.half_courant * ub[i]) * spb[i];
-        if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i]);
+        if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i] + k.f_dx);
       }
       const double pi = Mixed ? pi_b[i] : k.pi;
       p = larger(p, 0.1 * (pb[i] + pi) - pi);
     }
-    if constexpr (Gravity) p -= 0.5 * k.g_dx * rb[i];
+    if constexpr (Gravity) p -= 0.5 * (k.g_dx * rb[i] + k.f_dx);
     return {u, p};
   }
   double slope(const double* of_cell, int i) const { return Mixed ? of_cell[i] : k.shock_slope; }
   FaceState solve(int i) const {
     const FaceState L = left(i), R = right(i);
     double p_jump = pb[i] - pa[i];
-    if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]);
+    if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]) + k.f_dx;
     return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], slope(slope_a, i),
                       slope(slope_b, i), ub[i] - ua[i], p_jump);
   }
@@ -216,6 +218,7 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
         FaceConstants k;
         k.half_courant = 0.5 * row.step().dt / dx;
         k.g_dx = o.gravity[direction] * dx;
+        k.f_dx = o.force[direction] * dx;
         k.shock_slope = shock_slope;
         k.pi = pi;
         if (o.mixture)

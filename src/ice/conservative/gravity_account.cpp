@@ -1,8 +1,9 @@
-// What gravity adds in a step with several levels, summed exactly over the uncovered cells.
+// What gravity and a driving force f add in a step, summed exactly over the uncovered cells.
 //
-//   impulse dt g rho V,   work dt g . (m - dp/2) V
+//   impulse dt (g rho + f) V,   work dt (g + f/rho) . (m - dp/2) V
 // with the momentum m at the start of the step and what the Lagrangian phase took from it, dp: the
-// mean momentum of the phase. Absent with one level, where totals at the start of the step do.
+// mean momentum of the phase. Absent with one level and without f, where totals at the start of the
+// step do.
 #include <algorithm>
 
 #include "framework/refine/coverage.hpp"
@@ -28,20 +29,21 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
     for (int c = 0; c < o.components; ++c) {
       const int direction = o.direction[static_cast<std::size_t>(c)];
       const double kick = row.step().dt * o.gravity[direction] * volume;
-      if (kick == 0.0) continue;
+      const double push = row.step().dt * o.force[direction] * volume;
+      if (kick == 0.0 && push == 0.0) continue;
       const double* rho = row(h.rho) + begin;
-      for (int i = 0; i < n; ++i) values[i] = kick * rho[i];
+      for (int i = 0; i < n; ++i) values[i] = kick * rho[i] + push;
       row.reductions().sum(StepSlots::gravity_impulse + direction).add(values, size);
       const double* m = row(h.momentum, c) + begin;
       const double* dp = row(h.impulse, c) + begin;
-      for (int i = 0; i < n; ++i) values[i] = kick * (m[i] - 0.5 * dp[i]);
+      for (int i = 0; i < n; ++i) values[i] = (kick + push / rho[i]) * (m[i] - 0.5 * dp[i]);
       row.reductions().sum(StepSlots::gravity_work).add(values, size);
     }
   }
 }
 
 void account_row(const Row& row, const Handles& h, const SchemeOptions& o) {
-  if (!o.coverage->any()) {
+  if (o.coverage == nullptr || !o.coverage->any()) {
     account_cells(row, h, o, 0, row.count());
     return;
   }
@@ -56,7 +58,7 @@ void account_row(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 void add_gravity_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                          int effect) {
-  if (!o.gravity_on || o.coverage == nullptr) return;
+  if (!o.gravity_on || (o.coverage == nullptr && !o.force_on)) return;
   TaskBuilder task = list.task("gravity account", effect);
   Handles h;
   h.rho = task.read(v.rho);

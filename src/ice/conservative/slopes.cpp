@@ -5,7 +5,8 @@
 //   UT_d = sum_{t != d} h_t u_t L3_t(u_d)                           (2-D and 3-D)
 // with h = dt/(2 dx). Under gravity the pressure differences are taken from the discrete
 // hydrostatic balance p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2, so that a column at rest has
-// no slope; the flow carries the whole pressure, sp_d + g dx rho.
+// no slope; the flow carries the whole pressure, sp_d + g dx rho. A driving force f per volume is
+// weight too: g rho is g rho + f everywhere.
 #include "framework/refine/face_table.hpp"
 #include "ice/conservative/leaving_shocks.hpp"
 #include "ice/conservative/variables.hpp"
@@ -27,7 +28,8 @@ void slope_row(int n, const double* __restrict qm, const double* __restrict q,
 }
 
 template <int D>
-void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx, bool gravity) {
+void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx, double f_dx,
+                        bool gravity) {
   const int n = row.count();
   const double* __restrict pm = row(h.pressure, 0, axis, -1);
   const double* __restrict p = row(h.pressure);
@@ -39,8 +41,8 @@ void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx,
   const double* __restrict rp = row(h.rho, 0, axis, 1);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i)
-    s[i] = central_slope((p[i] - pm[i]) - 0.5 * g_dx * (rm[i] + r[i]),
-                         (pp[i] - p[i]) - 0.5 * g_dx * (r[i] + rp[i]));
+    s[i] = central_slope((p[i] - pm[i]) - (0.5 * g_dx * (rm[i] + r[i]) + f_dx),
+                         (pp[i] - p[i]) - (0.5 * g_dx * (r[i] + rp[i]) + f_dx));
 }
 
 template <int D>
@@ -68,7 +70,8 @@ void transverse_row(const Row& row, const Handles& h, int d, const double* half_
 }
 
 template <int D>
-void predict_row(const Row& row, const Handles& h, const double* half_courant, const double* g_dx) {
+void predict_row(const Row& row, const Handles& h, const double* half_courant, const double* g_dx,
+                 const double* f_dx) {
   const int n = row.count();
   const double* __restrict r = row(h.rho);
   const double* __restrict p = row(h.pressure);
@@ -91,9 +94,10 @@ void predict_row(const Row& row, const Handles& h, const double* half_courant, c
     double change = r[i] * (c[i] * c[i]) * compression;
     if constexpr (D > 1) {
       // The whole slope: deviation and hydrostatic part.
-      double advection = half_courant[0] * u[0][i] * (sp[0][i] + g_dx[0] * r[i]) +
-                         half_courant[1] * u[1][i] * (sp[1][i] + g_dx[1] * r[i]);
-      if constexpr (D > 2) advection += half_courant[2] * u[2][i] * (sp[2][i] + g_dx[2] * r[i]);
+      double advection = half_courant[0] * u[0][i] * (sp[0][i] + (g_dx[0] * r[i] + f_dx[0])) +
+                         half_courant[1] * u[1][i] * (sp[1][i] + (g_dx[1] * r[i] + f_dx[1]));
+      if constexpr (D > 2)
+        advection += half_courant[2] * u[2][i] * (sp[2][i] + (g_dx[2] * r[i] + f_dx[2]));
       change += advection;
     }
     P[i] = p[i] - change;
@@ -139,22 +143,23 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      double half_courant[3] = {0, 0, 0}, g_dx[3] = {0, 0, 0};
+      double half_courant[3] = {0, 0, 0}, g_dx[3] = {0, 0, 0}, f_dx[3] = {0, 0, 0};
       for (int d = 0; d < D; ++d) {
         const double dx = row.step().spacing[o.axes.direction[d]];
         half_courant[d] = 0.5 * row.step().dt / dx;
-        g_dx[d] = o.gravity_on ? o.gravity[o.axes.direction[d]] * dx : 0.0;
+        g_dx[d] = o.gravity[o.axes.direction[d]] * dx;
+        f_dx[d] = o.force[o.axes.direction[d]] * dx;
       }
       for (int d = 0; d < D; ++d) {
         slope_row(row.count(), row(h.velocity, d, d, -1), row(h.velocity, d),
                   row(h.velocity, d, d, 1), row(h.velocity_slope, d));
-        pressure_slope_row<D>(row, h, d, g_dx[d], o.gravity_on);
+        pressure_slope_row<D>(row, h, d, g_dx[d], f_dx[d], o.gravity_on);
         if constexpr (D > 1) transverse_row<D>(row, h, d, half_courant);
       }
       if (o.masked) mask_rows<D>(row, h);
       if (o.recorder != nullptr && o.recorder->ends != nullptr)
         damp_rows<D>(row, h, *o.recorder->ends);
-      predict_row<D>(row, h, half_courant, g_dx);
+      predict_row<D>(row, h, half_courant, g_dx, f_dx);
     });
   });
 }

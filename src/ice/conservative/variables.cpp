@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ice/labels.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice {
 
@@ -33,6 +34,8 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
   if (o.conductivity_varies) v.conductivity = list.temporary("thermal conductivity");
   v.energy_star = list.temporary("energy after work");
   v.impulse = list.temporary("impulse", C);
+  if (o.sources != nullptr)
+    v.source_change = list.temporary("change by sources", source_change(o).count());
 }
 
 SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o) {

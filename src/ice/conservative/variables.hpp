@@ -21,6 +21,7 @@ struct FluxRecorder;
 namespace sluice::ice {
 
 class BoundaryFill;
+class Sources;
 
 struct SchemeOptions {
   Axes axes;
@@ -38,7 +39,9 @@ struct SchemeOptions {
   bool masked = false;            // a redo: slopes vanish where the mask says so
   double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
   Vec3 gravity{};                 // m/s^2
-  bool gravity_on = false;
+  Vec3 force{};                   // driving force, N/m^3
+  bool gravity_on = false;        // one of the two is there
+  bool force_on = false;
   // Transport: one number for all cells, or the cell field of that name in SchemeVariables.
   double viscosity = 0;  // dynamic, Pa s
   bool viscous = false, viscosity_varies = false;
@@ -57,6 +60,8 @@ struct SchemeOptions {
   const FluxRecorder* recorder = nullptr;
   const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
   int first_volume_sum = 0;              // of their sums among those of the step
+  const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
+  int first_source_sum = 0;              // likewise
 
   // Whether friction works on the velocity of a sharp front between two viscosities
   // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
@@ -88,6 +93,7 @@ struct SchemeVariables {
   VariableId pure;                 // see mixture/variables.hpp
   VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
   VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
+  VariableId source_change;        // what sources add, see sources/sources.hpp
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
@@ -117,7 +123,8 @@ struct StepSlots {
   static constexpr int energy = 4;
   static constexpr int pressure_impulse = 5;  // three: the part of momentum that is no advection
   static constexpr int sums = 8;
-  // With several levels under gravity also its impulse (three) and its work.
+  // With several levels under gravity, and with a driving force, also their impulse (three) and
+  // their work.
   static constexpr int gravity_impulse = 8;
   static constexpr int gravity_work = 11;
   static constexpr int sums_with_gravity = 12;

@@ -4,8 +4,9 @@
 //   E_m' = E_mL + sum_d (G_m- - G_m+) + k M_m'/rho'
 //   k = sum_d (F- |U- - v|^2 - F+ |U+ - v|^2)/2 - rho' |m'/rho' - v|^2/2
 // the kinetic energy that the remap loses goes to the materials by mass. A material that ended with
-// no mass is gone: what is left of its energy goes into k. Then one pressure
-// (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one pressure again.
+// no mass is gone: what is left of its energy goes into k. Then sources act (sources/sources.hpp),
+// then one pressure (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one
+// pressure again.
 // Cells of pure neighbourhood run the rows of one material.
 #include <algorithm>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "ice/mixture/ideal_relaxation.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -33,6 +35,7 @@ struct Handles {
   std::array<In, 3> flux;  // of each material
   std::vector<MaterialState> state;
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+  SourceHandles sources;
 };
 
 // What finds the pressure of a cell.
@@ -67,15 +70,33 @@ void end_row(const Fluid& fluid, int n, const double* rho, const double* E, doub
   pressure_and_modulus_row(fluid, n, rho, E, p, K);
 }
 
-// `o`: the options of material m.
+// Adds the sources; the density of the mixture follows.
+void add_sources(const Row& row, const Handles& h, const SchemeOptions& o) {
+  SourceRows rows;
+  rows.row = &row;
+  rows.change = h.sources.change;
+  rows.layout = source_change(o);
+  for (std::size_t m = 0; m < h.state.size(); ++m) {
+    rows.mass[m] = row(h.state[m].mass_new);
+    rows.volume[m] = row(h.state[m].volume_new);
+    rows.energy[m] = row(h.state[m].energy_new);
+  }
+  for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
+  o.sources->apply(rows);
+  double* density = row(h.end, 0);
+  std::fill_n(density, row.count(), 0.0);
+  for (const MaterialState& s : h.state) {
+    const double* M = row(s.mass_new);
+    for (int i = 0; i < row.count(); ++i) density[i] += M[i];
+  }
+}
+
+// `o`: the options of material m. True: its cells may hold others now, and need one pressure.
 template <int D, int C>
-void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
+bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
   const int n = row.count();
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
-  check_row(row, u, o);
-  end_row(o.fluid, n, row(u.next.rho), row(u.next.energy), row(h.end, 0), row(h.pressure),
-          row(h.end, 1));
   for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
     const MaterialState& s = h.state[static_cast<std::size_t>(other)];
     double* V = row(s.volume_new);
@@ -84,6 +105,14 @@ void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m)
     double *M = row(s.mass_new), *E = row(s.energy_new);
     for (int i = 0; i < n; ++i) M[i] = E[i] = 0.0;
   }
+  if (o.sources != nullptr) {
+    add_sources(row, h, o);
+    if (o.sources->takes_from(m, row.step())) return true;
+  }
+  check_row(row, u, o);
+  end_row(o.fluid, n, row(u.next.rho), row(u.next.energy), row(h.end, 0), row(h.pressure),
+          row(h.end, 1));
+  return false;
 }
 
 // Cells that are not of pure neighbourhood; rows are looked up once for all of them.
@@ -92,6 +121,8 @@ class MixedCells {
  public:
   MixedCells(const Row& row, const Handles& h, const SchemeOptions& o, const Laws& laws)
       : row_(row),
+        h_(h),
+        o_(o),
         axes_(o.axes),
         laws_(laws),
         materials_(static_cast<int>(h.state.size())),
@@ -126,8 +157,15 @@ class MixedCells {
       remap_materials(first + done, some);
       move_mixture(first + done, some);
       share_defect(first + done, some);
+      if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
       find_pressure(first + done, some);
     }
+  }
+  // Of cells whose new state is there but for that.
+  void relax(int first, int count) {
+    constexpr int most = IdealRelaxation::most_cells;
+    for (int done = 0; done < count; done += most)
+      find_pressure(first + done, std::min(most, count - done));
   }
 
  private:
@@ -270,11 +308,14 @@ class MixedCells {
     f.cell[axes_.direction[0]] += i;
     f.level = row_.step().level;
     f.kind = kind;
+    if (kind >= fault_of_material) f.material = kind / fault_of_material - 1;
     f.value = value;
     row_.reductions().fault(f);
   }
 
   const Row& row_;
+  const Handles& h_;
+  const SchemeOptions& o_;
   const Axes& axes_;
   const Laws& laws_;
   int materials_;
@@ -321,6 +362,7 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   h.pressure = task.write(v.common.new_pressure);
   h.closure = task.write(v.common.closure);
   h.common.next.rho = h.end;
+  h.sources = declare_sources(task, v.common, o);
   return h;
 }
 
@@ -341,12 +383,15 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
                  diffusion = DiffusionRates(o)](const Row& row) {
       std::optional<MixedCells<D, C>> mixed;
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
-        if (pure >= 0.0) {
-          const auto m = static_cast<std::size_t>(pure);
-          return pure_cells<D, C>(row.part(first, count), h, of_material[m], static_cast<int>(m));
-        }
+        const auto m = static_cast<std::size_t>(std::max(pure, 0.0));
+        const bool done = pure >= 0.0 && !pure_cells<D, C>(row.part(first, count), h,
+                                                           of_material[m], static_cast<int>(m));
+        if (done) return;
         if (!mixed) mixed.emplace(row, h, o, laws);
-        mixed->run(first, count);
+        if (pure >= 0.0)
+          mixed->relax(first, count);
+        else
+          mixed->run(first, count);
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);

@@ -63,5 +63,6 @@ void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effec
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void declare_lagrangian_labels(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice::mixture

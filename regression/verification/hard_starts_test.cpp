@@ -1,0 +1,68 @@
+// Starts that cannot be and states that leave the laws: the run ends with the cell, the material
+// and the range named.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "verification/case_run.hpp"
+
+namespace sluice::verification {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string how_it_fails(const std::string& deck, const std::vector<std::string>& overrides) {
+  try {
+    const CaseRun run(deck, overrides);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "it did not fail";
+}
+
+const std::string materials = "MaterialProperties/ICE/";
+
+// A liquid under tension and a solid that bears none, half and half: no pressure suits both.
+TEST(HardStart, WithoutACommonPressureNamesCellMaterialsAndStates) {
+  const std::string liquid = materials + "material[1]/", solid = materials + "material[2]/";
+  EXPECT_THAT(
+      how_it_fails(
+          "products_into_solid",
+          {liquid + "EOS/@type=StiffenedGas", liquid + "EOS/pinf=6e8", liquid + "gamma=2",
+           liquid + "geom_object/density=1000", liquid + "geom_object/temperature=300",
+           liquid + "geom_object/volumeFraction=0.5", liquid + "geom_object/box/max=[9,9,9]",
+           solid + "geom_object/box/min=[-9,-9,-9]", solid + "geom_object/volumeFraction=0.5"}),
+      AllOf(HasSubstr("cell [0, 0, 0] of level 0 have no common pressure"),
+            HasSubstr("material 0 ('products'): volume fraction 0.5, density 1000"),
+            HasSubstr("pressure -3e+08 Pa (its law allows more than -6e+08)"),
+            HasSubstr("material 1 ('solid'): volume fraction 0.5, density 1160")));
+}
+
+TEST(HardStart, OverlappingMaterialsAreNamed) {
+  EXPECT_THAT(how_it_fails("products_into_solid",
+                           {materials + "material[1]/geom_object/box/max=[0.6,9,9]"}),
+              AllOf(HasSubstr("volume fractions"), HasSubstr("cell [")));
+}
+
+TEST(HardStart, CellsThatNothingFillsAreNamed) {
+  EXPECT_THAT(how_it_fails("products_into_solid",
+                           {materials + "material[1]/geom_object/box/max=[0.4,9,9]"}),
+              AllOf(HasSubstr("volume fractions"), HasSubstr("cell [")));
+}
+
+// More heat is taken from one of two gases than it has: the step is made smaller until no step is
+// small enough.
+TEST(HardState, OutsideItsLawIsNamedAfterSmallerSteps) {
+  const std::string heat = "CFD/ICE/ADD_HEAT/";
+  EXPECT_THAT(
+      how_it_fails("mixed_gases", {heat + "add_heat_matls=[1]", heat + "add_heat_coeff=[-1e4]",
+                                   heat + "add_heat_t_start=0", heat + "add_heat_t_final=9"}),
+      AllOf(HasSubstr("inadmissible even with dt ="), HasSubstr("cell ["), HasSubstr("material 1"),
+            HasSubstr("'monatomic'"), HasSubstr("pressure above 0 Pa")));
+}
+
+}  // namespace
+}  // namespace sluice::verification

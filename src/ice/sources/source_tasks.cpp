@@ -1,0 +1,135 @@
+// Rows of one material, the account, the labels.
+#include "ice/sources/source_tasks.hpp"
+
+#include <algorithm>
+
+#include "framework/refine/coverage.hpp"
+#include "framework/task/reductions.hpp"
+#include "ice/labels.hpp"
+
+namespace sluice::ice {
+namespace {
+
+double cell_volume(const Row& row) {
+  const Vec3 dx = row.step().spacing;
+  return dx.x * dx.y * dx.z;
+}
+
+// Cells first .. first + count - 1 of a row of the change, into one of the sums.
+void add_cells(const Row& row, In change, int component, int slot, int first, int count) {
+  constexpr int chunk = 256;
+  const double volume = cell_volume(row);
+  double values[chunk];
+  for (int begin = first; begin < first + count; begin += chunk) {
+    const int n = std::min(chunk, first + count - begin);
+    const double* q = row(change, component) + begin;
+    for (int i = 0; i < n; ++i) values[i] = q[i] * volume;
+    row.reductions().sum(slot).add(values, static_cast<std::size_t>(n));
+  }
+}
+
+void account_cells(const Row& row, In change, const SchemeOptions& o, int first, int count) {
+  using C = SourceChange;
+  const C layout = source_change(o);
+  const int material = o.mixture ? 0 : o.material;
+  const int beside = o.first_source_sum + static_cast<int>(o.fluids.size());
+  for (int m = 0; m < layout.materials; ++m) {
+    add_cells(row, change, layout.of(m, C::mass), o.first_source_sum + material + m, first, count);
+    for (int c = 0; c < o.components; ++c)
+      add_cells(row, change, layout.of(m, C::momentum) + c,
+                beside + SourceSums::momentum + o.direction[static_cast<std::size_t>(c)], first,
+                count);
+  }
+  constexpr std::pair<C::OfCell, int> of_cells[] = {
+      {C::total_energy, SourceSums::total_energy},
+      {C::heat, SourceSums::heat},
+      {C::exchanged_mass, SourceSums::exchanged_mass},
+      {C::exchanged_energy, SourceSums::exchanged_energy}};
+  for (const auto& [what, slot] : of_cells)
+    add_cells(row, change, layout.of(what), beside + slot, first, count);
+}
+
+void account_row(const Row& row, In change, const SchemeOptions& o) {
+  if (o.coverage == nullptr || !o.coverage->any())
+    return account_cells(row, change, o, 0, row.count());
+  const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
+  for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell())) {
+    const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
+    if (first < end) account_cells(row, change, o, first - low, end - first);
+  }
+}
+
+struct SourceLabel {
+  Label label;
+  SourceChange::OfMaterial what;
+};
+
+void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+          const SourceLabel& s, int material, int local) {
+  TaskBuilder task = list.task("save " + s.label.name(), effect);
+  const SourceChange layout = source_change(o);
+  const bool vector = s.what == SourceChange::momentum;
+  const In change = o.sources != nullptr ? task.read(v.source_change) : task.read(v.rho);
+  const Out out = task.write(list.output(s.label, material));
+  task.kernel([=](const Row& row) {
+    for (int d = 0; d < (vector ? 3 : 1); ++d) std::fill_n(row(out, d), row.count(), 0.0);
+    if (o.sources == nullptr) return;
+    const double volume = cell_volume(row);
+    for (int c = 0; c < (vector ? o.components : 1); ++c) {
+      const double* from = row(change, layout.of(local, s.what) + c);
+      double* to = row(out, vector ? o.direction[static_cast<std::size_t>(c)] : 0);
+      for (int i = 0; i < row.count(); ++i) to[i] = from[i] * volume;
+    }
+  });
+}
+
+}  // namespace
+
+SourceChange source_change(const SchemeOptions& o) {
+  SourceChange layout;
+  layout.components = o.components;
+  layout.materials = o.mixture ? static_cast<int>(o.fluids.size()) : 1;
+  return layout;
+}
+
+SourceHandles declare_sources(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o) {
+  SourceHandles h;
+  if (o.sources != nullptr) h.change = task.write(v.source_change);
+  return h;
+}
+
+void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOptions& o, Out mass,
+                        Out momentum, Out energy) {
+  if (o.sources == nullptr) return;
+  SourceRows rows;
+  rows.row = &row;
+  rows.change = h.change;
+  rows.layout = source_change(o);
+  rows.first_material = o.material;
+  rows.mass[0] = row(mass);
+  rows.energy[0] = row(energy);
+  for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(momentum, c);
+  o.sources->apply(rows);
+}
+
+void add_source_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                        int effect) {
+  if (o.sources == nullptr) return;
+  TaskBuilder task = list.task("source account", effect);
+  const In change = task.read(v.source_change);
+  task.always().kernel([=](const Row& row) { account_row(row, change, o); });
+}
+
+void declare_source_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                           int effect) {
+  const Labels& l = labels();
+  const SourceLabel all[] = {{l.model_mass, SourceChange::mass},
+                             {l.model_momentum, SourceChange::momentum},
+                             {l.model_energy, SourceChange::energy},
+                             {l.model_volume, SourceChange::volume}};
+  const int first = o.mixture ? 0 : o.material;
+  for (const SourceLabel& s : all)
+    for (int m = 0; m < source_change(o).materials; ++m) save(list, v, o, effect, s, first + m, m);
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,30 @@
+// What sources need in the graph of a step: rows to act on, an account, labels.
+#pragma once
+#include "ice/conservative/variables.hpp"
+#include "ice/sources/sources.hpp"
+
+namespace sluice::ice {
+
+// Where the exact sums of sources stand among those of a step, from SchemeOptions::first_source_sum
+// on: the mass of each material, then these.
+struct SourceSums {
+  enum { momentum = 0, total_energy = 3, heat, exchanged_mass, exchanged_energy, beside_masses };
+  static constexpr int count(int materials) { return materials + beside_masses; }
+};
+
+SourceChange source_change(const SchemeOptions& o);
+
+// The graph of one material: adds to its new state. Nothing without sources.
+struct SourceHandles {
+  Out change;
+};
+SourceHandles declare_sources(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o);
+void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOptions& o, Out mass,
+                        Out momentum, Out energy);
+
+// Sums over the uncovered cells; absent without sources.
+void add_source_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// modelMass_src and its like, zero without sources.
+void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice

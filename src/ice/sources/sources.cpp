@@ -1,0 +1,153 @@
+// Sources on rows of cells; sources.hpp has the formulas.
+#include "ice/sources/sources.hpp"
+
+#include <algorithm>
+
+namespace sluice::ice {
+namespace {
+
+constexpr double least_volume = 1e-16;  // of a cell, that a material comes to hold or keeps
+
+double* change_row(const SourceRows& r, int component) {
+  return (*r.row)(r.change, component);
+}
+
+double density_at(const SourceRows& r, int i) {
+  double rho = 0;
+  for (int m = 0; m < r.layout.materials; ++m) rho += r.mass[static_cast<std::size_t>(m)][i];
+  return rho;
+}
+
+}  // namespace
+
+Sources::Sources(const models::ModelList& models, const std::vector<models::AddedHeat>& heat,
+                 const std::vector<Fluid>& fluids, const Level& level,
+                 const std::array<int, 3>& direction) {
+  for (const models::MassExchange& x : models.mass_exchanges)
+    if (x.rate > 0) exchanges_.push_back(x);
+  for (const models::AddedHeat& h : heat)
+    if (h.power != 0) heat_.push_back(h);
+  for (const models::FixedValues& f : models.fixed_values) {
+    const Fluid& fluid = fluids[static_cast<std::size_t>(f.material)];
+    Fixed fixed{f.material, f.density, fluid.energy_from_temperature(f.density, f.temperature),
+                {},         f.when,    RowRegion(*f.region, level)};
+    for (std::size_t c = 0; c < 3; ++c) fixed.velocity[c] = f.velocity[direction[c]];
+    fixed_.push_back(std::move(fixed));
+  }
+}
+
+bool Sources::takes_from(int material) const {
+  return std::any_of(exchanges_.begin(), exchanges_.end(),
+                     [&](const models::MassExchange& x) { return x.from == material; });
+}
+
+bool Sources::takes_from(int material, const StepConstants& step) const {
+  return std::any_of(exchanges_.begin(), exchanges_.end(), [&](const models::MassExchange& x) {
+    return x.from == material && x.share(step.time, step.dt) > 0;
+  });
+}
+
+void Sources::apply(const SourceRows& r) const {
+  const StepConstants& step = r.row->step();
+  const int n = r.row->count();
+  for (int c = 0; c < r.layout.count(); ++c) std::fill_n(change_row(r, c), n, 0.0);
+  // With one material in the graph there is nothing to exchange.
+  if (r.layout.materials > 1)
+    for (const models::MassExchange& x : exchanges_)
+      if (const double share = x.share(step.time, step.dt); share > 0) exchange(r, x, share);
+  const auto here = [&](int material) {
+    return material >= r.first_material && material < r.first_material + r.layout.materials;
+  };
+  for (const models::AddedHeat& h : heat_)
+    if (const double q = h.energy(step.time, step.dt); q != 0 && here(h.material))
+      heat(r, h.material - r.first_material, q);
+  for (const Fixed& f : fixed_) {
+    if (!here(f.material) || !(f.when.overlap(step.time, step.dt) > 0)) continue;
+    const int low = r.row->cell()[f.region.along()];
+    for (const RowRegion::Run& run : f.region.runs(r.row->cell()))
+      fix(r, f, std::max(run.first - low, 0), std::min(run.end - low, n));
+  }
+}
+
+// What passes is what the rest differs by: nothing is lost to rounding on the way.
+void Sources::exchange(const SourceRows& r, const models::MassExchange& x, double share) const {
+  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  using C = SourceChange;
+  const auto row_of = [&](int m, C::OfMaterial q) { return change_row(r, r.layout.of(m, q)); };
+  double* const exchanged_mass = change_row(r, r.layout.of(C::exchanged_mass));
+  double* const exchanged_energy = change_row(r, r.layout.of(C::exchanged_energy));
+  for (int i = 0; i < r.row->count(); ++i) {
+    const double rho = density_at(r, i);
+    if (r.mass[from][i] == 0.0) continue;
+    const double V = r.volume[from][i];
+    const double stays = V * (1.0 - share) < least_volume ? 0.0 : 1.0 - share;
+    if (stays > 0 && r.mass[to][i] == 0.0 && V * share < least_volume) continue;
+    const auto pass = [&](double& giver, double& taker, C::OfMaterial q) {
+      const double rest = stays * giver, amount = giver - rest;
+      giver = rest;
+      taker += amount;
+      row_of(x.from, q)[i] -= amount;
+      row_of(x.to, q)[i] += amount;
+      return amount;
+    };
+    const double mass = pass(r.mass[from][i], r.mass[to][i], C::mass);
+    pass(r.volume[from][i], r.volume[to][i], C::volume);
+    exchanged_mass[i] += mass;
+    exchanged_energy[i] += pass(r.energy[from][i], r.energy[to][i], C::energy);
+    for (int c = 0; c < r.layout.components; ++c) {
+      const double carried = mass * (r.momentum[c][i] / rho);
+      change_row(r, r.layout.of(x.from, C::momentum) + c)[i] -= carried;
+      change_row(r, r.layout.of(x.to, C::momentum) + c)[i] += carried;
+    }
+  }
+}
+
+void Sources::heat(const SourceRows& r, int m, double q) const {
+  const double* M = r.mass[static_cast<std::size_t>(m)];
+  double* E = r.energy[static_cast<std::size_t>(m)];
+  double* total = change_row(r, r.layout.of(SourceChange::total_energy));
+  double* heat = change_row(r, r.layout.of(SourceChange::heat));
+  for (int i = 0; i < r.row->count(); ++i) {
+    const double gain = q * M[i];
+    E[i] += gain;
+    total[i] += gain;
+    heat[i] += gain;
+  }
+}
+
+void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const {
+  using C = SourceChange;
+  const int m = f.material - r.first_material, materials = r.layout.materials;
+  const auto k = static_cast<std::size_t>(m);
+  const auto row_of = [&](int component) { return change_row(r, component); };
+  for (int i = first; i < end; ++i) {
+    const double V = r.volume[k] != nullptr ? r.volume[k][i] : 1.0;
+    if (!(V > models::FixedValues::least_volume_fraction) || r.mass[k][i] == 0.0) continue;
+    const double rho = density_at(r, i), M0 = r.mass[k][i], M1 = V * f.density;
+    const double E0 = r.energy[k][i], E1 = V * f.energy;
+    double others = 0;
+    for (int n = 0; n < materials; ++n)
+      if (n != m) others += r.mass[static_cast<std::size_t>(n)][i];
+    double gain = 0, slip = 0;  // of kinetic energy; |u - u_f|^2
+    for (int c = 0; c < r.layout.components; ++c) {
+      const double u = r.momentum[c][i] / rho, v = f.velocity[static_cast<std::size_t>(c)];
+      row_of(r.layout.of(m, C::momentum) + c)[i] += M1 * v - M0 * u;
+      gain += 0.5 * (M1 * v * v - M0 * u * u);
+      slip += (u - v) * (u - v);
+      r.momentum[c][i] = others > 0 ? others * u + M1 * v : M1 * v;
+    }
+    r.mass[k][i] = M1;
+    r.energy[k][i] = E1;
+    row_of(r.layout.of(m, C::mass))[i] += M1 - M0;
+    row_of(r.layout.of(m, C::energy))[i] += E1 - E0;
+    row_of(r.layout.of(C::total_energy))[i] += (E1 - E0) + gain;
+    if (!(others > 0)) continue;
+    const double lost = 0.5 * slip * others * M1 / ((others + M1) * (others + M1));  // per mass
+    for (int n = 0; n < materials; ++n) {
+      const auto j = static_cast<std::size_t>(n);
+      r.energy[j][i] += lost * r.mass[j][i];
+    }
+  }
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,85 @@
+// What models and ADD_HEAT add to cells in a step, after the remap and before one pressure is
+// found.
+//
+// Each source acts on the state that the step has come to, one after the other as the deck names
+// them, first exchanges, then heat, then fixed values: an operator of its own (splitting of first
+// order in time; what it does to a cell at rest is exact). Mass, momentum and total energy change
+// by what is told as `change`, to round-off:
+//   exchange   the share s of the mass of `from` passes with its volume, momentum and energy; all
+//              of it where less than 1e-16 of the cell would stay, nothing where the receiver is
+//              absent and would get less than that: supports stay compact
+//   heat       E_m += q M_m
+//   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
+//              materials of the cell takes from the kinetic energy becomes their heat, by mass
+#pragma once
+#include <array>
+#include <vector>
+
+#include "framework/task/task.hpp"
+#include "ice/fluid.hpp"
+#include "ice/sources/row_region.hpp"
+#include "models/added_heat.hpp"
+#include "models/models.hpp"
+
+namespace sluice::ice {
+
+// Components of what a step's sources change, per volume of the cell: for each material of a graph
+// mass, energy, volume and momentum; then what is of the whole cell.
+struct SourceChange {
+  int components = 1;  // of momentum
+  int materials = 1;
+
+  enum OfMaterial { mass = 0, energy, volume, momentum };
+  enum OfCell { total_energy = 0, heat, exchanged_mass, exchanged_energy, of_cell_count };
+  int of(int material, OfMaterial what) const { return material * (momentum + components) + what; }
+  int of(OfCell what) const { return materials * (momentum + components) + what; }
+  int count() const { return of(of_cell_count); }
+};
+
+// Rows of a new state that sources change.
+struct SourceRows {
+  static constexpr std::size_t most = 32;
+
+  const Row* row = nullptr;
+  Out change;
+  SourceChange layout;
+  int first_material = 0;  // of those in the graph
+  // By material of the graph; volume null: it fills the cell.
+  std::array<double*, most> mass{}, volume{}, energy{};
+  double* momentum[3] = {nullptr, nullptr, nullptr};
+};
+
+class Sources {
+ public:
+  // `direction`: level directions of the components of momentum.
+  Sources(const models::ModelList& models, const std::vector<models::AddedHeat>& heat,
+          const std::vector<Fluid>& fluids, const Level& level,
+          const std::array<int, 3>& direction);
+
+  // Nothing in the deck can ever act.
+  bool none() const { return exchanges_.empty() && heat_.empty() && fixed_.empty(); }
+  // Can a cell of this material alone come to hold others.
+  bool takes_from(int material) const;
+  bool takes_from(int material, const StepConstants& step) const;
+
+  // Writes all components of the change.
+  void apply(const SourceRows& rows) const;
+
+ private:
+  struct Fixed {
+    int material = 0;
+    double density = 0, energy = 0;    // per volume of the material
+    std::array<double, 3> velocity{};  // by component
+    models::TimeWindow when;
+    RowRegion region;
+  };
+  void exchange(const SourceRows& rows, const models::MassExchange& model, double share) const;
+  void heat(const SourceRows& rows, int material, double energy) const;
+  void fix(const SourceRows& rows, const Fixed& fixed, int first, int end) const;
+
+  std::vector<models::MassExchange> exchanges_;
+  std::vector<models::AddedHeat> heat_;
+  std::vector<Fixed> fixed_;
+};
+
+}  // namespace sluice::ice
