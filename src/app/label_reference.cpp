@@ -7,6 +7,7 @@
 
 #include "framework/field/label.hpp"
 #include "ice/labels.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice {
 namespace {
@@ -15,7 +16,8 @@ constexpr const char* head = R"(# Labels
 
 What `<save label="..."/>` in the `<DataArchiver>` of a deck may name: definition and unit of each.
 This page is written by `sluice help --labels` from the table that the code itself uses. Vectors
-have three components. Units are those of a deck in SI; nothing is converted.
+have three components. Units are those of a deck in SI; nothing is converted. NAME stands for the
+name of a scalar of the deck's models.
 )";
 
 bool is_state(Label label) {
@@ -50,6 +52,9 @@ std::string table(const char* title, const char* text, const std::function<bool(
 
 std::string label_reference() {
   ice::labels();  // declares them
+  models::TransportedScalar scalar;
+  scalar.name = "NAME";
+  scalar.declare_labels();
   std::string page = head;
   page += table("Cells", "Values at the centres of cells, after the step unless said otherwise.",
                 [](Label l) { return l.info().centring == Centring::cell && !is_state(l); });

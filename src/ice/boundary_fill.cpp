@@ -3,20 +3,26 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "ice/boundary/layer_copy.hpp"
 
 namespace sluice::ice {
 
 BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials,
-                           const StateSlots& slots, int level, const FlowConditions& conditions)
-    : slots_(slots), level_(&scene.grid.levels[static_cast<std::size_t>(level)]) {
+                           const StateSlots& slots, int level, const FlowConditions& conditions,
+                           std::span<const models::TransportedScalar> scalars,
+                           const models::BinaryGas* binary)
+    : slots_(slots),
+      level_(&scene.grid.levels[static_cast<std::size_t>(level)]),
+      scalars_(scalars) {
   for (const IceMaterial& material : materials) {
     setting_.fluids.push_back(material.fluid);
     setting_.viscous = setting_.viscous || material.viscous();
     setting_.rubs.push_back(material.viscous());
   }
   if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
+  setting_.binary = binary;
   setting_.directions = slots.directions;
   setting_.gravity = scene.constants.gravity;
   setting_.level = level_;
@@ -42,6 +48,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
 void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
                               std::span<const IceMaterial> materials) {
   const auto n = static_cast<std::size_t>(side);
+  scalar_rules_[n].push_back(scalars::make_rules(region, scalars_));
   if (materials.size() == 1) {
     rules_[n].push_back(
         make_rule(region, materials.front().index, direction_of(side), setting_.conditions));
@@ -81,7 +88,18 @@ BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
   const int momentum = state.find(slots_.momentum, slots_.material);
   for (int c = 0; c < state.info(momentum).components; ++c)
     v.momentum.push_back(state.view(momentum, c, box));
+  for (const models::TransportedScalar& s : scalars_)
+    if (setting_.binary != nullptr && s.name == setting_.binary->scalar)
+      v.composition = state.view(state.find(s.state(), s.material), 0, box);
   return v;
+}
+
+std::vector<scalars::GhostViews> BoundaryFill::scalar_views(const Warehouse& state, int box) const {
+  std::vector<scalars::GhostViews> views;
+  for (const models::TransportedScalar& s : scalars_)
+    views.push_back({state.view(state.find(s.state(), s.material), 0, box),
+                     state.view(state.find(slots_.mass, s.material), 0, box)});
+  return views;
 }
 
 std::size_t BoundaryFill::region(Side side, IntVec3 cell) const {
@@ -118,7 +136,35 @@ IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_w
   return region;
 }
 
+void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghosts,
+                                Side side) const {
+  if (scalars_.empty()) return;
+  const auto n = static_cast<std::size_t>(side);
+  const int d = direction_of(side);
+  const std::vector<scalars::GhostViews> views = scalar_views(state, box);
+  for_each_cell(ghosts, [&](IntVec3 ghost) {
+    const std::size_t r = region(side, ghost);
+    const bool mirrored = rules_[n][r].mirrored();
+    const IntVec3 source = source_cell(ghost, d, is_plus(side), mirrored, level_->domain);
+    const double distance = std::abs(ghost[d] - source[d]) * level_->spacing[d];
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      const bool there = setting_.fluids.size() == 1 || views[k].mass(ghost) > 0.0;
+      scalars::fill(scalar_rules_[n][r][k], views[k].scalar, there, ghost, source, mirrored,
+                    distance);
+    }
+  });
+}
+
 void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                             double time) const {
+  // A gas may depend on its scalar; where there are several, the scalar on what there is of them.
+  const bool one = setting_.fluids.size() == 1;
+  if (one) fill_scalars(state, box, ghosts, side);
+  fill_flow(state, box, ghosts, side, time);
+  if (!one) fill_scalars(state, box, ghosts, side);
+}
+
+void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                              double time) const {
   const auto n = static_cast<std::size_t>(side);
   const int d = direction_of(side);
@@ -167,7 +213,9 @@ bool BoundaryFill::commute(std::span<const Side> sides) const {
   return std::all_of(sides.begin(), sides.end(), [&](Side side) {
     const std::size_t regions = rules_[static_cast<std::size_t>(side)].size();
     for (std::size_t r = 0; r < regions; ++r)
-      if (!copies(side, r)) return false;
+      if (!copies(side, r) ||
+          !scalars::all_copied(scalar_rules_[static_cast<std::size_t>(side)][r]))
+        return false;
     return true;
   });
 }
@@ -178,6 +226,7 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
   std::vector<RealView> all;
   for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum})
     all.insert(all.end(), some->begin(), some->end());
+  for (const scalars::GhostViews& s : scalar_views(state, box)) all.push_back(s.scalar);
   std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * all.size(), 0.0);
   const auto each = [&](auto&& f) {
     std::size_t n = 0;

@@ -16,6 +16,7 @@
 // Under gravity, pressures that are not prescribed continue the discrete hydrostatic balance.
 // Several materials: mixture_rule.cpp. What they fill is copied, or follows from given densities;
 // all have the ghost's pressure and, in their momentum, their own velocity.
+// Scalars: scalars/ghosts.hpp.
 // Ghosts beyond two or three sides hold the mean of what the sides' rules make of each other's
 // ghosts: no axis comes first.
 #pragma once
@@ -30,6 +31,7 @@
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/ghost_states.hpp"
 #include "ice/ice_scene.hpp"
+#include "ice/scalars/ghosts.hpp"
 
 namespace sluice::ice {
 
@@ -44,7 +46,9 @@ class BoundaryFill {
  public:
   // Of one level of the scene, whose boxes may change later.
   BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials, const StateSlots& slots,
-               int level = 0, const FlowConditions& conditions = {});
+               int level = 0, const FlowConditions& conditions = {},
+               std::span<const models::TransportedScalar> scalars = {},
+               const models::BinaryGas* binary = nullptr);
   BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
                int level = 0, const FlowConditions& conditions = {})
       : BoundaryFill(scene, std::span(&material, 1), slots, level, conditions) {}
@@ -77,6 +81,9 @@ class BoundaryFill {
   bool copies(Side side, std::size_t region) const;  // state by state, or mirrored
   void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);
   BoundaryViews views(const Warehouse& state, int box) const;
+  std::vector<scalars::GhostViews> scalar_views(const Warehouse& state, int box) const;
+  void fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
+  void fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
   void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team,
                       double time) const;
@@ -92,6 +99,8 @@ class BoundaryFill {
   const Level* level_;
   std::array<std::vector<GhostRule>, 6> rules_;  // by side, by region; of several, the common one
   std::array<std::vector<MixtureRule>, 6> mixtures_;  // of several materials
+  std::span<const models::TransportedScalar> scalars_;
+  std::array<std::vector<std::vector<scalars::GhostRule>>, 6> scalar_rules_;  // by region, scalar
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
   std::array<bool, 6> has_walls_{}, has_waves_{};
   bool has_heat_slip_ = false;

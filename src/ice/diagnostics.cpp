@@ -7,6 +7,7 @@
 #include "ice/mixture/quantities.hpp"
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
+#include "ice/scalars/binary_gas.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -46,18 +47,24 @@ void declare_of_one(QuantityList& q) {
   const VariableId rho = q.list().old_state(l.mass, 0, 1), E = q.list().old_state(l.energy, 0, 1);
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
-  const VariableId p =
-      q.of(rho, E, l.pressure, 0, [fluid](double r, double e) { return fluid.pressure(r, e); });
-  const VariableId T = q.of(rho, E, l.temperature, 0,
-                            [fluid](double r, double e) { return fluid.temperature(r, e); });
+  VariableId p, T, c;
+  if (o.binary != nullptr) {
+    const scalars::BinaryQuantities b = scalars::declare_binary_quantities(q, rho, E);
+    p = b.pressure;
+    T = b.temperature;
+    c = b.sound_speed;
+  } else {
+    p = q.of(rho, E, l.pressure, 0, [fluid](double r, double e) { return fluid.pressure(r, e); });
+    T = q.of(rho, E, l.temperature, 0,
+             [fluid](double r, double e) { return fluid.temperature(r, e); });
+    c = q.of(rho, p, l.sound_speed, 0,
+             [fluid](double r, double pressure) { return fluid.sound_speed(r, pressure); });
+    q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {
+      const double speed = fluid.sound_speed(r, pressure);
+      return 1.0 / (r * speed * speed);
+    });
+  }
   q.of(rho, p, l.specific_volume, 0, [](double r, double) { return 1.0 / r; });
-  const VariableId c = q.of(rho, p, l.sound_speed, 0, [fluid](double r, double pressure) {
-    return fluid.sound_speed(r, pressure);
-  });
-  q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {
-    const double speed = fluid.sound_speed(r, pressure);
-    return 1.0 / (r * speed * speed);
-  });
   const auto constant = [&](Label label, double value) {
     q.of(rho, rho, label, 0, [value](double, double) { return value; });
   };
@@ -65,8 +72,10 @@ void declare_of_one(QuantityList& q) {
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
   constant(l.thermal_conductivity, o.conductivity);
-  constant(l.gamma, fluid.gamma);
-  constant(l.specific_heat, fluid.specific_heat);
+  if (o.binary == nullptr) {
+    constant(l.gamma, fluid.gamma);
+    constant(l.specific_heat, fluid.specific_heat);
+  }
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);
   q.slopes(T, l.gradient_temperature, 0);
@@ -99,6 +108,11 @@ std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeO
   else
     declare_of_one(quantities);
   declare_amounts(quantities);
+  for (const models::TransportedScalar& s : options.scalars) {
+    const VariableId q = list.old_state(s.state(), s.material, 1);
+    quantities.add(s.value(), s.material, q);
+    quantities.slopes(q, s.gradient(), s.material);
+  }
   return std::move(quantities).all();
 }
 

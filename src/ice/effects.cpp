@@ -135,6 +135,18 @@ Effect sources(const IceScene& ice) {
   return {"model sources", on, reason, where};
 }
 
+void add_scalars(const std::vector<models::TransportedScalar>& scalars, EffectList& e) {
+  if (scalars.empty()) {
+    e.add({"scalars", false, "no model of the deck brings any", {}});
+    return;
+  }
+  std::string names;
+  for (const models::TransportedScalar& s : scalars)
+    names +=
+        fmt::format("{}{} (diffusivity {:g})", names.empty() ? "" : ", ", s.name, s.diffusivity);
+  e.add({"scalars", true, "carried with the mass: " + names, scalars.front().where});
+}
+
 }  // namespace
 
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
@@ -170,7 +182,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   e.add(conduction(ice));
   add_exchange(ice, e);
   e.add(turbulence(ice));
-  e.add({"scalars", false, "no <Models> in the deck", {}});
+  add_scalars(ice.models.scalars, e);
   const DrivingForce& f = ice.driving_force;
   e.add({"driving force", f.on(),
          f.on() ? fmt::format("<fixedPressureGradient> is [{:g}, {:g}, {:g}]", f.force.x, f.force.y,

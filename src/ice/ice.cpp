@@ -12,6 +12,8 @@
 #include "ice/labels.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/refine/criteria.hpp"
+#include "ice/scalars/transfer.hpp"
+#include "ice/scalars/variables.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -61,6 +63,12 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
+  o.scalars = ice.models.scalars;
+  if (ice.models.binary) {
+    o.binary = &*ice.models.binary;
+    o.fluid = ideal_gas(o.binary->highest_gamma(), m.fluid.specific_heat);
+    o.fluids = {o.fluid};
+  }
   o.domain = level.domain;
   o.periodic = level.periodic;
   const bool summed = o.force_on || (o.gravity_on && scene.grid.levels.size() > 1);
@@ -71,9 +79,19 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
 std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceScene& ice,
                                                  const SchemeOptions& o) {
   const bool matches = matches_fluxes(scene, ice);
-  if (o.fluids.size() == 1)
-    return std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
-  return std::make_unique<MixtureTransfer>(o.fluids, o.components, matches);
+  std::unique_ptr<TransferOperators> flow;
+  const std::size_t materials = o.fluids.size();
+  const std::size_t views =
+      static_cast<std::size_t>(o.components) + (materials == 1 ? 2 : 3 * materials);
+  if (materials == 1)
+    flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
+  else
+    flow = std::make_unique<MixtureTransfer>(o.fluids, o.components, matches);
+  if (ice.models.scalars.empty()) return flow;
+  std::vector<std::size_t> mass;
+  for (const models::TransportedScalar& s : ice.models.scalars)
+    mass.push_back(static_cast<std::size_t>(s.material));
+  return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views);
 }
 
 }  // namespace
@@ -81,7 +99,8 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 // One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
 // in the file of its name under conservative/; when it is absent is said there in its first line.
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
-  const SchemeVariables v = declare_conservative_variables(list, o);
+  SchemeVariables v = declare_conservative_variables(list, o);
+  scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_new, 1), {}});
   // task                    reads                              writes
   add_primitives(list, v, o, effect_flow);      // state                    u, p, c
   add_slopes(list, v, o, effect_second_order);  // u, p                     su, sp, P, UT
@@ -93,6 +112,7 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
   add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
+  scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes       sums
   add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp                    sums
@@ -105,8 +125,9 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
 // The same where several materials may meet; the tasks of that name under mixture/, but for those
 // of the mixture as a whole.
 void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
-  const mixture::Variables m = mixture::declare_variables(list, o);
-  const SchemeVariables& v = m.common;
+  mixture::Variables m = mixture::declare_variables(list, o);
+  SchemeVariables& v = m.common;
+  scalars::declare_variables(list, o, v, {m.mass, m.mass_new, m.volume});
   // task                            reads                              writes
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   add_slopes(list, v, o, effect_second_order);                // u, p       su, sp, P, UT
@@ -119,6 +140,7 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
   mixture::add_remap_fluxes(list, m, o, effect_flow);         // bases      FV, FM, FE of each, U
   mixture::add_update(list, m, o, effect_equilibration);      // fluxes     new state, rates
+  scalars::add_tasks(list, v, o, effect_scalars);             // u_f, fluxes  new scalars
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
   add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp      sums
@@ -136,6 +158,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
       options_(make_options(scene, ice_)),
       transfer_(make_transfer(scene, ice_, options_)),
       estimates_(wanted_estimates(scene.refinement.errors)) {
+  for (const models::TransportedScalar& s : ice_.models.scalars) s.declare_labels();
   StateSlots slots;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
@@ -145,7 +168,8 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
-                                                       level, ice_.conditions));
+                                                       level, ice_.conditions, ice_.models.scalars,
+                                                       options_.binary));
   if (!effects_.on(effect_sources)) return;
   for (const Level& level : scene.grid.levels)
     sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,
@@ -155,6 +179,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
 SchemeOptions Ice::at_level(int level) const {
   SchemeOptions o = options_;
   const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];
+  o.level = &cells;
   o.domain = cells.domain;
   o.transport.sponges = sponge_cells(ice_.materials.front().viscosity_models, cells);
   o.boundary = boundary_[static_cast<std::size_t>(level)].get();
@@ -180,6 +205,8 @@ std::vector<SlotInfo> Ice::state_slots() const {
   slots.push_back({labels().momentum, 0, options_.components, ghosts});
   of_each(labels().energy);
   if (material_count() > 1) of_each(labels().volume);
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    slots.push_back({s.state(), s.material, 1, ghosts});
   return slots;
 }
 
@@ -282,9 +309,17 @@ int Ice::reduction_sums() const {
 // What passes through a control volume's side must be counted in uniform flow as well. Materials
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
+bool Ice::diffusive() const {
+  return options_.viscous || options_.conducting ||
+         std::any_of(ice_.models.scalars.begin(), ice_.models.scalars.end(),
+                     [](const models::TransportedScalar& s) { return s.diffusivity > 0; });
+}
+
 bool Ice::quiet_blocks_allowed() const {
   if (material_count() > 1 && (options_.heat_exchange.any() || scene_->grid.levels.size() > 1))
     return false;
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    if (s.grows()) return false;
   return !options_.gravity_on && sources_.empty() && control_volumes(scene_->analysis).empty();
 }
 

@@ -11,6 +11,8 @@
 
 namespace sluice::ice {
 
+struct PrimitiveFill;
+
 class Ice : public Component {
  public:
   Ice(const Scene& scene, IceScene ice_scene);
@@ -39,7 +41,7 @@ class Ice : public Component {
   int first_volume_sum() const override;
   bool quiet_blocks_allowed() const override;
   double courant_number() const override { return options_.cfl; }
-  bool diffusive() const override { return options_.viscous || options_.conducting; }
+  bool diffusive() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
   void add_totals(const Warehouse& state, const LevelCoverage& coverage,
@@ -59,7 +61,10 @@ class Ice : public Component {
   int step_sums() const;  // without those of control volumes
   int first_source_sum() const;
   void add_source_balance(const std::vector<double>& sums, StepBalance& balance) const;
+  void initialise_material(Warehouse& state) const;  // one
   void initialise_materials(Warehouse& state) const;
+  void initialise_scalars(Warehouse& state) const;
+  double binary_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
 
   const Scene* scene_;
   IceScene ice_;

@@ -8,6 +8,7 @@
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "ice/ice_schema.hpp"
+#include "models/models.hpp"
 
 namespace sluice {
 namespace {
@@ -36,9 +37,29 @@ bool is_label(const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
-void check_label(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
+// "scalar-f" for each scalar of the deck's models.
+std::vector<std::string> scalar_variables(const DeckNode& root) {
+  std::vector<std::string> names = models::save_labels(root);
+  std::erase_if(names, [](const std::string& name) { return name.rfind("scalar-", 0) != 0; });
+  return names;
+}
+
+bool is_listed(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_label(const DeckNode& face, const DeckNode& condition,
+                 const std::vector<std::string>& scalars, bool all_models_built,
+                 std::vector<Fault>& faults) {
   const auto label = condition.attribute("label");
-  if (!label || is_label(*label)) return;
+  if (!label || is_label(*label) || is_listed(scalars, *label)) return;
+  if (all_models_built && label->rfind("scalar-", 0) == 0) {
+    fault(faults, condition,
+          fmt::format("no model of the deck has the scalar of {} on {}", in_quotes(*label),
+                      face_name(face)),
+          suggest_name(*label, scalars));
+    return;
+  }
   const bool of_models =
       label->rfind("scalar-", 0) == 0 || *label == "cumulativeEnergyReleased" || *label == "Phi";
   if (of_models) {
@@ -75,11 +96,12 @@ bool must_be_positive(const std::string& label) {
          label == "SpecificVol";
 }
 
-void check_value(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
+void check_value(const DeckNode& face, const DeckNode& condition,
+                 const std::vector<std::string>& scalars, std::vector<Fault>& faults) {
   const std::string label = condition.attribute("label").value_or("");
   const std::string kind = condition.attribute("var").value_or("");
   if (kind != "Dirichlet" && kind != "Neumann") return;
-  if (!is_label(label)) return;  // what its value should be is not known
+  if (!is_label(label) && !is_listed(scalars, label)) return;  // its value is not known
   const DeckNode* tag = condition.child("value");
   const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
   const DeckNode& where = tag != nullptr ? *tag : condition;
@@ -152,7 +174,8 @@ bool applies_to(const DeckNode& condition, int material) {
 
 // Names of the variables that these faces leave without condition, "Density (material 1)" where
 // it is not so for all.
-std::string missing_on(const std::vector<const DeckNode*>& faces, int materials) {
+std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
+                       const std::vector<std::string>& scalars) {
   const auto has = [&](std::string_view label, int material) {
     for (const DeckNode* face : faces)
       for (const DeckNode* condition : face->all("BCType"))
@@ -169,6 +192,12 @@ std::string missing_on(const std::vector<const DeckNode*>& faces, int materials)
       missing.emplace_back(label);
     else
       missing.push_back(fmt::format("{} (material {})", label, fmt::join(without, ", ")));
+  }
+  for (const std::string& scalar : scalars) {
+    bool found = false;
+    for (int m = 0; m < std::max(materials, 1); ++m)
+      found = found || has("Symmetric", m) || has(scalar, m);
+    if (!found) missing.push_back(scalar);
   }
   return fmt::format("{}", fmt::join(missing, ", "));
 }
@@ -187,12 +216,13 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* conditions = root.find("Grid/BoundaryConditions");
   if (!runs_ice(root) || conditions == nullptr) return;
   const auto materials = static_cast<int>(ice_materials(root).size());
+  const std::vector<std::string> scalars = scalar_variables(root);
   const bool has_default = conditions->child("DefaultMaterial") != nullptr;
   for (const DeckNode* face : conditions->all("Face")) {
     for (const DeckNode* condition : face->all("BCType")) {
-      check_label(*face, *condition, faults);
+      check_label(*face, *condition, scalars, models::all_built(root), faults);
       check_kind(*face, *condition, faults);
-      check_value(*face, *condition, faults);
+      check_value(*face, *condition, scalars, faults);
       if (materials > 0) check_material(*face, *condition, materials, has_default, faults);
     }
   }
@@ -204,6 +234,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* conditions = grid->child("BoundaryConditions");
   const auto materials = static_cast<int>(ice_materials(root).size());
   const auto periodic = periodic_directions(*grid);
+  const std::vector<std::string> scalars = scalar_variables(root);
   for (std::size_t s = 0; s < 6; ++s) {
     if (periodic[s / 2]) continue;
     std::vector<const DeckNode*> whole;
@@ -220,7 +251,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
                         side_names[s], direction_names[s / 2]));
       continue;
     }
-    const std::string missing = missing_on(whole, materials);
+    const std::string missing = missing_on(whole, materials, scalars);
     if (!missing.empty()) {
       fault(faults, *whole.front(),
             fmt::format("side {} has no condition for {}", side_names[s], missing),
@@ -230,7 +261,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   if (conditions == nullptr) return;
   for (const DeckNode* face : conditions->all("Face")) {
     if (face->attribute("side")) continue;
-    const std::string missing = missing_on({face}, materials);
+    const std::string missing = missing_on({face}, materials, scalars);
     if (!missing.empty()) {
       fault(faults, *face, fmt::format("{} has no condition for {}", face_name(*face), missing),
             "every variable needs one, unless Symmetric stands for all");

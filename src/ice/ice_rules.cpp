@@ -25,6 +25,12 @@ void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message
   faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
 }
 
+void not_built(std::vector<Fault>& faults, const DeckNode& node, const std::string& what,
+               std::string suggestion = {}) {
+  fault(faults, node, what + " is known to the format, but not built yet", std::move(suggestion));
+  faults.back().not_built = true;
+}
+
 void warn(std::vector<Fault>& faults, const DeckNode& node, std::string message,
           std::string suggestion = {}) {
   faults.push_back({Severity::warning, node.where, std::move(message), std::move(suggestion)});
@@ -248,9 +254,60 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+namespace {
+
+// What a gas whose properties follow from a scalar goes without so far.
+void check_binary_gas(const DeckNode& root, const DeckNode& model, std::vector<Fault>& faults) {
+  const auto materials = ice_materials(root);
+  if (materials.empty()) return;
+  const DeckNode& material = *materials.front();
+  for (const DeckNode* other : root.child("Models")->all("Model"))
+    if (other != &model && other->attribute("type") == "BinaryProperties" &&
+        other->where.line > model.where.line)
+      fault(faults, *other, "a gas is one mixture: there are two models <BinaryProperties>");
+  const DeckNode* law = material.child("EOS");
+  if (law != nullptr && law->attribute("type") != "ideal_gas")
+    fault(faults, *law, "<BinaryProperties> needs <EOS type=\"ideal_gas\">");
+  if (const DeckNode* heat = material.child("SpecificHeatModel"))
+    not_built(faults, *heat, "<SpecificHeatModel> with <BinaryProperties>", "remove it");
+  if (real_of(&material, "thermal_conductivity").value_or(0) > 0)
+    not_built(faults, *material.child("thermal_conductivity"),
+              "heat conduction with <BinaryProperties>", "write 0");
+  if (const DeckNode* models = material.child("dynamicViscosityModels"))
+    not_built(faults, *models, "a viscosity that varies, with <BinaryProperties>,", "remove it");
+  if (const DeckNode* turbulence = root.find("CFD/ICE/turbulence"))
+    not_built(faults, *turbulence, "<turbulence> with <BinaryProperties>", "remove it");
+  const DeckNode* grid = root.child("Grid");
+  if (root.child("AMR") != nullptr || (grid != nullptr && grid->all("Level").size() > 1))
+    not_built(faults, model, "<BinaryProperties> on several levels", "use one level");
+  if (const DeckNode* slip = root.find("Grid/BoundaryConditions/microSlip"))
+    not_built(faults, *slip, "<microSlip> with <BinaryProperties>", "remove it");
+  const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
+  const DeckNode* ice = root.find("CFD/ICE");
+  const DeckNode* start = root.find("CFD/ICE/customInitialization");
+  const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
+  const bool hydrostatic =
+      gravity && !(*gravity == Vec3{}) && (balanced == nullptr || balanced->text != "false");
+  if (start != nullptr && !hydrostatic && start->child("formula") == nullptr)
+    not_built(faults, *start, "<customInitialization> by name with <BinaryProperties>",
+              "write a <formula> with pressure, or gravity with a hydrostatic start");
+}
+
+}  // namespace
+
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   models::check_models(root, material_names(root), faults);
+  const DeckNode* models = root.child("Models");
+  if (models == nullptr || !models::all_built(root)) return;
+  const DeckNode* scheme = root.find("CFD/ICE/scheme");
+  const bool classic = scheme != nullptr && scheme->text == "classic";
+  for (const DeckNode* model : models->all("Model")) {
+    const bool mixes = model->attribute("type") == "BinaryProperties";
+    if (mixes) check_binary_gas(root, *model, faults);
+    if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
+      not_built(faults, *model, "a transported scalar with <scheme> classic", "remove <scheme>");
+  }
 }
 
 void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
@@ -290,11 +347,17 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   if (density != nullptr && ice_materials(root).size() > 1)
     fault(faults, *density, "a formula cannot say which of several materials has this <density>",
           "give densities in the geometry objects");
+  const DeckNode* models = root.child("Models");
+  const auto list = models == nullptr ? std::vector<const DeckNode*>{} : models->all("Model");
+  // Whose pressure follows from a scalar too.
+  const bool binary = std::any_of(list.begin(), list.end(), [](const DeckNode* model) {
+    return model->attribute("type") == "BinaryProperties";
+  });
   for (const DeckNode* material : ice_materials(root)) {
     const std::optional<ice::Fluid> fluid = ice::readable_fluid(*material);
     for (const DeckNode* object : material->all("geom_object")) {
       if (fluid) {
-        check_pressure(*fluid, *object, faults);
+        if (!binary) check_pressure(*fluid, *object, faults);
         check_start(*fluid, *object, faults);
       }
       const auto share = real_of(object, "volumeFraction");

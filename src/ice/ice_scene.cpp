@@ -172,6 +172,9 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, names, geometry, faults);
   check_fixed_values(s, faults);
+  for (const models::TransportedScalar& scalar : s.models.scalars)
+    if (scalar.refine_above >= 0)
+      s.criteria.push_back({scalar.value().name(), scalar.refine_above, scalar.material});
   s.conditions = read_flow_conditions(root);
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);

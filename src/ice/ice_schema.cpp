@@ -289,6 +289,7 @@ void add_ice_tags(Schema& schema) {
   schema.add(models::models_tag());
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rewrites.emplace_back(models::move_parameters);
+  schema.rewrites.emplace_back(models::rename_scalar_totals);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
   schema.rules.emplace_back(check_ice_fluids);

@@ -7,9 +7,11 @@
 
 #include "framework/base/error.hpp"
 #include "ice/ice.hpp"
+#include "ice/initial_state_parts.hpp"
 #include "ice/labels.hpp"
 #include "ice/material_fill.hpp"
 #include "ice/mixture/equilibrate.hpp"
+#include "ice/scalars/binary_gas.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -39,7 +41,14 @@ namespace {
 }  // namespace
 
 void Ice::initialise(Warehouse& state) const {
-  if (material_count() > 1) return initialise_materials(state);
+  if (material_count() > 1)
+    initialise_materials(state);
+  else
+    initialise_material(state);
+  initialise_scalars(state);
+}
+
+void Ice::initialise_material(Warehouse& state) const {
   const IceMaterial& m = ice_.materials.front();
   const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
             energy = state.find(labels().energy, 0);
@@ -51,13 +60,25 @@ void Ice::initialise(Warehouse& state) const {
     for_each_cell(cells, [&](IntVec3 cell) {
       state.view(mass, 0, b)(cell) = fill.density[n];
       state.view(energy, 0, b)(cell) =
-          m.fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
+          options_.binary != nullptr ? binary_energy(state.level().centre(cell), fill, n)
+                                     : m.fluid.energy_from_pressure(
+                                           fill.density[n], fill.pressure[n], fill.temperature[n]);
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum, c, b)(cell) =
             fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
       ++n;
     });
   }
+}
+
+// What holds beside the density: the pressure where it is that of the weight or of a formula, the
+// temperature otherwise.
+double Ice::binary_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
+  const models::TransportedScalar& scalar = scalars::binary_scalar(options_);
+  const Fluid fluid = scalars::fluid_of(*options_.binary, scalar.at_start(centre));
+  if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
+    return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
+  return fluid.energy_from_temperature(fill.density[n], fill.temperature[n]);
 }
 
 // Writes only what differs: memory of an absent material stays untouched.
@@ -99,6 +120,21 @@ void Ice::initialise_materials(Warehouse& state) const {
       ++n;
     });
   }
+}
+
+// At cell centres; where there is nothing of the material there is no scalar. As above, only what
+// differs is written.
+void Ice::initialise_scalars(Warehouse& state) const {
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+      const RealView value = state.view(state.find(s.state(), s.material), 0, b);
+      const RealView mass = state.view(state.find(labels().mass, s.material), 0, b);
+      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+        if (!(mass(cell) > 0.0)) return;
+        const double start = s.at_start(state.level().centre(cell));
+        if (value(cell) != start) value(cell) = start;
+      });
+    }
 }
 
 }  // namespace sluice::ice

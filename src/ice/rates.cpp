@@ -7,6 +7,7 @@
 #include "ice/labels.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
+#include "ice/scalars/variables.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -136,6 +137,9 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   }
   const double gravity_speed = std::sqrt(dx_g);
   const mixture::DiffusionRates of_mixtures(options_);
+  if (diffusive())
+    rates.maximum(StepSlots::diffusion_rate,
+                  ordered_bits(scalars::diffusion_rate(options_, state.level().spacing)));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const CellStates states(state, options_.fluids, b);
     const Diffusion diffusion(state, at_level(state.level().index), b);
@@ -157,7 +161,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
       rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
       rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
       rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
-      if (!diffusive()) return;
+      if (!options_.viscous && !options_.conducting) return;
       double inverse_dx2 = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];

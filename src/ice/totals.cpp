@@ -20,6 +20,8 @@ class TotalsOfRows {
       mass_.push_back(state.find(labels().mass, m));
       energy_.push_back(state.find(labels().energy, m));
     }
+    for (const models::TransportedScalar& s : options.scalars)
+      scalars_.push_back({state.find(s.state(), s.material), static_cast<std::size_t>(s.material)});
   }
 
   void add(int box, const IndexBox& cells) {
@@ -51,6 +53,12 @@ class TotalsOfRows {
     }
     for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = 0.5 * kinetic_[i] / rho[i];
     add(totals_.kinetic_energy, kinetic_.data());
+    for (std::size_t s = 0; s < scalars_.size(); ++s) {
+      const double* q = row(scalars_[s].slot, 0, box, start);
+      const double* mass = row(mass_[scalars_[s].material], 0, box, start);
+      for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = mass[i] * q[i];
+      add(totals_.amounts[s], kinetic_.data());
+    }
   }
 
   // Of all materials, after adding the mass of each.
@@ -72,6 +80,11 @@ class TotalsOfRows {
   Totals& totals_;
   int momentum_;
   std::vector<int> mass_, energy_;  // by material
+  struct Scalar {
+    int slot;
+    std::size_t material;
+  };
+  std::vector<Scalar> scalars_;
   double volume_;
   std::vector<double> values_, kinetic_, density_;
 };
@@ -80,6 +93,7 @@ class TotalsOfRows {
 
 void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Totals& totals) const {
   totals.mass.resize(static_cast<std::size_t>(material_count()));
+  totals.amounts.resize(ice_.models.scalars.size());
   TotalsOfRows rows(state, options_, material_count(), totals);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     if (!coverage.any())
@@ -162,6 +176,8 @@ double Ice::history_value(Label label, const Totals& totals) const {
   if (label == labels().total_model_energy) return tally(4);
   if (label == labels().total_mass_exchanged) return tally(5);
   if (label == labels().total_energy_exchanged) return tally(6);
+  for (std::size_t s = 0; s < ice_.models.scalars.size(); ++s)
+    if (label == ice_.models.scalars[s].total()) return totals.amounts[s].sum.value();
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
   return totals.kinetic_energy.sum.value();
 }

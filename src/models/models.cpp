@@ -1,7 +1,10 @@
 // The table of models.
 #include "models/models.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 
 #include "framework/scene/deck_values.hpp"
 
@@ -37,6 +40,19 @@ const std::vector<Entry>& table() {
          for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
            to.list.fixed_values.push_back(std::move(v));
        }},
+      {"PassiveScalar", passive_scalar_tag(), check_passive_scalar,
+       [](const DeckNode& parameters, const Reading& to) {
+         to.list.scalars.push_back(
+             read_passive_scalar(parameters, to.materials, to.geometry, to.faults));
+       },
+       scalar_labels},
+      {"BinaryProperties", binary_properties_tag(), check_binary_properties,
+       [](const DeckNode& parameters, const Reading& to) {
+         to.list.binary = read_binary_properties(parameters, to.materials);
+         to.list.scalars.push_back(
+             read_binary_scalar(parameters, to.materials, to.geometry, to.faults));
+       },
+       scalar_labels},
   };
   return entries;
 }
@@ -126,8 +142,15 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
 
 void check_models(const DeckNode& root, const std::vector<std::string>& materials,
                   std::vector<Fault>& faults) {
+  std::set<std::string> labels;
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     entry.check(parameters, materials, faults);
+    if (entry.labels == nullptr) return;
+    for (const std::string& label : entry.labels(parameters))
+      if (!labels.insert(label).second)
+        return add_error(faults, parameters.where,
+                         fmt::format("two models bring a variable {}", label),
+                         "give each scalar a name of its own");
   });
 }
 

@@ -3,13 +3,16 @@
 // A model's law, tags, checks and reader stand in a file of its own; its row in the table of
 // models.cpp makes it known. What the laws do to a state is the component's part.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/deck/schema.hpp"
 #include "framework/scene/geometry_reader.hpp"
+#include "models/binary_properties.hpp"
 #include "models/fixed_values.hpp"
 #include "models/mass_exchange.hpp"
+#include "models/passive_scalar.hpp"
 
 namespace sluice::models {
 
@@ -17,7 +20,9 @@ namespace sluice::models {
 struct ModelList {
   std::vector<MassExchange> mass_exchanges;  // in the order in which they act
   std::vector<FixedValues> fixed_values;
-  Location where;  // of <Models>
+  std::vector<TransportedScalar> scalars;
+  std::optional<BinaryGas> binary;  // of the gas of a run with one material
+  Location where;                   // of <Models>
 
   // Does any of them change masses, momenta or energies.
   bool any_source() const { return !mass_exchanges.empty() || !fixed_values.empty(); }

@@ -31,11 +31,12 @@ struct StepLimit {
 
 // Totals over the cells of this rank.
 struct Totals {
-  std::vector<ConservedTotal> mass;  // by material, kg
-  ConservedTotal momentum[3];        // kg m/s
-  ConservedTotal internal_energy;    // J
-  ConservedTotal kinetic_energy;     // J
-  std::vector<double> tallies;       // Component::tally_names, since the start; of all ranks
+  std::vector<ConservedTotal> mass;     // by material, kg
+  ConservedTotal momentum[3];           // kg m/s
+  ConservedTotal internal_energy;       // J
+  ConservedTotal kinetic_energy;        // J
+  std::vector<double> tallies;          // Component::tally_names, since the start; of all ranks
+  std::vector<ConservedTotal> amounts;  // what else the component carries, in its own order
 };
 
 // What came in through the boundary in one accepted step, and what forces and sources added.

@@ -40,6 +40,7 @@ Totals Simulation::totals() {
   merge_ranks(t.internal_energy, communicator_);
   merge_ranks(t.kinetic_energy, communicator_);
   for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
+  for (ConservedTotal& a : t.amounts) merge_ranks(a, communicator_);
   return t;
 }
 

@@ -99,16 +99,24 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
   return u;
 }
 
+const Fluid& GhostStates::fluid_of(IntVec3 cell, Fluid& room, std::size_t material) const {
+  if (setting_.binary == nullptr) return setting_.fluids[material];
+  const double f = v_.composition(cell);
+  return room = ideal_gas(setting_.binary->gamma(f), setting_.binary->specific_heat(f));
+}
+
 void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
-  const Fluid& fluid = setting_.fluids.front();
+  Fluid room, source_room;
+  const Fluid& fluid = fluid_of(ghost, room);
+  const Fluid& source_fluid = fluid_of(source, source_room);
   const RealView &mass = v_.mass.front(), &energy = v_.energy.front();
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   const double source_rho = mass(source), source_E = energy(source);
   double rho = rule.fixed_density ? rule.density : source_rho - rule.density_gradient * distance;
-  const double p_source = fluid.pressure(source_rho, source_E);
+  const double p_source = source_fluid.pressure(source_rho, source_E);
   const bool given_T = rule.fixed_temperature || rule.temperature_gradient != 0;
   const double T = rule.fixed_temperature ? rule.temperature
-                                          : fluid.temperature(source_rho, source_E) -
+                                          : source_fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
   Vec3 given = given_velocity(rule, ghost);
   double p;

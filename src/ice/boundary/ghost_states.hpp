@@ -7,12 +7,14 @@
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/waves.hpp"
+#include "models/binary_properties.hpp"
 
 namespace sluice::ice {
 
 // State arrays of one box; by material, momentum by component. No volumes with one material.
 struct BoundaryViews {
   std::vector<RealView> mass, energy, volume, momentum;
+  RealView composition;  // of a gas that is a mixture of two
 
   double density(IntVec3 c) const {
     double rho = mass.front()(c);
@@ -25,9 +27,10 @@ struct SlipCell;
 
 // What holds on all sides.
 struct BoundarySetting {
-  std::vector<Fluid> fluids;    // by material
-  std::vector<bool> rubs;       // by material: it has a viscosity
-  std::vector<int> directions;  // of the momentum components
+  std::vector<Fluid> fluids;                  // by material
+  const models::BinaryGas* binary = nullptr;  // of the one gas, where it is a mixture
+  std::vector<bool> rubs;                     // by material: it has a viscosity
+  std::vector<int> directions;                // of the momentum components
   Vec3 gravity{};
   bool viscous = false;
   double viscosity = 0;  // of one material, Pa s
@@ -53,6 +56,8 @@ class GhostStates {
     double V_source = 0;
     bool given_T = false;
   };
+  // Of one material in this cell; `room` holds it where the one gas is a mixture of its own.
+  const Fluid& fluid_of(IntVec3 cell, Fluid& room, std::size_t material = 0) const;
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
   // `given`: that of the rule at this ghost.
   double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,

@@ -27,13 +27,14 @@ void GhostStates::to_face_frame(Vec3 u, WaveState& s) const {
 }
 
 double GhostStates::pressure(IntVec3 cell) const {
-  return v_.volume.empty()
-             ? setting_.fluids.front().pressure(v_.mass.front()(cell), v_.energy.front()(cell))
-             : mixture_pressure(cell);
+  if (!v_.volume.empty()) return mixture_pressure(cell);
+  Fluid room;
+  return fluid_of(cell, room).pressure(v_.mass.front()(cell), v_.energy.front()(cell));
 }
 
 double GhostStates::sound_speed(IntVec3 cell, const WaveState& s) const {
-  if (v_.volume.empty()) return setting_.fluids.front().sound_speed(s.rho, s.p);
+  Fluid room;
+  if (v_.volume.empty()) return fluid_of(cell, room).sound_speed(s.rho, s.p);
   double compliance = 0;  // 1/K
   for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](cell), V = v_.volume[m](cell);
@@ -122,15 +123,18 @@ WaveState GhostStates::continued(IntVec3 source, int layers, double lowest_press
 
 // Of material `m`, alone in the source; momentum for all.
 void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, std::size_t m) const {
-  const Fluid& fluid = setting_.fluids[m];
+  Fluid room, source_room;
+  const Fluid& fluid = fluid_of(ghost, room, m);
   const int layers = std::abs(ghost[d_] - source[d_]);
   const WaveState out = continued(source, layers, fluid.lowest_pressure());
   double rho = rule.fixed_density ? rule.density : out.rho;
   double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule)
                                                        : out.p + hydrostatic(source, ghost, rho);
   const double source_rho = v_.mass[m](source);
-  const double T = rule.fixed_temperature ? rule.temperature
-                                          : fluid.temperature(source_rho, v_.energy[m](source));
+  const double T =
+      rule.fixed_temperature
+          ? rule.temperature
+          : fluid_of(source, source_room, m).temperature(source_rho, v_.energy[m](source));
   if (rule.fixed_temperature) {
     if (rule.fixed_density)
       p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));

@@ -25,6 +25,7 @@ struct GasBox {
   std::string density = "1", pressure = "1", velocity[3] = {"0", "0", "0"};
   double viscosity = 0, specific_heat = 1;
   std::string gravity = "[0,0,0]", scheme = "classic";
+  std::string models;  // the elements <Model> of the deck
 };
 
 inline std::string sides(const GasBox& box) {
@@ -75,10 +76,11 @@ inline std::string deck_text(const GasBox& b) {
       "<specific_heat>{}</specific_heat><gamma>1.4</gamma><geom_object><box>"
       "<min>[-99,-99,-99]</min><max>[99,99,99]</max></box><velocity>[0,0,0]</velocity>"
       "<density>1</density><temperature>1</temperature></geom_object></material></ICE>"
-      "</MaterialProperties></Uintah_specification>",
+      "</MaterialProperties>{}</Uintah_specification>",
       sides(b), b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z, b.cells.x, b.cells.y,
       b.cells.z, b.periodic ? "<periodic>[1,1,1]</periodic>" : "", b.scheme, b.advection, formula,
-      b.gravity, b.viscosity, b.specific_heat);
+      b.gravity, b.viscosity, b.specific_heat,
+      b.models.empty() ? "" : "<Models>" + b.models + "</Models>");
 }
 
 // Shared by the runs of a test: a process has one at a time.
@@ -125,6 +127,7 @@ class Stepper {
   double energy(IntVec3 cell) const { return value(labels().energy, 0, cell); }  // per volume
   double momentum(IntVec3 cell, int c) const { return value(labels().momentum, c, cell); }
   double velocity(IntVec3 cell, int c = 0) const { return momentum(cell, c) / mass(cell); }
+  double& value_at(Label label, IntVec3 cell) { return view(label, 0, cell)(cell); }
   double pressure(IntVec3 cell) const { return gas.pressure(mass(cell), energy(cell)); }
   double& mass_at(IntVec3 cell) { return view(labels().mass, 0, cell)(cell); }
   double& energy_at(IntVec3 cell) { return view(labels().energy, 0, cell)(cell); }
@@ -137,6 +140,9 @@ class Stepper {
   LevelSolver& solver() { return *solver_; }
 
   eos::IdealGas gas;
+
+ protected:
+  void pass(double dt) { time_ += dt; }
 
  private:
   static bool any_error(const std::vector<Fault>& faults) {

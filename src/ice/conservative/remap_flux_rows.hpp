@@ -21,6 +21,7 @@ struct RemapFluxHandles {
   In rho, energy, velocity, inverse_rho, face_velocity, mask;
   In inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, base, energy_scale;
   Out flux;
+  bool even = false;  // density is bounded as energy is: what is linear in both stays so
 };
 
 // The four old values around a face: two on either side.
@@ -44,6 +45,7 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
 template <int D, int C, bool Second, bool Masked, bool Scaled>
 void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.count();
+  const bool even = h.even;
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
   constexpr bool based = Second && D > 1;
   const double* __restrict uf = row(h.face_velocity);
@@ -102,7 +104,7 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
       const double iN = left ? iNb[i] : iNa[i];
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, 2.0 * iN);
+      rs += weight * donor_slope(R, i, left, nu, even ? 2.0 : 2.0 * iN);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
       if constexpr (Scaled)
@@ -149,6 +151,7 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   const Stencil four = Stencil::along(direction, 2, 1);
   const auto face = static_cast<std::size_t>(axis);
   RemapFluxHandles h;
+  h.even = o.binary != nullptr;
   if (o.second_order) {
     h.rho = task.read(v.rho, four);
     h.energy = task.read(v.energy, four);

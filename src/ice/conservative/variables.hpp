@@ -4,6 +4,7 @@
 // axis c, further components are carried passively.
 #pragma once
 #include <array>
+#include <span>
 #include <vector>
 
 #include "framework/grid/index_box.hpp"
@@ -12,7 +13,13 @@
 #include "ice/fluid.hpp"
 #include "ice/transport/settings.hpp"
 
+namespace sluice::models {
+struct BinaryGas;
+struct TransportedScalar;
+}  // namespace sluice::models
+
 namespace sluice {
+struct Level;
 class LevelCoverage;
 class VolumeFaces;
 struct FluxRecorder;
@@ -52,7 +59,10 @@ struct SchemeOptions {
   double diffusion_knob = 1;            // weight of diffusion in the deck's time-step rule
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   double cfl = 0.4;
-  IndexBox domain;  // cells of the physical domain
+  std::span<const models::TransportedScalar> scalars;  // of all materials
+  const models::BinaryGas* binary = nullptr;           // of the one gas, where it is a mixture
+  const Level* level = nullptr;                        // that this graph is for
+  IndexBox domain;                                     // cells of the physical domain
   std::array<bool, 3> periodic{};
   const BoundaryFill* boundary = nullptr;  // knows the walls
   // With several levels: which cells count in sums, where fluxes are recorded.
@@ -66,6 +76,22 @@ struct SchemeOptions {
   // Whether friction works on the velocity of a sharp front between two viscosities
   // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
   bool friction_tilts() const { return mixture && viscosity_varies; }
+};
+
+// Scalars that a graph carries; see scalars/variables.hpp.
+struct ScalarVariables {
+  struct Each {
+    int index = 0;  // among the scalars of the scene
+    VariableId old, now, mass, mass_new;
+    VariableId volume;  // of the material; in a mixture
+    int carrier = 0;    // component of `carrier`
+  };
+  std::vector<Each> each;
+  std::vector<int> materials;  // of the components of `carrier`
+  bool diffusive = false;
+  VariableId base, half;
+  // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
+  std::array<VariableId, 3> carrier, face, spread;
 };
 
 struct SchemeVariables {
@@ -99,6 +125,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
   // Of a mixture, by axis: what passes of each material, see mixture/variables.hpp.
   std::array<VariableId, 3> material_flux;
+  ScalarVariables scalars;
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.

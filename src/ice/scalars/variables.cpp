@@ -1,0 +1,58 @@
+// Declaring the variables of scalars.
+#include "ice/scalars/variables.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace sluice::ice::scalars {
+
+void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v,
+                       const Masses& masses) {
+  ScalarVariables& s = v.scalars;
+  std::vector<int> carriers;  // materials that carry any
+  for (std::size_t n = 0; n < o.scalars.size(); ++n) {
+    const models::TransportedScalar& scalar = o.scalars[n];
+    if (!o.mixture && scalar.material != o.material) continue;
+    const auto m = static_cast<std::size_t>(o.mixture ? scalar.material : 0);
+    ScalarVariables::Each e;
+    e.index = static_cast<int>(n);
+    e.old = list.old_state(scalar.state(), scalar.material, 1);
+    e.now = list.new_state(scalar.state(), scalar.material, 1);
+    e.mass = masses.old[m];
+    e.mass_new = masses.now[m];
+    if (o.mixture) e.volume = masses.volume[m];
+    auto found = std::find(carriers.begin(), carriers.end(), scalar.material);
+    e.carrier = static_cast<int>(found - carriers.begin());
+    if (found == carriers.end()) carriers.push_back(scalar.material);
+    s.diffusive = s.diffusive || scalar.diffusivity > 0;
+    s.each.push_back(e);
+  }
+  if (s.each.empty()) return;
+  const int count = static_cast<int>(s.each.size());
+  s.materials = carriers;
+  if (o.second_order) s.base = list.temporary("scalar bases", count * (offered + o.axes.count));
+  if (o.second_order && s.diffusive) s.half = list.temporary("scalars at half the step", count);
+  for (int a = 0; a < o.axes.count; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const int d = o.axes.direction[a];
+    const std::string name = " of axis " + std::to_string(a);
+    s.carrier[axis] =
+        o.mixture ? list.temporary("mass with scalars" + name, static_cast<int>(carriers.size()), d)
+                  : v.flux[axis];
+    s.face[axis] = list.temporary("scalars on faces" + name, count, d);
+    if (s.diffusive) s.spread[axis] = list.temporary("scalar diffusion" + name, count, d);
+  }
+}
+
+double diffusion_rate(const SchemeOptions& o, Vec3 spacing) {
+  double most = 0, inverse_dx2 = 0;
+  for (const models::TransportedScalar& s : o.scalars) most = std::max(most, s.diffusivity);
+  for (int a = 0; a < o.axes.count; ++a) {
+    const double dx = spacing[o.axes.direction[a]];
+    inverse_dx2 += 1.0 / (dx * dx);
+  }
+  constexpr double margin = 1.4;  // 0.5 in place of 0.7, see Ice::step_limit
+  return margin * 2.0 * most * inverse_dx2;
+}
+
+}  // namespace sluice::ice::scalars

@@ -1,0 +1,46 @@
+// The variables with which a step carries scalars, and its tasks.
+//
+// A scalar goes with the mass of its material: through a face passes F q_f, F the mass that the
+// remap has found. In the graph of one material only its own scalars are carried; in that of
+// several, F of each material that has any is put together first.
+#pragma once
+#include <span>
+
+#include "ice/conservative/variables.hpp"
+#include "models/transported_scalar.hpp"
+
+namespace sluice::ice::scalars {
+
+// Components of `base` of each scalar: lowest and highest value around, then what the cell offers
+// along each axis.
+enum Base { lowest = 0, highest = 1, offered = 2 };
+
+// Declares the variables of the scalars of material `o.material`, or of all in a mixture: state,
+// mass and its fluxes are those of `v` (one material) or these of all materials.
+struct Masses {
+  std::span<const VariableId> old, now, volume;  // no volumes of one material
+};
+void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v,
+                       const Masses& masses);
+
+// Tasks of the step, in order; each in the file of its name. None without scalars.
+void add_carriers(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// All of them.
+inline void add_tasks(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                      int effect) {
+  if (v.scalars.each.empty()) return;
+  add_carriers(list, v, o, effect);
+  add_bases(list, v, o, effect);
+  add_fluxes(list, v, o, effect);
+  scalars::add_update(list, v, o, effect);
+}
+
+// 2 D sum 1/dx^2 of the most diffusive scalar of the scene, with a margin: a cell between two
+// heavier ones, through whose faces twice as much spreads, bears the step too.
+double diffusion_rate(const SchemeOptions& o, Vec3 spacing);
+
+}  // namespace sluice::ice::scalars
