@@ -71,7 +71,7 @@ TEST(CustomStart, ManufacturedFlowsHaveNoDivergence) {
     EXPECT_GT(scale, 0.01);
     EXPECT_NEAR(divergence, 0, 1e-6) << flat;
   }
-  EXPECT_NEAR(started(ManufacturedVortices{2}, {0, 0, 0}).pressure, 1e5 - 2 * 2, 1e-9);  // density 2
+  EXPECT_NEAR(started(ManufacturedVortices{2}, {0, 0, 0}).pressure, 1e5 - 2 * 2, 1e-9);
 }
 
 TEST(CustomStart, JetsMeetInTheMiddleOfTheDomain) {

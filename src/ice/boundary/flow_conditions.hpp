@@ -45,7 +45,7 @@ struct SlipSettings {
   bool second_order() const { return model != Model::first_order; }
 };
 
-// The travelling vortices of <manufacturedSolution type="mms_1">, an exact flow without compression:
+// Travelling vortices of <manufacturedSolution type="mms_1">, an exact flow without compression:
 //   u = 1 - A cos(x - t) sin(y - t) d,  v = 1 + A sin(x - t) cos(y - t) d,  d = exp(-2 nu t)
 //   p = p_ref - rho A^2/4 d^2 (cos 2(x - t) + cos 2(y - t)),  nu = mu/rho
 struct TravellingVortices {

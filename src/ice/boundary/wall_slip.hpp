@@ -5,13 +5,13 @@
 //   L = lambda (2 - a)/a,  lambda = mu/(rho sqrt(2 R T/pi)) = mu sqrt(pi/(2 rho p))
 //   C = 0 (first order), 9/8 (Deissler), -(2 - a)/(2 a) (Karniadakis and Beskok)
 // u' is 2 (u - u_s)/dx, with u_s itself in it: whatever lambda/dx, u_s lies between u_w and u.
-// u'' is that of a thin layer in steady flow, mu u'' = dp/ds - rho g. Taken from differences of u it
+// u'' is that of a thin layer in steady flow, mu u'' = dp/ds - rho g. From differences of u it
 // would feed back upon itself: the third model then amplifies what is shorter than 2.7 lambda.
 //   T_s = T_w + B T' - D lambda^2 T'',  B = lambda (2 - a_T)/a_T 2 k/((gamma + 1) cv mu)
 //   D = 0, 9/128 (177 gamma - 145)/(gamma + 1), -B/(2 lambda);  k T'' = -mu u'^2 likewise
 // lambda is there that at T_s.
 // Limits: Knudsen numbers up to about 0.1; Deissler's derivatives along the wall are left out.
-// References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Transfer
+// References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Trans.
 // 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
 #pragma once
 #include "ice/boundary/flow_conditions.hpp"

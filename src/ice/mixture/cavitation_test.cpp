@@ -34,7 +34,7 @@ double energy_of(const Totals& t) {
   return t.internal_energy.sum.value() + t.kinetic_energy.sum.value();
 }
 
-// Highest temperature of the air now; the water of the cell where there is too little of it to tell.
+// Highest temperature of the air now, where there is enough of it to tell.
 double hottest_air(const MixtureBox& run) {
   double T = 0;
   for (int i = 0; i < cells; ++i) {

@@ -22,7 +22,7 @@ class Collapse {
   std::uint64_t traces_of_gas(const Equilibration::Cell& cell, double density) const;
   // The pressures of the traces, in their places.
   void remember(const Equilibration::Cell& cell, std::uint64_t traces, double* before) const;
-  // After it: `before` is the pressure of each gas as it was. True: something changed hands, and one
+  // After it: `before` is the pressure of each gas as it was. True: something passed, and one
   // pressure is to be found again.
   bool settle(const Equilibration::Cell& cell, std::uint64_t traces, const double* before,
               double q) const;

@@ -142,7 +142,7 @@ class FaceShares {
   }
 
   // Step 1: FV holds the share, FE how much more the cell could give, FM the receiving mass. Where
-  // a cell has none of a material, it waits until the donor is filled compared with the cell behind,
+  // a cell has none of a material, it waits until the donor is filled as against the cell behind,
   // if the others can make up the outflow: else the foot of a front would run ahead, a cell a step,
   // and flows that spread would carry it away. Tiny amounts pass the main outlet only: through
   // several they would leave to a share, never all.

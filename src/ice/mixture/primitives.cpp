@@ -11,6 +11,7 @@
 
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/primitives_rows.hpp"
+#include "ice/limiters.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 
@@ -90,6 +91,7 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
   double* __restrict rho = row(h.rho);
   double* __restrict energy = row(h.total_energy);
   double* __restrict w = row(h.inverse_rho);
+  double* __restrict least = row(h.scratch, 4);  // p_m + pi_m
   double* __restrict p = row(h.pressure);
   double* __restrict c = row(h.sound);
   double* __restrict slope = row(h.shock_slope);
@@ -100,7 +102,7 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
   double* __restrict e = row(h.scratch, 3);
   for (int i = 0; i < n; ++i) {
     rho[i] = energy[i] = p[i] = c[i] = slope[i] = 0.0;
-    pi[i] = std::numeric_limits<double>::infinity();
+    pi[i] = least[i] = std::numeric_limits<double>::infinity();
   }
   for_each_of(set, [&](int m) {
     const auto k = static_cast<std::size_t>(m);
@@ -125,10 +127,14 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
       c[i] += softness;
       slope[i] += V[i] * fluid_slope;
       pi[i] = fluid_pi < pi[i] ? fluid_pi : pi[i];
+      least[i] = smaller(least[i], pm[i] + fluid_pi);
     }
   });
   for (int i = 0; i < n; ++i) {
-    p[i] = p[i] / c[i];
+    // Cells that levels have just filled may hold gas and a liquid under tension: the mean is then
+    // no pressure of the gas, and what it has itself counts.
+    const double mean = p[i] / c[i];
+    p[i] = mean + pi[i] > 0.0 ? mean : least[i] - pi[i];
     w[i] = 1.0 / rho[i];
     c[i] = 0.0;
   }
@@ -233,7 +239,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.inverse_rho = task.write(v.common.inverse_rho);
   h.shock_slope = task.write(v.common.shock_slope);
   h.pi = task.write(v.common.pi);
-  h.scratch = task.write(list.temporary("closure of a material", 4));
+  h.scratch = task.write(list.temporary("closure of a material", 5));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
   const bool gases = std::all_of(fluids.begin(), fluids.end(),
