@@ -102,6 +102,15 @@ std::vector<Entry> of_materials() {
   };
   const char* const rubs = "dynamic_viscosity";
   const char* const conducts = "thermal_conductivity";
+  // Below 1e10: velocities of their own.
+  const auto with_drag = [](const char* list) {
+    return "MaterialProperties/exchange_properties/exchange_coefficients/momentum=" +
+           std::string(list);
+  };
+  const auto velocity = [](const char* material, const char* u) {
+    return "MaterialProperties/ICE/material[" + std::string(material) +
+           "]/geom_object/velocity=" + u;
+  };
   return {
       {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
       {"interface_leaving", "interface_leaving", {cells("[60,1,1]")}},
@@ -125,6 +134,14 @@ std::vector<Entry> of_materials() {
        "three_in_a_row",
        {cells("[50,1,1]"), with_heat("[1e3,1e12,0]"),
         "MaterialProperties/ICE/material[3]/geom_object[1]/temperature=320"}},
+      {"two_gases_free", "two_gases_strong", {cells("[90,1,1]"), with_drag("[0]")}},
+      {"three_in_a_row_drag",
+       "three_in_a_row",
+       {cells("[50,1,1]"), with_drag("[1e12,100,0]"), with_heat("[1e3,1e12,0]"),
+        velocity("3", "[30,0,0]")}},
+      {"helium_bubble_drag",
+       "helium_bubble",
+       {cells("[40,15,1]"), with_drag("[100]"), velocity("2", "[20,5,0]")}},
       {"helium_bubble", "helium_bubble", {cells("[40,15,1]")}},
       {"helium_bubble_gravity",
        "helium_bubble",

@@ -39,6 +39,8 @@ class TwoFluids : public testing::Test {
       ice.materials[m].fluid = fluids_[m];
       ice.materials[m].index = static_cast<int>(m);
     }
+    ice.exchange.momentum = PairCoefficients(2);
+    ice.exchange.momentum.set(0, 1, one_velocity_coefficient);
     ice_ = std::make_unique<Ice>(scene_, std::move(ice));
     const Level& level = scene_.grid.levels.front();
     SolverOptions options;

@@ -84,6 +84,10 @@ BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
     v.mass.push_back(state.view(state.find(slots_.mass, m), 0, box));
     v.energy.push_back(state.view(state.find(slots_.energy, m), 0, box));
     if (several > 1) v.volume.push_back(state.view(state.find(slots_.volume, m), 0, box));
+    if (!(slots_.slip != Label{})) continue;
+    const int slip = state.find(slots_.slip, m);
+    for (int c = 0; c < state.info(slip).components; ++c)
+      v.slip.push_back(state.view(slip, c, box));
   }
   const int momentum = state.find(slots_.momentum, slots_.material);
   for (int c = 0; c < state.info(momentum).components; ++c)
@@ -178,9 +182,10 @@ void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, 
       source.push_back(source_cell(ghost, d, plus, first.mirrored(), level_->domain)[d]);
     for (const auto* views : {&v.mass, &v.energy, &v.volume})
       for (const RealView& view : *views) copy_layers(view, ghosts, d, source, 1.0);
-    for (std::size_t c = 0; c < v.momentum.size(); ++c)
-      copy_layers(v.momentum[c], ghosts, d, source,
-                  first.mirrored() && slots_.directions[c] == d ? -1.0 : 1.0);
+    for (const auto* vectors : {&v.momentum, &v.slip})
+      for (std::size_t c = 0; c < vectors->size(); ++c)
+        copy_layers((*vectors)[c], ghosts, d, source,
+                    first.mirrored() && slots_.directions[c % v.momentum.size()] == d ? -1.0 : 1.0);
     return;
   }
   GhostStates states(setting_, v, d, plus, time);
@@ -224,7 +229,7 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
                                 std::span<const Side> sides, double time) const {
   const BoundaryViews v = views(state, box);
   std::vector<RealView> all;
-  for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum})
+  for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum, &v.slip})
     all.insert(all.end(), some->begin(), some->end());
   for (const scalars::GhostViews& s : scalar_views(state, box)) all.push_back(s.scalar);
   std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * all.size(), 0.0);

@@ -40,6 +40,7 @@ struct StateSlots {
   int material = 0;             // of the momentum; the first of several
   std::vector<int> directions;  // of the momentum components
   Label volume{};               // of several materials
+  Label slip{};                 // of those with velocities of their own; none: they have one
 };
 
 class BoundaryFill {

@@ -104,6 +104,12 @@ void add_exchange(const IceScene& ice, EffectList& e) {
   if (momentum.on && ice.one_velocity())
     momentum.reason += fmt::format("; all at least {:g}: one velocity, nothing to compute",
                                    one_velocity_coefficient);
+  if (!ice.one_velocity()) {
+    momentum.on = true;
+    momentum.reason +=
+        fmt::format("; not all at least {:g}: each material has a velocity of its own",
+                    one_velocity_coefficient);
+  }
   e.add(momentum);
   Effect heat = exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where);
   if (heat.on) heat.reason += ", in the update";

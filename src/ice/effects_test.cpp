@@ -59,8 +59,10 @@ TEST(Effects, OneVelocityNeedsEveryPair) {
   EXPECT_EQ(scene.exchange.momentum(2, 0), 1e9);
   const EffectList e = find_effects(tube(), scene);
   EXPECT_EQ(e[effect_momentum_exchange].reason.find("one velocity"), std::string::npos);
+  EXPECT_THAT(e[effect_momentum_exchange].reason, HasSubstr("a velocity of its own"));
   EXPECT_TRUE(e.on(effect_heat_exchange));
   EXPECT_FALSE(materials(2, 0, 0).one_velocity());
+  EXPECT_TRUE(find_effects(tube(), materials(2, 0, 0)).on(effect_momentum_exchange));
   EXPECT_TRUE(materials(1, 0, 0).one_velocity());
 }
 
@@ -73,7 +75,7 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
   EXPECT_EQ(e[effect_viscosity].reason, "dynamic_viscosity is 0 (air), 0.001 (water)");
   EXPECT_EQ(e[effect_viscosity].line.line, 12);
   EXPECT_FALSE(e.on(effect_conduction));
-  EXPECT_FALSE(e.on(effect_momentum_exchange));
+  EXPECT_TRUE(e.on(effect_momentum_exchange));  // free of each other: velocities of their own
 }
 
 TEST(Effects, TurbulenceBringsFrictionAndHeatFlux) {

@@ -148,23 +148,6 @@ ExchangeSettings read_exchange(const DeckNode& root, int materials) {
   return s;
 }
 
-namespace {
-
-void check_velocities(const DeckNode& root, int materials, std::vector<Fault>& faults) {
-  const ExchangeSettings s = read_exchange(root, materials);
-  if (materials < 2 || s.momentum.least_of_pairs() >= one_velocity_coefficient) return;
-  add_error(
-      faults, s.written ? s.momentum_where : ice_materials(root)[1]->where,
-      fmt::format("materials with velocities of their own (a momentum coefficient below {:g}) "
-                  "are not built yet",
-                  one_velocity_coefficient),
-      fmt::format("coefficients of {:g} and more move all materials together",
-                  one_velocity_coefficient));
-  faults.back().not_built = true;
-}
-
-}  // namespace
-
 TagSpec exchange_tag() {
   const auto variation = [](const std::string& name, const std::string& doc) {
     return tag(name, doc).words({"constant", "linearVariation"});
@@ -208,13 +191,11 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
   const auto materials = static_cast<int>(ice_materials(root).size());
   const DeckNode* coefficients =
       exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
-  bool readable = true;
   if (coefficients != nullptr) {
-    readable = check_count(*coefficients, "momentum", materials, faults);
+    check_count(*coefficients, "momentum", materials, faults);
     check_count(*coefficients, "heat", materials, faults);
   }
   if (exchange != nullptr) check_models(*exchange, materials, faults);
-  if (readable) check_velocities(root, materials, faults);
 }
 
 }  // namespace sluice::ice

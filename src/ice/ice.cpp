@@ -10,7 +10,7 @@
 #include "ice/conservative/leaving_shocks.hpp"
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/slip.hpp"
 #include "ice/refine/criteria.hpp"
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
@@ -36,6 +36,8 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.fluid = m.fluid;
   for (const IceMaterial& each : ice.materials) o.fluids.push_back(each.fluid);
   o.heat_exchange = ice.exchange.heat;
+  o.own_velocities = !ice.one_velocity();
+  o.drag = ice.exchange.momentum;
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -86,7 +88,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
   if (materials == 1)
     flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
   else
-    flow = std::make_unique<MixtureTransfer>(o.fluids, o.components, matches);
+    flow = std::make_unique<MixtureTransfer>(o.fluids, o.components, matches, o.own_velocities);
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
   for (const models::TransportedScalar& s : ice.models.scalars)
@@ -125,6 +127,7 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
 // The same where several materials may meet; the tasks of that name under mixture/, but for those
 // of the mixture as a whole.
 void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
+  if (o.own_velocities) return declare_slip(list, o);
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
   scalars::declare_variables(list, o, v, {m.mass, m.mass_new, m.volume});
@@ -151,6 +154,36 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
 }
 
+// The same where each material has a velocity of its own: mixture/slip.hpp.
+void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
+  const mixture::Variables m = mixture::declare_variables(list, o);
+  const SchemeVariables &v = m.common, &volume = m.slip.common;
+  constexpr int slip = effect_momentum_exchange;
+  // task                            reads                              writes
+  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
+  add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
+  add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
+  mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
+  mixture::add_viscosity(list, m, o, effect_viscosity);       // V_m        mu
+  add_viscous_stress(list, v, o, effect_viscosity);           // u, mu      t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
+  mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
+  mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow
+  mixture::add_remap_bases(list, m, o, effect_second_order);   // Lagrange   bases
+  mixture::add_slip_bases(list, m, o, slip);                   // Lagrange   bases of u_m
+  mixture::add_slip_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE, U of each
+  mixture::add_slip_update(list, m, o, effect_equilibration);  // fluxes     new state, rates
+  if (effects_.on(effect_boundary_account))
+    add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
+  add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp      sums
+  add_volume_account(list, v, o, effect_diagnostics);           // fluxes, dp sums
+  add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
+  declare_step_outputs(list, v, o);                             // saved      outputs
+  mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
+}
+
 Ice::Ice(const Scene& scene, IceScene ice_scene)
     : scene_(&scene),
       ice_(std::move(ice_scene)),
@@ -164,6 +197,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
   if (material_count() > 1) slots.volume = labels().volume;
+  if (options_.own_velocities) slots.slip = labels().slip;
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
@@ -192,11 +226,12 @@ SchemeOptions Ice::at_level(int level) const {
 // each.
 std::vector<SlotInfo> Ice::state_slots() const {
   // LODI and slip look one cell aside from the ghosts that they fill, the dynamic model filters
-  // twice.
+  // twice. Materials with velocities of their own: what flows out of a donor follows from faces of
+  // its neighbours, and interfaces are looked for around every cell.
   const bool aside = ice_.conditions.lodi || ice_.conditions.slip;
-  const bool filters = ice_.turbulence && ice_.turbulence->dynamic;
+  const bool twice = (ice_.turbulence && ice_.turbulence->dynamic) || options_.own_velocities;
   const int ghosts =
-      (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0) + (filters ? 2 : 0);
+      (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0) + (twice ? 2 : 0);
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});
@@ -205,19 +240,26 @@ std::vector<SlotInfo> Ice::state_slots() const {
   slots.push_back({labels().momentum, 0, options_.components, ghosts});
   of_each(labels().energy);
   if (material_count() > 1) of_each(labels().volume);
+  if (options_.own_velocities)
+    for (int m = 0; m < material_count(); ++m)
+      slots.push_back({labels().slip, m, options_.components, ghosts});
   for (const models::TransportedScalar& s : ice_.models.scalars)
     slots.push_back({s.state(), s.material, 1, ghosts});
   return slots;
 }
 
 std::vector<std::vector<Label>> Ice::checkpoint_labels() const {
-  std::vector<Label> momentum;
-  for (int c = 0; c < options_.components; ++c)
-    momentum.push_back(
-        labels().momentum_component[options_.direction[static_cast<std::size_t>(c)]]);
+  std::vector<Label> momentum, slip;
+  for (int c = 0; c < options_.components; ++c) {
+    const int d = options_.direction[static_cast<std::size_t>(c)];
+    momentum.push_back(labels().momentum_component[d]);
+    slip.push_back(labels().slip_component[d]);
+  }
   std::vector<std::vector<Label>> names;
   for (const SlotInfo& slot : state_slots())
-    names.push_back(slot.label == labels().momentum ? momentum : std::vector{slot.label});
+    names.push_back(slot.label == labels().momentum ? momentum
+                    : slot.label == labels().slip   ? slip
+                                                    : std::vector{slot.label});
   return names;
 }
 
@@ -316,7 +358,8 @@ bool Ice::diffusive() const {
 }
 
 bool Ice::quiet_blocks_allowed() const {
-  if (material_count() > 1 && (options_.heat_exchange.any() || scene_->grid.levels.size() > 1))
+  if (material_count() > 1 &&
+      (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))
     return false;
   for (const models::TransportedScalar& s : ice_.models.scalars)
     if (s.grows()) return false;

@@ -57,6 +57,7 @@ class Ice : public Component {
  private:
   void declare_conservative(TaskList& list, const SchemeOptions& options) const;
   void declare_mixture(TaskList& list, const SchemeOptions& options) const;
+  void declare_slip(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
   int step_sums() const;  // without those of control volumes
   int first_source_sum() const;

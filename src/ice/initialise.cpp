@@ -94,7 +94,7 @@ void Ice::initialise_materials(Warehouse& state) const {
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
       double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
-      double momentum[3] = {0, 0, 0};
+      double momentum[3] = {0, 0, 0}, rho = 0;
       for (std::size_t m = 0; m < fill.materials.size(); ++m) {
         const MaterialFill& f = fill.materials[m];
         M[m] = V[m] = E[m] = 0.0;
@@ -102,6 +102,7 @@ void Ice::initialise_materials(Warehouse& state) const {
         const Fluid& fluid = options_.fluids[m];
         V[m] = f.volume_fraction[n];
         M[m] = V[m] * f.density[n];
+        rho += M[m];
         E[m] = V[m] * fluid.energy_from_pressure(f.density[n], f.pressure[n], f.temperature[n]);
         for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
       }
@@ -117,6 +118,14 @@ void Ice::initialise_materials(Warehouse& state) const {
       }
       for (int c = 0; c < options_.components; ++c)
         at(labels().momentum, 0, c) = momentum[options_.direction[static_cast<std::size_t>(c)]];
+      for (std::size_t m = 0; m < fill.materials.size() && options_.own_velocities; ++m)
+        for (int c = 0; c < options_.components; ++c) {
+          const int d = options_.direction[static_cast<std::size_t>(c)];
+          const double u = fill.materials[m].velocity[d][n];
+          const bool apart = M[m] > 0 && M[m] != rho;
+          put(at(labels().slip, static_cast<int>(m), c),
+              apart ? M[m] * (u - momentum[d] / rho) : 0.0);
+        }
       ++n;
     });
   }

@@ -29,6 +29,14 @@ void declare_state(Labels& l) {
   l.energy = cell("state.energy", "J/m^3", "Conserved state: internal energy per volume.");
   l.volume = cell("state.volume", "1",
                   "Conserved state of several materials: share of the cell that each fills.");
+  l.slip = cell("state.slip", "kg/(m^2 s)",
+                "Conserved state of materials with velocities of their own: momentum of each "
+                "relative to the mixture, one component a carried direction.");
+  constexpr const char* of_slip[] = {"state.slip_x", "state.slip_y", "state.slip_z"};
+  for (int d = 0; d < 3; ++d)
+    l.slip_component[d] = cell(
+        of_slip[d], "kg/(m^2 s)",
+        "Conserved state: momentum of a material relative to the mixture along one direction.");
   l.mask = cell("state.slope_mask", "1",
                 "1 where slopes are used, 0 in cells whose faces are redone at first order.");
 }

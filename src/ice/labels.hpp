@@ -8,6 +8,9 @@ struct Labels {
   // Conserved state, per volume. Components of momentum: the active directions, then carried ones.
   // Several materials: mass, energy and volume of each, one momentum, kept as of material 0.
   Label mass, momentum, energy, volume;
+  // Momentum of a material relative to the mixture, where each has a velocity of its own.
+  Label slip;
+  Label slip_component[3];
   Label momentum_component[3];  // as checkpoints keep them
   // 1 where slopes are used, 0 in cells whose faces are redone at first order.
   Label mask;

@@ -16,33 +16,44 @@ namespace {
 // Density and modulus (rho c^2) of the cells of one box.
 class CellStates {
  public:
-  CellStates(const Warehouse& state, const std::vector<Fluid>& fluids, int box)
-      : fluids_(fluids), equilibration_(fluids) {
+  CellStates(const Warehouse& state, const std::vector<Fluid>& fluids, int box, bool own_velocities)
+      : state_(state), box_(box), fluids_(fluids), equilibration_(fluids) {
     const auto view = [&](Label label, int m) { return state.view(state.find(label, m), 0, box); };
     for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
       mass_.push_back(view(labels().mass, m));
       energy_.push_back(view(labels().energy, m));
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
+      if (own_velocities) slip_.push_back(state.find(labels().slip, m));
     }
   }
 
   struct State {
     double rho = 0, modulus = 0;
+    double inertia = 0;  // what sound moves between free materials: 1/sum V_m^2/M_m
   };
+  // How much faster than the mixture a material may be along component c.
+  double slip(IntVec3 cell, int c) const {
+    double most = 0;
+    for (std::size_t m = 0; m < slip_.size(); ++m)
+      if (const double M = mass_[m](cell); M > 0)
+        most = std::max(most, std::fabs(state_.view(slip_[m], c, box_)(cell)) / M);
+    return most;
+  }
   State at(IntVec3 cell) const {
     if (fluids_.size() == 1) {
       const double rho = mass_[0](cell);
-      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell)))};
+      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell))), rho};
     }
     double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
-    double rho = 0;
+    double rho = 0, inverse = 0;
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
       M[m] = mass_[m](cell);
       V[m] = volume_[m](cell);
       E[m] = energy_[m](cell);
       rho += M[m];
+      if (M[m] > 0) inverse += V[m] * V[m] / M[m];
     }
-    return {rho, equilibration_.look({M, V, E}).modulus};
+    return {rho, equilibration_.look({M, V, E}).modulus, slip_.empty() ? rho : 1.0 / inverse};
   }
   double temperature(IntVec3 cell) const {
     return fluids_.front().temperature(mass_[0](cell), energy_[0](cell));
@@ -66,6 +77,9 @@ class CellStates {
   }
 
  private:
+  const Warehouse& state_;
+  int box_;
+  std::vector<int> slip_;
   const std::vector<Fluid>& fluids_;
   mixture::Equilibration equilibration_;
   std::vector<RealView> mass_, energy_, volume_;
@@ -141,15 +155,15 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     rates.maximum(StepSlots::diffusion_rate,
                   ordered_bits(scalars::diffusion_rate(options_, state.level().spacing)));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const CellStates states(state, options_.fluids, b);
+    const CellStates states(state, options_.fluids, b, options_.own_velocities);
     const Diffusion diffusion(state, at_level(state.level().index), b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-      const auto [rho, modulus] = states.at(cell);
-      const double c = std::sqrt(modulus / rho);
+      const auto [rho, modulus, inertia] = states.at(cell);
+      const double c = std::sqrt(modulus / inertia);
       double deck = 0, outflow = 0, flow = 0, sound = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];
-        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho;
+        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho + states.slip(cell, a);
         const double margin = options_.sound_speed_knob * c + gravity_speed;
         outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx;
         const double deck_rate = (u + options_.sound_speed_knob * c) / dx;

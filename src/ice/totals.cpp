@@ -19,6 +19,7 @@ class TotalsOfRows {
     for (int m = 0; m < materials; ++m) {
       mass_.push_back(state.find(labels().mass, m));
       energy_.push_back(state.find(labels().energy, m));
+      if (options.own_velocities) slip_.push_back(state.find(labels().slip, m));
     }
     for (const models::TransportedScalar& s : options.scalars)
       scalars_.push_back({state.find(s.state(), s.material), static_cast<std::size_t>(s.material)});
@@ -53,12 +54,25 @@ class TotalsOfRows {
     }
     for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = 0.5 * kinetic_[i] / rho[i];
     add(totals_.kinetic_energy, kinetic_.data());
+    for (std::size_t m = 0; m < slip_.size(); ++m)
+      add_slip(row(mass_[m], 0, box, start), m, box, start);
     for (std::size_t s = 0; s < scalars_.size(); ++s) {
       const double* q = row(scalars_[s].slot, 0, box, start);
       const double* mass = row(mass_[scalars_[s].material], 0, box, start);
       for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = mass[i] * q[i];
       add(totals_.amounts[s], kinetic_.data());
     }
+  }
+  // Kinetic energy of a material relative to the mixture.
+  void add_slip(const double* M, std::size_t m, int box, IntVec3 start) {
+    std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
+    for (int c = 0; c < options_.components; ++c) {
+      const double* S = row(slip_[m], c, box, start);
+      for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] += S[i] * S[i];
+    }
+    for (std::size_t i = 0; i < kinetic_.size(); ++i)
+      kinetic_[i] = kinetic_[i] > 0.0 ? 0.5 * kinetic_[i] / M[i] : 0.0;
+    add(totals_.kinetic_energy, kinetic_.data());
   }
 
   // Of all materials, after adding the mass of each.
@@ -79,7 +93,7 @@ class TotalsOfRows {
   const SchemeOptions& options_;
   Totals& totals_;
   int momentum_;
-  std::vector<int> mass_, energy_;  // by material
+  std::vector<int> mass_, energy_, slip_;  // by material
   struct Scalar {
     int slot;
     std::size_t material;

@@ -37,9 +37,12 @@ void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
   for (const auto* views : {&v_.mass, &v_.energy, &v_.volume})
     for (const RealView& v : *views) v(ghost) = v(source);
   const bool mirrored = rule.velocity_kind == GhostRule::Velocity::mirror;
-  for (std::size_t c = 0; c < v_.momentum.size(); ++c)
-    v_.momentum[c](ghost) =
-        mirrored && setting_.directions[c] == d_ ? -v_.momentum[c](source) : v_.momentum[c](source);
+  for (const auto* vectors : {&v_.momentum, &v_.slip})
+    for (std::size_t c = 0; c < vectors->size(); ++c) {
+      const bool turned = mirrored && setting_.directions[c % v_.momentum.size()] == d_;
+      const double value = (*vectors)[c](source);
+      (*vectors)[c](ghost) = turned ? -value : value;
+    }
 }
 
 double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
@@ -226,7 +229,6 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
     p += hydrostatic(source, ghost, rho);
   }
   rho = fill_cell(rule, p);
-  const double source_rho = v_.density(source);
   bool slides = rule.common.mirrored();  // one velocity: one viscous material sticks for all
   for (std::size_t m = 0; m < parts_.size(); ++m) {
     const Part& part = parts_[m];
@@ -237,19 +239,54 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
     v_.energy[m](ghost) =
         present ? part.V * setting_.fluids[m].energy_from_pressure(part.rho, p, part.T) : 0.0;
   }
-  for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
-    const double u = v_.momentum[c](source) / source_rho;
-    const double mirrored = setting_.directions[c] == d_ ? -u : u;
+  set_velocities(rule, ghost, source, distance, slides);
+}
+
+// Each material has its own rule, and its own velocity in the source where the scene says so.
+void GhostStates::set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3 source,
+                                 double distance, bool slides) {
+  const std::size_t components = v_.momentum.size();
+  const double source_rho = v_.density(source), rho = v_.density(ghost);
+  for (std::size_t c = 0; c < components; ++c) {
+    const double common = v_.momentum[c](source) / source_rho;
+    const int direction = setting_.directions[c];
     double momentum = 0;
     for (std::size_t m = 0; m < parts_.size(); ++m) {
+      Part& part = parts_[m];
+      if (!(part.V > 0)) continue;
       const GhostRule& of_part = rule.parts[m].rule;
-      if (parts_[m].V > 0)
-        momentum += parts_[m].V * parts_[m].rho *
-                    (slides ? mirrored
-                            : velocity(of_part, given_velocity(of_part, ghost), u,
-                                       setting_.directions[c], distance));
+      const double M = v_.mass[m](source);
+      const double u =
+          v_.slip.empty() || M == 0.0 ? common : common + v_.slip[m * components + c](source) / M;
+      part.u = !slides ? velocity(of_part, given_velocity(of_part, ghost), u, direction, distance)
+               : direction == d_ ? -u
+                                 : u;
+      momentum += part.V * part.rho * part.u;
     }
     v_.momentum[c](ghost) = momentum;
+    for (std::size_t m = 0; m < parts_.size() && !v_.slip.empty(); ++m) {
+      const double M = v_.mass[m](ghost);
+      v_.slip[m * components + c](ghost) =
+          M > 0 && M != rho ? M * (parts_[m].u - momentum / rho) : 0.0;
+    }
+  }
+}
+
+// What moves against the mixture in the source does so in the ghost.
+void GhostStates::keep_slip(IntVec3 ghost, IntVec3 source) const {
+  const std::size_t components = v_.momentum.size();
+  if (v_.slip.empty()) return;
+  const double rho = v_.density(ghost);
+  for (std::size_t c = 0; c < components; ++c) {
+    double sum = 0;
+    for (std::size_t m = 0; m < v_.mass.size(); ++m) {
+      const double M = v_.mass[m](source), kept = v_.mass[m](ghost);
+      RealView slip = v_.slip[m * components + c];
+      slip(ghost) = M > 0 && kept > 0 ? slip(source) / M * kept : 0.0;
+      sum += slip(ghost);
+    }
+    for (std::size_t m = 0; m < v_.mass.size(); ++m)
+      v_.slip[m * components + c](ghost) -= v_.mass[m](ghost) / rho * sum;
   }
 }
 

@@ -11,9 +11,10 @@
 
 namespace sluice::ice {
 
-// State arrays of one box; by material, momentum by component. No volumes with one material.
+// State arrays of one box; by material, momentum by component. No volumes with one material. Slip by
+// material and component, where each material has a velocity of its own.
 struct BoundaryViews {
-  std::vector<RealView> mass, energy, volume, momentum;
+  std::vector<RealView> mass, energy, volume, momentum, slip;
   RealView composition;  // of a gas that is a mixture of two
 
   double density(IntVec3 c) const {
@@ -54,6 +55,7 @@ class GhostStates {
   struct Part {
     double rho = 0, V = 0, T = 0;  // true density, share of the cell
     double V_source = 0;
+    double u = 0;  // along one component
     bool given_T = false;
   };
   // Of one material in this cell; `room` holds it where the one gas is a mixture of its own.
@@ -89,6 +91,9 @@ class GhostStates {
   double mixture_pressure(IntVec3 source) const;
   void take_over(const MixtureRule& rule, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);
+  void set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance,
+                      bool slides);
+  void keep_slip(IntVec3 ghost, IntVec3 source) const;
 
   const BoundarySetting& setting_;
   const BoundaryViews& v_;

@@ -179,7 +179,8 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
   const int alone = alone_in(source);
   if (alone >= 0 && alone == alone_in(inner)) {
     const auto m = static_cast<std::size_t>(alone);
-    return waves(rule.parts[m].rule, ghost, source, m);
+    waves(rule.parts[m].rule, ghost, source, m);
+    return keep_slip(ghost, source);
   }
   const std::size_t count = v_.mass.size();
   double lowest = -std::numeric_limits<double>::infinity();
@@ -217,6 +218,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
     if (present) rho += M;
   }
   wave_momentum(rule.common, out, ghost, source, rho);
+  keep_slip(ghost, source);
 }
 
 }  // namespace sluice::ice

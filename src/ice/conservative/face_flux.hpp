@@ -11,7 +11,8 @@ namespace sluice::ice {
 
 struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
-  In materials, pure;  // of a mixture
+  In materials, pure;      // of a mixture
+  In material_velocities;  // where each material has its own
 };
 
 // Low and high faces of the cells of a row.
@@ -27,6 +28,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (o.mixture) {
     h.materials = task.read(v.material_flux[face], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
+    if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[face], both);
   }
   if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
   if (!o.viscous) return h;
@@ -53,6 +55,31 @@ struct FaceFlux {
   double impulse[3] = {0, 0, 0};   // the part of momentum that is no advection
 };
 
+// The material that both cells of a face and all around them hold alone; -1: there are several.
+inline int alone_at_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                         int shift, int i) {
+  if (!o.mixture) return o.material;
+  const double below = row(h.pure, 0, axis, shift - 1)[i], above = row(h.pure, 0, axis, shift)[i];
+  return below == above && below >= 0.0 ? static_cast<int>(above) : -1;
+}
+
+// What materials with velocities of their own carry along component c: momentum sum F_m U_m and
+// twice the kinetic energy, sum F_m U_m^2.
+struct CarriedApart {
+  double momentum = 0, square = 0;
+};
+inline CarriedApart carried_apart(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                                  int axis, int shift, int i, int c) {
+  CarriedApart sum;
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+    const double F = row(h.materials, 3 * m + 1, axis, shift)[i];
+    const double U = row(h.material_velocities, m * o.components + c, axis, shift)[i];
+    sum.momentum += F * U;
+    sum.square += F * U * U;
+  }
+  return sum;
+}
+
 // The low (shift 0) or high (shift 1) face of cell i of the row.
 inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                           int axis, int shift, int i) {
@@ -63,12 +90,19 @@ inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const Scheme
   FaceFlux flux;
   flux.mass = F;
   double FU2 = 0, friction = 0;
+  const bool apart = o.own_velocities && o.mixture && alone_at_face(row, h, o, axis, shift, i) < 0;
   for (int c = 0; c < o.components; ++c) {
     // The flux holds U, or F U in the classic form.
     const double carried = face(h.flux, 2 + c);
-    const double FU = o.classic ? carried : F * carried;
+    double FU = o.classic ? carried : F * carried;
     const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
-    FU2 += FU * U;
+    if (apart) {
+      const CarriedApart sum = carried_apart(row, h, o, axis, shift, i, c);
+      FU = sum.momentum;
+      FU2 += sum.square;
+    } else {
+      FU2 += FU * U;
+    }
     double impulse = c == axis ? l * pf : 0.0;
     if (o.viscous) {
       const double t = face(h.stress, c);
@@ -87,23 +121,27 @@ inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const Scheme
 // kinetic correction). The graph of one material alone knows that nothing of the others passes.
 struct MaterialFlux {
   double volume = 0, mass = 0, energy = 0;
+  double momentum[3] = {0, 0, 0};  // by component, where each material has its own velocity
 };
 
 inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                                   int axis, int shift, int i, int material) {
   const auto face = [&](In in, int c) { return row(in, c, axis, shift)[i]; };
-  int alone = o.material;
-  if (o.mixture) {
-    const double below = row(h.pure, 0, axis, shift - 1)[i], above = row(h.pure, 0, axis, shift)[i];
-    if (below != above || below < 0.0) {
-      const int c = 3 * material;
-      return {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2)};
-    }
-    alone = static_cast<int>(above);
+  const int alone = alone_at_face(row, h, o, axis, shift, i);
+  MaterialFlux flux;
+  if (alone < 0) {
+    const int c = 3 * material;
+    flux = {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2), {}};
+    if (o.own_velocities)
+      for (int n = 0; n < o.components; ++n)
+        flux.momentum[n] = flux.mass * face(h.material_velocities, material * o.components + n);
+    return flux;
   }
-  if (material != alone) return {};
+  if (material != alone) return flux;
   const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
-  return {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1)};
+  flux = {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1), {}};
+  for (int n = 0; n < o.components; ++n) flux.momentum[n] = flux.mass * face(h.flux, 2 + n);
+  return flux;
 }
 
 }  // namespace sluice::ice

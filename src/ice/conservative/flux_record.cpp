@@ -71,6 +71,12 @@ void record_segment(const Row& row, const FaceFluxHandles& h, const ScalarHandle
       value(energies + materials + m, n) = part.volume;
     }
     value(energies + 2 * materials, n) = flux.energy;
+    if (!o.own_velocities) continue;
+    for (int m = 0; m < materials; ++m) {
+      const MaterialFlux part = material_flux(row, h, o, axis, shift, i, m);
+      for (int c = 0; c < o.components; ++c)
+        value(energies + 2 * materials + 1 + m * o.components + c, n) = part.momentum[c];
+    }
   }
 }
 

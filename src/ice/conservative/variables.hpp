@@ -39,6 +39,8 @@ struct SchemeOptions {
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
   PairCoefficients heat_exchange;
+  bool own_velocities = false;  // several materials that move apart: mixture/slip.hpp
+  PairCoefficients drag;        // K, kg/(m^3 s)
   int sums = 8;          // exact sums before those of further materials: see StepSlots
   bool classic = false;  // the classic form, see classic/
   bool second_order = true;
@@ -125,6 +127,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
   // Of a mixture, by axis: what passes of each material, see mixture/variables.hpp.
   std::array<VariableId, 3> material_flux;
+  std::array<VariableId, 3> material_velocity;  // with which it passes, if each has its own
   ScalarVariables scalars;
 };
 

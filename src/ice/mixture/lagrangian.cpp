@@ -17,8 +17,9 @@ namespace {
 
 struct Handles {
   StateReads state;
-  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, density, heat;
+  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, work, density, heat;
   In mixture_density_L, mixture_energy_L;
+  int work_component = 1;
   Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
 
@@ -29,7 +30,7 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict iJ = row(h.inverse_J);
   const double* __restrict J = row(h.lagrangian, 0);
-  const double* __restrict W = row(h.lagrangian, 1);
+  const double* __restrict W = row(h.work, h.work_component);
   double* __restrict total = row(h.mixture_scale);
   double* __restrict rho_L = row(h.scratch);
   for (int i = 0; i < n; ++i) total[i] = 0.0;
@@ -94,6 +95,8 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.inverse_J = task.read(v.common.inverse_J);
   h.lagrangian = task.read(v.common.lagrangian_mixture);
+  h.work = o.own_velocities ? task.read(v.slip.work) : h.lagrangian;
+  h.work_component = o.own_velocities ? 0 : 1;
   h.density = task.read(v.density);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);

@@ -11,6 +11,7 @@ namespace sluice::ice {
 struct MixtureCell {
   std::vector<double> volume, density, pressure;
   double velocity[3] = {0, 0, 0};
+  std::vector<double> slip;  // of each material along x, beside that velocity; may be left out
 };
 
 // Friction, conduction and heat exchange; of each material, 0 where nothing is given.
@@ -24,7 +25,8 @@ class MixtureBox {
   // The scene is that of the box; its material is replaced by `fluids`.
   MixtureBox(const GasBox& box, const std::vector<Fluid>& fluids,
              const std::function<MixtureCell(Vec3)>& start, const SolverOptions& options = {},
-             IntVec3 boxes = {}, const Transport& transport = {})
+             IntVec3 boxes = {}, const Transport& transport = {},
+             double drag = one_velocity_coefficient)
       : fluids_(fluids) {
     Schema schema;
     add_framework_tags(schema);
@@ -49,6 +51,9 @@ class MixtureBox {
     ice.exchange.heat = PairCoefficients(count());
     for (int a = 0; a < count(); ++a)
       for (int b = a + 1; b < count(); ++b) ice.exchange.heat.set(a, b, transport.heat_exchange);
+    ice.exchange.momentum = PairCoefficients(count());
+    for (int m = 0; m < count(); ++m)
+      for (int n = m + 1; n < count(); ++n) ice.exchange.momentum.set(m, n, drag);
     ice_ = std::make_unique<Ice>(scene_, std::move(ice));
     solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), options);
     fill(start);
@@ -105,6 +110,11 @@ class MixtureBox {
     return sum;
   }
   double velocity(IntVec3 c, int d = 0) const { return momentum(d, c) / density(c); }
+  // Of a material that has its own; that of the mixture where it is absent.
+  double velocity_of(int m, IntVec3 c, int d = 0) const {
+    const double M = mass(m, c);
+    return velocity(c, d) + (M > 0 ? view(labels().slip, m, d, c)(c) / M : 0.0);
+  }
   // As the scheme has it: weighted with compressibility.
   double pressure(IntVec3 c) const {
     double sum = 0, weight = 0;
@@ -159,6 +169,15 @@ class MixtureBox {
       const int slot = solver_->state().find(labels().momentum, 0);
       for (int d = 0; d < solver_->state().info(slot).components; ++d)
         view(labels().momentum, 0, d, c)(c) = rho * s.velocity[d];
+      if (s.slip.empty()) return;
+      double sum = 0;
+      for (int m = 0; m < count(); ++m) sum += mass(m, c) * s.slip[static_cast<std::size_t>(m)];
+      view(labels().momentum, 0, 0, c)(c) += sum;
+      for (int m = 0; m < count(); ++m) {
+        const double M = mass(m, c);
+        view(labels().slip, m, 0, c)(c) =
+            M == rho ? 0.0 : M * (s.slip[static_cast<std::size_t>(m)] - sum / rho);
+      }
     });
     solver_->touch();
   }

@@ -45,10 +45,17 @@ class Elimination {
 
 }  // namespace
 
-void relax_pairs(int n, const double* capacity, const double* value, double* k, double* gain) {
+void solve_pairs(int n, const double* capacity, double* k, double* right) {
+  Elimination(n, capacity, k).solve(right);
+}
+
+void relax_pairs(int n, const double* capacity, const double* value, double* k, double* gain,
+                 const double* push) {
   if (n == 2) {
     const double reduced = 1.0 / (1.0 / capacity[0] + 1.0 / capacity[1]);
-    gain[1] = -std::expm1(-k[1] / reduced) * reduced * (value[0] - value[1]);
+    const double z = k[1] / reduced, lost = -std::expm1(-z);
+    gain[1] = lost * reduced * (value[0] - value[1]);
+    if (push != nullptr) gain[1] += (z > 0.0 ? lost / z : 1.0) * push[1];
     gain[0] = -gain[1];
     return;
   }
@@ -64,11 +71,15 @@ void relax_pairs(int n, const double* capacity, const double* value, double* k, 
   }
   mean /= total;
   double stage[most_materials];
-  for (int m = 0; m < n; ++m) stage[m] = capacity[m] * (value[m] - mean);
+  for (int m = 0; m < n; ++m) {
+    stage[m] = capacity[m] * (value[m] - mean);
+    if (push != nullptr) stage[m] += g * push[m];
+  }
   system.solve(stage);
   for (int m = 0; m < n; ++m) {
     const double about = value[m] - mean;
     stage[m] = capacity[m] * (about + (1.0 - g) / g * (stage[m] - about));
+    if (push != nullptr) stage[m] += g * push[m];
   }
   system.solve(stage);
   double others = 0;

@@ -1,6 +1,8 @@
 // Labels of each material, from the primitives of the mixture.
 #include "ice/mixture/quantities.hpp"
 
+#include <algorithm>
+
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -11,17 +13,17 @@ class Declarer {
   explicit Declarer(QuantityList& q)
       : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
     add_primitives(q.list(), v_, of_mixture(o_), effect_diagnostics, true);
-    velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
+    if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
       q.add(labels().sum_rho, m, c.rho);
       q.add(labels().pressure, m, c.pressure);
-      if (m > 0) q.add(labels().velocity, m, velocity_);
+      const VariableId u = velocity_of(m);
       declare_material(m);
       q.slopes(c.pressure, labels().gradient_pressure, m);
-      q.slopes(velocity_, labels().divergence_velocity, m, true);
-      q.vorticity(velocity_, m);
-      q.mach(velocity_, c.sound, m);
+      q.slopes(u, labels().divergence_velocity, m, true);
+      q.vorticity(u, m);
+      q.mach(u, c.sound, m);
     }
   }
 
@@ -30,6 +32,30 @@ class Declarer {
     SchemeOptions mixed = o;
     mixed.mixture = true;
     return mixed;
+  }
+  // By level direction; that of the mixture where the material is absent.
+  VariableId velocity_of(int m) {
+    if (!o_.own_velocities) {
+      if (m > 0) q_.add(labels().velocity, m, velocity_);
+      return velocity_;
+    }
+    const auto k = static_cast<std::size_t>(m);
+    const VariableId to = q_.fresh(labels().velocity, m);
+    TaskBuilder t = q_.task(labels().velocity, m);
+    const In rho = t.read(v_.common.rho), momentum = t.read(v_.common.momentum);
+    const In mass = t.read(v_.mass[k]), slip = t.read(v_.slip.slip[k]);
+    const Out out = t.write(to);
+    t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
+      const int n = row.count();
+      const double *r = row(rho), *M = row(mass);
+      for (int d = 0; d < 3; ++d) std::fill(row(out, d), row(out, d) + n, 0.0);
+      for (int c = 0; c < components; ++c) {
+        const double *P = row(momentum, c), *S = row(slip, c);
+        double* u = row(out, direction[static_cast<std::size_t>(c)]);
+        for (int i = 0; i < n; ++i) u[i] = P[i] / r[i] + (M[i] > 0.0 ? S[i] / M[i] : 0.0);
+      }
+    });
+    return to;
   }
   // One component of a variable, under a name of its own.
   VariableId single(VariableId from, int c, Label label, int m) {

@@ -5,7 +5,7 @@
 namespace sluice::ice::mixture {
 
 // Where a material is absent, its own values are zero; pressure and velocity are those of the
-// mixture, for every material alike.
+// mixture, for every material alike, but for velocities of their own.
 void declare_quantities(QuantityList& quantities);
 
 }  // namespace sluice::ice::mixture

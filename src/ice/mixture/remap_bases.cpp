@@ -21,7 +21,9 @@ struct Handles {
   std::vector<In> volume;
   In pure, density, specific_energy, inverse_J, specific_energy_L, scale;
   In mixture_density, mixture_energy;
-  std::array<Out, 3> base;  // of each material
+  In own_velocity;              // of each material, where it has its own
+  int velocity_components = 0;  // of one material in it; 0: all move with the mixture
+  std::array<Out, 3> base;      // of each material
 };
 
 constexpr double trace = 1e-10;
@@ -40,7 +42,6 @@ class MixedBases {
         energy_(quantity<D>(row, handles.mixture_energy, 0)),
         pure_(quantity<D>(row, handles.pure, 0)) {
     for (int t = 0; t < D; ++t) {
-      u_[t] = row(handles.common.velocity, t);
       su_[t] = row(handles.common.velocity_slope, t);
       h_[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
     }
@@ -69,6 +70,7 @@ class MixedBases {
   struct Material {
     Quantity V, r, e;
     const double *eps_L, *scale;
+    const double* u[D];  // its own velocity, or that of the mixture
     double* base[3][D];
 
     Material from(int first) const {
@@ -77,7 +79,9 @@ class MixedBases {
                  e.template from<D>(first),
                  eps_L + first,
                  scale + first,
+                 {},
                  {}};
+      for (int t = 0; t < D; ++t) k.u[t] = u[t] + first;
       for (int q = 0; q < 3; ++q)
         for (int d = 0; d < D; ++d) k.base[q][d] = base[q][d] + first;
       return k;
@@ -90,6 +94,10 @@ class MixedBases {
     k.e = quantity<D>(row, handles.specific_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
     k.scale = row(handles.scale, m);
+    for (int t = 0; t < D; ++t)
+      k.u[t] = handles.velocity_components > 0
+                   ? row(handles.own_velocity, m * handles.velocity_components + t)
+                   : row(handles.common.velocity, t);
     for (const Carried q : {of_volume, of_mass, of_energy})
       for (int d = 0; d < D; ++d)
         k.base[q][d] = row(handles.base[static_cast<std::size_t>(d)], component(m, q));
@@ -124,7 +132,7 @@ class MixedBases {
     const double *u[D], *su[D];
     double h[D];
     for (int t = 0; t < D; ++t) {
-      u[t] = u_[t] + first;
+      u[t] = k.u[t];
       su[t] = su_[t] + first;
       h[t] = h_[t];
     }
@@ -161,7 +169,7 @@ class MixedBases {
   int materials_;
   const double *p_, *iJ_, *mask_;
   Quantity rho_, energy_, pure_;
-  const double *u_[D], *su_[D];
+  const double* su_[D];
   double h_[D];
   Material rows_[most_materials];
   Work work_[2];
@@ -193,6 +201,10 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
   h.density = task.read(v.density, Stencil::box(1));
   h.specific_energy = task.read(v.specific_energy, Stencil::box(1));
+  if (o.own_velocities) {
+    h.own_velocity = task.read(v.slip.velocity);
+    h.velocity_components = o.components;
+  }
   h.inverse_J = task.read(v.common.inverse_J);
   h.specific_energy_L = task.read(v.specific_energy_L);
   h.scale = task.read(v.energy_scale);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ice/labels.hpp"
+#include "ice/mixture/slip.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -64,6 +65,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
           "heat through contacts of axis " + std::to_string(a), 2 * M, o.axes.direction[a]);
   }
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
+  if (o.own_velocities) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;
   v.common.pure = v.pure;
   v.end = list.temporary("density and modulus of the new mixture", 2);

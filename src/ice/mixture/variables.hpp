@@ -12,6 +12,22 @@
 
 namespace sluice::ice::mixture {
 
+// Where each material has a velocity of its own (slip.hpp). Components of a material m, by
+// component c of momentum: m * components + c; by axis: m * axes + axis.
+struct SlipVariables {
+  std::vector<VariableId> slip, slip_new;  // state: S_m = M_m (u_m - u), zero where alone
+  VariableId velocity;                     // u_m by component; that of the mixture where absent
+  VariableId lock;         // how strongly an interface binds the materials of a cell
+  SchemeVariables common;  // of the mixture, but rho, 1/rho, u, c as the volume moves
+  VariableId velocity_L;   // u_m - v by component, after the Lagrangian phase
+  VariableId drift;        // by axis: u_m less the mean by volume, in the middle of the step
+  VariableId kick;         // by axis: what pressure gave to u_m - u
+  VariableId work;         // work defect of the mixture and its change of kinetic energy of slip
+  std::array<VariableId, 3> face_velocity;  // by axis, of each material
+  VariableId outflow;                       // of each material: Courant number, main outlet
+  std::array<VariableId, 3> base;           // by axis: velocity of each for the remap
+};
+
 struct Variables {
   SchemeVariables common;  // of the mixture: rho, energy, p, faces, Lagrangian phase, total fluxes
   // State, by material.
@@ -33,6 +49,7 @@ struct Variables {
   VariableId temperature, heat_capacity, heat;
   std::array<VariableId, 3> heat_flux;
   VariableId end;  // density, modulus of the new mixture
+  SlipVariables slip;
 };
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o);

@@ -4,7 +4,9 @@
 //   E' = E + dE + p (W - V') + r M'/rho'
 // with p the cell's pressure (what a volume given or taken at the face works) and r what makes the
 // total energy right: by mass, as the dissipation of a step. A material of which nothing is left
-// leaves its energy to r.
+// leaves its energy to r. With velocities of their own S_m' = a_m - (M_m'/rho') sum a_n with
+// a_m = S_m + dP_m - u dM_m, u the mixture's velocity and dP_m what passes with the material; the
+// kinetic energy of slip is part of the total energy.
 #include <cmath>
 
 #include "ice/refine/correction.hpp"
@@ -18,6 +20,7 @@ constexpr double round_off = 4e-16;
 
 struct Part {
   double M, E, V;
+  double S[3] = {0, 0, 0};  // slip; of a change, momentum that passes with the material
 };
 
 class MixtureCorrector {
@@ -63,6 +66,10 @@ class MixtureCorrector {
                   state[layout_.volume(m)](cell)};
       change_[m] = {change.amount[layout_.mass(m)][n], change.amount[layout_.energy(m)][n],
                     change.amount[layout_.volume(m)][n]};
+      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c) {
+        part_[m].S[c] = state[layout_.slip(m, c)](cell);
+        change_[m].S[c] = change.amount[layout_.material_momentum(m, c)][n];
+      }
       mixture_.rho += part_[m].M;
       total_.rho += change_[m].M;
     }
@@ -77,6 +84,8 @@ class MixtureCorrector {
       state[layout_.mass(m)](cell) = part_[m].M;
       state[layout_.energy(m)](cell) = part_[m].E;
       state[layout_.volume(m)](cell) = part_[m].V;
+      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+        state[layout_.slip(m, c)](cell) = part_[m].S[c];
     }
     for (std::size_t c = 0; c < layout_.components; ++c)
       state[layout_.momentum(c)](cell) = mixture_.m[c];
@@ -123,6 +132,8 @@ class MixtureCorrector {
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part &s = part_[m], &d = change_[m];
       now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
+      for (std::size_t c = 0; c < layout_.components; ++c)
+        now_[m].S[c] = s.S[c] + share * (d.S[c] - mixture_.m[c] / mixture_.rho * d.M);
       if (nothing_left(m))
         now_[m] = {};
       else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))
@@ -146,8 +157,8 @@ class MixtureCorrector {
       now.V = whole;
       gained += now.E - part_[m].E;
     }
-    const double rest =
-        share * total_.E - kinetic_change(mixture_, total_, share, components_) - gained;
+    const double rest = share * total_.E - kinetic_change(mixture_, total_, share, components_) -
+                        slip_energy_gained(rho, present) - gained;
     for (std::size_t m = 0; m < part_.size(); ++m) {
       Part& now = now_[m];
       if (now.M == 0.0) continue;
@@ -155,6 +166,22 @@ class MixtureCorrector {
       if (!fluids_[m].admissible(now.M / now.V, now.E / now.V)) return false;
     }
     return true;
+  }
+
+  // Slips of those present sum to zero; what their kinetic energy gains.
+  double slip_energy_gained(double rho, int present) {
+    double gained = 0;
+    for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c) {
+      double sum = 0;
+      for (const Part& now : now_) sum += now.S[c];
+      for (std::size_t m = 0; m < part_.size(); ++m) {
+        Part& now = now_[m];
+        now.S[c] = now.M > 0.0 && present > 1 ? now.S[c] - now.M / rho * sum : 0.0;
+        if (now.M > 0.0) gained += 0.5 * now.S[c] * now.S[c] / now.M;
+        if (part_[m].M > 0.0) gained -= 0.5 * part_[m].S[c] * part_[m].S[c] / part_[m].M;
+      }
+    }
+    return gained;
   }
 
   const MixtureLayout& layout_;

@@ -7,8 +7,9 @@
 
 namespace sluice::ice {
 
-MixtureTransfer::MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes)
-    : layout_{fluids.size(), static_cast<std::size_t>(components)},
+MixtureTransfer::MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes,
+                                 bool own_velocities)
+    : layout_{fluids.size(), static_cast<std::size_t>(components), own_velocities},
       fluids_(std::move(fluids)),
       matches_fluxes_(matches_fluxes) {
   for (const Fluid& fluid : fluids_) alone_.emplace_back(components, false, matches_fluxes, fluid);
@@ -123,6 +124,8 @@ void MixtureTransfer::prolong(const StateViews& coarse, const StateViews& fine,
                             part, geometry, order);
     for (std::size_t m = 0; m < layout_.materials; ++m) {
       write(fine[layout_.volume(m)], part, along, m == present ? 1.0 : 0.0);
+      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+        write(fine[layout_.slip(m, c)], part, along, 0.0);
       if (m == present) continue;
       write(fine[layout_.mass(m)], part, along, 0.0);
       write(fine[layout_.energy(m)], part, along, 0.0);

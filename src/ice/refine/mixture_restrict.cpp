@@ -1,6 +1,7 @@
 // Coarse cells as means of their fine cells, material by material.
 //
 //   M = <M_f>,  V = <V_f>,  P = <P_f>,  E = <E_f> + H M/rho,  H = <rho_f |u_f - U|^2>/2,  U = P/rho
+// With velocities of their own, S_m = <M_f u_f + S_f> - M U, and <|S_f|^2/2M_f> - |S_m|^2/2M joins H.
 // with rho the mass of all materials. Of one material the numbers are those of a gas, to the bit.
 // At uniform pressure the mean energy per mean volume of a material is that of the pressure again
 // if its law is linear in rho e with a constant offset (ideal and stiffened gases).
@@ -39,6 +40,8 @@ class MixtureRestrictor {
     }
     double heat[width];
     lost_kinetic_energy(U, n, heat);
+    if (layout_.own_velocities)
+      for (std::size_t m = 0; m < layout_.materials; ++m) restrict_slip(m, first, n, U, heat);
     for (std::size_t m = 0; m < layout_.materials; ++m) finish(m, first, n, heat);
   }
 
@@ -101,6 +104,42 @@ class MixtureRestrictor {
     }
     children_.mean(rows_, n);
     std::copy(rows_[0], rows_[0] + n, heat);
+  }
+
+  // Slip of a material; what its kinetic energy loses joins `heat`.
+  void restrict_slip(std::size_t m, IntVec3 first, int n, const double (&U)[C][width],
+                     double* heat) {
+    double zero[width] = {};
+    if (!present_[m]) {
+      for (std::size_t c = 0; c < C; ++c) write(layout_.slip(m, c), first, n, zero);
+      return;
+    }
+    Rows M, S, sum;
+    gather(layout_.mass(m), first, n, M);
+    double lost[width] = {};
+    const RealView& mass = coarse_[layout_.mass(m)];
+    const double* mean_M = mass.data + mass.offset(first);
+    const std::ptrdiff_t step = mass.stride[along_];
+    for (std::size_t c = 0; c < C; ++c) {
+      gather(layout_.slip(m, c), first, n, S);
+      for (int child = 0; child < children_.count(); ++child)
+        for (int i = 0; i < n; ++i) {
+          const double own = M[child][i], s = S[child][i];
+          const double u = momentum_[c][child][i] / rho_[child][i] - U[c][i];
+          sum[child][i] = own == rho_[child][i] ? own * u : own * u + s;
+          rows_[child][i] = own > 0.0 ? 0.5 * (s * s) / own : 0.0;
+        }
+      children_.mean(rows_, n);
+      children_.mean(sum, n);
+      for (int i = 0; i < n; ++i) {
+        const bool alone = mean_M[i * step] == mean_rho_[i] || !(mean_M[i * step] > 0.0);
+        if (alone) sum[0][i] = 0.0;
+        lost[i] += rows_[0][i];
+        if (!alone) lost[i] -= 0.5 * (sum[0][i] * sum[0][i]) / mean_M[i * step];
+      }
+      write(layout_.slip(m, c), first, n, sum[0]);
+    }
+    for (int i = 0; i < n; ++i) heat[i] += lost[i];
   }
 
   // Energy and volume of a material.

@@ -1,11 +1,13 @@
-// Where levels meet, for several materials with one velocity: prolongation, restriction and
+// Where levels meet, for several materials: prolongation, restriction and
 // correction of their conserved state.
 //
 // Views in the order of Ice::state_slots(), per volume of the cell: mass of each material, the
 // momentum components of the mixture, internal energy of each material, volume of each material.
 // An absent material has mass, energy and volume exactly zero; one alone has the volume exactly 1.
 // Changes of a flux register, in order: mass of each material, momentum, internal energy of each
-// material (what passes with it, without work), volume of each material, total energy.
+// material (what passes with it, without work), volume of each material, total energy. Materials
+// with velocities of their own have their slip, momentum relative to the mixture, behind the rest,
+// and in the register the momentum that passes with each.
 #pragma once
 #include <vector>
 
@@ -16,20 +18,30 @@ namespace sluice::ice {
 // Places of the views.
 struct MixtureLayout {
   std::size_t materials = 1, components = 1;
+  bool own_velocities = false;  // then also the slip of each material, by component
 
   std::size_t mass(std::size_t m) const { return m; }
   std::size_t momentum(std::size_t c) const { return materials + c; }
   std::size_t energy(std::size_t m) const { return materials + components + m; }
   std::size_t volume(std::size_t m) const { return 2 * materials + components + m; }
-  std::size_t quantities() const { return 3 * materials + components; }
+  std::size_t slip(std::size_t m, std::size_t c) const {
+    return 3 * materials + components + m * components + c;
+  }
+  std::size_t quantities() const {
+    return 3 * materials + components + (own_velocities ? materials * components : 0);
+  }
   // Among the changes of a flux register.
-  std::size_t total_energy() const { return quantities(); }
+  std::size_t total_energy() const { return 3 * materials + components; }
+  std::size_t material_momentum(std::size_t m, std::size_t c) const {
+    return total_energy() + 1 + m * components + c;
+  }
 };
 
 class MixtureTransfer final : public TransferOperators {
  public:
   // `fluids`: of each material.
-  MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes = true);
+  MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes = true,
+                  bool own_velocities = false);
 
   // A coarse cell whose neighbours, across edges and corners too, hold nothing but its own one
   // material is treated as a gas; elsewhere the fine cells are as the coarse one: whatever is in

@@ -1,0 +1,132 @@
+// Drag of two materials by the exponential, of more by pair_relaxation.hpp.
+#include "ice/mixture/drag.hpp"
+
+#include <cmath>
+
+#include "ice/mixture/pair_relaxation.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+// Volume fractions: up to `bound` a material moves with the mixture, from `unbound` on it need not.
+constexpr double bound = 1e-8, unbound = 1e-6;
+// A material of less than `little` of the volume (not at all from `some` on) that is no denser than
+// the mixture (twice as dense) feels at least the drag of fragments of the size of a cell.
+constexpr double little = 1e-2, some = 2e-2, light = 1.0, heavy = 2.0;
+constexpr double strongest = 1e12;
+
+// s/(1 - s) of a share s between 0 and 1.
+double strength(double share) {
+  if (share <= 0.0) return 0.0;
+  return share < 1.0 ? std::fmin(share / (1.0 - share), strongest) : strongest;
+}
+// Half of the mass that the one of smaller volume pushes aside.
+double virtual_mass(const DragCell& cell, int i, int j) {
+  const double a = cell.V[i], b = cell.V[j];
+  const double aa = a * a, bb = b * b;
+  return 0.5 * a * b * (aa * cell.M[i] + bb * cell.M[j]) / (aa * a + bb * b);
+}
+
+double lock_of_trace(double V) {
+  if (V >= unbound) return 0.0;
+  return strength((unbound - V) / (unbound - bound));
+}
+
+// From 1 to 0 as x goes from a to b.
+double falling(double x, double a, double b) {
+  return x <= a ? 1.0 : x < b ? (b - x) / (b - a) : 0.0;
+}
+
+}  // namespace
+
+double binding(const DragCell& cell, int i, double courant) {
+  const double lightness = cell.M[i] / (cell.V[i] * cell.total);  // density by that of the mixture
+  const double share = falling(lightness, light, heavy) * falling(cell.V[i], little, some);
+  return lock_of_trace(cell.V[i]) + (share > 0.0 ? share * courant / lightness : 0.0);
+}
+
+double Drag::pair(const DragCell& cell, int i, int j, double dt, double part) const {
+  const double K = K_.materials() > 0 ? K_(cell.index[i], cell.index[j]) : 0.0;
+  const double lock = cell.lock + cell.bind[i] + cell.bind[j];
+  return part * (dt * K * (cell.V[i] * cell.V[j]) + lock * (cell.M[i] * cell.M[j] / cell.total));
+}
+
+void Drag::relax(const DragCell& cell, double dt, double part, const double* w, const double* push,
+                 double* after) const {
+  const int n = cell.count;
+  double k[most_materials * most_materials], gain[most_materials];
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : pair(cell, i, j, dt, part);
+  relax_pairs(n, cell.M, w, k, gain, push);
+  double rest = 0;
+  for (int i = 0; i < n; ++i) {
+    after[i] = w[i] + gain[i] / cell.M[i];
+    rest += cell.M[i] * after[i];
+  }
+  rest /= cell.total;
+  for (int i = 0; i < n; ++i) after[i] -= rest;
+}
+
+void Drag::decay(const DragCell& cell, double dt, double part, double* w) const {
+  const int n = cell.count;
+  bool any = false;
+  for (int i = 0; i < n; ++i) any = any || w[i] != 0.0;
+  if (!any) return;
+  if (n > 2) return relax(cell, dt, part, w, nullptr, w);
+  const double k = pair(cell, 0, 1, dt, part);
+  const double D = (w[0] - w[1]) * std::exp(-k * (1.0 / cell.M[0] + 1.0 / cell.M[1]));
+  w[0] = D * (cell.M[1] / cell.total);
+  w[1] = -D * (cell.M[0] / cell.total);
+}
+
+void Drag::respond(const DragCell& cell, double dt, double part, const double* push,
+                   double* w) const {
+  const int n = cell.count;
+  for (int i = 0; i < n; ++i) w[i] = 0.0;
+  if (n > 2) return relax(cell, dt, part, w, push, w);
+  const double z = pair(cell, 0, 1, dt, part) * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
+  const double share = z > 0.0 ? -std::expm1(-z) / z : 1.0;
+  const double D = (push[0] / cell.M[0] - push[1] / cell.M[1]) * share;
+  w[0] = D * (cell.M[1] / cell.total);
+  w[1] = -D * (cell.M[0] / cell.total);
+}
+
+// (M + A) w = (M/total - V) dp, A from the virtual mass of each pair; momentum M w.
+void Drag::push(const DragCell& cell, double dp, double* momentum) const {
+  const int n = cell.count;
+  for (int i = 0; i < n; ++i) momentum[i] = (cell.M[i] / cell.total - cell.V[i]) * dp;
+  if (n == 2) {
+    const double m = virtual_mass(cell, 0, 1);
+    momentum[0] /= 1.0 + m * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
+    momentum[1] = -momentum[0];
+    return;
+  }
+  double k[most_materials * most_materials], rest = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : virtual_mass(cell, i, j);
+  solve_pairs(n, cell.M, k, momentum);
+  for (int i = 0; i < n; ++i) rest += momentum[i] *= cell.M[i];
+  for (int i = 0; i < n; ++i) momentum[i] -= rest * (cell.M[i] / cell.total);
+}
+
+double Drag::energy(const DragCell& cell, const double* w) {
+  double sum = 0;
+  for (int i = 0; i < cell.count; ++i) sum += 0.5 * cell.M[i] * (w[i] * w[i]);
+  return sum;
+}
+
+void find_present(int materials, const double* const* mass, const double* const* volume, int i,
+                  DragCell& cell) {
+  cell.count = 0;
+  cell.total = 0;
+  for (int m = 0; m < materials; ++m) {
+    if (mass[m][i] == 0.0) continue;
+    cell.index[cell.count] = m;
+    cell.M[cell.count] = mass[m][i];
+    cell.V[cell.count] = volume[m][i];
+    cell.total += mass[m][i];
+    ++cell.count;
+  }
+}
+
+}  // namespace sluice::ice::mixture

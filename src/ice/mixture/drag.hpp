@@ -1,0 +1,59 @@
+// Drag between the materials of a cell over a step, and what pressure pushes apart.
+//
+// Beside the deck's K three things bind materials, so that light ones are not torn away from heavy
+// ones where they cannot be apart:
+//   virtual mass: pressure moves a material against another as if half of the mass that the smaller
+//     volume pushes aside went with it (Drew and Lahey, Int. J. Multiphase Flow 13 (1987) 113). For
+//     drops in a gas it is nothing; a bubble in a liquid gets three times its acceleration, not
+//     the ratio of densities
+//   interfaces: where a volume fraction jumps from cell to cell the materials lie side by side
+//   traces: below 1e-8 of the volume a material moves with the mixture (free from 1e-6 on). Less
+//     than 1e-2 (2e-2) of matter no denser than the mixture (than twice the mixture) feels the drag
+//     of fragments as large as a cell, dw/dt = -(rho/rho_m) |w| w/dx: finer ones would feel more.
+#pragma once
+#include <vector>
+
+#include "ice/exchange_settings.hpp"
+#include "ice/mixture/runs.hpp"
+
+namespace sluice::ice::mixture {
+
+// The materials present in a cell, one after the other.
+struct DragCell {
+  int count = 0;
+  int index[most_materials];
+  double M[most_materials], V[most_materials];  // per volume of the cell
+  double total = 0;                             // mass
+  double lock = 0;                              // of an interface
+  double bind[most_materials];                  // of each material to the mixture
+};
+
+// How strongly a material of which a cell holds little is bound to the mixture. `courant`: how many
+// cells it moves against the mixture in a step.
+double binding(const DragCell& cell, int i, double courant);
+
+class Drag {
+ public:
+  explicit Drag(const PairCoefficients& K) : K_(K) {}
+
+  // Velocities w relative to the mixture, sum M w = 0, after a time: `part` of the step dt.
+  void decay(const DragCell& cell, double dt, double part, double* w) const;
+  // What a push (momentum by material over that time, evenly; sum 0) has given to them from rest.
+  void respond(const DragCell& cell, double dt, double part, const double* push, double* w) const;
+  // What a pressure impulse dp along a direction pushes apart: momentum by material, sum 0.
+  void push(const DragCell& cell, double dp, double* momentum) const;
+  // Kinetic energy of the velocities relative to the mixture.
+  static double energy(const DragCell& cell, const double* w);
+
+ private:
+  double pair(const DragCell& cell, int i, int j, double dt, double part) const;
+  void relax(const DragCell& cell, double dt, double part, const double* w, const double* push,
+             double* after) const;
+  PairCoefficients K_;
+};
+
+// The materials that a cell holds; i: its place in the rows.
+void find_present(int materials, const double* const* mass, const double* const* volume, int i,
+                  DragCell& cell);
+
+}  // namespace sluice::ice::mixture

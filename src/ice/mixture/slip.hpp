@@ -1,0 +1,38 @@
+// Materials with velocities of their own: what the step of a mixture does more, task by task.
+//
+// State: of each material its momentum relative to the mixture, S_m = M_m (u_m - u), beside the one
+// momentum of all; zero where a material is alone or absent. The mixture moves as before, but for
+// what follows:
+//   1. volume moves with sum V_m u_m, not with u, and is as inert as the materials together can be:
+//      1/rho_e = 1/rho + sum V_m r_m, r_m what a unit of pressure force gives to u_m - u while drag
+//      acts. Faces know that velocity and that density: l u_f is the volume that passes. Between
+//      free materials sound travels at a speed between theirs, under strong drag at Wood's
+//   2. Lagrangian phase: half a step of drag, then what the pressure gives, dm_m = -V_m dp less the
+//      share by mass, under drag throughout
+//   3. each face has a velocity for each material, u_fm = c + r_m: r_m the mean by mass of what both
+//      cells have above the mean by volume, c such that what the materials carry with the volumes
+//      of their own donors is what passes, sum H_m = l u_f
+//   4. the remap takes each material from its own donor, with its own velocity
+//   5. the rest of the drag after the remap; the kinetic energy that drag and remap take becomes
+//      heat, by mass.
+// Drag: M_m du_m/dt = sum_n K_mn V_m V_n (u_n - u_m). Over a step: two materials by the exponential
+// itself, more by an L-stable method of second order (pair_relaxation.hpp); both limits exact.
+#pragma once
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+
+void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v);
+
+// Velocities of each material, and how the volume moves (1).
+void add_slip_motion(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// Drag and pressure over the Lagrangian phase (2).
+void add_slip_phase(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// Velocity of each material at the faces, and what flows out of cells (3).
+void add_slip_faces(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// In place of the tasks of the same name without "slip" (4, 5).
+void add_slip_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_slip_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,154 @@
+// Step 5 with velocities of their own: with which velocity each material meets a face.
+//
+//   u_fm = c + r_m,   r_m = (M_a d_a + M_b d_b)/(M_a + M_b) of the drifts of both cells
+//   sum_m V_m(donor) (c + r_m) = u_f, the donor of each by the sign of c + r_m
+// The sum rises with c in straight pieces: Newton's step ends on the piece of the solution. Without
+// drift u_fm = u_f to the bit. Cells: outflow Courant number of each material,
+// N_m = (1/J) sum_d l_d [max(0, u_fm+) + max(0, -u_fm-)], and the largest l |u_fm| of its outlets,
+// negative if there are several.
+#include <cmath>
+
+#include "ice/limiters.hpp"
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/slip.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+struct FaceHandles {
+  std::vector<In> mass, volume;
+  In pure, drift, face_velocity;
+  Out own;
+};
+
+// Volume fractions and drifts on both sides of a face.
+struct Face {
+  int count = 0;
+  double a[most_materials], b[most_materials], r[most_materials];
+  double u = 0;
+
+  double velocity_of_volume() const {
+    double c = u;
+    for (int k = 0; k < count; ++k) c -= 0.5 * (a[k] + b[k]) * r[k];
+    for (int round = 0; round < 2 * count + 2; ++round) {
+      double sum = 0, slope = 0;
+      for (int k = 0; k < count; ++k) {
+        const double x = c + r[k];
+        const double V = x > 0.0 ? a[k] : x < 0.0 ? b[k] : 0.5 * (a[k] + b[k]);
+        sum += V * x;
+        slope += V;
+      }
+      if (!(slope > least_slope)) return std::numeric_limits<double>::quiet_NaN();
+      const double next = c + (u - sum) / slope;
+      if (next == c || std::fabs(next - c) <= 1e-15 * (std::fabs(c) + std::fabs(u))) return next;
+      c = next;
+    }
+    return c;
+  }
+  static constexpr double least_slope = 1e-3;
+};
+
+void mixed_faces(const Row& row, const FaceHandles& h, int axis, int axes) {
+  const int materials = static_cast<int>(h.mass.size());
+  const double* uf = row(h.face_velocity);
+  for (int i = 0; i < row.count(); ++i) {
+    Face f;
+    f.u = uf[i];
+    f.count = materials;
+    bool any = false;
+    for (int m = 0; m < materials; ++m) {
+      const auto k = static_cast<std::size_t>(m);
+      const double Ma = row(h.mass[k], 0, axis, -1)[i], Mb = row(h.mass[k])[i];
+      const double da = row(h.drift, m * axes + axis, axis, -1)[i];
+      const double db = row(h.drift, m * axes + axis)[i];
+      f.a[m] = row(h.volume[k], 0, axis, -1)[i];
+      f.b[m] = row(h.volume[k])[i];
+      f.r[m] = Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
+      any = any || f.r[m] != 0.0;
+    }
+    const double c = any ? f.velocity_of_volume() : f.u;
+    for (int m = 0; m < materials; ++m)
+      row(h.own, m)[i] = any && std::isfinite(c) ? c + f.r[m] : f.u;
+  }
+}
+
+void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOptions& o,
+                            int effect) {
+  static const char* names[] = {"faces of each material, axis 0", "faces of each material, axis 1",
+                                "faces of each material, axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    TaskBuilder task = list.task(names[axis], effect);
+    FaceHandles h;
+    for (std::size_t m = 0; m < v.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.mass[m], both));
+      h.volume.push_back(task.read(v.volume[m], both));
+    }
+    h.pure = task.read(v.pure, both);
+    h.drift = task.read(v.slip.drift, both);
+    h.face_velocity = task.read(v.common.face_velocity[a]);
+    h.own = task.write(v.slip.face_velocity[a]);
+    task.kernel([=, axes = o.axes.count](const Row& row) {
+      for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
+                        [&](int first, int count, double pure) {
+                          if (pure < 0.0) mixed_faces(row.part(first, count), h, axis, axes);
+                        });
+    });
+  }
+}
+
+struct CellHandles {
+  In pure, inverse_J, velocity;
+  std::array<In, 3> face_velocity;
+  Out outflow;
+};
+
+void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o, int materials) {
+  const int D = o.axes.count;
+  double l[3] = {};
+  for (int c = 0; c < o.components; ++c)
+    l[c] = row.step().dt / row.step().spacing[o.direction[static_cast<std::size_t>(c)]];
+  for (int m = 0; m < materials; ++m) {
+    double* N = row(h.outflow, m);
+    double* outlet = row(h.outflow, materials + m);
+    for (int i = 0; i < row.count(); ++i) {
+      double out = 0, carried = 0, count = 0, largest = 0;
+      for (int d = 0; d < D; ++d) {
+        const In face = h.face_velocity[static_cast<std::size_t>(d)];
+        const double low = row(face, m)[i], high = row(face, m, d, 1)[i];
+        out += l[d] * (larger(0.0, high) + larger(0.0, -low));
+        count += (high > 0.0 ? 1.0 : 0.0) + (low < 0.0 ? 1.0 : 0.0);
+        largest = larger(largest, l[d] * larger(high, -low));
+      }
+      for (int c = D; c < o.components; ++c) carried += l[c] * std::fabs(row(h.velocity, c)[i]);
+      N[i] = (out + carried) * row(h.inverse_J)[i];
+      outlet[i] = count > 1.0 ? -largest : largest;
+    }
+  }
+}
+
+}  // namespace
+
+void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  add_faces_of_materials(list, v, o, effect);
+  TaskBuilder task = list.task("outflow of each material", effect);
+  CellHandles h;
+  h.pure = task.read(v.pure);
+  h.inverse_J = task.read(v.common.inverse_J);
+  h.velocity = task.read(v.common.velocity);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    h.face_velocity[a] =
+        task.read(v.slip.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  h.outflow = task.write(v.slip.outflow);
+  const int materials = static_cast<int>(v.mass.size());
+  task.kernel([=](const Row& row) {
+    for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+      if (pure < 0.0) count_outflow(row.part(first, count), h, o, materials);
+    });
+  });
+}
+
+}  // namespace sluice::ice::mixture

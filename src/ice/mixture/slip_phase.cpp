@@ -1,0 +1,158 @@
+// Step 6 with velocities of their own: drag and pressure over the Lagrangian phase.
+//
+//   w_L = E w + R,   w_half = E w + R/2 of half a step,   drift = w_half - sum V_m w_half
+// E: half a step of drag; R: what dm_m = -(V_m - M_m/rho) l (p_f+ - p_f-) gives under drag in a
+// whole step. Work defect: W - (S - S_L), S = sum M_m |w_m|^2/2: what pressure does on the slip and
+// drag takes from it is in it, so that total energy is kept and a drag without limit heats nothing.
+#include <cmath>
+
+#include "ice/limiters.hpp"
+#include "ice/mixture/drag.hpp"
+#include "ice/mixture/slip.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+struct Handles {
+  std::vector<In> mass, volume, slip;
+  In presence, lock, lagrangian;
+  std::array<In, 3> face_pressure;
+  Out velocity_L, drift, kick, work;
+};
+
+class Cells {
+ public:
+  Cells(const Row& row, const Handles& h, const Drag& drag, const SchemeOptions& o)
+      : row_(row),
+        h_(h),
+        drag_(drag),
+        components_(o.components),
+        axes_(o.axes.count),
+        materials_(static_cast<int>(h.mass.size())) {
+    for (int a = 0; a < axes_; ++a) {
+      const auto n = static_cast<std::size_t>(a);
+      l_[a] = row.step().dt / row.step().spacing[o.axes.direction[a]];
+      low_[a] = row(h.face_pressure[n]);
+      high_[a] = row(h.face_pressure[n], 0, a, 1);
+    }
+    for (std::size_t m = 0; m < h.mass.size(); ++m) {
+      mass_[m] = row(h.mass[m]);
+      volume_[m] = row(h.volume[m]);
+    }
+  }
+
+  void alone() {
+    const int n = row_.count();
+    const auto clear = [&](Out out, int rows) {
+      for (int c = 0; c < rows; ++c)
+        for (int i = 0; i < n; ++i) row_(out, c)[i] = 0.0;
+    };
+    clear(h_.velocity_L, materials_ * components_);
+    clear(h_.drift, materials_ * axes_);
+    clear(h_.kick, materials_ * axes_);
+    const double* W = row_(h_.lagrangian, 1);
+    for (int i = 0; i < n; ++i) row_(h_.work)[i] = W[i];
+  }
+  void mixed() {
+    for (int i = 0; i < row_.count(); ++i) cell(i);
+  }
+
+ private:
+  void cell(int i) {
+    const double dt = row_.step().dt;
+    DragCell cell;
+    find_present(materials_, mass_, volume_, i, cell);
+    cell.lock = row_(h_.lock)[i];
+    for (int k = 0; k < cell.count; ++k) {
+      double courant = 0;
+      for (int a = 0; a < axes_; ++a) {
+        const double S = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], a)[i];
+        courant = larger(courant, l_[a] * std::fabs(S) / cell.M[k]);
+      }
+      cell.bind[k] = binding(cell, k, courant);
+    }
+    double before = 0, after = 0, carried_before = 0, carried_after = 0;
+    for (int c = 0; c < components_; ++c) {
+      double w[most_materials], R[most_materials] = {}, half[most_materials] = {};
+      for (int k = 0; k < cell.count; ++k)
+        w[k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
+      (c < axes_ ? before : carried_before) += Drag::energy(cell, w);
+      drag_.decay(cell, dt, 0.5, w);
+      if (c < axes_) {
+        const double pressed = l_[c] * (high_[c][i] - low_[c][i]);
+        double push[most_materials];
+        drag_.push(cell, pressed, push);
+        drag_.respond(cell, dt, 1.0, push, R);
+        for (int k = 0; k < cell.count; ++k) push[k] *= 0.5;
+        drag_.respond(cell, dt, 0.5, push, half);
+        write_drift(cell, c, w, half, R, i);
+      }
+      for (int k = 0; k < cell.count; ++k) w[k] += R[k];
+      (c < axes_ ? after : carried_after) += Drag::energy(cell, w);
+      write(h_.velocity_L, cell, components_, c, w, i);
+    }
+    before += carried_before;
+    after += carried_after;
+    row_(h_.work)[i] = row_(h_.lagrangian, 1)[i] - (before - after);
+  }
+  void write_drift(const DragCell& cell, int axis, const double* w, const double* half,
+                   const double* R, int i) {
+    double drift[most_materials], mean = 0;
+    for (int k = 0; k < cell.count; ++k) {
+      drift[k] = w[k] + half[k];
+      mean += cell.V[k] * drift[k];
+    }
+    for (int k = 0; k < cell.count; ++k) drift[k] -= mean;
+    write(h_.drift, cell, axes_, axis, drift, i);
+    write(h_.kick, cell, axes_, axis, R, i);
+  }
+  // Zero for those that are absent.
+  void write(Out out, const DragCell& cell, int stride, int c, const double* values, int i) {
+    for (int m = 0; m < materials_; ++m) row_(out, m * stride + c)[i] = 0.0;
+    for (int k = 0; k < cell.count; ++k) row_(out, cell.index[k] * stride + c)[i] = values[k];
+  }
+
+  const Row& row_;
+  const Handles& h_;
+  const Drag& drag_;
+  int components_, axes_, materials_;
+  double l_[3];
+  const double *low_[3], *high_[3];
+  const double *mass_[most_materials], *volume_[most_materials];
+};
+
+}  // namespace
+
+void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("drag and pressure on each material", effect);
+  Handles h;
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    h.mass.push_back(task.read(v.mass[m]));
+    h.volume.push_back(task.read(v.volume[m]));
+    h.slip.push_back(task.read(v.slip.slip[m]));
+  }
+  h.presence = task.read(v.presence);
+  h.lock = task.read(v.slip.lock);
+  h.lagrangian = task.read(v.common.lagrangian_mixture);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    h.face_pressure[a] =
+        task.read(v.common.face_pressure[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  h.velocity_L = task.write(v.slip.velocity_L);
+  h.drift = task.write(v.slip.drift);
+  h.kick = task.write(v.slip.kick);
+  h.work = task.write(v.slip.work);
+  task.kernel([=, drag = Drag(o.drag)](const Row& row) {
+    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+      const Row part = row.part(first, count);
+      Cells cells(part, h, drag, o);
+      if (is_single(presence))
+        cells.alone();
+      else
+        cells.mixed();
+    });
+  });
+}
+
+}  // namespace sluice::ice::mixture

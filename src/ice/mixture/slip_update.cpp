@@ -1,0 +1,380 @@
+// Step 9 with velocities of their own: new masses, volumes, momenta and energies; the rest of the
+// drag; one pressure; rates.
+//
+// M_m', V_m', E_m' and P' as in update.cpp with P' from sum F_m U_m. In the frame of v, the mixture's
+// Lagrangian velocity, with v_m = v + w_mL:
+//   q_m = sum_d [F_m- (U_m- - v_m) - F_m+ (U_m+ - v_m)],   a_m = M_m' w_mL + q_m
+//   S_m' = a_m - (M_m'/rho') sum a_n
+//   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 - |q_m|^2/(2 M_m') }
+// then half a step of drag about what pressure holds against it, w'' = R + E (w' - R), R the answer
+// to dm_m = -(V_m' - M_m'/rho') l (p_f+ - p_f-) in a whole step. k and what the kinetic energy of
+// slip lost go to the materials by mass. Cells of pure neighbourhood run the rows of one material.
+#include "ice/conservative/update_rows.hpp"
+#include "ice/mixture/collapse.hpp"
+#include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/drag.hpp"
+#include "ice/mixture/equilibrate.hpp"
+#include "ice/mixture/heat_exchange.hpp"
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/slip.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+struct MaterialState {
+  In mass, volume;
+  Out mass_new, volume_new, energy_new, slip_new;
+};
+
+struct Handles {
+  UpdateHandles common;
+  In lagrangian, energy_L, pure, velocity_L, lock;
+  std::array<In, 3> flux, velocity, face_pressure;  // of each material; of the mixture
+  std::vector<MaterialState> state;
+  Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+};
+
+// `o`: the options of material m.
+template <int D, int C>
+void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
+  const int n = row.count();
+  UpdateHandles u = h.common;
+  const MaterialState& alone = h.state[static_cast<std::size_t>(m)];
+  u.next.rho = alone.mass_new;
+  u.next.energy = alone.energy_new;
+  u.next.closure = h.closure;
+  update_row<D, C>(row, u);
+  check_row(row, u, o);
+  const double *rho = row(alone.mass_new), *E = row(alone.energy_new);
+  std::copy(rho, rho + n, row(h.end, 0));
+  double *p = row(h.pressure), *K = row(h.end, 1);
+  if (const eos::IdealGas* gas = o.fluid.ideal()) {
+    for (int i = 0; i < n; ++i) {
+      p[i] = gas->pressure(rho[i], E[i]);
+      K[i] = gas->gamma * p[i];
+    }
+  } else {
+    pressure_and_modulus_row(o.fluid, n, rho, E, p, K);
+  }
+  const auto set = [&](Out out, int c, double value) {
+    double* to = row(out, c);
+    for (int i = 0; i < n; ++i) to[i] = value;
+  };
+  for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
+    const MaterialState& s = h.state[static_cast<std::size_t>(other)];
+    set(s.volume_new, 0, other == m ? 1.0 : 0.0);
+    for (int c = 0; c < C; ++c) set(s.slip_new, c, 0.0);
+    if (other == m) continue;
+    set(s.mass_new, 0, 0.0);
+    set(s.energy_new, 0, 0.0);
+  }
+}
+
+// Nothing is left of a material, to the round-off of what was there (update.cpp).
+bool is_gone(double M, double V, double M_before, double V_before) {
+  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
+  return M == 0.0 || std::fabs(V) < least || std::fabs(M) <= round_off * M_before ||
+         (std::fabs(V) <= round_off * V_before && V_before > 0.0);
+}
+
+template <int D, int C>
+class Cells {
+ public:
+  Cells(const Row& row, const Handles& h, const SchemeOptions& o, const Drag& drag,
+        const Equilibration& equilibration, const Collapse& collapse, const HeatExchange& heat)
+      : row_(row),
+        h_(h),
+        o_(o),
+        drag_(drag),
+        equilibration_(equilibration),
+        collapse_(collapse),
+        heat_(heat),
+        materials_(static_cast<int>(h.state.size())) {
+    for (int d = 0; d < D; ++d) l_[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
+  }
+  void run() {
+    for (int i = 0; i < row_.count(); ++i) cell(i);
+  }
+
+ private:
+  struct Face {
+    double FV, FM, FE, U[C];
+  };
+  Face face(int m, int d, int shift, int i) const {
+    const auto a = static_cast<std::size_t>(d);
+    const auto at = [&](In in, int c) { return row_(in, c, d, shift)[i]; };
+    Face f{at(h_.flux[a], 3 * m), at(h_.flux[a], 3 * m + 1), at(h_.flux[a], 3 * m + 2), {}};
+    for (int c = 0; c < C; ++c) f.U[c] = at(h_.velocity[a], m * C + c);
+    return f;
+  }
+
+  // Of a material, after the remap. `a`: momentum in the frame of v; of one that is gone what it
+  // leaves behind. Returns its share of k.
+  double remap(int m, int i, double& M, double& V, double& E, double* a, double* passed) const {
+    const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+    double dV = 0, dM = 0, dE = 0, gain = 0, q[C] = {}, own[C] = {}, w[C];
+    for (int c = 0; c < C; ++c) w[c] = row_(h_.velocity_L, m * C + c)[i];
+    for (int d = 0; d < D; ++d) {
+      const Face low = face(m, d, 0, i), high = face(m, d, 1, i);
+      dV += low.FV - high.FV;
+      dM += low.FM - high.FM;
+      dE += low.FE - high.FE;
+      double in = 0, out = 0, carried_in = 0, carried_out = 0;
+      for (int c = 0; c < C; ++c) {
+        const double v = row_(h_.common.velocity_L, c)[i] + w[c];
+        const double low_u = low.U[c] - v, high_u = high.U[c] - v;
+        q[c] += low.FM * low_u - high.FM * high_u;
+        own[c] += low.FM * low.U[c] - high.FM * high.U[c];
+        (c < D ? in : carried_in) += low_u * low_u;
+        (c < D ? out : carried_out) += high_u * high_u;
+      }
+      gain += 0.5 * (low.FM * (in + carried_in) - high.FM * (out + carried_out));
+    }
+    for (int c = 0; c < C; ++c) passed[c] += own[c];
+    const double M_before = row_(s.mass)[i], V_before = row_(s.volume)[i];
+    M = M_before + dM;
+    V = V_before * row_(h_.lagrangian, 0)[i] + dV;
+    E = row_(h_.energy_L, m)[i] + dE;
+    if (is_gone(M, V, M_before, V_before)) {
+      const double left_over = E;
+      M = V = E = 0.0;
+      for (int c = 0; c < C; ++c) a[c] = q[c];
+      return gain + left_over;
+    }
+    double square = 0, carried = 0;
+    for (int c = 0; c < C; ++c) {
+      a[c] = M * w[c] + q[c];
+      (c < D ? square : carried) += q[c] * q[c];
+    }
+    return gain - 0.5 * (square + carried) / M;
+  }
+
+  void cell(int i) const {
+    double M[most_materials], V[most_materials], E[most_materials];
+    double a[most_materials][C], passed[C] = {}, rho = 0, k = 0;
+    for (int m = 0; m < materials_; ++m) {
+      k += remap(m, i, M[m], V[m], E[m], a[m], passed);
+      rho += M[m];
+    }
+    for (int c = 0; c < C; ++c)
+      row_(h_.common.next.momentum, c)[i] =
+          (row_(h_.common.momentum, c)[i] - row_(h_.common.impulse, c)[i]) + passed[c];
+    DragCell present;
+    present.total = rho;
+    present.lock = row_(h_.lock)[i];
+    for (int m = 0; m < materials_; ++m) {
+      if (M[m] == 0.0) continue;
+      present.index[present.count] = m;
+      present.M[present.count] = M[m];
+      present.V[present.count] = larger(V[m], 0.0);
+      ++present.count;
+    }
+    k += finish_drag(present, a, i) - left_behind(present, M, a);
+    for (int m = 0; m < materials_; ++m) E[m] += k / rho * M[m];
+    close(M, V, E, rho, i);
+    rates(present, V, i);
+  }
+
+  // The kinetic energy of the momentum that materials leave behind when they go.
+  double left_behind(const DragCell& cell, const double* M, const double (*a)[C]) const {
+    double sum = 0, carried = 0;
+    for (int c = 0; c < C; ++c) {
+      double left = 0, total = 0;
+      for (int m = 0; m < materials_; ++m) (M[m] == 0.0 ? left : total) += a[m][c];
+      (c < D ? sum : carried) += left * (total + 0.5 * left) / cell.total;
+    }
+    return sum + carried;
+  }
+  // Slip of those present, written; what its kinetic energy lost.
+  double finish_drag(DragCell& cell, const double (*a)[C], int i) const {
+    for (const MaterialState& s : h_.state)
+      for (int c = 0; c < C; ++c) row_(s.slip_new, c)[i] = 0.0;
+    if (cell.count < 2) return 0.0;  // its momentum in the frame of v is the mixture's
+    bind(cell, a);
+    double lost = 0, carried = 0;
+    for (int c = 0; c < C; ++c) {
+      double w[most_materials], R[most_materials] = {}, total = 0;
+      for (int n = 0; n < cell.count; ++n) total += a[cell.index[n]][c];
+      for (int n = 0; n < cell.count; ++n)
+        w[n] = a[cell.index[n]][c] / cell.M[n] - total / cell.total;
+      double& sum = c < D ? lost : carried;
+      sum += Drag::energy(cell, w);
+      if (c < D) respond(cell, c, i, R);
+      for (int n = 0; n < cell.count; ++n) w[n] -= R[n];
+      drag_.decay(cell, row_.step().dt, 0.5, w);
+      for (int n = 0; n < cell.count; ++n) {
+        w[n] += R[n];
+        row_(h_.state[static_cast<std::size_t>(cell.index[n])].slip_new, c)[i] = cell.M[n] * w[n];
+      }
+      sum -= Drag::energy(cell, w);
+    }
+    return lost + carried;
+  }
+  void bind(DragCell& cell, const double (*a)[C]) const {
+    double total[D] = {};
+    for (int d = 0; d < D; ++d)
+      for (int n = 0; n < cell.count; ++n) total[d] += a[cell.index[n]][d];
+    for (int n = 0; n < cell.count; ++n) {
+      double courant = 0;
+      for (int d = 0; d < D; ++d)
+        courant = larger(
+            courant, l_[d] * std::fabs(a[cell.index[n]][d] / cell.M[n] - total[d] / cell.total));
+      cell.bind[n] = binding(cell, n, courant);
+    }
+  }
+  void respond(const DragCell& cell, int d, int i, double* R) const {
+    const In pressure = h_.face_pressure[static_cast<std::size_t>(d)];
+    const double pressed = l_[d] * (row_(pressure, 0, d, 1)[i] - row_(pressure)[i]);
+    double push[most_materials];
+    drag_.push(cell, pressed, push);
+    drag_.respond(cell, row_.step().dt, 1.0, push, R);
+  }
+
+  void close(double* M, double* V, double* E, double rho, int i) const {
+    double before[most_materials];
+    const std::uint64_t bubbles =
+        collapse_.possible() ? collapse_.traces_of_gas({M, V, E}, rho) : 0;
+    if (bubbles != 0) collapse_.remember({M, V, E}, bubbles, before);
+    Equilibration::Result result = equilibration_.equilibrate({M, V, E});
+    if (bubbles != 0 && result.failed < 0 &&
+        collapse_.settle({M, V, E}, bubbles, before, result.pressure))
+      result = equilibration_.equilibrate({M, V, E});
+    if (heat_.on() && result.failed < 0 && heat_.exchange({M, V, E}, row_.step().dt))
+      result = equilibration_.equilibrate({M, V, E});
+    const double iJ = row_(h_.common.inverse_J)[i];
+    if (!(rho > 0.0 && rho < infinity))
+      report(i, fault_density, rho);
+    else if (!(iJ > 0.0 && iJ < infinity))
+      report(i, fault_volume, 1.0 / iJ);
+    else if (result.failed >= 0)
+      report(i, fault_of_material * (result.failed + 1), E[result.failed]);
+    row_(h_.end, 0)[i] = rho;
+    row_(h_.end, 1)[i] = result.modulus;
+    row_(h_.pressure)[i] = result.pressure;
+    for (int m = 0; m < materials_; ++m) {
+      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      row_(s.mass_new)[i] = M[m];
+      row_(s.volume_new)[i] = V[m];
+      row_(s.energy_new)[i] = E[m];
+    }
+  }
+  void report(int i, int kind, double value) const {
+    CellFault f;
+    f.cell = row_.cell();
+    f.cell[o_.axes.direction[0]] += i;
+    f.level = row_.step().level;
+    f.kind = kind;
+    f.value = value;
+    row_.reductions().fault(f);
+  }
+
+  // Each material's own speed, and sound as fast as between free materials.
+  void rates(const DragCell& cell, const double* V, int i) const {
+    if (cell.count < 2) return;
+    const RateConstants x = rate_constants(o_, row_.step());
+    double inertia = 0;
+    for (int n = 0; n < cell.count; ++n) {
+      const double share = V[cell.index[n]];
+      inertia += share * share / cell.M[n];
+    }
+    const double sound = std::sqrt(row_(h_.end, 1)[i] * inertia);
+    for (int n = 0; n < cell.count; ++n) {
+      const MaterialState& s = h_.state[static_cast<std::size_t>(cell.index[n])];
+      double deck = 0, flow = 0, fastest = 0;
+      for (int d = 0; d < D; ++d) {
+        const double u = std::fabs(row_(h_.common.next.momentum, d)[i] / cell.total +
+                                   row_(s.slip_new, d)[i] / cell.M[n]);
+        deck = larger(deck, (u + x.knob * sound) * x.inverse_dx[d]);
+        fastest = larger(fastest, (u + sound) * x.inverse_dx[d]);
+        flow += u * x.inverse_dx[d];
+      }
+      if (!x.conservative) row_.reductions().maximum(StepSlots::deck_rate, ordered_bits(deck));
+      row_.reductions().maximum(StepSlots::flow_rate, ordered_bits(flow));
+      row_.reductions().maximum(StepSlots::sound_rate, ordered_bits(fastest));
+    }
+  }
+
+  const Row& row_;
+  const Handles& h_;
+  const SchemeOptions& o_;
+  const Drag& drag_;
+  const Equilibration& equilibration_;
+  const Collapse& collapse_;
+  const HeatExchange& heat_;
+  int materials_;
+  double l_[D];
+};
+
+// Over the whole row: in runs of one material alone too.
+void diffusion_rates_of_row(const Row& row, const Handles& h, const DiffusionRates& diffusion) {
+  MaterialRows state;
+  for (std::size_t m = 0; m < h.state.size(); ++m) {
+    state.mass[m] = row(h.state[m].mass_new);
+    state.volume[m] = row(h.state[m].volume_new);
+    state.energy[m] = row(h.state[m].energy_new);
+  }
+  const double most = diffusion.largest(state, row.count(), row.step().spacing);
+  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
+}
+
+Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+  Handles h;
+  h.common = read_update(task, v.common, o);
+  h.common.energy_scale = task.read(v.common.energy_scale);
+  h.lagrangian = task.read(v.common.lagrangian_mixture);
+  h.energy_L = task.read(v.energy_L);
+  h.pure = task.read(v.pure);
+  h.velocity_L = task.read(v.slip.velocity_L);
+  h.lock = task.read(v.slip.lock);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+    h.flux[a] = task.read(v.flux[a], both);
+    h.velocity[a] = task.read(v.common.material_velocity[a], both);
+    h.face_pressure[a] = task.read(v.common.face_pressure[a], both);
+  }
+  h.common.next.momentum = task.write(v.common.momentum_new);
+  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    MaterialState s;
+    s.mass = task.read(v.mass[m]);
+    s.volume = task.read(v.volume[m]);
+    s.mass_new = task.write(v.mass_new[m]);
+    s.volume_new = task.write(v.volume_new[m]);
+    s.energy_new = task.write(v.energy_new[m]);
+    s.slip_new = task.write(v.slip.slip_new[m]);
+    h.state.push_back(s);
+  }
+  h.end = task.write(v.end);
+  h.pressure = task.write(v.common.new_pressure);
+  h.closure = task.write(v.common.closure);
+  h.common.next.rho = h.end;
+  return h;
+}
+
+}  // namespace
+
+void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("update", effect);
+  const Handles h = declare(task, v, o);
+  std::vector<SchemeOptions> of_material;
+  for (const Fluid& fluid : o.fluids) {
+    of_material.push_back(o);
+    of_material.back().fluid = fluid;
+  }
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=, equilibration = Equilibration(o.fluids), drag = Drag(o.drag),
+                 collapse = Collapse(o.fluids), heat = HeatExchange(o.fluids, o.heat_exchange),
+                 diffusion = DiffusionRates(o)](const Row& row) {
+      for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+        const Row part = row.part(first, count);
+        if (pure < 0.0) return Cells<D, C>(part, h, o, drag, equilibration, collapse, heat).run();
+        const auto m = static_cast<std::size_t>(pure);
+        pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m));
+      });
+      rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
+      if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
+    });
+  });
+}
+
+}  // namespace sluice::ice::mixture
