@@ -13,6 +13,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
+#include "ice/step_bounds.hpp"
 
 namespace sluice::ice {
 
@@ -68,12 +69,14 @@ struct RateConstants {
   double knob = 1;
   double gravity_speed = 0;  // sqrt(sum dx |g|), conservative rule only
   bool conservative = false;
+  double sum_share = 0;  // of the sum over directions that counts as the rate of sound
 };
 
 inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants& step) {
   RateConstants x;
   x.knob = o.sound_speed_knob;
   x.conservative = o.conservative_time_step;
+  x.sum_share = sound_sum_share(o);
   double dx_g = 0;
   for (int a = 0; a < o.axes.count; ++a) {
     const double dx = step.spacing[o.axes.direction[a]];
@@ -96,13 +99,15 @@ void rate_row(const Row& row, const RateHandles& h, const RateConstants& x, Modu
   for (int i = 0; i < n; ++i) {
     const double w = 1.0 / r[i];
     const double c = std::sqrt(modulus(i) * w);
-    double deck_rate = 0, flow_rate = 0, sound_rate = 0;
+    double deck_rate = 0, flow_rate = 0, sound_rate = 0, sum = 0;
     for (int d = 0; d < D; ++d) {
       const double speed = std::fabs(m[d][i]) * w;
       deck_rate = larger(deck_rate, (speed + x.knob * c) * x.inverse_dx[d]);
       sound_rate = larger(sound_rate, (speed + c) * x.inverse_dx[d]);
+      sum += (speed + c) * x.inverse_dx[d];
       flow_rate += speed * x.inverse_dx[d];
     }
+    sound_rate = larger(sound_rate, x.sum_share * sum);
     const std::int64_t a = ordered_bits(deck_rate), b = ordered_bits(flow_rate),
                        s = ordered_bits(sound_rate);
     deck = a > deck ? a : deck;

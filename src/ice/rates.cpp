@@ -8,6 +8,7 @@
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/scalars/variables.hpp"
+#include "ice/step_bounds.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -160,7 +161,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const auto [rho, modulus, inertia] = states.at(cell);
       const double c = std::sqrt(modulus / inertia);
-      double deck = 0, outflow = 0, flow = 0, sound = 0;
+      double deck = 0, outflow = 0, flow = 0, sound = 0, sum = 0;
       for (int a = 0; a < options_.axes.count; ++a) {
         const double dx = state.level().spacing[options_.axes.direction[a]];
         const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho + states.slip(cell, a);
@@ -170,7 +171,9 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
         deck = std::max(deck, deck_rate);
         flow += u / dx;
         sound = std::max(sound, (u + c) / dx);
+        sum += (u + c) / dx;
       }
+      sound = std::max(sound, sound_sum_share(options_) * sum);
       const double rate = options_.conservative_time_step ? outflow : deck;
       rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
       rates.maximum(StepSlots::flow_rate, ordered_bits(flow));

@@ -23,7 +23,7 @@ struct GasBox {
   bool walls = false;
   std::string advection = "type='SecondOrder'";
   std::string density = "1", pressure = "1", velocity[3] = {"0", "0", "0"};
-  double viscosity = 0, specific_heat = 1;
+  double viscosity = 0, specific_heat = 1, cfl = 0.4;
   std::string gravity = "[0,0,0]", scheme = "classic";
   std::string models;  // the elements <Model> of the deck
 };
@@ -69,7 +69,7 @@ inline std::string deck_text(const GasBox& b) {
       "<resolution>[{},{},{}]</resolution></Box>{}</Level></Grid>"
       "<DataArchiver><filebase>box.uda</filebase><outputInterval>1</outputInterval><save "
       "label='rho_CC'/></DataArchiver>"
-      "<CFD><cfl>0.4</cfl><ICE><scheme>{}</scheme><advection {}/>{}</ICE></CFD>"
+      "<CFD><cfl>{}</cfl><ICE><scheme>{}</scheme><advection {}/>{}</ICE></CFD>"
       "<PhysicalConstants><gravity>{}</gravity><reference_pressure>1</reference_pressure>"
       "</PhysicalConstants><MaterialProperties><ICE><material name='gas'><EOS type='ideal_gas'/>"
       "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>0</thermal_conductivity>"
@@ -78,8 +78,8 @@ inline std::string deck_text(const GasBox& b) {
       "<density>1</density><temperature>1</temperature></geom_object></material></ICE>"
       "</MaterialProperties>{}</Uintah_specification>",
       sides(b), b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z, b.cells.x, b.cells.y,
-      b.cells.z, b.periodic ? "<periodic>[1,1,1]</periodic>" : "", b.scheme, b.advection, formula,
-      b.gravity, b.viscosity, b.specific_heat,
+      b.cells.z, b.periodic ? "<periodic>[1,1,1]</periodic>" : "", b.cfl, b.scheme, b.advection,
+      formula, b.gravity, b.viscosity, b.specific_heat,
       b.models.empty() ? "" : "<Models>" + b.models + "</Models>");
 }
 

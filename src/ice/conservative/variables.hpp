@@ -144,7 +144,7 @@ SchemeVariables declare_conservative_variables(TaskList&, const SchemeOptions&);
 struct StepSlots {
   static constexpr int deck_rate = 0;       // max of sum or max of (|u| + knob c)/dx: 1/s
   static constexpr int flow_rate = 1;       // max of sum |u|/dx
-  static constexpr int sound_rate = 2;      // max of (|u| + c)/dx
+  static constexpr int sound_rate = 2;      // max of (|u| + c)/dx and .8 of its sum
   static constexpr int diffusion_rate = 3;  // max of 2 D sum 1/dx^2, D = mu/rho or k/(rho cv)
   static constexpr int maxima = 4;
   // Exact sums: what came in through the boundary in this step.
