@@ -280,16 +280,18 @@ class Cells {
     const double sound = std::sqrt(row_(h_.end, 1)[i] * inertia);
     for (int n = 0; n < cell.count; ++n) {
       const MaterialState& s = h_.state[static_cast<std::size_t>(cell.index[n])];
-      double deck = 0, flow = 0, fastest = 0;
+      double deck = 0, flow = 0, fastest = 0, sum = 0;
       for (int d = 0; d < D; ++d) {
         const double u = std::fabs(row_(h_.common.next.momentum, d)[i] / cell.total +
                                    row_(s.slip_new, d)[i] / cell.M[n]);
         deck = larger(deck, (u + x.knob * sound) * x.inverse_dx[d]);
         fastest = larger(fastest, (u + sound) * x.inverse_dx[d]);
+        sum += (u + sound) * x.inverse_dx[d];
         flow += u * x.inverse_dx[d];
       }
       if (!x.conservative) row_.reductions().maximum(StepSlots::deck_rate, ordered_bits(deck));
       row_.reductions().maximum(StepSlots::flow_rate, ordered_bits(flow));
+      fastest = larger(fastest, x.sum_share * sum);
       row_.reductions().maximum(StepSlots::sound_rate, ordered_bits(fastest));
     }
   }

@@ -167,7 +167,7 @@ TEST(MixtureTransport, WhatIsOffAddsNoTask) {
     return MixtureBox(
         box_of({8, 8, 1}, true), {water, air},
         [](Vec3) {
-          return MixtureCell{{0, 1}, {1000, 1}, {1e5, 1e5}, {}};
+          return MixtureCell{{0, 1}, {1000, 1}, {1e5, 1e5}, {}, {}};
         },
         {}, {}, transport);
   };
