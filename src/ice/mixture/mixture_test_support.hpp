@@ -11,7 +11,7 @@ namespace sluice::ice {
 struct MixtureCell {
   std::vector<double> volume, density, pressure;
   double velocity[3] = {0, 0, 0};
-  std::vector<double> slip;  // of each material along x, beside that velocity; may be left out
+  std::vector<double> slip{};  // of each material along x, beside that velocity; may be left out
 };
 
 // Friction, conduction and heat exchange; of each material, 0 where nothing is given.
