@@ -107,9 +107,9 @@ std::vector<Entry> of_materials() {
     return "MaterialProperties/exchange_properties/exchange_coefficients/momentum=" +
            std::string(list);
   };
-  const auto velocity = [](const char* material, const char* u) {
-    return "MaterialProperties/ICE/material[" + std::string(material) +
-           "]/geom_object/velocity=" + u;
+  const auto velocity = [](const char* material, const char* object, const char* u) {
+    return "MaterialProperties/ICE/material[" + std::string(material) + "]/geom_object[" + object +
+           "]/velocity=" + u;
   };
   return {
       {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
@@ -138,10 +138,10 @@ std::vector<Entry> of_materials() {
       {"three_in_a_row_drag",
        "three_in_a_row",
        {cells("[50,1,1]"), with_drag("[1e12,100,0]"), with_heat("[1e3,1e12,0]"),
-        velocity("3", "[30,0,0]")}},
+        velocity("3", "1", "[30,0,0]")}},
       {"helium_bubble_drag",
        "helium_bubble",
-       {cells("[40,15,1]"), with_drag("[100]"), velocity("2", "[20,5,0]")}},
+       {cells("[40,15,1]"), with_drag("[100]"), velocity("2", "1", "[20,5,0]")}},
       {"helium_bubble", "helium_bubble", {cells("[40,15,1]")}},
       {"helium_bubble_gravity",
        "helium_bubble",

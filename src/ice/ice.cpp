@@ -226,13 +226,13 @@ SchemeOptions Ice::at_level(int level) const {
 // One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
 // each.
 std::vector<SlotInfo> Ice::state_slots() const {
-  // LODI and slip look one cell aside from the ghosts that they fill, the dynamic model filters
-  // twice. Materials with velocities of their own: what flows out of a donor follows from faces of
-  // its neighbours, and interfaces are looked for around every cell.
-  const bool aside = ice_.conditions.lodi || ice_.conditions.slip;
+  // LODI and slip each look one cell aside from the ghosts that they fill (LODI into those of
+  // slip), the dynamic model filters twice. Materials with velocities of their own: what flows out
+  // of a donor follows from faces of its neighbours, and interfaces are looked for around cells.
+  const int aside = (ice_.conditions.lodi ? 1 : 0) + (ice_.conditions.slip ? 1 : 0);
   const bool twice = (ice_.turbulence && ice_.turbulence->dynamic) || options_.own_velocities;
   const int ghosts =
-      (options_.classic ? classic_ghost_layers(options_) : 3) + (aside ? 1 : 0) + (twice ? 2 : 0);
+      (options_.classic ? classic_ghost_layers(options_) : 3) + aside + (twice ? 2 : 0);
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});

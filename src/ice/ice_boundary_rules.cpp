@@ -54,10 +54,11 @@ void check_label(const DeckNode& face, const DeckNode& condition,
   const auto label = condition.attribute("label");
   if (!label || is_label(*label) || is_listed(scalars, *label)) return;
   if (all_models_built && label->rfind("scalar-", 0) == 0) {
-    fault(faults, condition,
-          fmt::format("no model of the deck has the scalar of {} on {}", in_quotes(*label),
-                      face_name(face)),
-          suggest_name(*label, scalars));
+    // Decks keep such conditions when their model is taken out.
+    faults.push_back({Severity::warning, condition.where,
+                      fmt::format("no model of the deck has the scalar of {} on {}: no effect",
+                                  in_quotes(*label), face_name(face)),
+                      suggest_name(*label, scalars)});
     return;
   }
   const bool of_models =

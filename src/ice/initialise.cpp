@@ -139,8 +139,7 @@ void Ice::initialise_scalars(Warehouse& state) const {
       const RealView value = state.view(state.find(s.state(), s.material), 0, b);
       const RealView mass = state.view(state.find(labels().mass, s.material), 0, b);
       for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-        if (!(mass(cell) > 0.0)) return;
-        const double start = s.at_start(state.level().centre(cell));
+        const double start = mass(cell) > 0.0 ? s.at_start(state.level().centre(cell)) : 0.0;
         if (value(cell) != start) value(cell) = start;
       });
     }

@@ -11,8 +11,15 @@
 
 namespace sluice::models {
 
-std::optional<int> find_material(const std::string& name,
+// Some decks write names in quotes.
+static std::string without_quotes(const std::string& name) {
+  const bool quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
+  return quoted ? name.substr(1, name.size() - 2) : name;
+}
+
+std::optional<int> find_material(const std::string& written,
                                  const std::vector<std::string>& materials) {
+  const std::string name = without_quotes(written);
   const auto found = std::find(materials.begin(), materials.end(), name);
   if (found != materials.end() && !name.empty()) return static_cast<int>(found - materials.begin());
   const auto index = parse_integer(name);

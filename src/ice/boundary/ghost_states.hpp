@@ -11,8 +11,8 @@
 
 namespace sluice::ice {
 
-// State arrays of one box; by material, momentum by component. No volumes with one material. Slip by
-// material and component, where each material has a velocity of its own.
+// State arrays of one box; by material, momentum by component. No volumes with one material. Slip
+// by material and component, where each material has a velocity of its own.
 struct BoundaryViews {
   std::vector<RealView> mass, energy, volume, momentum, slip;
   RealView composition;  // of a gas that is a mixture of two

@@ -94,9 +94,9 @@ TEST(Drag, OfFiveIsOfSecondOrder) {
   for (const double w : bound) EXPECT_LT(std::fabs(w), 1e-13);
 }
 
-// Beside its own share of the force (none worth speaking of) a drop in a gas feels half of that on the
-// gas in its place; a bubble in a liquid is moved three times as fast as the liquid; what is pushed
-// sums to zero.
+// Beside its own share of the force (none worth speaking of) a drop in a gas feels half of that on
+// the gas in its place; a bubble in a liquid is moved three times as fast as the liquid; what
+// is pushed sums to zero.
 TEST(Drag, PressureKnowsVirtualMass) {
   const Drag drag{PairCoefficients(3)};
   const double dp = 2;

@@ -9,9 +9,9 @@
 //      free materials sound travels at a speed between theirs, under strong drag at Wood's
 //   2. Lagrangian phase: half a step of drag, then what the pressure gives, dm_m = -V_m dp less the
 //      share by mass, under drag throughout
-//   3. each face has a velocity for each material, u_fm = c + r_m: r_m the mean by mass of what both
-//      cells have above the mean by volume, c such that what the materials carry with the volumes
-//      of their own donors is what passes, sum H_m = l u_f
+//   3. each face has a velocity for each material, u_fm = c + r_m: r_m the mean by mass of what
+//      both cells have above the mean by volume, c such that what the materials carry with the
+//      volumes of their own donors is what passes, sum H_m = l u_f
 //   4. the remap takes each material from its own donor, with its own velocity
 //   5. the rest of the drag after the remap; the kinetic energy that drag and remap take becomes
 //      heat, by mass.

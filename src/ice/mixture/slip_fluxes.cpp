@@ -3,7 +3,7 @@
 //   H_m = l theta_m u_fm, the rest of it as in face_shares.cpp with the material's own Courant
 //   number nu_m = l |u_fm|/J and outflow number N_m. With V_m of the donors sum H_m = l u_f; what
 //   theta_m adds to that is cut, on the side that is more, so that it sums to zero.
-//   U_m = base + s (1-f)/2 Q3(D u_m; f, 2), f = |F_m|/M_m, u_m that of the mixture where m is absent
+//   U_m = base + s (1-f)/2 Q3(D u_m; f, 2), f = |F_m|/M_m, u_m the mixture's where m is absent
 // Fluxes of the mixture: F = sum F_m, G = sum G_m; as velocity that of the largest |F_m|, which is
 // the mixture's where one material passes.
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Step 1 with velocities of their own: those velocities, and how the volume moves.
 //
-//   w_m = S_m/M_m,  u_m = u + w_m (u where absent),  u_V = u + sum V_m w_m(half a step of drag later)
+//   w_m = S_m/M_m,  u_m = u + w_m (u where absent),  u_V = u + sum V_m w_m(half a drag later)
 //   1/rho_e = 1/rho + sum V_m r_m, r_m: what a unit of pressure force gives to w_m in half a step
 //   c_e = sqrt(K/rho_e)
 // Lock of an interface: with s the range of a volume fraction over a cell and its neighbours along

@@ -1,8 +1,8 @@
 // Step 9 with velocities of their own: new masses, volumes, momenta and energies; the rest of the
 // drag; one pressure; rates.
 //
-// M_m', V_m', E_m' and P' as in update.cpp with P' from sum F_m U_m. In the frame of v, the mixture's
-// Lagrangian velocity, with v_m = v + w_mL:
+// M_m', V_m', E_m' and P' as in update.cpp with P' from sum F_m U_m. In the frame of v, the
+// mixture's Lagrangian velocity, with v_m = v + w_mL:
 //   q_m = sum_d [F_m- (U_m- - v_m) - F_m+ (U_m+ - v_m)],   a_m = M_m' w_mL + q_m
 //   S_m' = a_m - (M_m'/rho') sum a_n
 //   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 - |q_m|^2/(2 M_m') }

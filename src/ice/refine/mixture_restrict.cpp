@@ -1,7 +1,8 @@
 // Coarse cells as means of their fine cells, material by material.
 //
 //   M = <M_f>,  V = <V_f>,  P = <P_f>,  E = <E_f> + H M/rho,  H = <rho_f |u_f - U|^2>/2,  U = P/rho
-// With velocities of their own, S_m = <M_f u_f + S_f> - M U, and <|S_f|^2/2M_f> - |S_m|^2/2M joins H.
+// With velocities of their own, S_m = <M_f u_f + S_f> - M U, and <|S_f|^2/2M_f> - |S_m|^2/2M
+// joins H.
 // with rho the mass of all materials. Of one material the numbers are those of a gas, to the bit.
 // At uniform pressure the mean energy per mean volume of a material is that of the pressure again
 // if its law is linear in rho e with a constant offset (ideal and stiffened gases).
