@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "framework/base/reduction.hpp"
@@ -165,7 +167,15 @@ SweepGraph LevelSolver::graph_of(const TaskList& list, const std::vector<Label>&
         (v.storage == Storage::output && contains(wanted, v.label)))
       wanted_variables.push_back({static_cast<int>(n)});
   }
-  return {&list, compile(list, component_->effects(), wanted_variables, active_axes(level_)), {}};
+  SweepGraph graph{
+      &list, compile(list, component_->effects(), wanted_variables, active_axes(level_)), {}};
+  const IntVec3 ghosts = level_.ghosts(halo_width(*component_));
+  for (int d = 0; d < 3; ++d)
+    if (graph.plan.halo[d] > ghosts[d])
+      throw std::logic_error("a step reads " + std::to_string(graph.plan.halo[d]) +
+                             " ghost layers of its state along axis " + std::to_string(d) +
+                             ", and the slots of the component have " + std::to_string(ghosts[d]));
+  return graph;
 }
 
 // What the graph of a kind leaves to be filled.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "framework/run/mock_component.hpp"
 
@@ -74,6 +75,19 @@ TEST_F(LevelSolverTest, AnAttemptIsAStepOnceItIsAccepted) {
   EXPECT_EQ(tube.solver.attempt_result().maxima, std::vector<double>{8});
   const double inflow = 0.5 * 0.125 * (MockComponent::start(0) - MockComponent::start(39));
   EXPECT_EQ(tube.solver.attempt_result().sums, std::vector<double>{inflow});
+}
+
+// Its one ghost layer left out: what the step reads there would lie beyond the array.
+struct NarrowComponent : MockComponent {
+  using MockComponent::MockComponent;
+  std::vector<SlotInfo> state_slots() const override { return {{mock_labels().q, 0, 1, 0}}; }
+};
+
+TEST_F(LevelSolverTest, RefusesAStepThatReadsMoreGhostsThanThereAre) {
+  const Scene scene = Tube::dealt_out(tube(1));
+  const NarrowComponent component(scene.grid.levels.front());
+  LevelSolver solver(component, scene.grid.levels.front(), world(), {});
+  EXPECT_THROW(solver.attempt(0, dt, {}, LevelSolverTest::control.get()), std::logic_error);
 }
 
 TEST_F(LevelSolverTest, ARejectedAttemptNamesTheLowestCellAndChangesNothing) {
