@@ -1,5 +1,7 @@
 // Several materials in a box of cells, stepped in this process.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <stdexcept>
 
@@ -213,6 +215,23 @@ inline Fluid jwl() {
   law.rho0 = 1840;
   law.specific_heat = 1000;
   return {law, std::nullopt, 1.35, 1000};
+}
+
+// `run_with`(options, boxes): the bits of 48 x 40 cells at the end of a run.
+template <class RunWith>
+void expect_same_bits_however_cut(RunWith run_with) {
+  const std::vector<double> reference = run_with({}, {1, 1, 1});
+  SolverOptions all;
+  all.force_all = true;
+  EXPECT_EQ(reference, run_with(all, {1, 1, 1}));
+  SolverOptions small;
+  small.block = {16, 8, 1};
+  EXPECT_EQ(reference, run_with(small, {1, 1, 1}));
+  EXPECT_EQ(reference, run_with({}, {2, 3, 1}));
+  SolverOptions threads;
+  threads.threads = 2;
+  threads.block = {12, 8, 1};
+  EXPECT_EQ(reference, run_with(threads, {1, 2, 1}));
 }
 
 }  // namespace sluice::ice

@@ -17,57 +17,27 @@
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/update_state.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-struct MaterialState {
-  In mass, volume;
-  Out mass_new, volume_new, energy_new, slip_new;
-};
-
-struct Handles {
-  UpdateHandles common;
-  In lagrangian, energy_L, pure, velocity_L, lock;
-  std::array<In, 3> flux, velocity, face_pressure;  // of each material; of the mixture
-  std::vector<MaterialState> state;
-  Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+struct Handles : UpdateState {
+  In velocity_L, lock;
+  std::array<In, 3> velocity, face_pressure;  // of each material; of the mixture
+  std::vector<Out> slip_new;
 };
 
 // `o`: the options of material m.
 template <int D, int C>
 void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
-  const int n = row.count();
-  UpdateHandles u = h.common;
-  const MaterialState& alone = h.state[static_cast<std::size_t>(m)];
-  u.next.rho = alone.mass_new;
-  u.next.energy = alone.energy_new;
-  u.next.closure = h.closure;
+  const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
   check_row(row, u, o);
-  const double *rho = row(alone.mass_new), *E = row(alone.energy_new);
-  std::copy(rho, rho + n, row(h.end, 0));
-  double *p = row(h.pressure), *K = row(h.end, 1);
-  if (const eos::IdealGas* gas = o.fluid.ideal()) {
-    for (int i = 0; i < n; ++i) {
-      p[i] = gas->pressure(rho[i], E[i]);
-      K[i] = gas->gamma * p[i];
-    }
-  } else {
-    pressure_and_modulus_row(o.fluid, n, rho, E, p, K);
-  }
-  const auto set = [&](Out out, int c, double value) {
-    double* to = row(out, c);
-    for (int i = 0; i < n; ++i) to[i] = value;
-  };
-  for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
-    const MaterialState& s = h.state[static_cast<std::size_t>(other)];
-    set(s.volume_new, 0, other == m ? 1.0 : 0.0);
-    for (int c = 0; c < C; ++c) set(s.slip_new, c, 0.0);
-    if (other == m) continue;
-    set(s.mass_new, 0, 0.0);
-    set(s.energy_new, 0, 0.0);
-  }
+  end_alone(row, h, u, o.fluid);
+  leave_alone(row, h, m);
+  for (const Out slip : h.slip_new)
+    for (int c = 0; c < C; ++c) std::fill_n(row(slip, c), row.count(), 0.0);
 }
 
 // Nothing is left of a material, to the round-off of what was there (update.cpp).
@@ -187,8 +157,8 @@ class Cells {
   }
   // Slip of those present, written; what its kinetic energy lost.
   double finish_drag(DragCell& cell, const double (*a)[C], int i) const {
-    for (const MaterialState& s : h_.state)
-      for (int c = 0; c < C; ++c) row_(s.slip_new, c)[i] = 0.0;
+    for (const Out slip : h_.slip_new)
+      for (int c = 0; c < C; ++c) row_(slip, c)[i] = 0.0;
     if (cell.count < 2) return 0.0;  // its momentum in the frame of v is the mixture's
     bind(cell, a);
     double lost = 0, carried = 0;
@@ -204,7 +174,7 @@ class Cells {
       drag_.decay(cell, row_.step().dt, 0.5, w);
       for (int n = 0; n < cell.count; ++n) {
         w[n] += R[n];
-        row_(h_.state[static_cast<std::size_t>(cell.index[n])].slip_new, c)[i] = cell.M[n] * w[n];
+        row_(h_.slip_new[static_cast<std::size_t>(cell.index[n])], c)[i] = cell.M[n] * w[n];
       }
       sum -= Drag::energy(cell, w);
     }
@@ -279,11 +249,11 @@ class Cells {
     }
     const double sound = std::sqrt(row_(h_.end, 1)[i] * inertia);
     for (int n = 0; n < cell.count; ++n) {
-      const MaterialState& s = h_.state[static_cast<std::size_t>(cell.index[n])];
+      const Out slip = h_.slip_new[static_cast<std::size_t>(cell.index[n])];
       double deck = 0, flow = 0, fastest = 0, sum = 0;
       for (int d = 0; d < D; ++d) {
         const double u = std::fabs(row_(h_.common.next.momentum, d)[i] / cell.total +
-                                   row_(s.slip_new, d)[i] / cell.M[n]);
+                                   row_(slip, d)[i] / cell.M[n]);
         deck = larger(deck, (u + x.knob * sound) * x.inverse_dx[d]);
         fastest = larger(fastest, (u + sound) * x.inverse_dx[d]);
         sum += (u + sound) * x.inverse_dx[d];
@@ -307,49 +277,18 @@ class Cells {
   double l_[D];
 };
 
-// Over the whole row: in runs of one material alone too.
-void diffusion_rates_of_row(const Row& row, const Handles& h, const DiffusionRates& diffusion) {
-  MaterialRows state;
-  for (std::size_t m = 0; m < h.state.size(); ++m) {
-    state.mass[m] = row(h.state[m].mass_new);
-    state.volume[m] = row(h.state[m].volume_new);
-    state.energy[m] = row(h.state[m].energy_new);
-  }
-  const double most = diffusion.largest(state, row.count(), row.step().spacing);
-  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
-}
-
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
-  h.common = read_update(task, v.common, o);
-  h.common.energy_scale = task.read(v.common.energy_scale);
-  h.lagrangian = task.read(v.common.lagrangian_mixture);
-  h.energy_L = task.read(v.energy_L);
-  h.pure = task.read(v.pure);
+  declare_update(task, v, o, h);
   h.velocity_L = task.read(v.slip.velocity_L);
   h.lock = task.read(v.slip.lock);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.flux[a] = task.read(v.flux[a], both);
     h.velocity[a] = task.read(v.common.material_velocity[a], both);
     h.face_pressure[a] = task.read(v.common.face_pressure[a], both);
   }
-  h.common.next.momentum = task.write(v.common.momentum_new);
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    MaterialState s;
-    s.mass = task.read(v.mass[m]);
-    s.volume = task.read(v.volume[m]);
-    s.mass_new = task.write(v.mass_new[m]);
-    s.volume_new = task.write(v.volume_new[m]);
-    s.energy_new = task.write(v.energy_new[m]);
-    s.slip_new = task.write(v.slip.slip_new[m]);
-    h.state.push_back(s);
-  }
-  h.end = task.write(v.end);
-  h.pressure = task.write(v.common.new_pressure);
-  h.closure = task.write(v.common.closure);
-  h.common.next.rho = h.end;
+  for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
   return h;
 }
 

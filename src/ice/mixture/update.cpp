@@ -18,23 +18,14 @@
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/ideal_relaxation.hpp"
 #include "ice/mixture/runs.hpp"
+#include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-struct MaterialState {
-  In mass, volume;
-  Out mass_new, volume_new, energy_new;
-};
-
-struct Handles {
-  UpdateHandles common;
-  In lagrangian, energy_L, pure;
-  std::array<In, 3> flux;  // of each material
-  std::vector<MaterialState> state;
-  Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+struct Handles : UpdateState {
   SourceHandles sources;
 };
 
@@ -45,30 +36,6 @@ struct Laws {
   Collapse collapse;
   HeatExchange heat;
 };
-
-// What the update of one material calls its own.
-UpdateHandles handles_of(const Handles& h, int m) {
-  UpdateHandles u = h.common;
-  const MaterialState& s = h.state[static_cast<std::size_t>(m)];
-  u.next.rho = s.mass_new;
-  u.next.energy = s.energy_new;
-  u.next.closure = h.closure;
-  return u;
-}
-
-void end_row(const Fluid& fluid, int n, const double* rho, const double* E, double* density,
-             double* p, double* K) {
-  std::copy(rho, rho + n, density);
-  if (const eos::IdealGas* gas = fluid.ideal()) {
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      p[i] = gas->pressure(rho[i], E[i]);
-      K[i] = gas->gamma * p[i];
-    }
-    return;
-  }
-  pressure_and_modulus_row(fluid, n, rho, E, p, K);
-}
 
 // Adds the sources; the density of the mixture follows.
 void add_sources(const Row& row, const Handles& h, const SchemeOptions& o) {
@@ -94,24 +61,15 @@ void add_sources(const Row& row, const Handles& h, const SchemeOptions& o) {
 // `o`: the options of material m. True: its cells may hold others now, and need one pressure.
 template <int D, int C>
 bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
-  const int n = row.count();
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
-  for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
-    const MaterialState& s = h.state[static_cast<std::size_t>(other)];
-    double* V = row(s.volume_new);
-    for (int i = 0; i < n; ++i) V[i] = other == m ? 1.0 : 0.0;
-    if (other == m) continue;
-    double *M = row(s.mass_new), *E = row(s.energy_new);
-    for (int i = 0; i < n; ++i) M[i] = E[i] = 0.0;
-  }
+  leave_alone(row, h, m);
   if (o.sources != nullptr) {
     add_sources(row, h, o);
     if (o.sources->takes_from(m, row.step())) return true;
   }
   check_row(row, u, o);
-  end_row(o.fluid, n, row(u.next.rho), row(u.next.energy), row(h.end, 0), row(h.pressure),
-          row(h.end, 1));
+  end_alone(row, h, u, o.fluid);
   return false;
 }
 
@@ -325,43 +283,9 @@ class MixedCells {
   Material rows_[most_materials];
 };
 
-// Over the whole row: in runs of one material alone too.
-void diffusion_rates_of_row(const Row& row, const Handles& h, const DiffusionRates& diffusion) {
-  MaterialRows state;
-  for (std::size_t m = 0; m < h.state.size(); ++m) {
-    state.mass[m] = row(h.state[m].mass_new);
-    state.volume[m] = row(h.state[m].volume_new);
-    state.energy[m] = row(h.state[m].energy_new);
-  }
-  const double most = diffusion.largest(state, row.count(), row.step().spacing);
-  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
-}
-
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
-  h.common = read_update(task, v.common, o);
-  h.common.energy_scale = task.read(v.common.energy_scale);
-  h.lagrangian = task.read(v.common.lagrangian_mixture);
-  h.energy_L = task.read(v.energy_L);
-  h.pure = task.read(v.pure);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
-  }
-  h.common.next.momentum = task.write(v.common.momentum_new);
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    MaterialState s;
-    s.mass = task.read(v.mass[m]);
-    s.volume = task.read(v.volume[m]);
-    s.mass_new = task.write(v.mass_new[m]);
-    s.volume_new = task.write(v.volume_new[m]);
-    s.energy_new = task.write(v.energy_new[m]);
-    h.state.push_back(s);
-  }
-  h.end = task.write(v.end);
-  h.pressure = task.write(v.common.new_pressure);
-  h.closure = task.write(v.common.closure);
-  h.common.next.rho = h.end;
+  declare_update(task, v, o, h);
   h.sources = declare_sources(task, v.common, o);
   return h;
 }

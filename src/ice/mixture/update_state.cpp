@@ -1,0 +1,80 @@
+// Declaring the update of a mixture, and the rows that both kinds of it run.
+#include "ice/mixture/update_state.hpp"
+
+#include <algorithm>
+
+namespace sluice::ice::mixture {
+
+void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h) {
+  h.common = read_update(task, v.common, o);
+  h.common.energy_scale = task.read(v.common.energy_scale);
+  h.lagrangian = task.read(v.common.lagrangian_mixture);
+  h.energy_L = task.read(v.energy_L);
+  h.pure = task.read(v.pure);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  h.common.next.momentum = task.write(v.common.momentum_new);
+  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    MaterialState s;
+    s.mass = task.read(v.mass[m]);
+    s.volume = task.read(v.volume[m]);
+    s.mass_new = task.write(v.mass_new[m]);
+    s.volume_new = task.write(v.volume_new[m]);
+    s.energy_new = task.write(v.energy_new[m]);
+    h.state.push_back(s);
+  }
+  h.end = task.write(v.end);
+  h.pressure = task.write(v.common.new_pressure);
+  h.closure = task.write(v.common.closure);
+  h.common.next.rho = h.end;
+}
+
+UpdateHandles handles_of(const UpdateState& h, int m) {
+  UpdateHandles u = h.common;
+  const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+  u.next.rho = s.mass_new;
+  u.next.energy = s.energy_new;
+  u.next.closure = h.closure;
+  return u;
+}
+
+void leave_alone(const Row& row, const UpdateState& h, int m) {
+  const int n = row.count();
+  for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
+    const MaterialState& s = h.state[static_cast<std::size_t>(other)];
+    double* V = row(s.volume_new);
+    for (int i = 0; i < n; ++i) V[i] = other == m ? 1.0 : 0.0;
+    if (other == m) continue;
+    double *M = row(s.mass_new), *E = row(s.energy_new);
+    for (int i = 0; i < n; ++i) M[i] = E[i] = 0.0;
+  }
+}
+
+void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid) {
+  const int n = row.count();
+  const double *rho = row(u.next.rho), *E = row(u.next.energy);
+  double *p = row(h.pressure), *K = row(h.end, 1);
+  std::copy(rho, rho + n, row(h.end, 0));
+  const eos::IdealGas* gas = fluid.ideal();
+  if (gas == nullptr) return pressure_and_modulus_row(fluid, n, rho, E, p, K);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    p[i] = gas->pressure(rho[i], E[i]);
+    K[i] = gas->gamma * p[i];
+  }
+}
+
+void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion) {
+  MaterialRows state;
+  for (std::size_t m = 0; m < h.state.size(); ++m) {
+    state.mass[m] = row(h.state[m].mass_new);
+    state.volume[m] = row(h.state[m].volume_new);
+    state.energy[m] = row(h.state[m].energy_new);
+  }
+  const double most = diffusion.largest(state, row.count(), row.step().spacing);
+  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,34 @@
+// What the updates of mixtures have in common, with one velocity (update.cpp) or several
+// (slip_update.cpp): what they read and write, cells of one material, the end of a row.
+#pragma once
+#include "ice/conservative/update_rows.hpp"
+#include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+
+struct MaterialState {
+  In mass, volume;
+  Out mass_new, volume_new, energy_new;
+};
+
+struct UpdateState {
+  UpdateHandles common;
+  In lagrangian, energy_L, pure;
+  std::array<In, 3> flux;  // of each material
+  std::vector<MaterialState> state;
+  Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+};
+void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
+
+// What the update of material m alone calls its own.
+UpdateHandles handles_of(const UpdateState& h, int m);
+// Where material m is alone the others have nothing.
+void leave_alone(const Row& row, const UpdateState& h, int m);
+// Density, pressure and modulus of the mixture where `fluid` is alone.
+void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid);
+
+// Over the whole row: in runs of one material alone too.
+void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion);
+
+}  // namespace sluice::ice::mixture
