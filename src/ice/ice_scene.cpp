@@ -196,6 +196,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
     if (scalar.refine_above >= 0)
       s.criteria.push_back({scalar.value().name(), scalar.refine_above, scalar.material});
   s.conditions = read_flow_conditions(root);
+  if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);
   check_own_velocities(scene, s, faults);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "framework/base/vec3.hpp"
 #include "framework/deck/deck.hpp"
 
 namespace sluice::ice {
@@ -41,6 +42,7 @@ struct SlipSettings {
   Model model = Model::first_order;
   double momentum_accommodation = 1, thermal_accommodation = 1;
   bool creep = false;  // at all its walls
+  Vec3 force{};        // that drives the gas beside gravity, N/m^3
 
   bool second_order() const { return model != Model::first_order; }
 };

@@ -39,7 +39,7 @@ void GhostStates::differences_along(IntVec3 cell, int e, SlipCell& slip) const {
     weight += 0.5 * setting_.gravity[e] * dx * (mass(c) + mass(next));
     c = next;
   }
-  slip.pull = ((p[1] - p[0]) - weight) / length;
+  slip.pull = ((p[1] - p[0]) - weight) / length - setting_.conditions.slip->force[e];
   slip.warming = (fluid.temperature(mass(at.high), energy(at.high)) -
                   fluid.temperature(mass(at.low), energy(at.low))) /
                  length;

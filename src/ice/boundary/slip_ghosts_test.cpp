@@ -139,6 +139,17 @@ TEST(SlipGhosts, SecondOrderKnowsWhatPullsAtTheGas) {
   expect_curvature_counts(Model::karniadakis_beskok, -0.5 * reflection);
 }
 
+TEST(SlipGhosts, SecondOrderKnowsTheDrivingForce) {
+  // As the gradient of pressure would, with the other sign.
+  SlipSettings driven = settings(Model::deissler);
+  driven.force = {-4, 0, 0};
+  Channel channel(driven, "slip"), pressed(settings(Model::deissler), "slip");
+  channel.fill([](double, double) { return State{1, 0, 10}; });
+  pressed.fill([](double x, double) { return State{1, 0, 10 + 4 * (x - 0.35)}; });
+  EXPECT_LT(channel.on_wall(3), 0);
+  EXPECT_NEAR(channel.on_wall(3), pressed.on_wall(3), 1e-13);
+}
+
 TEST(SlipGhosts, GasAtRestUnderItsWeightDoesNotSlip) {
   constexpr double gravity = -2;
   Channel channel(settings(Model::deissler), "slip", {}, gravity);
