@@ -45,7 +45,8 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
 template <int D, int C, bool Second, bool Masked, bool Scaled>
 void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.count();
-  const bool even = h.even;
+  // Bound of the slope of density, 2/N or 2; without a branch, or the loop is not vectorised.
+  const double fixed_bound = h.even ? 2.0 : 0.0, bound = h.even ? 0.0 : 2.0;
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
   constexpr bool based = Second && D > 1;
   const double* __restrict uf = row(h.face_velocity);
@@ -104,7 +105,7 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
       const double iN = left ? iNb[i] : iNa[i];
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, even ? 2.0 : 2.0 * iN);
+      rs += weight * donor_slope(R, i, left, nu, fixed_bound + bound * iN);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
       if constexpr (Scaled)
