@@ -107,7 +107,7 @@ void rate_row(const Row& row, const RateHandles& h, const RateConstants& x, Modu
       sum += (speed + c) * x.inverse_dx[d];
       flow_rate += speed * x.inverse_dx[d];
     }
-    sound_rate = larger(sound_rate, x.sum_share * sum);
+    if constexpr (D > 1) sound_rate = larger(sound_rate, x.sum_share * sum);
     const std::int64_t a = ordered_bits(deck_rate), b = ordered_bits(flow_rate),
                        s = ordered_bits(sound_rate);
     deck = a > deck ? a : deck;

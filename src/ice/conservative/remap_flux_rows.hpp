@@ -21,7 +21,7 @@ struct RemapFluxHandles {
   In rho, energy, velocity, inverse_rho, face_velocity, mask;
   In inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, base, energy_scale;
   Out flux;
-  bool even = false;  // density is bounded as energy is: what is linear in both stays so
+  bool even = false;
 };
 
 // The four old values around a face: two on either side.
@@ -42,11 +42,11 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
   return upwind_slope(left ? high : low, middle, nu, B);
 }
 
-template <int D, int C, bool Second, bool Masked, bool Scaled>
+// Even: density is bounded as energy is: what is linear in both stays so. Known when the loop
+// is compiled: a choice in it costs its vectors or its registers.
+template <int D, int C, bool Second, bool Masked, bool Scaled, bool Even = false>
 void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.count();
-  // Bound of the slope of density, 2/N or 2; without a branch, or the loop is not vectorised.
-  const double fixed_bound = h.even ? 2.0 : 0.0, bound = h.even ? 0.0 : 2.0;
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
   constexpr bool based = Second && D > 1;
   const double* __restrict uf = row(h.face_velocity);
@@ -105,7 +105,7 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
       const double iN = left ? iNb[i] : iNa[i];
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, fixed_bound + bound * iN);
+      rs += weight * donor_slope(R, i, left, nu, Even ? 2.0 : 2.0 * iN);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
       if constexpr (Scaled)
@@ -139,9 +139,11 @@ void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
   if (!o.second_order)
     flux_row<D, C, false, false, Scaled>(row, h, axis, l);
   else if (o.masked)
-    flux_row<D, C, true, true, Scaled>(row, h, axis, l);
+    h.even ? flux_row<D, C, true, true, Scaled, true>(row, h, axis, l)
+           : flux_row<D, C, true, true, Scaled>(row, h, axis, l);
   else
-    flux_row<D, C, true, false, Scaled>(row, h, axis, l);
+    h.even ? flux_row<D, C, true, false, Scaled, true>(row, h, axis, l)
+           : flux_row<D, C, true, false, Scaled>(row, h, axis, l);
 }
 
 // Everything but the flux itself.
