@@ -124,19 +124,6 @@ TEST(MixtureFlow, TracesSurviveWaves) {
         }
 }
 
-std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
-  std::vector<double> all;
-  for_each_cell(run.domain(), [&](IntVec3 c) {
-    IntVec3 from = c;
-    if (mirror) from.x = run.domain().upper.x - 1 - c.x;
-    for (int m = 0; m < run.count(); ++m)
-      for (const double v : {run.mass(m, from), run.volume(m, from), run.energy(m, from)})
-        all.push_back(v);
-    all.push_back((mirror ? -1 : 1) * run.momentum(0, from) + 0.0);
-  });
-  return all;
-}
-
 TEST(MixtureFlow, MirroredStartsGiveMirroredBits) {
   for (const int ny : {1, 16}) {
     const auto start = [](double x, double y) {

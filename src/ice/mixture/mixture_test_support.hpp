@@ -112,6 +112,7 @@ class MixtureBox {
     return sum;
   }
   double velocity(IntVec3 c, int d = 0) const { return momentum(d, c) / density(c); }
+  bool has_own_velocities() const { return solver_->state().find(labels().slip, 0) >= 0; }
   // Of a material that has its own; that of the mixture where it is absent.
   double velocity_of(int m, IntVec3 c, int d = 0) const {
     const double M = mass(m, c);
@@ -215,6 +216,25 @@ inline Fluid jwl() {
   law.rho0 = 1840;
   law.specific_heat = 1000;
   return {law, std::nullopt, 1.35, 1000};
+}
+
+// The state of all cells, number by number; `mirror`: as the image along x has it.
+inline std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
+  const double sign = mirror ? -1 : 1;
+  const bool own_velocities = run.has_own_velocities();
+  std::vector<double> all;
+  for_each_cell(run.domain(), [&](IntVec3 c) {
+    IntVec3 from = c;
+    if (mirror) from.x = run.domain().upper.x - 1 - c.x;
+    for (int m = 0; m < run.count(); ++m) {
+      for (const double v : {run.mass(m, from), run.volume(m, from), run.energy(m, from)})
+        all.push_back(v);
+      if (own_velocities) all.push_back(sign * run.view(labels().slip, m, 0, from)(from) + 0.0);
+    }
+    all.push_back(sign * run.momentum(0, from) + 0.0);
+    if (run.domain().size().y > 1) all.push_back(run.momentum(1, from) + 0.0);
+  });
+  return all;
 }
 
 // `run_with`(options, boxes): the bits of 48 x 40 cells at the end of a run.

@@ -97,20 +97,6 @@ TEST(MixtureTransport, AClosedBoxKeepsMassAndEnergy) {
   EXPECT_LE(std::fabs(e1 - e0), limit * e0);
 }
 
-std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
-  std::vector<double> all;
-  for_each_cell(run.domain(), [&](IntVec3 c) {
-    IntVec3 from = c;
-    if (mirror) from.x = run.domain().upper.x - 1 - c.x;
-    for (int m = 0; m < run.count(); ++m)
-      for (const double v : {run.mass(m, from), run.volume(m, from), run.energy(m, from)})
-        all.push_back(v);
-    all.push_back((mirror ? -1 : 1) * run.momentum(0, from) + 0.0);
-    if (run.domain().size().y > 1) all.push_back(run.momentum(1, from) + 0.0);
-  });
-  return all;
-}
-
 TEST(MixtureTransport, BlocksBoxesAndKindsLeaveNoTrace) {
   const auto run_with = [&](const SolverOptions& options, IntVec3 boxes) {
     MixtureBox run(box_of({48, 40, 1}, false), {water, air, heavy}, three, options, boxes,

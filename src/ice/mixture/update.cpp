@@ -295,11 +295,7 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
 void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
-  std::vector<SchemeOptions> of_material;
-  for (const Fluid& fluid : o.fluids) {
-    of_material.push_back(o);
-    of_material.back().fluid = fluid;
-  }
+  const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=,
                  laws = Laws{Equilibration(o.fluids), IdealRelaxation(o.fluids), Collapse(o.fluids),

@@ -31,6 +31,15 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   h.common.next.rho = h.end;
 }
 
+std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o) {
+  std::vector<SchemeOptions> of_material;
+  for (const Fluid& fluid : o.fluids) {
+    of_material.push_back(o);
+    of_material.back().fluid = fluid;
+  }
+  return of_material;
+}
+
 UpdateHandles handles_of(const UpdateState& h, int m) {
   UpdateHandles u = h.common;
   const MaterialState& s = h.state[static_cast<std::size_t>(m)];

@@ -21,6 +21,8 @@ struct UpdateState {
 };
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
 
+// The options of each material alone.
+std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o);
 // What the update of material m alone calls its own.
 UpdateHandles handles_of(const UpdateState& h, int m);
 // Where material m is alone the others have nothing.
