@@ -148,6 +148,20 @@ TEST(BoundaryFill, UnderGravityTheWallPressureContinuesTheDiscreteBalance) {
   EXPECT_DOUBLE_EQ(tube.p(8) - tube.p(7), g * tube.rho(7));
 }
 
+TEST(BoundaryFill, ASpecificVolumeMustBeThatOfTheDensity) {
+  const std::vector<Condition> inflow = {condition("Density", ConditionKind::dirichlet, 4),
+                                         condition("Temperature", ConditionKind::dirichlet, 5),
+                                         velocity(ConditionKind::dirichlet, {7, 0, 0})};
+  std::vector<Condition> with = inflow;
+  with.push_back(condition("SpecificVol", ConditionKind::dirichlet, 0.25));
+  const Tube tube(whole_side(with));
+  EXPECT_DOUBLE_EQ(tube.rho(-3), 4.0);
+  with.back() = condition("SpecificVol", ConditionKind::compute_from_density, 0);
+  EXPECT_DOUBLE_EQ(Tube(whole_side(with)).p(-3), tube.p(-3));
+  with.back() = condition("SpecificVol", ConditionKind::dirichlet, 0.3);
+  EXPECT_THROW(Tube{whole_side(with)}, InputError);
+}
+
 TEST(BoundaryFill, AConditionThatIsNotBuiltIsRefusedByName) {
   Condition slip = condition("Pressure", ConditionKind::other);
   slip.kind_name = "slip";

@@ -1,6 +1,8 @@
 // From the deck's conditions of one boundary region to a ghost rule.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "framework/base/error.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 
@@ -36,6 +38,7 @@ class RuleMaker {
            rule_.temperature_gradient);
     // The pressure is common to all materials: its conditions carry index 0.
     scalar("Pressure", 0, rule_.fixed_pressure, rule_.pressure, rule_.pressure_gradient);
+    specific_volume();
     WallHeat heat{rule_.fixed_temperature, false, rule_.temperature, rule_.temperature_gradient};
     if (slip_temperature_) heat = {true, true, *slip_temperature_, 0};
     if (const Condition* u = region_.find("Velocity", material_)) {
@@ -97,6 +100,28 @@ class RuleMaker {
     }
   }
 
+  // It follows from the density and what fills the cell, unless a value stands beside a density.
+  void specific_volume() {
+    const Condition* c = region_.find("SpecificVol", material_);
+    if (c == nullptr || c->kind == ConditionKind::compute_from_density ||
+        c->kind == ConditionKind::symmetry)
+      return;
+    const bool copied = c->kind == ConditionKind::neumann && c->value == 0;
+    if (copied) return;
+    if (c->kind == ConditionKind::neumann)
+      throw InputError(
+          fmt::format("{}: SpecificVol has the gradient {:g}, but it follows from the density; "
+                      "write computeFromDensity, and the gradient at Density",
+                      to_string(c->where), c->value));
+    if (c->kind != ConditionKind::dirichlet) refuse(*c);
+    if (!rule_.fixed_density)
+      throw InputError(fmt::format(
+          "{}: SpecificVol is given without the Density of the same material; add the Density, or "
+          "write computeFromDensity",
+          to_string(c->where)));
+    rule_.specific_volume = c->value;
+  }
+
   void velocity(const Condition& u, int normal) {
     using Kind = GhostRule::Velocity;
     rule_.velocity = u.vector;
@@ -155,6 +180,18 @@ class RuleMaker {
 GhostRule make_rule(const BoundaryRegion& region, int material, int normal,
                     const FlowConditions& conditions) {
   return RuleMaker(region, material, conditions).make(normal);
+}
+
+GhostRule make_gas_rule(const BoundaryRegion& region, int material, int normal,
+                        const FlowConditions& conditions) {
+  const GhostRule rule = make_rule(region, material, normal, conditions);
+  const double filled = rule.density * rule.specific_volume;
+  if (rule.specific_volume > 0 && !(std::fabs(filled - 1.0) <= unfilled))
+    throw InputError(fmt::format(
+        "{}: {}: the only material fills {:.9g} of a cell, not all of it: SpecificVol is not "
+        "1/Density; write computeFromDensity",
+        to_string(region.where), region.name, filled));
+  return rule;
 }
 
 }  // namespace sluice::ice

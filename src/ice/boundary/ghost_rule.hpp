@@ -9,6 +9,8 @@
 
 namespace sluice::ice {
 
+constexpr double unfilled = 1e-6;  // of a cell: volumes are given with as many digits
+
 // What a wall does to heat: it has a temperature of its own, or a gradient along the inward normal.
 struct WallHeat {
   bool fixed = false, slip = false;      // slip: fixed, but the gas at the wall has another
@@ -23,6 +25,7 @@ struct GhostRule {
   Vec3 velocity_gradient{};  // copy
   bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
   double density = 0, pressure = 0, temperature = 0;
+  double specific_volume = 0;  // given with the density; 0: what fills the cell follows from it
   bool sine_pressure = false;
   bool vortex_pressure = false;  // of TravellingVortices
   bool creep = false;            // slip: towards warmer gas along the wall
@@ -43,6 +46,10 @@ struct GhostRule {
 GhostRule make_rule(const BoundaryRegion& region, int material, int normal,
                     const FlowConditions& conditions);
 
+// Of a gas that fills its cells alone; also refuses a SpecificVol that is not 1/Density.
+GhostRule make_gas_rule(const BoundaryRegion& region, int material, int normal,
+                        const FlowConditions& conditions);
+
 // Of several materials with one velocity and one pressure. Densities given are masses per volume
 // of the cell. Where all are given, what each fills follows from the specific volumes given, or
 // from temperatures and pressure; a pressure that is not given is the one at which they fill the
@@ -51,8 +58,7 @@ struct MixtureRule {
   struct Part {
     GhostRule rule;
     bool absent = false;
-    double specific_volume = 0;  // given; 0: it is not
-    double volume = -1;          // share of the cell, where known beforehand
+    double volume = -1;  // share of the cell, where known beforehand
   };
   std::vector<Part> parts;  // by material
   // Plain where all are so alike; mirrored where those present are. Also the pressure.

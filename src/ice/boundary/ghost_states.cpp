@@ -190,8 +190,8 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
       part.V = r.volume;
       part.rho = r.rule.density / r.volume;
     } else if (fixed) {
-      if (r.specific_volume > 0)
-        part.rho = 1.0 / r.specific_volume;
+      if (r.rule.specific_volume > 0)
+        part.rho = 1.0 / r.rule.specific_volume;
       else if (part.T > 0)
         part.rho = setting_.fluids[m].density(p, part.T);
       part.V = part.rho > 0 ? r.rule.density / part.rho : 0.0;

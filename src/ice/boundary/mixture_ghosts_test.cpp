@@ -1,6 +1,7 @@
 // Ghost states of two materials: copies, walls, outlets, inflow of a mixture, what is refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "framework/base/error.hpp"
@@ -42,7 +43,8 @@ Fluid water() {
 // 2 m/s and 1e5 Pa. The same region on both ends.
 class TwoMaterials {
  public:
-  explicit TwoMaterials(std::vector<Condition> conditions, double gravity = 0) {
+  explicit TwoMaterials(std::vector<Condition> conditions, double gravity = 0,
+                        const FlowConditions& blocks = {}, double time = 0) {
     Level level;
     level.domain = {{0, 0, 0}, {8, 1, 1}};
     level.active = {true, false, false};
@@ -75,8 +77,8 @@ class TwoMaterials {
       at(l.momentum, 0, i) = 2 * density(i);
       at(l.momentum, 0, i, 1) = 0.5 * density(i);
     }
-    BoundaryFill(scene_, materials_, {l.mass, l.momentum, l.energy, 0, {0, 1}, l.volume})
-        .fill(*state_, ThreadTeam());
+    BoundaryFill(scene_, materials_, {l.mass, l.momentum, l.energy, 0, {0, 1}, l.volume}, 0, blocks)
+        .fill(*state_, ThreadTeam(), time);
   }
 
   double& at(Label label, int m, int i, int c = 0) const {
@@ -214,6 +216,65 @@ TEST(MixtureGhosts, UnderGravityTheMixtureWeighs) {
     EXPECT_NEAR(tube.p(m, -2) - 1e5, -g * (tube.density(1) + 2 * tube.density(0)), 1e-5);
 }
 
+TEST(MixtureGhosts, GivenSpecificVolumesTellWhatAnInflowFills) {
+  // Mass per volume of the cell times volume per mass is the share of the cell.
+  const TwoMaterials tube({given("Density", 0.5, 0), given("Density", 600, 1),
+                           given("SpecificVol", 0.8, 0), given("SpecificVol", 1e-3, 1),
+                           given("Pressure", 3e5, 0),
+                           velocity(ConditionKind::dirichlet, {3, 0, 0})});
+  for (const int ghost : {-3, 8}) {
+    EXPECT_DOUBLE_EQ(tube.volume(0, ghost), 0.4);
+    EXPECT_DOUBLE_EQ(tube.volume(1, ghost), 0.6);
+    EXPECT_DOUBLE_EQ(tube.mass(0, ghost), 0.5);
+    EXPECT_DOUBLE_EQ(tube.mass(1, ghost), 600);
+    EXPECT_NEAR(tube.p(0, ghost), 3e5, 1e-6);
+    EXPECT_NEAR(tube.p(1, ghost), 3e5, 1e-3);  // beside 6e8
+  }
+}
+
+TEST(MixtureGhosts, ASpecificVolumeFromTheDensityChangesNothing) {
+  const TwoMaterials without(inflow(0.3, true));
+  for (const ConditionKind kind : {ConditionKind::compute_from_density, ConditionKind::neumann}) {
+    std::vector<Condition> conditions = inflow(0.3, true);
+    conditions.push_back(scalar("SpecificVol", kind, 0));
+    const TwoMaterials with(std::move(conditions));
+    for (const int ghost : {-1, 9})
+      for (int m = 0; m < 2; ++m) {
+        EXPECT_EQ(with.volume(m, ghost), without.volume(m, ghost));
+        EXPECT_EQ(with.mass(m, ghost), without.mass(m, ghost));
+        EXPECT_EQ(with.energy(m, ghost), without.energy(m, ghost));
+      }
+  }
+}
+
+Condition special(const char* variable, const char* kind, Vec3 value = {}) {
+  Condition c = velocity(ConditionKind::other, value);
+  c.variable = variable;
+  c.kind_name = kind;
+  return c;
+}
+
+TEST(MixtureGhosts, ASwingingPressureIsThatOfAllMaterials) {
+  FlowConditions blocks;
+  blocks.sine = SineSettings{2.0, 3e4, 1e5, {0, 0, 0}};
+  const double p = 1e5 + 3e4 * std::sin(0.6);
+  const TwoMaterials tube({special("Pressure", "Sine"), outflow}, 0, blocks, 0.3);
+  EXPECT_NEAR(tube.p(0, -2), p, 1e-9);
+  EXPECT_NEAR(tube.p(1, 8), p, 1e-5);  // beside 6e8
+  EXPECT_EQ(tube.volume(0, -2), 1.0);
+  EXPECT_DOUBLE_EQ(tube.mass(1, 8), tube.mass(1, 7));
+}
+
+TEST(MixtureGhosts, AnInletProfileMovesAllMaterials) {
+  FlowConditions blocks;
+  blocks.profile = InletProfile{};
+  blocks.profile->exponent = 0.5;
+  blocks.profile->height = 4.0;  // the only row's centre lies at half a metre
+  const TwoMaterials tube({special("Velocity", "powerLawProfile", {6, 0, 0})}, 0, blocks);
+  for (const int ghost : {-1, 10}) EXPECT_DOUBLE_EQ(tube.u(ghost), 6 * std::sqrt(0.5 / 4.0));
+  EXPECT_TRUE(same_materials(tube, 10, 7));
+}
+
 std::string refusal(std::vector<Condition> conditions) {
   try {
     const TwoMaterials tube(std::move(conditions));
@@ -234,6 +295,14 @@ TEST(MixtureGhosts, DensitiesAloneDoNotSayWhatTheyFill) {
   const std::string text = refusal({given("Density", 0.5, 0), given("Density", 500, 1),
                                     velocity(ConditionKind::dirichlet, {1, 0, 0})});
   EXPECT_NE(text.find("SpecificVol"), std::string::npos) << text;
+}
+
+TEST(MixtureGhosts, ASpecificVolumeThatSaysNothingIsRefused) {
+  EXPECT_NE(refusal({given("SpecificVol", 0.8, 0), outflow}).find("without the Density"),
+            std::string::npos);
+  EXPECT_NE(refusal({scalar("SpecificVol", ConditionKind::neumann, 0.1, 0), outflow})
+                .find("has the gradient 0.1"),
+            std::string::npos);
 }
 
 TEST(MixtureGhosts, AWallForOneMaterialOnlyIsRefused) {

@@ -10,8 +10,7 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double trace = 1e-9;     // of the largest density
-constexpr double unfilled = 1e-6;  // volumes are given with as many digits
+constexpr double trace = 1e-9;  // of the largest density
 constexpr int most_bisections = 200;
 
 using Part = MixtureRule::Part;
@@ -33,7 +32,6 @@ class MixtureRuleMaker {
       part.rule = make_rule(region_, material.index, normal, conditions_);
       if (part.rule.velocity_kind == GhostRule::Velocity::vortices || part.rule.vortex_pressure)
         refuse("MMS_1 is the exact flow of one gas; this deck has {}", materials_.size());
-      part.specific_volume = specific_volume(material.index);
       densest = std::max(densest, part.rule.density);
       rule_.parts.push_back(part);
     }
@@ -52,10 +50,6 @@ class MixtureRuleMaker {
                                  fmt::format(text, std::forward<Arguments>(arguments)...)));
   }
 
-  double specific_volume(int material) const {
-    const Condition* c = region_.find("SpecificVol", material);
-    return c != nullptr && c->kind == ConditionKind::dirichlet ? c->value : 0.0;
-  }
   std::string name(std::size_t m) const {
     const IceMaterial& material = materials_[m];
     return material.name.empty() ? fmt::format("material {}", material.index)
@@ -81,7 +75,7 @@ class MixtureRuleMaker {
   // What a material of this density fills at a pressure.
   double volume_at(std::size_t m, double pressure) const {
     const Part& part = rule_.parts[m];
-    if (part.specific_volume > 0) return part.rule.density * part.specific_volume;
+    if (part.rule.specific_volume > 0) return part.rule.density * part.rule.specific_volume;
     return part.rule.density / materials_[m].fluid.density(pressure, part.rule.temperature);
   }
 
@@ -92,12 +86,12 @@ class MixtureRuleMaker {
     each_present([&](std::size_t m, const Part& part) {
       present.push_back(m);
       all = all && part.rule.fixed_density;
-      known = known && (part.specific_volume > 0 || temperature_known(part));
+      known = known && (part.rule.specific_volume > 0 || temperature_known(part));
     });
     if (!all) {
       for (const std::size_t m : present) {
         const Part& part = rule_.parts[m];
-        if (part.rule.fixed_density && part.specific_volume <= 0 && !temperature_known(part))
+        if (part.rule.fixed_density && part.rule.specific_volume <= 0 && !temperature_known(part))
           refuse("the density of {} is given, but not what it fills; give its Temperature too",
                  name(m));
       }
@@ -113,7 +107,7 @@ class MixtureRuleMaker {
           "or the SpecificVol of each",
           present.size());
     const bool from_volumes = std::all_of(present.begin(), present.end(), [&](std::size_t m) {
-      return rule_.parts[m].specific_volume > 0;
+      return rule_.parts[m].rule.specific_volume > 0;
     });
     GhostRule& pressure = rule_.parts.front().rule;
     if (pressure.sine_pressure && !from_volumes)
