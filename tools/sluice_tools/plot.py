@@ -171,7 +171,8 @@ def head_text(archive, step, given):
 
 def material_text(step, name, given):
     """Which material is drawn, where there are several."""
-    there = step.materials(views.split_name(name)[0])
+    label = views.split_name(name)[0]
+    there = [] if label in style.COMMON else step.materials(label)
     line = len(step.levels[0].active_directions()) == 1 and not given.radius
     if len(there) < 2 or (line and given.material is None):
         return ""  # lines of all materials are told in the legend

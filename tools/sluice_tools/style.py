@@ -21,7 +21,10 @@ WORDS = {
     "vel_CC": "velocity", "temp_CC": "temperature", "sp_vol_CC": "specific volume",
     "vol_frac_CC": "volume fraction", "speedSound_CC": "sound speed",
     "mag_grad_rho_CC": "density gradient", "vorticity": "vorticity",
+    "sum_rho_CC": "density of all materials",
 }
+# Of the cell, whatever the material they are stored for.
+COMMON = {"press_CC", "press_equil_CC", "sum_rho_CC"}
 
 
 def caption(name, unit):

@@ -30,8 +30,12 @@ class Step:
 
 class MaterialText(unittest.TestCase):
     def text(self, there, given=None, name="rho_CC", directions=(0, 1)):
-        return plot.material_text(Step({"rho_CC": there, "vel_CC": there}, directions), name,
+        stored = dict.fromkeys(("rho_CC", "vel_CC", "press_CC"), there)
+        return plot.material_text(Step(stored, directions), name,
                                   types.SimpleNamespace(material=given, radius=False))
+
+    def test_what_belongs_to_the_cell_names_no_material(self):
+        self.assertEqual(self.text([0, 1], name="press_CC"), "")
 
     def test_one_material_is_not_named(self):
         self.assertEqual(self.text([0]), "")
