@@ -106,9 +106,12 @@ class Cells {
     V = V_before * row_(h_.lagrangian, 0)[i] + dV;
     E = row_(h_.energy_L, m)[i] + dE;
     if (is_gone(M, V, M_before, V_before)) {
-      const double left_over = E;
+      double left_over = E;
       M = V = E = 0.0;
-      for (int c = 0; c < C; ++c) a[c] = q[c];
+      for (int c = 0; c < C; ++c) {
+        a[c] = q[c];
+        left_over += w[c] * q[c];  // from the frame of v_m to that of v
+      }
       return gain + left_over;
     }
     double square = 0, carried = 0;
