@@ -5,10 +5,13 @@
 // mixture's Lagrangian velocity, with v_m = v + w_mL:
 //   q_m = sum_d [F_m- (U_m- - v_m) - F_m+ (U_m+ - v_m)],   a_m = M_m' w_mL + q_m
 //   S_m' = a_m - (M_m'/rho') sum a_n
-//   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 - |q_m|^2/(2 M_m') }
 // then half a step of drag about what pressure holds against it, w'' = R + E (w' - R), R the answer
-// to dm_m = -(V_m' - M_m'/rho') l (p_f+ - p_f-) in a whole step. k and what the kinetic energy of
-// slip lost go to the materials by mass. Cells of pure neighbourhood run the rows of one material.
+// to dm_m = -(V_m' - M_m'/rho') l (p_f+ - p_f-) in a whole step. Heat is what the kinetic energy
+// has lost, in the frame of v, to the materials by mass:
+//   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 + w_mL q_m + M_m' w_mL^2/2 }
+//       - |sum a_m|^2/(2 rho') - sum_m M_m' w_m''^2/2
+// (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of pure
+// neighbourhood run the rows of one material.
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/collapse.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
@@ -79,7 +82,8 @@ class Cells {
   }
 
   // Of a material, after the remap. `a`: momentum in the frame of v; of one that is gone what it
-  // leaves behind. Returns its share of k.
+  // leaves behind. Returns the kinetic energy in that frame that it had and was given, and the
+  // internal energy of one that is gone.
   double remap(int m, int i, double& M, double& V, double& E, double* a, double* passed) const {
     const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
     double dV = 0, dM = 0, dE = 0, gain = 0, q[C] = {}, own[C] = {}, w[C];
@@ -105,21 +109,17 @@ class Cells {
     M = M_before + dM;
     V = V_before * row_(h_.lagrangian, 0)[i] + dV;
     E = row_(h_.energy_L, m)[i] + dE;
-    if (is_gone(M, V, M_before, V_before)) {
-      double left_over = E;
-      M = V = E = 0.0;
-      for (int c = 0; c < C; ++c) {
-        a[c] = q[c];
-        left_over += w[c] * q[c];  // from the frame of v_m to that of v
-      }
-      return gain + left_over;
-    }
-    double square = 0, carried = 0;
+    double brought = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
+      (c < D ? brought : carried) += w[c] * (q[c] + 0.5 * M * w[c]);
       a[c] = M * w[c] + q[c];
-      (c < D ? square : carried) += q[c] * q[c];
     }
-    return gain - 0.5 * (square + carried) / M;
+    double left_over = 0;
+    if (is_gone(M, V, M_before, V_before)) {
+      left_over = E;
+      M = V = E = 0.0;
+    }
+    return gain + (brought + carried) + left_over;
   }
 
   void cell(int i) const {
@@ -142,36 +142,34 @@ class Cells {
       present.V[present.count] = larger(V[m], 0.0);
       ++present.count;
     }
-    k += finish_drag(present, a, i) - left_behind(present, M, a);
+    k -= kinetic_energy(a, rho) + finish_drag(present, a, i);
     for (int m = 0; m < materials_; ++m) E[m] += k / rho * M[m];
     close(M, V, E, rho, i);
     rates(present, V, i);
   }
 
-  // The kinetic energy of the momentum that materials leave behind when they go.
-  double left_behind(const DragCell& cell, const double* M, const double (*a)[C]) const {
+  // Of the mixture, in the frame of v, with what materials leave behind when they go.
+  double kinetic_energy(const double (*a)[C], double rho) const {
     double sum = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
-      double left = 0, total = 0;
-      for (int m = 0; m < materials_; ++m) (M[m] == 0.0 ? left : total) += a[m][c];
-      (c < D ? sum : carried) += left * (total + 0.5 * left) / cell.total;
+      double total = 0;
+      for (int m = 0; m < materials_; ++m) total += a[m][c];
+      (c < D ? sum : carried) += total * total;
     }
-    return sum + carried;
+    return 0.5 * (sum + carried) / rho;
   }
-  // Slip of those present, written; what its kinetic energy lost.
+  // Slip of those present, written; its kinetic energy.
   double finish_drag(DragCell& cell, const double (*a)[C], int i) const {
     for (const Out slip : h_.slip_new)
       for (int c = 0; c < C; ++c) row_(slip, c)[i] = 0.0;
     if (cell.count < 2) return 0.0;  // its momentum in the frame of v is the mixture's
     bind(cell, a);
-    double lost = 0, carried = 0;
+    double kept = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       double w[most_materials], R[most_materials] = {}, total = 0;
       for (int n = 0; n < cell.count; ++n) total += a[cell.index[n]][c];
       for (int n = 0; n < cell.count; ++n)
         w[n] = a[cell.index[n]][c] / cell.M[n] - total / cell.total;
-      double& sum = c < D ? lost : carried;
-      sum += Drag::energy(cell, w);
       if (c < D) respond(cell, c, i, R);
       for (int n = 0; n < cell.count; ++n) w[n] -= R[n];
       drag_.decay(cell, row_.step().dt, 0.5, w);
@@ -179,9 +177,9 @@ class Cells {
         w[n] += R[n];
         row_(h_.slip_new[static_cast<std::size_t>(cell.index[n])], c)[i] = cell.M[n] * w[n];
       }
-      sum -= Drag::energy(cell, w);
+      (c < D ? kept : carried) += Drag::energy(cell, w);
     }
-    return lost + carried;
+    return kept + carried;
   }
   void bind(DragCell& cell, const double (*a)[C]) const {
     double total[D] = {};
