@@ -142,7 +142,7 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
     in.linear = in.linear && l.is;
     in.ideal = in.ideal && l.is && l.gamma_pi == 0.0 && l.q == 0.0;
     in.stiffest = std::fmax(in.stiffest, l.pi);
-    if (l.pi == 0.0 && (in.gas < 0 || cell.V[m] > cell.V[in.gas])) in.gas = m;
+    if (in.weakest < 0 || is_weaker(m, in.weakest, cell)) in.weakest = m;
     if (in.largest < 0 || cell.V[m] > cell.V[in.largest]) in.largest = m;
   }
   result.pressure = weighted / softness;
@@ -157,6 +157,13 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
   return !same;
 }
 
+// Which of two is the first to give way under tension; of alike ones the larger.
+bool Equilibration::is_weaker(int m, int n, const Cell& cell) const {
+  const double a = linear_[static_cast<std::size_t>(m)].pi;
+  const double b = linear_[static_cast<std::size_t>(n)].pi;
+  return a < b || (a == b && cell.V[m] > cell.V[n]);
+}
+
 bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
   const int all = in.count;
   in.count = 0;
@@ -167,7 +174,7 @@ bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
     else
       in.index[in.count++] = m;
   }
-  if (in.gas >= 0 && cell.V[in.gas] < trace) in.gas = -1;
+  if (cell.V[in.weakest] < trace) in.weakest = -1;
   return in.count > 0 && in.count < all;
 }
 
@@ -194,18 +201,19 @@ double Equilibration::relax(const Cell& cell, const Present& in, double q, int r
   return energy;
 }
 
-// The gas of a cavity holds the energy of pressure q in what the liquids leave; the heaviest other
-// material pays.
+// The gas of a cavity (or the weakest liquid, which gives way as a gas does) holds the energy of
+// pressure q in what the others leave; the heaviest of them pays.
 void Equilibration::fill_cavity(const Cell& cell, const Present& in, double q) const {
-  const double before = cell.E[in.gas];
-  const double others = relax(cell, in, q, in.gas);
-  cell.E[in.gas] = q * cell.V[in.gas] / linear_[static_cast<std::size_t>(in.gas)].G;
+  const double before = cell.E[in.weakest];
+  const double others = relax(cell, in, q, in.weakest);
+  const Linear& l = linear_[static_cast<std::size_t>(in.weakest)];
+  cell.E[in.weakest] = (q + l.gamma_pi) * cell.V[in.weakest] / l.G + l.q * cell.M[in.weakest];
   int heaviest = -1;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    if (m != in.gas && (heaviest < 0 || cell.M[m] > cell.M[heaviest])) heaviest = m;
+    if (m != in.weakest && (heaviest < 0 || cell.M[m] > cell.M[heaviest])) heaviest = m;
   }
-  cell.E[heaviest] -= others + (cell.E[in.gas] - before);
+  cell.E[heaviest] -= others + (cell.E[in.weakest] - before);
 }
 
 Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
@@ -221,9 +229,12 @@ Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
       }
     }
     // Gas beside a liquid under tension keeps a least pressure, or its energy would be lost in
-    // round-off.
-    const double least = least_cavity_pressure * in.stiffest;
-    if (in.linear && in.gas >= 0 && in.count > 1 && q < least) {
+    // round-off; so does a weak liquid above the least pressure that it bears.
+    const bool may_open = in.linear && in.weakest >= 0 && in.count > 1;
+    const double least = may_open ? least_cavity_pressure * in.stiffest -
+                                        linear_[static_cast<std::size_t>(in.weakest)].pi
+                                  : -infinity;
+    if (q < least) {
       q = least;
       fill_cavity(cell, in, q);
     } else {

@@ -56,7 +56,7 @@ class Equilibration {
   struct Present {
     int index[most_materials];
     int count = 0;
-    int largest = -1, gas = -1;        // by volume; the first with a lowest pressure of zero
+    int largest = -1, weakest = -1;    // by volume; by the tension that it bears
     double stiffest = 0;               // pi, Pa
     double volume = 1.0;               // that they fill together
     bool linear = true, ideal = true;  // all laws
@@ -66,6 +66,7 @@ class Equilibration {
   double modulus(int m, double rho, double p) const;
   Branch branch(int m, double q, double M, double V, double E) const;
   Branch general_branch(const Fluid& fluid, double q, double M, double V, double E) const;
+  bool is_weaker(int m, int n, const Cell& cell) const;
   // Without the materials of which there is a trace; false: there are none, or only one.
   bool leave_traces_out(const Cell& cell, Present& in) const;
   // From the start q; false: there is none.

@@ -1,12 +1,16 @@
 // Heat exchange at a point, by relaxation of the temperatures of each pair.
 #include "ice/mixture/heat_exchange.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "ice/mixture/pair_relaxation.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
+
+// Of its temperature: below it too few digits of the energy are left.
+constexpr double least_share = 1e-6;
 
 bool has_constant_heat(const Fluid& fluid) {
   if (fluid.heat) return false;
@@ -21,28 +25,67 @@ HeatExchange::HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficie
 }
 
 bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt) const {
-  int present[most_materials], n = 0;
+  Present in;
   for (int m = 0; m < static_cast<int>(fluids_.size()); ++m)
-    if (cell.M[m] > 0.0) present[n++] = m;
+    if (cell.M[m] > 0.0) in.index[in.count++] = m;
+  const int n = in.count;
   if (n < 2) return false;
-  double T[most_materials], C[most_materials], gain[most_materials];
-  double k[most_materials * most_materials];
-  bool differ = false;
   for (int i = 0; i < n; ++i) {
-    const int m = present[i];
+    const int m = in.index[i];
     const auto a = static_cast<std::size_t>(m);
     const Fluid& fluid = fluids_[a];
     const double rho = cell.M[m] / cell.V[m], rho_e = cell.E[m] / cell.V[m];
-    T[i] = fluid.temperature(rho, rho_e);
-    C[i] = cell.M[m] * (constant_heat_[a] ? fluid.specific_heat : fluid.heat_capacity(rho, rho_e));
-    differ = differ || T[i] != T[0];
-    for (int j = 0; j < n; ++j)
-      k[i * n + j] = i == j ? 0.0 : dt * H_(m, present[j]) * cell.V[m] * cell.V[present[j]];
+    in.T[i] = fluid.temperature(rho, rho_e);
+    in.C[i] =
+        cell.M[m] * (constant_heat_[a] ? fluid.specific_heat : fluid.heat_capacity(rho, rho_e));
   }
-  if (!differ) return false;
-  relax_pairs(n, C, T, k, gain);
-  for (int i = 0; i < n; ++i) cell.E[present[i]] += gain[i];
+  const auto [coldest, hottest] = std::minmax_element(in.T, in.T + n);
+  if (*coldest == *hottest) return false;
+  double k[most_materials * most_materials], gain[most_materials];
+  couple(cell, in, dt, k);
+  relax_pairs(n, in.C, in.T, k, gain);
+  bool sound = true;
+  for (int i = 0; i < n; ++i) {
+    const double after = in.T[i] + gain[i] / in.C[i];
+    sound = sound && after >= *coldest && after <= *hottest && after >= least_share * in.T[i];
+  }
+  if (!sound) {
+    couple(cell, in, dt, k);
+    take_means(cell, in, k, gain);
+  }
+  const auto largest = std::max_element(in.C, in.C + n) - in.C;
+  double others = 0;
+  for (int i = 0; i < n; ++i)
+    if (i != largest) others += gain[i];
+  for (int i = 0; i < n; ++i) {
+    double& E = cell.E[in.index[i]];
+    E = i == largest ? E - others : sound ? E + gain[i] : in.E[i];
+  }
   return true;
+}
+
+void HeatExchange::couple(const Equilibration::Cell& cell, const Present& in, double dt,
+                          double* k) const {
+  for (int i = 0; i < in.count; ++i)
+    for (int j = 0; j < in.count; ++j) {
+      const int m = in.index[i], n = in.index[j];
+      k[i * in.count + j] = i == j ? 0.0 : dt * H_(m, n) * cell.V[m] * cell.V[n];
+    }
+}
+
+// A step of backward Euler: (C + K) T' = C T has no differences, so that T' are means of T with all
+// their digits. Energies are those of T'.
+void HeatExchange::take_means(const Equilibration::Cell& cell, Present& in, double* k,
+                              double* gain) const {
+  double T[most_materials];
+  for (int i = 0; i < in.count; ++i) T[i] = in.C[i] * in.T[i];
+  solve_pairs(in.count, in.C, k, T);
+  for (int i = 0; i < in.count; ++i) {
+    const int m = in.index[i];
+    const Fluid& fluid = fluids_[static_cast<std::size_t>(m)];
+    in.E[i] = cell.V[m] * fluid.energy_from_temperature(cell.M[m] / cell.V[m], T[i]);
+    gain[i] = in.E[i] - cell.E[m];
+  }
 }
 
 }  // namespace sluice::ice::mixture

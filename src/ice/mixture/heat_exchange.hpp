@@ -1,4 +1,7 @@
 // Heat between the materials of a cell: dE_m/dt = sum_n H_mn V_m V_n (T_n - T_m).
+//
+// By the exponential (two materials) or at second order (more). Where that leaves the range of the
+// temperatures, or little of one of them (next to nothing beside a liquid), by backward Euler.
 #pragma once
 #include <vector>
 
@@ -17,6 +20,16 @@ class HeatExchange {
   bool exchange(const Equilibration::Cell& cell, double dt) const;
 
  private:
+  struct Present {
+    int index[most_materials];
+    int count = 0;
+    double T[most_materials], C[most_materials];  // K, J/(m^3 K)
+    double E[most_materials];                     // after it, of take_means
+  };
+  // What a pair exchanges for a unit of difference, in n x n.
+  void couple(const Equilibration::Cell& cell, const Present& in, double dt, double* k) const;
+  void take_means(const Equilibration::Cell& cell, Present& in, double* k, double* gain) const;
+
   std::vector<Fluid> fluids_;
   std::vector<bool> constant_heat_;
   PairCoefficients H_;
