@@ -33,14 +33,18 @@ Effect by_material(const char* effect, const char* tag, const IceScene& ice,
 Effect viscous_stress(const IceScene& ice) {
   Effect e = by_material("viscous stress", "dynamic_viscosity", ice, &IceMaterial::viscosity,
                          &IceMaterial::viscosity_where);
-  const ViscosityModels& models = ice.materials.front().viscosity_models;
-  if (models.any()) {
-    e.on = true;
+  const bool several = ice.materials.size() > 1;
+  for (const IceMaterial& m : ice.materials) {
+    const ViscosityModels& models = m.viscosity_models;
+    if (!models.any()) continue;
     e.line = models.where;
-    if (models.sutherland) e.reason = "Sutherland's law";
+    e.on = true;
+    const std::string of = several ? fmt::format(" ({})", called(m)) : "";
+    if (models.sutherland)
+      e.reason = several ? e.reason + ", Sutherland's law" + of : "Sutherland's law";
     if (!models.sponges.empty())
-      e.reason += fmt::format(", {} sponge layer{}", models.sponges.size(),
-                              models.sponges.size() == 1 ? "" : "s");
+      e.reason += fmt::format(", {} sponge layer{}{}", models.sponges.size(),
+                              models.sponges.size() == 1 ? "" : "s", of);
   }
   if (ice.turbulence) e.reason += ", subgrid viscosity";
   if (!ice.wall_shear.empty())
@@ -83,13 +87,14 @@ std::string pairs_text(const PairCoefficients& k) {
 
 Effect exchange(const char* effect, const PairCoefficients& k, const IceScene& ice,
                 const Location& where) {
+  const char* grows = k.varies() ? ", more between unlike masses" : "";
   const ExchangeSettings& x = ice.exchange;
   if (ice.materials.size() < 2)
     return {effect, false,
             x.written ? "one material: the coefficients have nobody to act on" : "one material",
             x.where};
   if (!x.written) return {effect, false, "no <exchange_coefficients> in the deck", {}};
-  return {effect, k.any(), fmt::format("coefficients {}", pairs_text(k)), where};
+  return {effect, k.any(), fmt::format("coefficients {}{}", pairs_text(k), grows), where};
 }
 
 void add_exchange(const IceScene& ice, EffectList& e) {

@@ -41,6 +41,14 @@ bool varies(const DeckNode* exchange, const char* kind) {
   return model != nullptr && model->text == "linearVariation";
 }
 
+// The coefficients of momentum or heat.
+PairCoefficients coefficients_of(const DeckNode* exchange, const DeckNode* list, const char* kind,
+                                 int materials) {
+  PairCoefficients k = triangle(list, materials);
+  if (varies(exchange, kind)) k.vary_with_mass();
+  return k;
+}
+
 // "0-1, 0-2, 1-2"
 std::string pair_names(int materials) {
   std::string names;
@@ -93,16 +101,15 @@ void check_models(const DeckNode& exchange, int materials, std::vector<Fault>& f
   const DeckNode* convective = exchange.child("do_convective_heat_transfer");
   if (convective != nullptr && convective->text == "true")
     not_built(*convective, "convective heat exchange with a solid", "write false", faults);
-  if (materials < 2) return;  // nothing to exchange
-  for (const char* kind : {"momentum", "heat"}) {
-    if (!varies(&exchange, kind)) continue;
-    const DeckNode* model = exchange.find(std::string("CoefficientModel/") + kind);
-    not_built(*model, fmt::format("linearVariation of the {} coefficients", kind), "write constant",
-              faults);
-  }
 }
 
 }  // namespace
+
+double growth_with_mass_ratio(double M_m, double M_n) {
+  constexpr double least = 1e5, most = 1e12;
+  const double ratio = M_m > M_n ? M_m / M_n : M_n / M_m;
+  return std::clamp(ratio * ratio, least, most) / least;
+}
 
 bool PairCoefficients::any() const {
   return std::any_of(values_.begin(), values_.end(), [](double k) { return k > 0; });
@@ -122,13 +129,11 @@ ExchangeSettings read_exchange(const DeckNode& root, int materials) {
   const DeckNode* exchange = exchange_node(root);
   if (exchange == nullptr) return s;
   s.where = exchange->where;
-  s.momentum_varies = varies(exchange, "momentum");
-  s.heat_varies = varies(exchange, "heat");
   if (const DeckNode* coefficients = exchange->child("exchange_coefficients")) {
     s.written = true;
     const DeckNode *momentum = coefficients->child("momentum"), *heat = coefficients->child("heat");
-    s.momentum = triangle(momentum, materials);
-    s.heat = triangle(heat, materials);
+    s.momentum = coefficients_of(exchange, momentum, "momentum", materials);
+    s.heat = coefficients_of(exchange, heat, "heat", materials);
     s.momentum_where = momentum != nullptr ? momentum->where : exchange->where;
     s.heat_where = heat != nullptr ? heat->where : exchange->where;
   }
@@ -154,7 +159,9 @@ TagSpec exchange_tag() {
   };
   return tag("exchange_properties", "momentum and heat exchange between materials")
       .with_children(
-          {tag("CoefficientModel", "how coefficients vary; linearVariation is not built yet")
+          {tag("CoefficientModel",
+               "how coefficients vary; linearVariation: times r^2/1e5, from 1 to 1e7, r the ratio "
+               "of the masses, so that next to nothing is bound as well")
                .with_children({variation("momentum", "variation of the momentum coefficients"),
                                variation("heat", "variation of the heat coefficients")}),
            tag("Model", "slip of a rarefied gas at a solid; not built yet")

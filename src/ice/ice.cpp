@@ -19,6 +19,15 @@
 namespace sluice::ice {
 namespace {
 
+// Of all materials, on the cells of a level.
+std::vector<TransportModels> transport_models(const IceScene& ice, const Level& level) {
+  std::vector<TransportModels> all;
+  for (const IceMaterial& m : ice.materials)
+    all.push_back({m.viscosity_models.sutherland, sponge_cells(m.viscosity_models, level),
+                   ice.turbulence, ice.wall_shear});
+  return all;
+}
+
 SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   const Level& level = scene.grid.levels.front();
   SchemeOptions o;
@@ -49,16 +58,13 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   for (const IceMaterial& each : ice.materials) {
     o.viscosities.push_back(each.viscosity);
     o.conductivities.push_back(each.conductivity);
-    o.viscous = o.viscous || each.viscosity > 0;
+    o.viscous = o.viscous || each.viscous();
     o.conducting = o.conducting || each.conductivity > 0;
   }
   o.viscosity = m.viscosity;
-  o.viscous = o.viscous || m.viscous();
   o.conductivity = m.conductivity;
-  o.transport.sutherland = m.viscosity_models.sutherland;
-  o.transport.sponges = sponge_cells(m.viscosity_models, level);
-  o.transport.turbulence = ice.turbulence;
-  o.transport.wall_shear = ice.wall_shear;
+  o.transports = transport_models(ice, level);
+  o.transport = o.transports.front();
   o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
   o.conducting = o.conducting || ice.turbulence;
   o.conductivity_varies = ice.turbulence.has_value();
@@ -135,9 +141,9 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   add_slopes(list, v, o, effect_second_order);                // u, p       su, sp, P, UT
   add_faces(list, v, o, effect_flow);                         // slopes     u_f, p_f
-  mixture::add_viscosity(list, m, o, effect_viscosity);       // V_m        mu
-  add_viscous_stress(list, v, o, effect_viscosity);           // u, mu      t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_viscosity(list, m, o, effect_viscosity, effect_turbulence);  // V_m, T_m, u  mu
+  add_viscous_stress(list, v, o, effect_viscosity);                         // u, mu      t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);  // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);           // u_f, p_f   E_mL, scales
   mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
@@ -165,9 +171,9 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
   add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
   mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
-  mixture::add_viscosity(list, m, o, effect_viscosity);       // V_m        mu
-  add_viscous_stress(list, v, o, effect_viscosity);           // u, mu      t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_viscosity(list, m, o, effect_viscosity, effect_turbulence);  // V_m, T_m, u  mu
+  add_viscous_stress(list, v, o, effect_viscosity);                         // u, mu      t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);  // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
   mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow
@@ -215,7 +221,8 @@ SchemeOptions Ice::at_level(int level) const {
   const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];
   o.level = &cells;
   o.domain = cells.domain;
-  o.transport.sponges = sponge_cells(ice_.materials.front().viscosity_models, cells);
+  o.transports = transport_models(ice_, cells);
+  o.transport = o.transports.front();
   o.boundary = boundary_[static_cast<std::size_t>(level)].get();
   if (!sources_.empty()) o.sources = sources_[static_cast<std::size_t>(level)].get();
   o.first_source_sum = first_source_sum();
@@ -294,10 +301,12 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   const auto m = static_cast<std::size_t>(o.material);
   o.fluid = o.fluids[m];
   if (o.fluids.size() > 1) {
+    o.transport = o.transports[m];
     o.viscosity = o.viscosities[m];
-    o.viscous = o.viscosity > 0;
+    o.viscous = ice_.materials[m].viscous();
+    o.viscosity_varies = o.transport.molecular_varies() || ice_.turbulence;
     o.conductivity = o.conductivities[m];
-    o.conducting = o.conductivity > 0;
+    o.conducting = o.conductivity > 0 || ice_.turbulence;
   }
   declare_conservative(list, o);
 }

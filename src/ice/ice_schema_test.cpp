@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/deck/load_deck.hpp"
+#include "ice/exchange_settings.hpp"
 
 namespace sluice {
 namespace {
@@ -214,6 +215,27 @@ TEST(IceSchema, TakesAnyCoefficientOfMomentum) {
     EXPECT_THAT(messages(with_a_second_material(coefficients(silent, "[0]"))),
                 testing::Not(HasSubstr(told)));
   EXPECT_THAT(messages(with_a_second_material("")), testing::Not(HasSubstr(told)));
+}
+
+TEST(IceSchema, ReadsHowCoefficientsVary) {
+  std::string text = coefficients("[3]", "[7]");
+  const auto read = [&](const char* momentum, const char* heat) {
+    std::string varying = text;
+    varying.insert(varying.find("<exchange_coeff"), std::string("<CoefficientModel><momentum>") +
+                                                        momentum + "</momentum><heat>" + heat +
+                                                        "</heat></CoefficientModel>");
+    const Deck deck = with_a_second_material(varying);
+    EXPECT_EQ(messages(deck).find("Coefficient"), std::string::npos) << messages(deck);
+    return ice::read_exchange(*deck.root, 2);
+  };
+  const ice::ExchangeSettings heat = read("constant", "linearVariation");
+  EXPECT_FALSE(heat.momentum.varies());
+  EXPECT_TRUE(heat.heat.varies());
+  EXPECT_EQ(heat.heat(0, 1), 7);
+  EXPECT_EQ(heat.momentum.between(0, 1, 1, 1e9), 3);
+  EXPECT_EQ(heat.heat.between(0, 1, 1, 1), 7);
+  EXPECT_EQ(heat.heat.between(0, 1, 1, 1e9), 7e7);
+  EXPECT_TRUE(read("linearVariation", "constant").momentum.varies());
 }
 
 TEST(IceSchema, AsksWhichMaterialMakesTheHydrostaticPressure) {

@@ -67,14 +67,14 @@ class CellStates {
     return cv;
   }
   // Of several materials.
-  double diffusion_rate(const mixture::DiffusionRates& rates, IntVec3 cell, Vec3 spacing) const {
+  mixture::MaterialRows materials(IntVec3 cell) const {
     mixture::MaterialRows rows{};
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
       rows.mass[m] = &mass_[m](cell);
       rows.volume[m] = &volume_[m](cell);
       rows.energy[m] = &energy_[m](cell);
     }
-    return rates.largest(rows, 1, spacing);
+    return rows;
   }
 
  private:
@@ -86,23 +86,21 @@ class CellStates {
   std::vector<RealView> mass_, energy_, volume_;
 };
 
-// The larger of mu and k/cv of one gas (kg/(m s)). Subgrid viscosity needs ghost cells: without
+// The larger of mu and k/cv of one gas (kg/(m s)), or the rate of a mixture. Subgrid viscosity needs ghost cells: without
 // them it is left out, and the dynamic model's constant is that of isotropic turbulence.
 class Diffusion {
  public:
   Diffusion(const Warehouse& state, SchemeOptions options, int box)
       : o_(std::move(options)), spacing_(state.level().spacing) {
     const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0);
-    mass_ = state.view(mass, 0, box);
+    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m)
+      mass_.push_back(state.view(state.find(labels().mass, m), 0, box));
     for (int c = 0; c < o_.components; ++c) momentum_.push_back(state.view(momentum, c, box));
     with_eddies_ = o_.transport.turbulence.has_value() && state.info(mass).ghosts > 0;
   }
 
   double coefficient(const CellStates& states, IntVec3 cell) const {
-    double mu = o_.viscosity;
-    if (o_.transport.sutherland) mu = o_.transport.sutherland->viscosity(states.temperature(cell));
-    for (const TransportModels::Sponge& sponge : o_.transport.sponges)
-      if (sponge.cells.contains(cell)) mu = std::max(mu, sponge.viscosity);
+    const double mu = molecular(0, cell, [&] { return states.temperature(cell); });
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0;
     if (!o_.conducting) return mu;
     const double k_over_cv = o_.conductivity / states.heat_capacity(cell);
@@ -110,8 +108,41 @@ class Diffusion {
     const double share = heat_ratio(o_.fluid) / o_.transport.turbulence->prandtl;
     return std::max(mu + eddy, k_over_cv + share * eddy);
   }
+  // Of several materials: 2 D sum 1/dx^2.
+  double rate(const CellStates& states, const mixture::DiffusionRates& rates, IntVec3 cell) const {
+    mixture::MaterialRows s = states.materials(cell);
+    const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0, rho = density(cell);
+    double viscosity = eddy, conductivity[mixture::most_materials] = {};
+    s.viscosity = &viscosity;
+    for (std::size_t m = 0; m < o_.fluids.size(); ++m) {
+      s.conductivity[m] = conductivity + m;
+      if (*s.mass[m] == 0.0) continue;
+      const double r = *s.mass[m] / *s.volume[m], e = *s.energy[m] / *s.volume[m];
+      const Fluid& fluid = o_.fluids[m];
+      viscosity += *s.volume[m] * molecular(m, cell, [&] { return fluid.temperature(r, e); });
+      conductivity[m] = o_.conductivities[m];
+      if (o_.transport.turbulence)
+        conductivity[m] += heat_ratio(fluid) / o_.transport.turbulence->prandtl *
+                           fluid.heat_capacity(r, e) * (eddy * (r / rho));
+    }
+    return rates.largest(s, 1, spacing_);
+  }
 
  private:
+  // `temperature`(): of the material.
+  template <class Temperature>
+  double molecular(std::size_t m, IntVec3 cell, Temperature temperature) const {
+    const TransportModels& models = o_.transports[m];
+    double mu = models.sutherland ? models.sutherland->viscosity(temperature()) : o_.viscosities[m];
+    for (const TransportModels::Sponge& sponge : models.sponges)
+      if (sponge.cells.contains(cell)) mu = std::max(mu, sponge.viscosity);
+    return mu;
+  }
+  double density(IntVec3 cell) const {
+    double sum = 0;
+    for (const RealView& mass : mass_) sum += mass(cell);
+    return sum;
+  }
   double slope(IntVec3 cell, int c, int axis) const {
     if (axis >= o_.axes.count) return 0;
     const int d = o_.axes.direction[axis];
@@ -119,7 +150,7 @@ class Diffusion {
     --below[d];
     ++above[d];
     const RealView& m = momentum_[static_cast<std::size_t>(c)];
-    return (m(above) / mass_(above) - m(below) / mass_(below)) / (2 * spacing_[d]);
+    return (m(above) / density(above) - m(below) / density(below)) / (2 * spacing_[d]);
   }
   double eddy_viscosity(IntVec3 cell) const {
     constexpr double isotropic = 0.17;
@@ -131,13 +162,12 @@ class Diffusion {
       }
     const Turbulence& model = *o_.transport.turbulence;
     const double length = (model.dynamic ? isotropic : model.constant) * filter_width(o_, spacing_);
-    return mass_(cell) * length * length * std::sqrt(squared);
+    return density(cell) * length * length * std::sqrt(squared);
   }
 
   SchemeOptions o_;
   Vec3 spacing_;
-  RealView mass_;
-  std::vector<RealView> momentum_;
+  std::vector<RealView> mass_, momentum_;
   bool with_eddies_ = false;
 };
 
@@ -185,7 +215,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
         inverse_dx2 += 1.0 / (dx * dx);
       }
       if (of_mixtures.on() && material_count() > 1) {
-        const double most = states.diffusion_rate(of_mixtures, cell, state.level().spacing);
+        const double most = diffusion.rate(states, of_mixtures, cell);
         rates.maximum(StepSlots::diffusion_rate, ordered_bits(most));
         return;
       }

@@ -21,6 +21,7 @@ struct GasBox {
   Vec3 low{0, 0, 0}, high{1, 1, 1};
   bool periodic = true;  // otherwise every side copies outward (walls: symmetry)
   bool walls = false;
+  bool plates = false;  // sides at rest that hold the fluid
   std::string advection = "type='SecondOrder'";
   std::string density = "1", pressure = "1", velocity[3] = {"0", "0", "0"};
   double viscosity = 0, specific_heat = 1, cfl = 0.4;
@@ -40,7 +41,9 @@ inline std::string sides(const GasBox& box) {
       for (const char* label : {"Pressure", "Density", "Temperature"})
         text += fmt::format("<BCType id='all' label='{}' var='Neumann'><value>0</value></BCType>",
                             label);
-      text += "<BCType id='all' label='Velocity' var='Neumann'><value>[0,0,0]</value></BCType>";
+      text +=
+          fmt::format("<BCType id='all' label='Velocity' var='{}'><value>[0,0,0]</value></BCType>",
+                      box.plates ? "Dirichlet" : "Neumann");
     }
     text += "</Face>";
   }

@@ -34,7 +34,8 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
   h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
-  if (o.friction_tilts()) h.viscosity = task.read(v.viscosity, Stencil::along(direction, 1, 1));
+  if (o.friction_tilts())
+    h.viscosity = task.read(v.front_viscosity, Stencil::along(direction, 1, 1));
   return h;
 }
 

@@ -54,12 +54,10 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   const double* __restrict ka = varies ? row(h.conductivity, 0, axis, -1) : nullptr;
   const double* __restrict kb = varies ? row(h.conductivity) : nullptr;
   double* __restrict q = row(h.flux);
-  if constexpr (varies) {
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) q[i] = harmonic_mean(ka[i], kb[i]) * ((Ta[i] - Tb[i]) * inverse);
-  } else {
+  if constexpr (varies)
+    heat_flux_row(n, ka, kb, Ta, Tb, inverse, q);
+  else
     heat_flux_row(n, k, Ta, Tb, inverse, q);
-  }
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
     cell[o.axes.direction[0]] += i;

@@ -1,6 +1,7 @@
 // Fourier's law on faces: between two cells, and to a wall.
 #pragma once
 #include "ice/boundary/ghost_rule.hpp"
+#include "ice/conservative/face_mean.hpp"
 
 namespace sluice::ice {
 
@@ -9,6 +10,14 @@ inline void heat_flux_row(int n, double k, const double* __restrict Ta, const do
                           double inverse_dx, double* __restrict q) {
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) q[i] = k * ((Ta[i] - Tb[i]) * inverse_dx);
+}
+
+// The same where the conductivity varies: the harmonic mean.
+inline void heat_flux_row(int n, const double* __restrict ka, const double* __restrict kb,
+                          const double* __restrict Ta, const double* __restrict Tb,
+                          double inverse_dx, double* __restrict q) {
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) q[i] = harmonic_mean(ka[i], kb[i]) * ((Ta[i] - Tb[i]) * inverse_dx);
 }
 
 // What leaves a cell at temperature T: the wall's temperature is half a cell away, a given gradient

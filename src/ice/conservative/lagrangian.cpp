@@ -222,7 +222,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
-  if (o.friction_tilts()) h.viscosity = task.read(v.viscosity, Stencil::box(1));
+  if (o.friction_tilts()) h.viscosity = task.read(v.front_viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);

@@ -28,10 +28,10 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
   if (o.viscosity_varies) v.viscosity = list.temporary("dynamic viscosity");
   if (o.transport.turbulence) {
     v.eddy_viscosity = list.temporary("eddy viscosity");
-    if (o.transport.molecular_varies())
-      v.molecular_viscosity = list.temporary("molecular viscosity");
+    if (o.molecular_varies()) v.molecular_viscosity = list.temporary("molecular viscosity");
   }
-  if (o.conductivity_varies) v.conductivity = list.temporary("thermal conductivity");
+  const auto conductors = o.mixture ? static_cast<int>(o.fluids.size()) : 1;
+  if (o.conductivity_varies) v.conductivity = list.temporary("thermal conductivity", conductors);
   v.energy_star = list.temporary("energy after work");
   v.impulse = list.temporary("impulse", C);
   if (o.sources != nullptr)

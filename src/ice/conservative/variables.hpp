@@ -3,7 +3,9 @@
 // Axes are the active directions in order; component c < axes of momentum and velocity is along
 // axis c, further components are carried passively.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,8 +41,10 @@ struct SchemeOptions {
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
   PairCoefficients heat_exchange;
-  bool own_velocities = false;  // several materials that move apart: mixture/slip.hpp
-  PairCoefficients drag;        // K, kg/(m^3 s)
+  bool own_velocities = false;                // several materials that move apart: mixture/slip.hpp
+  PairCoefficients drag;                      // K, kg/(m^3 s)
+  std::optional<SlipExchange> slip_exchange;  // at the surface of one material
+  std::optional<ConvectiveExchange> convective;
   int sums = 8;          // exact sums before those of further materials: see StepSlots
   bool classic = false;  // the classic form, see classic/
   bool second_order = true;
@@ -57,9 +61,10 @@ struct SchemeOptions {
   double conductivity = 0;  // W/(m K)
   bool conducting = false, conductivity_varies = false;
   std::vector<double> viscosities, conductivities;  // of all materials
-  TransportModels transport;            // what fills these fields, and friction on walls
-  double diffusion_knob = 1;            // weight of diffusion in the deck's time-step rule
-  bool conservative_time_step = false;  // Scheme_for_delT_calc
+  TransportModels transport;                // what fills these fields, and friction on walls
+  std::vector<TransportModels> transports;  // of all materials
+  double diffusion_knob = 1;                // weight of diffusion in the deck's time-step rule
+  bool conservative_time_step = false;      // Scheme_for_delT_calc
   double cfl = 0.4;
   std::span<const models::TransportedScalar> scalars;  // of all materials
   const models::BinaryGas* binary = nullptr;           // of the one gas, where it is a mixture
@@ -75,6 +80,18 @@ struct SchemeOptions {
   const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
   int first_source_sum = 0;              // likewise
 
+  // Whether a material of a mixture conducts heat, in itself or into another.
+  bool conducts(int m) const {
+    return conductivity_varies || conductivities[static_cast<std::size_t>(m)] > 0 ||
+           (convective && (convective->fluid == m || convective->solid == m));
+  }
+  // Whether the molecular viscosity is a cell field: of a mixture it always is.
+  bool molecular_varies() const { return mixture || transport.molecular_varies(); }
+  // Whether that of a material of a mixture is one.
+  bool own_viscosity_varies() const {
+    return std::any_of(transports.begin(), transports.end(),
+                       [](const TransportModels& t) { return t.molecular_varies(); });
+  }
   // Whether friction works on the velocity of a sharp front between two viscosities
   // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
   bool friction_tilts() const { return mixture && viscosity_varies; }
@@ -111,7 +128,8 @@ struct SchemeVariables {
   VariableId temperature;                                  // of the old state; conduction only
   VariableId viscosity, conductivity;                      // of cells, where they vary
   VariableId molecular_viscosity, eddy_viscosity;          // their parts with turbulence
-  VariableId heat_capacity;                                // cv of the new state, likewise
+  VariableId front_viscosity;  // of a mixture: as if no material's varied, see face_mean.hpp
+  VariableId heat_capacity;    // cv of the new state, likewise
   // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;

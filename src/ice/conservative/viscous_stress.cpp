@@ -63,7 +63,7 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
 // Subgrid motion ends at walls: the viscosity there is the molecular one.
 template <int C>
 void take_eddies_from_walls(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
-  const bool varies = o.transport.molecular_varies();
+  const bool varies = o.molecular_varies();
   const double* molecular_a = varies ? row(h.molecular, 0, axis, -1) : nullptr;
   const double* molecular_b = varies ? row(h.molecular) : nullptr;
   const double *mu_a = row(h.viscosity, 0, axis, -1), *mu_b = row(h.viscosity);
@@ -97,7 +97,7 @@ void wall_law(const Row& row, const Handles& h, const SchemeOptions& o, int axis
     const double speed = std::sqrt(along + carried);
     if (speed == 0) return;  // as the gradient says: no friction
     const double rho = value(h.rho, 0);
-    const double mu = o.transport.molecular_varies() ? value(h.molecular, 0) : o.viscosity;
+    const double mu = o.molecular_varies() ? value(h.molecular, 0) : o.viscosity;
     const double u_tau = friction_velocity(law, speed, y, mu / rho);
     const double pull = (plus ? -1.0 : 1.0) * rho * u_tau * u_tau / speed;
     for (int c = 0; c < C; ++c)
@@ -116,7 +116,7 @@ void read_for_walls(TaskBuilder& task, const SchemeVariables& v, const SchemeOpt
                     Stencil both, Handles& h) {
   const bool laws = !o.transport.wall_shear.empty();
   if (laws) h.rho = task.read(v.rho, both);
-  if (o.transport.molecular_varies() && (laws || o.transport.turbulence))
+  if (o.molecular_varies() && (laws || o.transport.turbulence))
     h.molecular = task.read(o.transport.turbulence ? v.molecular_viscosity : v.viscosity, both);
 }
 

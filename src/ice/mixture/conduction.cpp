@@ -9,29 +9,36 @@
 #include <cmath>
 
 #include "ice/closure_rows.hpp"
+#include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/heat_flux_rows.hpp"
 #include "ice/limiters.hpp"
 #include "ice/mixture/contacts.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/transport/viscosity.hpp"
 #include "ice/wall_faces.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-// T and rho_m cv_m of each material that conducts, where it is.
+// T and rho_m cv_m of each material that conducts, where it is; with eddies its conductivity too,
+//   k_m + cp_m mu_t/Pr_t (rho_m/rho).
 void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature of each material", effect);
   const StateReads state = read_state(task, v);
   const In presence = task.read(v.presence);
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
   const Out own = task.write(list.temporary("density and energy of a material", 2));
-  task.kernel([=, fluids = o.fluids, k = o.conductivities](const Row& row) {
+  const bool turbulent = o.conductivity_varies;
+  const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
+  const In rho = turbulent ? task.read(v.common.rho) : In{};
+  const Out conductivity = turbulent ? task.write(v.common.conductivity) : Out{};
+  task.kernel([=](const Row& row) {
     for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
+        if (!o.conducts(m)) return;
         const auto n = static_cast<std::size_t>(m);
-        if (!(k[n] > 0.0)) return;
         const double* __restrict M = part(state.mass[n]);
         const double* __restrict V = part(state.volume[n]);
         const double* __restrict E = part(state.energy[n]);
@@ -42,9 +49,17 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
           r[i] = M[i] * inverse;
           e[i] = E[i] * inverse;
         }
-        temperature_row(fluids[n], count, r, e, part(temperature, m));
+        temperature_row(o.fluids[n], count, r, e, part(temperature, m));
         double* __restrict C = part(capacity, m);
-        heat_capacity_row(fluids[n], count, r, e, C);
+        heat_capacity_row(o.fluids[n], count, r, e, C);
+        if (turbulent) {
+          const double scale = heat_ratio(o.fluids[n]) / o.transport.turbulence->prandtl;
+          const double* __restrict mu_t = part(eddy);
+          const double* __restrict all = part(rho);
+          double* __restrict k = part(conductivity, m);
+          for (int i = 0; i < count; ++i)
+            k[i] = o.conductivities[n] + scale * C[i] * (mu_t[i] * (r[i] / all[i]));
+        }
         for (int i = 0; i < count; ++i) C[i] *= r[i];
       });
     });
@@ -52,8 +67,8 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
 }
 
 struct Handles {
-  In presence, pure, temperature, capacity;
-  std::vector<In> volume;
+  In presence, pure, temperature, capacity, conductivity;
+  std::vector<In> volume, mass;
   Out flux, of_materials;
 };
 
@@ -63,20 +78,21 @@ constexpr double round_off = 1e-13;
 // Rows of one side of the faces of a row, by material.
 struct SideRows {
   const double *presence, *share[most_materials], *temperature[most_materials],
-      *capacity[most_materials];
+      *capacity[most_materials], *conductivity[most_materials], *mass[most_materials];
 };
 
 // All that one side of a face has, gathered for one face.
 struct Gathered {
-  double share[most_materials], temperature[most_materials], most[most_materials];
+  double share[most_materials], temperature[most_materials], most[most_materials],
+      conductivity[most_materials], density[most_materials];
 
-  ContactSide side() const { return {share, temperature, most}; }
+  ContactSide side() const { return {share, temperature, most, conductivity, density}; }
 };
 
 class FaceHeat {
  public:
   FaceHeat(const SchemeOptions& o, const Handles& h, int axis)
-      : o_(o), h_(h), axis_(axis), contacts_(o.conductivities, o.heat_exchange) {}
+      : o_(o), h_(h), axis_(axis), contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange) {}
 
   void run(const Row& row) const {
     const double* a = row(h_.presence, 0, axis_, -1);
@@ -99,11 +115,14 @@ class FaceHeat {
   void one_material(const Row& row, int m) const {
     const int n = row.count();
     double* q = row(h_.flux);
-    if (k(m) > 0.0)
-      heat_flux_row(n, k(m), row(h_.temperature, m, axis_, -1), row(h_.temperature, m),
+    const double *Ta = row(h_.temperature, m, axis_, -1), *Tb = row(h_.temperature, m);
+    if (o_.conductivity_varies)
+      heat_flux_row(n, row(h_.conductivity, m, axis_, -1), row(h_.conductivity, m), Ta, Tb,
                     1.0 / dx(row), q);
+    else if (k(m) > 0.0)
+      heat_flux_row(n, k(m), Ta, Tb, 1.0 / dx(row), q);
     else
-      for (int i = 0; i < n; ++i) q[i] = 0.0;
+      std::fill_n(q, n, 0.0);
     const double *pure_a = row(h_.pure, 0, axis_, -1), *pure_b = row(h_.pure);
     for_each_face_run(pure_a, pure_b, n, [&](int first, int count, double alone) {
       if (alone >= 0.0) return;
@@ -123,6 +142,9 @@ class FaceHeat {
       s.share[m] = row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift);
       s.temperature[m] = row(h_.temperature, m, axis_, shift);
       s.capacity[m] = row(h_.capacity, m, axis_, shift);
+      s.conductivity[m] = o_.conductivity_varies ? row(h_.conductivity, m, axis_, shift) : nullptr;
+      s.mass[m] =
+          h_.mass.empty() ? nullptr : row(h_.mass[static_cast<std::size_t>(m)], 0, axis_, shift);
     }
     return s;
   }
@@ -140,8 +162,11 @@ class FaceHeat {
     for (int m = 0; m < materials(); ++m) {
       const bool present = (set >> m & 1) != 0;
       g.share[m] = present ? s.share[m][i] : 0.0;
-      if (!present || !(k(m) > 0.0)) continue;
+      g.conductivity[m] = 0.0;
+      if (!present || !o_.conducts(m)) continue;
+      g.conductivity[m] = o_.conductivity_varies ? s.conductivity[m][i] : k(m);
       g.temperature[m] = s.temperature[m][i];
+      if (s.mass[m] != nullptr) g.density[m] = s.mass[m][i] / s.share[m][i];
       // The little that limits no step keeps half of what it has for the work that it does.
       const double kept = g.share[m] < least_limiting_share ? 0.5 : 1.0;
       g.most[m] = s.capacity[m][i] * bound * kept;
@@ -150,8 +175,7 @@ class FaceHeat {
 
   void contacts(const Row& row) const {
     const SideRows below = side(row, -1), above = side(row, 0);
-    double between[most_materials * most_materials], given[most_materials], taken[most_materials];
-    contacts_.conductivities(dx(row), between);
+    double given[most_materials], taken[most_materials];
     const Flows flows = this->flows(row);
     const double most = bound(row), inverse = 1.0 / dx(row);
     std::fill_n(flows.flux, row.count(), 0.0);
@@ -167,7 +191,7 @@ class FaceHeat {
       }
       gather(below, most, i, low);
       gather(above, most, i, high);
-      contacts_.conduct(low.side(), high.side(), inverse, between, given, taken);
+      contacts_.conduct(low.side(), high.side(), dx(row), given, taken);
       put(flows, i, given, taken);
     }
   }
@@ -200,17 +224,24 @@ class FaceHeat {
     double* __restrict given = f.flows.given[m];
     double* __restrict taken = f.flows.taken[m];
     double* __restrict differ = f.flows.flux;
-    const double k_m = k(m), inverse = f.inverse_dx;
+    const double inverse = f.inverse_dx;
+    const auto touch = [&](auto k_of) {  // conductivity of a face
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const double common = smaller(sa[i], sb[i]);
-      const double kept = f.most * (common < least_limiting_share ? 0.5 : 1.0);
-      const double conductivity = smaller(k_m, kept * smaller(Ca[i], Cb[i]));
-      const double q = common * (conductivity * ((Ta[i] - Tb[i]) * inverse));
-      const bool conducts = common >= least_conducting_share && k_m > 0.0;
-      given[i] = taken[i] = conducts ? q : 0.0;
-      differ[i] += std::fabs(sa[i] - sb[i]);
-    }
+      for (int i = 0; i < n; ++i) {
+        const double common = smaller(sa[i], sb[i]);
+        const double kept = f.most * (common < least_limiting_share ? 0.5 : 1.0);
+        const double k_m = k_of(i);
+        const double conductivity = smaller(k_m, kept * smaller(Ca[i], Cb[i]));
+        const double q = common * (conductivity * ((Ta[i] - Tb[i]) * inverse));
+        const bool conducts = common >= least_conducting_share && k_m > 0.0;
+        given[i] = taken[i] = conducts ? q : 0.0;
+        differ[i] += std::fabs(sa[i] - sb[i]);
+      }
+    };
+    if (!o_.conductivity_varies) return touch([k_m = k(m)](int) { return k_m; });
+    touch([ka = f.below.conductivity[m], kb = f.above.conductivity[m]](int i) {
+      return harmonic_mean(ka[i], kb[i]);
+    });
   }
   void put(const Flows& to, int i, const double* given, const double* taken) const {
     double out = 0, in = 0;
@@ -271,7 +302,10 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
     h.pure = task.read(v.pure, both);
     h.temperature = task.read(v.temperature, both);
     h.capacity = task.read(v.heat_capacity, both);
+    if (o.conductivity_varies) h.conductivity = task.read(v.common.conductivity, both);
     for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
+    for (std::size_t m = 0; m < v.mass.size() && o.heat_exchange.varies(); ++m)
+      h.mass.push_back(task.read(v.mass[m], both));
     h.flux = task.write(v.common.heat_flux[a]);
     h.of_materials = task.write(v.heat_flux[a]);
     task.kernel([heat = FaceHeat(o, h, axis)](const Row& row) { heat.run(row); });

@@ -7,12 +7,11 @@
 //   1/k = (1/k_a + 1/k_b)/2 + 4/(H_ab dx^2) where two meet:
 // half a cell of each and between them an interface that conducts as one in the middle of a cell
 // does by heat exchange, V_a V_b H dx with V = 1/2 each. Without heat exchange it is adiabatic.
+// A coefficient that varies with the masses is that of halves of the two cells.
 // So that no temperature leaves the range of its neighbours, k is at most
 //   rho_m cv_m/(2 dt sum 1/dx^2) of each of the two (half of it below a hundredth of a cell).
 // Areas of a material sum to its share: the bound holds for the vanishing trace too.
 #pragma once
-#include <vector>
-
 #include "ice/exchange_settings.hpp"
 
 namespace sluice::ice::mixture {
@@ -27,23 +26,25 @@ struct ContactSide {
   const double* share;              // 0: absent
   const double* temperature;        // K
   const double* most_conductivity;  // W/(m K)
+  const double* conductivity;
+  const double* density;  // own; where exchange varies with it
 };
 
 class HeatContacts {
  public:
-  HeatContacts(std::vector<double> conductivity, const PairCoefficients& heat_exchange);
+  HeatContacts(int materials, const PairCoefficients& heat_exchange);
 
-  int materials() const { return static_cast<int>(k_.size()); }
-  // Of the contact of two materials, W/(m K); of all pairs, row by row.
-  double conductivity(int a, int b, double dx) const;
-  void conductivities(double dx, double* k) const;
   // Heat per area and time along the axis: what each material of the low side gives, and what each
-  // of the high side takes. k: of all pairs at this dx.
-  void conduct(const ContactSide& low, const ContactSide& high, double inverse_dx, const double* k,
-               double* given, double* taken) const;
+  // of the high side takes.
+  void conduct(const ContactSide& low, const ContactSide& high, double dx, double* given,
+               double* taken) const;
 
  private:
-  std::vector<double> k_;
+  // Of the contact of `a` of the low and `b` of the high side, W/(m K).
+  double conductivity(const ContactSide& low, int a, const ContactSide& high, int b,
+                      double dx) const;
+
+  int materials_;
   PairCoefficients H_;
 };
 

@@ -12,12 +12,12 @@ namespace {
 constexpr double unbounded = 1e300;
 
 struct Cell {
-  std::vector<double> share, temperature, bound;
-  ContactSide side() const { return {share.data(), temperature.data(), bound.data()}; }
+  std::vector<double> share, temperature, bound, density;
 };
 
 Cell cell(std::vector<double> share, std::vector<double> temperature) {
-  return {share, temperature, std::vector<double>(share.size(), unbounded)};
+  const std::size_t n = share.size();
+  return {share, temperature, std::vector<double>(n, unbounded), std::vector<double>(n, 1.0)};
 }
 
 PairCoefficients exchange(int materials, double H) {
@@ -30,11 +30,18 @@ PairCoefficients exchange(int materials, double H) {
 struct Heat {
   std::vector<double> given, taken;
 };
-Heat through(const HeatContacts& c, const Cell& low, const Cell& high, double dx) {
+struct Contacts {
+  std::vector<double> k;  // of each material
+  PairCoefficients H;
+};
+Heat through(const Contacts& c, const Cell& low, const Cell& high, double dx) {
   Heat q{std::vector<double>(low.share.size()), std::vector<double>(low.share.size())};
-  std::vector<double> k(low.share.size() * low.share.size());
-  c.conductivities(dx, k.data());
-  c.conduct(low.side(), high.side(), 1 / dx, k.data(), q.given.data(), q.taken.data());
+  const auto side = [&](const Cell& x) {
+    return ContactSide{x.share.data(), x.temperature.data(), x.bound.data(), c.k.data(),
+                       x.density.data()};
+  };
+  const HeatContacts contacts(static_cast<int>(c.k.size()), c.H);
+  contacts.conduct(side(low), side(high), dx, q.given.data(), q.taken.data());
   return q;
 }
 
@@ -55,10 +62,29 @@ TEST(HeatContacts, TwoMaterialsConductInSeries) {
   EXPECT_EQ(through({{k_a, k_b}, exchange(2, 0)}, hot, cold, dx).given[0], 0);
 }
 
+// A coefficient that varies is that of halves of the two cells, with densities 1 and 1000.
+TEST(HeatContacts, ACoefficientMayGrowWithTheRatioOfMasses) {
+  const double dx = .01, k = 50, H = 1e5;
+  PairCoefficients varying = exchange(2, H);
+  varying.vary_with_mass();
+  Cell hot = cell({1, 0}, {400, 0}), cold = cell({0, 1}, {0, 300});
+  hot.density[0] = 1000;
+  const auto through_interface = [&](double coefficient) {
+    return 100 / (dx / k + 4 / (coefficient * dx));
+  };
+  EXPECT_NEAR(through({{k, k}, varying}, hot, cold, dx).given[0] / through_interface(1e6), 1,
+              1e-14);
+  EXPECT_NEAR(through({{k, k}, varying}, cold, hot, dx).given[1] / through_interface(1e6), -1,
+              1e-14);
+  hot.density[0] = 2;  // alike: the coefficient itself
+  EXPECT_NEAR(through({{k, k}, varying}, hot, cold, dx).given[0] / through_interface(1e5), 1,
+              1e-14);
+}
+
 // Like fluids at the same temperature are one fluid, whatever their shares are.
 TEST(HeatContacts, LikeFluidsConductAsOne) {
   const double dx = .1, k = 3;
-  const HeatContacts contacts({k, k, k}, exchange(3, 1e18));
+  const Contacts contacts{{k, k, k}, exchange(3, 1e18)};
   const Cell low = cell({.2, .5, .3}, {310, 310, 310}), high = cell({.6, 0, .4}, {290, 0, 290});
   const Heat q = through(contacts, low, high, dx);
   double given = 0, taken = 0;
@@ -74,7 +100,7 @@ TEST(HeatContacts, LikeFluidsConductAsOne) {
 TEST(HeatContacts, BalanceAndMirror) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
-  const HeatContacts contacts({1, 20, .1, 4}, exchange(4, 1e3));
+  const Contacts contacts{{1, 20, .1, 4}, exchange(4, 1e3)};
   const auto draw = [&] {
     Cell c = cell(std::vector<double>(4), std::vector<double>(4));
     double sum = 0;
@@ -106,7 +132,7 @@ TEST(HeatContacts, BalanceAndMirror) {
 TEST(HeatContacts, TracesStayBetweenTheirNeighbours) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);
-  const HeatContacts contacts({1e3, 1e3}, exchange(2, 1e15));
+  const Contacts contacts{{1e3, 1e3}, exchange(2, 1e15)};
   const double dx = 1e-3, dt = 1;
   for (int n = 0; n < 1000; ++n) {
     Cell three[3];

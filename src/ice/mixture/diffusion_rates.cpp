@@ -12,7 +12,9 @@ DiffusionRates::DiffusionRates(const SchemeOptions& o)
       conductivities_(o.conductivities),
       axes_(o.axes),
       viscous_(o.viscous),
-      conducting_(o.conducting) {}
+      conducting_(o.conducting),
+      viscosity_varies_(o.viscous && (o.own_viscosity_varies() || o.transport.turbulence)),
+      conductivity_varies_(o.conductivity_varies) {}
 
 double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing) const {
   double inverse_dx2 = 0;
@@ -28,12 +30,13 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
       rho += s.mass[m][i];
       mu += s.volume[m][i] * viscosities_[m];
     }
+    if (viscosity_varies_) mu = s.viscosity[i];
     most = larger(most, twice * mu / rho);
   }
   for (std::size_t m = 0; m < fluids_.size(); ++m) {
-    const double k = conductivities_[m];
-    if (!(conducting_ && k > 0.0)) continue;
+    if (!(conducting_ && (conductivity_varies_ || conductivities_[m] > 0.0))) continue;
     for (int i = 0; i < n; ++i) {
+      const double k = conductivity_varies_ ? s.conductivity[m][i] : conductivities_[m];
       const double V = s.volume[m][i];
       if (!(V >= least_limiting_share)) continue;
       const double rho = s.mass[m][i] / V;

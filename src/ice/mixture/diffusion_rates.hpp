@@ -2,7 +2,7 @@
 //
 // max of 2 D sum 1/dx^2, D = mu/rho with mu = sum V_m mu_m, and k_m/(rho_m cv_m) of each material
 // that fills more than a hundredth of the cell: those that fill less take what heat they can bear
-// (contacts.hpp). A function of the state of a cell alone.
+// (contacts.hpp). A function of the state of a cell alone, with coefficients that vary beside it.
 #pragma once
 #include <vector>
 
@@ -14,6 +14,8 @@ namespace sluice::ice::mixture {
 // State of a row of cells, by material.
 struct MaterialRows {
   const double *mass[most_materials], *volume[most_materials], *energy[most_materials];
+  // Where they vary: of the mixture, and of each material that it holds.
+  const double *viscosity = nullptr, *conductivity[most_materials] = {};
 };
 
 class DiffusionRates {
@@ -21,6 +23,8 @@ class DiffusionRates {
   explicit DiffusionRates(const SchemeOptions& o);
 
   bool on() const { return viscous_ || conducting_; }
+  bool viscosity_varies() const { return viscosity_varies_; }
+  bool conductivity_varies() const { return conductivity_varies_; }
   // Of n cells, 1/s.
   double largest(const MaterialRows& state, int n, const Vec3& spacing) const;
 
@@ -28,7 +32,7 @@ class DiffusionRates {
   std::vector<Fluid> fluids_;
   std::vector<double> viscosities_, conductivities_;
   Axes axes_;
-  bool viscous_, conducting_;
+  bool viscous_, conducting_, viscosity_varies_, conductivity_varies_;
 };
 
 }  // namespace sluice::ice::mixture

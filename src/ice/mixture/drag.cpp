@@ -46,7 +46,8 @@ double binding(const DragCell& cell, int i, double courant) {
 }
 
 double Drag::pair(const DragCell& cell, int i, int j, double dt, double part) const {
-  const double K = K_.materials() > 0 ? K_(cell.index[i], cell.index[j]) : 0.0;
+  const double K =
+      K_.materials() > 0 ? K_.between(cell.index[i], cell.index[j], cell.M[i], cell.M[j]) : 0.0;
   const double lock = cell.lock + cell.bind[i] + cell.bind[j];
   return part * (dt * K * (cell.V[i] * cell.V[j]) + lock * (cell.M[i] * cell.M[j] / cell.total));
 }

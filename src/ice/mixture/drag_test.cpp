@@ -56,6 +56,26 @@ TEST(Drag, OfTwoIsTheExponential) {
   }
 }
 
+// linearVariation: r^2 between 1e5 and 1e12, r the ratio of the masses, where the coefficient
+// is 1e5; in proportion elsewhere.
+TEST(Drag, MayGrowWithTheRatioOfMasses) {
+  struct {
+    double a, b, growth;
+  } const pairs[] = {{300, .7, 300 * 300 / .49 / 1e5}, {2, 3, 1}, {1e-9, 1.2, 1e7}};
+  for (const auto& p : pairs)
+    for (const double K : {0., 1e-3, 1., 1e5, 1e10, 1e20}) {
+      PairCoefficients k(2);
+      k.set(0, 1, K);
+      k.vary_with_mass();
+      const DragCell cell = cell_of({p.a, p.b}, {.3, .7});
+      const double rate = K * p.growth * .21 * (1 / p.a + 1 / p.b), dt = K > 0 ? 1 / rate : 1;
+      double w[] = {p.b * 60 / (p.a + p.b), -p.a * 60 / (p.a + p.b)};
+      Drag(k).decay(cell, dt, 1, w);
+      EXPECT_NEAR(w[0] - w[1], K > 0 ? 60 * std::exp(-1.0) : 60, 1e-12) << p.a << " " << K;
+      EXPECT_LE(momentum(cell, w), 1e-15);
+    }
+}
+
 // Five materials, pushed all the time: order two, and exact where nothing or everything holds.
 TEST(Drag, OfFiveIsOfSecondOrder) {
   const DragCell cell = cell_of({300, .7, 20, 4, .01}, {.3, .5, .1, .05, .05});

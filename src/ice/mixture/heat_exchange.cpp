@@ -69,7 +69,8 @@ void HeatExchange::couple(const Equilibration::Cell& cell, const Present& in, do
   for (int i = 0; i < in.count; ++i)
     for (int j = 0; j < in.count; ++j) {
       const int m = in.index[i], n = in.index[j];
-      k[i * in.count + j] = i == j ? 0.0 : dt * H_(m, n) * cell.V[m] * cell.V[n];
+      const double H = i == j ? 0.0 : H_.between(m, n, cell.M[m], cell.M[n]);
+      k[i * in.count + j] = dt * H * (cell.V[m] * cell.V[n]);
     }
 }
 

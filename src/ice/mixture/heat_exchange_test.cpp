@@ -1,4 +1,5 @@
-// Heat between materials of a cell: what it keeps, also of next to nothing beside a liquid.
+// Heat between materials of a cell: the exponential for any coefficient, and what it keeps, also of
+// next to nothing beside a liquid.
 #include "ice/mixture/heat_exchange.hpp"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,61 @@ TEST(HeatExchange, TemperaturesStayBetweenThoseBefore) {
     }
     EXPECT_NEAR((E[0] + E[1] + E[2]) / energy, 1, 4e-16);
   }
+}
+
+const Fluid air = ideal_gas(1.4, 717), helium = ideal_gas(1.667, 3115);
+
+struct Cell {
+  double M[2], V[2], E[2];
+  double temperature(int m) const {
+    return (m == 0 ? air : helium).temperature(M[m] / V[m], E[m] / V[m]);
+  }
+};
+Cell cell_of(double V, double rho_air, double rho_helium) {
+  return {{V * rho_air, (1 - V) * rho_helium},
+          {V, 1 - V},
+          {V * rho_air * 717 * 900, (1 - V) * rho_helium * 3115 * 300}};
+}
+
+// r: heavier mass over lighter one; what linearVariation makes of a coefficient.
+double growth(double r) {
+  return std::fmin(std::fmax(r * r, 1e5), 1e12) / 1e5;
+}
+
+TEST(HeatExchange, IsTheExponentialForAnyCoefficient) {
+  const double dt = 1e-3;
+  for (const bool varies : {false, true})
+    for (const double V : {.3, 1e-3, 1e-7})
+      for (double H = 0; H <= 1e15; H = H == 0 ? 1e-3 : H * 1e3) {
+        PairCoefficients coefficient(2);
+        coefficient.set(0, 1, H);
+        if (varies) coefficient.vary_with_mass();
+        const HeatExchange exchange({air, helium}, coefficient);
+        Cell cell = cell_of(V, 1.2, .2);
+        const double before = cell.E[0] + cell.E[1], differ = 600;
+        const double r = std::fmax(cell.M[0] / cell.M[1], cell.M[1] / cell.M[0]);
+        const double rate = H * (varies ? growth(r) : 1.0) * V * (1 - V) *
+                            (1 / (cell.M[0] * 717) + 1 / (cell.M[1] * 3115));
+        exchange.exchange({cell.M, cell.V, cell.E}, dt);
+        const double exact = differ * std::exp(-dt * rate);
+        EXPECT_NEAR(cell.temperature(0) - cell.temperature(1), exact, 1e-11 * differ)
+            << V << " " << H;
+        EXPECT_NEAR((cell.E[0] + cell.E[1]) / before, 1, 4e-16);
+      }
+}
+
+// A trace is bound by the same coefficient that hardly couples it otherwise.
+TEST(HeatExchange, LinearVariationBindsTraces) {
+  PairCoefficients coefficient(2);
+  coefficient.set(0, 1, 1e5);
+  const auto left = [&] {
+    Cell cell = cell_of(1 - 1e-6, .2, 1000);
+    HeatExchange({air, helium}, coefficient).exchange({cell.M, cell.V, cell.E}, 1e-6);
+    return (cell.temperature(0) - cell.temperature(1)) / 600;
+  };
+  EXPECT_NEAR(left(), 1, 1e-2);
+  coefficient.vary_with_mass();
+  EXPECT_NEAR(left(), std::exp(-1e-6 * 1e5 * growth(.2 * (1 - 1e-6) / 1e-3) * (1 / 3115e3)), 1e-2);
 }
 
 }  // namespace

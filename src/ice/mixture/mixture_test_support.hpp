@@ -19,7 +19,11 @@ struct MixtureCell {
 // Friction, conduction and heat exchange; of each material, 0 where nothing is given.
 struct Transport {
   std::vector<double> viscosity, conductivity;
-  double heat_exchange = 0;  // of every pair, W/(m^3 K)
+  double heat_exchange = 0;                         // of every pair, W/(m^3 K)
+  std::vector<ViscosityModels> models{};            // of each material
+  std::optional<Turbulence> turbulence{};           // of all
+  std::vector<WallShear> wall_shear{};              // likewise
+  std::function<void(ExchangeSettings&)> change{};  // what else the deck says of exchange
 };
 
 class MixtureBox {
@@ -49,13 +53,18 @@ class MixtureBox {
       if (m < transport.viscosity.size()) ice.materials.back().viscosity = transport.viscosity[m];
       if (m < transport.conductivity.size())
         ice.materials.back().conductivity = transport.conductivity[m];
+      if (m < transport.models.size()) ice.materials.back().viscosity_models = transport.models[m];
+      ice.materials.back().subgrid = transport.turbulence || !transport.wall_shear.empty();
     }
+    ice.turbulence = transport.turbulence;
+    ice.wall_shear = transport.wall_shear;
     ice.exchange.heat = PairCoefficients(count());
     for (int a = 0; a < count(); ++a)
       for (int b = a + 1; b < count(); ++b) ice.exchange.heat.set(a, b, transport.heat_exchange);
     ice.exchange.momentum = PairCoefficients(count());
     for (int m = 0; m < count(); ++m)
       for (int n = m + 1; n < count(); ++n) ice.exchange.momentum.set(m, n, drag);
+    if (transport.change) transport.change(ice.exchange);
     ice_ = std::make_unique<Ice>(scene_, std::move(ice));
     solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), options);
     fill(start);

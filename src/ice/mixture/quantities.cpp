@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ice/mixture/variables.hpp"
+#include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -12,7 +13,13 @@ class Declarer {
  public:
   explicit Declarer(QuantityList& q)
       : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
-    add_primitives(q.list(), v_, of_mixture(o_), effect_diagnostics, true);
+    const SchemeOptions mixed = of_mixture(o_);
+    add_primitives(q.list(), v_, mixed, effect_diagnostics, true);
+    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixed, effect_diagnostics);
+    if (o_.transport.turbulence)
+      add_eddy_viscosity({q.list(), mixed, effect_diagnostics, "eddies of the mixture: "},
+                         {v_.common.rho, v_.common.energy, v_.common.velocity},
+                         v_.common.eddy_viscosity);
     if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
@@ -31,6 +38,7 @@ class Declarer {
   static SchemeOptions of_mixture(const SchemeOptions& o) {
     SchemeOptions mixed = o;
     mixed.mixture = true;
+    mixed.viscosity_varies = o.viscous;
     return mixed;
   }
   // By level direction; that of the mixture where the material is absent.
@@ -117,6 +125,42 @@ class Declarer {
     return to;
   }
 
+  // Molecular and subgrid viscosity of a material and their sum, 0 where it is absent.
+  void declare_viscosities(int m) {
+    const Labels& l = labels();
+    const double constant = o_.viscosities[static_cast<std::size_t>(m)];
+    const VariableId molecular =
+        o_.own_viscosity_varies()
+            ? single(v_.own_viscosity, m, l.viscosity, m)
+            : closure(l.viscosity, m, [=](double, double) { return constant; });
+    const VariableId eddy = eddy_viscosity(m);
+    const VariableId total = q_.fresh(l.total_viscosity, m);
+    TaskBuilder t = q_.task(l.total_viscosity, m);
+    const In a = t.read(molecular), b = t.read(eddy);
+    const Out out = t.write(total);
+    t.kernel([=](const Row& row) {
+      const double *mu = row(a), *mu_t = row(b);
+      double* sum = row(out);
+      for (int i = 0; i < row.count(); ++i) sum[i] = mu[i] + mu_t[i];
+    });
+  }
+  // rho_m C Delta^2 |S|.
+  VariableId eddy_viscosity(int m) {
+    if (!o_.transport.turbulence)
+      return closure(labels().eddy_viscosity, m, [](double, double) { return 0.0; });
+    const VariableId to = q_.fresh(labels().eddy_viscosity, m);
+    TaskBuilder t = q_.task(labels().eddy_viscosity, m);
+    const In density = t.read(v_.density), all = t.read(v_.common.rho);
+    const In eddy = t.read(v_.common.eddy_viscosity);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double *r = row(density, m), *rho = row(all), *mu_t = row(eddy);
+      double* own = row(out);
+      for (int i = 0; i < row.count(); ++i) own[i] = mu_t[i] * (r[i] / rho[i]);
+    });
+    return to;
+  }
+
   void declare_material(int m) {
     const Labels& l = labels();
     const auto k = static_cast<std::size_t>(m);
@@ -134,9 +178,7 @@ class Declarer {
     const auto constant = [&](Label label, double value) {
       closure(label, m, [value](double, double) { return value; });
     };
-    constant(l.viscosity, o_.viscosities[k]);
-    constant(l.eddy_viscosity, 0.0);
-    constant(l.total_viscosity, o_.viscosities[k]);
+    declare_viscosities(m);
     constant(l.thermal_conductivity, o_.conductivities[k]);
     constant(l.gamma, fluid.gamma);
     constant(l.specific_heat, fluid.specific_heat);

@@ -1,7 +1,10 @@
-// Friction and conduction with several materials: the viscosity of a cell, and who gets the heat.
+// Friction and conduction with several materials: who gets the heat (the viscosity of a cell:
+// viscosity.cpp).
 //
-//   mu = sum V_m mu_m                                      (faces: harmonic mean of two cells)
-//   Q_m = D s_m + sum_d l_d (taken_m- - given_m+),   s_m = V_m mu_m/mu
+//   mu = sum V_m mu_m + mu_t                               (faces: harmonic mean of two cells)
+//   Q_m = D s_m + sum_d l_d (taken_m- - given_m+),   s_m = (V_m mu_m + mu_t M_m/rho)/mu
+// mu_m one number, or a function of the material's own temperature and place; mu_t the subgrid
+// viscosity of the mixture's motion, rho C Delta^2 |S|: of each material rho_m C Delta^2 |S|.
 // D: the viscous work defect of the cell, what friction turns into heat in its half of each face.
 // One velocity strains all materials alike, so that each dissipates by its viscosity; mean shares
 // in the cell keep the stress where an inviscid material leaves a trace. Between cells the stress
@@ -19,7 +22,7 @@ namespace {
 constexpr double most_by_mass = 1000;
 
 struct Handles {
-  In pure, presence, dissipation, viscosity, inverse_rho;
+  In pure, presence, dissipation, viscosity, inverse_rho, own_viscosity, eddy_viscosity;
   std::vector<In> mass, volume;
   std::array<In, 3> heat_flux;
   Out heat;
@@ -30,14 +33,17 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
   const double* mu = row(h.viscosity);
   const double* w = row(h.inverse_rho);
   const double* work = row(h.dissipation, friction_of_mixture);
-  const double *M[most_materials], *V[most_materials];
+  const double *M[most_materials], *V[most_materials], *own[most_materials];
   double *heat[most_materials], viscosity[most_materials], share[most_materials];
+  const bool varies = o.own_viscosity_varies(), turbulent = o.transport.turbulence.has_value();
+  const double* mu_t = turbulent ? row(h.eddy_viscosity) : nullptr;
   int count = 0;
   for_each_of(set, [&](int m) {
     const auto k = static_cast<std::size_t>(m);
     M[count] = row(h.mass[k]);
     V[count] = row(h.volume[k]);
     viscosity[count] = o.viscosities[k];
+    own[count] = varies ? row(h.own_viscosity, m) : nullptr;
     heat[count++] = row(h.heat, m);
   });
   for (int i = 0; i < n; ++i) {
@@ -45,7 +51,10 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
     const double inverse = rubs ? 1.0 / mu[i] : 0.0;
     double rest = 1;
     for (int m = 0; m < count; ++m) {
-      share[m] = smaller(V[m][i] * viscosity[m] * inverse, most_by_mass * (M[m][i] * w[i]));
+      const double by_mass = M[m][i] * w[i];
+      double rubbing = V[m][i] * (varies ? own[m][i] : viscosity[m]);
+      if (turbulent) rubbing += mu_t[i] * by_mass;
+      share[m] = smaller(rubbing * inverse, most_by_mass * by_mass);
       rest -= share[m];
     }
     for (int m = 0; m < count; ++m) heat[m][i] = work[i] * (share[m] + rest * (M[m][i] * w[i]));
@@ -77,8 +86,7 @@ void heat_rows(const Row& row, const Handles& h, const SchemeOptions& o, std::ui
   for_each_of(set, [&](int m) {
     double* heat = row(h.heat, m);
     for (int i = 0; !o.viscous && i < row.count(); ++i) heat[i] = 0.0;
-    if (o.conducting && o.conductivities[static_cast<std::size_t>(m)] > 0.0)
-      conduction_row<D>(row, h, o, m);
+    if (o.conducting && o.conducts(m)) conduction_row<D>(row, h, o, m);
   });
 }
 
@@ -95,24 +103,6 @@ void heat_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_viscosity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.viscous) return;
-  TaskBuilder task = list.task("viscosity of the mixture", effect);
-  std::vector<In> volume;
-  for (const VariableId each : v.volume) volume.push_back(task.read(each));
-  const Out viscosity = task.write(v.common.viscosity);
-  task.kernel([=, mu = o.viscosities](const Row& row) {
-    const int n = row.count();
-    double* __restrict sum = row(viscosity);
-    for (int i = 0; i < n; ++i) sum[i] = 0.0;
-    for (std::size_t m = 0; m < volume.size(); ++m) {
-      if (!(mu[m] > 0.0)) continue;
-      const double* __restrict V = row(volume[m]);
-      for (int i = 0; i < n; ++i) sum[i] += V[i] * mu[m];
-    }
-  });
-}
-
 void add_transported_heat(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   if (!o.viscous && !o.conducting) return;
   TaskBuilder task = list.task("heat of friction and conduction", effect);
@@ -123,6 +113,8 @@ void add_transported_heat(TaskList& list, const Variables& v, const SchemeOption
     h.dissipation = task.read(v.common.lagrangian_mixture);
     h.viscosity = task.read(v.common.viscosity);
     h.inverse_rho = task.read(v.common.inverse_rho);
+    if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity);
+    if (o.transport.turbulence) h.eddy_viscosity = task.read(v.common.eddy_viscosity);
     for (std::size_t m = 0; m < v.mass.size(); ++m) {
       h.mass.push_back(task.read(v.mass[m]));
       h.volume.push_back(task.read(v.volume[m]));

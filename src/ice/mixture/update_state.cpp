@@ -81,7 +81,10 @@ void diffusion_rates_of_row(const Row& row, const UpdateState& h, const Diffusio
     state.mass[m] = row(h.state[m].mass_new);
     state.volume[m] = row(h.state[m].volume_new);
     state.energy[m] = row(h.state[m].energy_new);
+    if (diffusion.conductivity_varies())
+      state.conductivity[m] = row(h.common.next.conductivity, static_cast<int>(m));
   }
+  if (diffusion.viscosity_varies()) state.viscosity = row(h.common.next.viscosity);
   const double most = diffusion.largest(state, row.count(), row.step().spacing);
   row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(most));
 }

@@ -24,6 +24,10 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   v.lagrangian_mixture = list.temporary("J, work, main outlet, friction", o.viscous ? 4 : 3);
   declare_step_temporaries(list, o, v);
   declare_conservative_temporaries(list, o, v);
+  if (o.viscous)
+    v.front_viscosity = o.own_viscosity_varies() ? list.temporary("viscosity of fronts")
+                        : o.transport.turbulence ? v.molecular_viscosity
+                                                 : v.viscosity;
   v.energy_scale = list.temporary("energy scale");
   v.closure = list.temporary("closure of the new state", 3);
   return v;
@@ -64,6 +68,8 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
       v.heat_flux[static_cast<std::size_t>(a)] = list.temporary(
           "heat through contacts of axis " + std::to_string(a), 2 * M, o.axes.direction[a]);
   }
+  if (o.viscous && o.own_viscosity_varies())
+    v.own_viscosity = list.temporary("viscosity of each material", M);
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
   if (o.own_velocities) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;

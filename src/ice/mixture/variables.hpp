@@ -44,6 +44,10 @@ struct Variables {
   // By axis, 3 components a material: volume, mass and energy that pass a face, unless both its
   // cells have the same pure neighbourhood.
   std::array<VariableId, 3> flux;
+  VariableId own_viscosity;  // molecular, of each material; where it varies, 0 where absent
+  // Of the material with a surface (surface.hpp): how much of it a volume holds, 1/m, and its
+  // normal, out of the material, by axis.
+  VariableId surface;
   // Where materials conduct: temperature and rho_m cv_m of each; by axis and material what the low
   // cell gives and what the high cell takes. What friction and conduction bring each.
   VariableId temperature, heat_capacity, heat;
@@ -73,7 +77,10 @@ inline int component(int material, Carried q) {
 // `everywhere`: density and energy of each material also where it is alone, for outputs.
 void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
                     bool everywhere = false);
-void add_viscosity(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_viscosity(TaskList&, const Variables&, const SchemeOptions&, int effect,
+                   int turbulence_effect);
+// Molecular viscosity of each material.
+void add_own_viscosities(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_heat_flux(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_transported_heat(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);

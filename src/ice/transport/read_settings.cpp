@@ -28,12 +28,6 @@ void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message
   faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
 }
 
-void not_built(std::vector<Fault>& faults, const DeckNode& node, const std::string& what,
-               std::string suggestion) {
-  fault(faults, node, what + " is known to the format, but not built yet", std::move(suggestion));
-  faults.back().not_built = true;
-}
-
 void check_models(const DeckNode& models, std::vector<Fault>& faults) {
   int laws = 0;
   for (const DeckNode* model : models.all("Model")) {
@@ -218,13 +212,11 @@ std::vector<WallShear> read_wall_shear(const DeckNode& ice, const Scene& scene,
 void check_transport(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const auto materials = ice_materials(root);
-  const bool several = materials.size() > 1;
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* scheme = ice == nullptr ? nullptr : ice->child("scheme");
   const bool classic = scheme != nullptr && scheme->text == "classic";
   const auto check = [&](const DeckNode& node, const std::string& what) {
     check_slip(root, node, faults);
-    if (several) not_built(faults, node, what + " with several materials", "remove it");
     if (classic)
       fault(faults, node, fmt::format("<scheme> classic has no {}", what), "remove <scheme>");
   };

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "framework/deck/load_deck.hpp"
 #include "framework/deck/framework_schema.hpp"
+#include "framework/deck/load_deck.hpp"
 #include "ice/ice_schema.hpp"
 
 namespace sluice::ice {
@@ -115,11 +115,7 @@ TEST(TransportSettings, RefusesWhatDoesNotGoTogether) {
   EXPECT_THAT(said(deck(classic + smagorinsky)), HasSubstr("<scheme> classic has no <turbulence>"));
   EXPECT_THAT(said(deck(classic, sutherland)),
               HasSubstr("<scheme> classic has no <dynamicViscosityModels>"));
-  EXPECT_THAT(
-      said(deck(smagorinsky, "", material(""))),
-      HasSubstr("<turbulence> with several materials is known to the format, but not built"));
-  EXPECT_THAT(said(deck("", sutherland, material(""))),
-              HasSubstr("<dynamicViscosityModels> with several materials"));
+  EXPECT_THAT(said(deck(smagorinsky, sutherland, material(""))), Not(HasSubstr("several")));
   const std::string slip =
       "<BoundaryConditions><Face side='x-'><BCType id='0' label='Velocity' var='slip'>"
       "<value>[0,0,0]</value></BCType></Face></BoundaryConditions>";

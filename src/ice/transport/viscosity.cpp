@@ -24,7 +24,7 @@ void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sp
 void add_totals(const TransportTask& t, const SchemeVariables& v) {
   TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
-  const bool varies = t.options.transport.molecular_varies();
+  const bool varies = t.options.molecular_varies();
   const In molecular = varies ? task.read(v.molecular_viscosity) : In{};
   const Out viscosity = task.write(v.viscosity), conductivity = task.write(v.conductivity);
   task.kernel([=, o = t.options](const Row& row) {
@@ -79,30 +79,33 @@ std::vector<TransportModels::Sponge> sponge_cells(const ViscosityModels& models,
   return all;
 }
 
+void MolecularViscosity::operator()(const Row& row, const double* rho, const double* energy,
+                                    double* mu) const {
+  const int n = row.count();
+  if (models.sutherland) {
+    temperature_row(fluid, n, rho, energy, mu);
+    for (int i = 0; i < n; ++i) mu[i] = models.sutherland->viscosity(mu[i]);
+  } else {
+    std::fill_n(mu, n, constant);
+  }
+  for (const TransportModels::Sponge& sponge : models.sponges) sponge_row(row, along, sponge, mu);
+}
+
 void add_molecular_viscosity(const TransportTask& t, const StateVariables& state,
                              VariableId viscosity) {
   TaskBuilder task = t.list.task(t.name + "molecular viscosity", t.effect);
   const In rho = task.read(state.rho), E = task.read(state.energy);
   const Out out = task.write(viscosity);
-  task.kernel([=, o = t.options](const Row& row) {
-    double* mu = row(out);
-    const int n = row.count();
-    if (o.transport.sutherland) {
-      temperature_row(o.fluid, n, row(rho), row(E), mu);
-      for (int i = 0; i < n; ++i) mu[i] = o.transport.sutherland->viscosity(mu[i]);
-    } else {
-      std::fill(mu, mu + n, o.viscosity);
-    }
-    for (const TransportModels::Sponge& sponge : o.transport.sponges)
-      sponge_row(row, o.axes.direction[0], sponge, mu);
-  });
+  const SchemeOptions& o = t.options;
+  task.kernel([=, law = MolecularViscosity{o.fluid, o.transport, o.viscosity, o.axes.direction[0]}](
+                  const Row& row) { law(row, row(rho), row(E), row(out)); });
 }
 
 void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                    int viscosity_effect, int turbulence_effect) {
   const bool turbulent = o.transport.turbulence.has_value();
   const StateVariables state{v.rho, v.energy, v.velocity};
-  if (o.transport.molecular_varies())
+  if (o.molecular_varies())
     add_molecular_viscosity({list, o, viscosity_effect, ""}, state,
                             turbulent ? v.molecular_viscosity : v.viscosity);
   if (!turbulent) return;

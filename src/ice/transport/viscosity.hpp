@@ -22,6 +22,16 @@ struct TransportTask {
   std::string name;
 };
 
+// Molecular viscosity of a row of cells that one material fills or shares; rho, rho e: its own.
+struct MolecularViscosity {
+  Fluid fluid;
+  TransportModels models;
+  double constant = 0;  // <dynamic_viscosity>
+  int along = 0;        // direction of rows
+
+  void operator()(const Row& row, const double* rho, const double* energy, double* mu) const;
+};
+
 // <dynamic_viscosity> or Sutherland's law, at least that of the layers.
 void add_molecular_viscosity(const TransportTask& task, const StateVariables& state,
                              VariableId viscosity);

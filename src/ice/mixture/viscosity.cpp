@@ -1,0 +1,131 @@
+// The viscosity of a cell that several materials share.
+//
+//   mu = sum V_m mu_m + mu_t
+// mu_m: one number, or Sutherland's law at the material's own temperature, at least that of sponge
+// layers; mu_t: subgrid viscosity of the common motion. Where coefficients vary within a material,
+// fronts between materials (face_mean.hpp) know another sum, with one number for each material: in
+// one fluid friction works on the mean of two cells. Absent without friction.
+#include <algorithm>
+#include <string>
+
+#include "ice/mixture/runs.hpp"
+#include "ice/mixture/variables.hpp"
+#include "ice/transport/viscosity.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+// One number for each material where it varies: that of its law at 300 K.
+std::vector<double> usual_viscosities(const SchemeOptions& o) {
+  constexpr double usual_temperature = 300;
+  std::vector<double> mu = o.viscosities;
+  for (std::size_t m = 0; m < mu.size(); ++m)
+    if (const auto& law = o.transports[m].sutherland) mu[m] = law->viscosity(usual_temperature);
+  return mu;
+}
+
+// sum V_m mu_m, mu_m one number each.
+void add_shares(TaskList& list, const Variables& v, const std::vector<double>& mu,
+                const std::string& name, VariableId sum_of_shares, int effect) {
+  TaskBuilder task = list.task(name, effect);
+  std::vector<In> volume;
+  for (const VariableId each : v.volume) volume.push_back(task.read(each));
+  const Out viscosity = task.write(sum_of_shares);
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    double* __restrict sum = row(viscosity);
+    for (int i = 0; i < n; ++i) sum[i] = 0.0;
+    for (std::size_t m = 0; m < volume.size(); ++m) {
+      if (!(mu[m] > 0.0)) continue;
+      const double* __restrict V = row(volume[m]);
+      for (int i = 0; i < n; ++i) sum[i] += V[i] * mu[m];
+    }
+  });
+}
+
+// The same of the fields of each.
+void add_shares_of_fields(TaskList& list, const Variables& v, VariableId sum_of_shares,
+                          int effect) {
+  TaskBuilder task = list.task("viscosity of the mixture", effect);
+  std::vector<In> volume;
+  for (const VariableId each : v.volume) volume.push_back(task.read(each));
+  const In own = task.read(v.own_viscosity);
+  const Out viscosity = task.write(sum_of_shares);
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    double* __restrict sum = row(viscosity);
+    for (int i = 0; i < n; ++i) sum[i] = 0.0;
+    for (std::size_t m = 0; m < volume.size(); ++m) {
+      const double* __restrict V = row(volume[m]);
+      const double* __restrict mu = row(own, static_cast<int>(m));
+      for (int i = 0; i < n; ++i) sum[i] += V[i] * mu[i];
+    }
+  });
+}
+
+void add_total(TaskList& list, const SchemeVariables& v, int effect) {
+  TaskBuilder task = list.task("total viscosity", effect);
+  const In molecular = task.read(v.molecular_viscosity), eddy = task.read(v.eddy_viscosity);
+  const Out viscosity = task.write(v.viscosity);
+  task.kernel([=](const Row& row) {
+    const double* __restrict mu = row(molecular);
+    const double* __restrict mu_t = row(eddy);
+    double* __restrict total = row(viscosity);
+    for (int i = 0; i < row.count(); ++i) total[i] = mu[i] + mu_t[i];
+  });
+}
+
+}  // namespace
+
+void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("viscosity of each material", effect);
+  const StateReads state = read_state(task, v);
+  const In presence = task.read(v.presence);
+  const Out viscosity = task.write(v.own_viscosity);
+  const Out own = task.write(list.temporary("density and energy of a viscous material", 2));
+  std::vector<MolecularViscosity> laws;
+  for (std::size_t m = 0; m < o.fluids.size(); ++m)
+    laws.push_back({o.fluids[m], o.transports[m], o.viscosities[m], o.axes.direction[0]});
+  task.kernel([=](const Row& row) {
+    for (int m = 0; m < static_cast<int>(laws.size()); ++m)
+      std::fill_n(row(viscosity, m), row.count(), 0.0);
+    for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
+      const Row part = row.part(first, count);
+      for_each_of(as_set(set), [&](int m) {
+        const auto n = static_cast<std::size_t>(m);
+        const double* __restrict M = part(state.mass[n]);
+        const double* __restrict V = part(state.volume[n]);
+        const double* __restrict E = part(state.energy[n]);
+        double* __restrict r = part(own, 0);
+        double* __restrict e = part(own, 1);
+        for (int i = 0; i < count; ++i) {
+          const double inverse = 1.0 / V[i];
+          r[i] = M[i] * inverse;
+          e[i] = E[i] * inverse;
+        }
+        laws[n](part, r, e, part(viscosity, m));
+      });
+    });
+  });
+}
+
+void add_viscosity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                   int turbulence_effect) {
+  if (!o.viscous) return;
+  const SchemeVariables& c = v.common;
+  const bool turbulent = o.transport.turbulence.has_value();
+  const VariableId molecular = turbulent ? c.molecular_viscosity : c.viscosity;
+  if (o.own_viscosity_varies()) {
+    add_own_viscosities(list, v, o, effect);
+    add_shares_of_fields(list, v, molecular, effect);
+    add_shares(list, v, usual_viscosities(o), "viscosity of fronts", c.front_viscosity, effect);
+  } else {
+    add_shares(list, v, o.viscosities, "viscosity of the mixture", molecular, effect);
+  }
+  if (!turbulent) return;
+  add_eddy_viscosity({list, o, turbulence_effect, ""}, {c.rho, c.energy, c.velocity},
+                     c.eddy_viscosity);
+  add_total(list, c, turbulence_effect);
+}
+
+}  // namespace sluice::ice::mixture
