@@ -97,9 +97,11 @@ void Drag::push(const DragCell& cell, double dp, double* momentum) const {
   const int n = cell.count;
   for (int i = 0; i < n; ++i) momentum[i] = (cell.M[i] / cell.total - cell.V[i]) * dp;
   if (n == 2) {
+    // The smaller has all digits, of next to nothing too.
+    const int small = cell.V[1] < cell.V[0] ? 1 : 0;
     const double m = virtual_mass(cell, 0, 1);
-    momentum[0] /= 1.0 + m * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
-    momentum[1] = -momentum[0];
+    momentum[small] /= 1.0 + m * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
+    momentum[1 - small] = -momentum[small];
     return;
   }
   double k[most_materials * most_materials], rest = 0;

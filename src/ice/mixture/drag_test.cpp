@@ -76,6 +76,15 @@ TEST(Drag, MayGrowWithTheRatioOfMasses) {
     }
 }
 
+// The push of the larger is a difference of two numbers close to one.
+TEST(Drag, PressureDoesNotThrowNextToNothing) {
+  const DragCell cell = cell_of({32, 9e-50}, {1, 5e-50});
+  double momentum[2];
+  Drag(PairCoefficients(2)).push(cell, 1e-2, momentum);
+  EXPECT_LT(std::fabs(momentum[1] / cell.M[1]), 1e-2);
+  EXPECT_EQ(momentum[0], -momentum[1]);
+}
+
 // Five materials, pushed all the time: order two, and exact where nothing or everything holds.
 TEST(Drag, OfFiveIsOfSecondOrder) {
   const DragCell cell = cell_of({300, .7, 20, 4, .01}, {.3, .5, .1, .05, .05});

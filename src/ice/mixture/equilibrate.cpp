@@ -17,6 +17,7 @@ constexpr double same_pressure = 4e-15;  // of the modulus: round-off of p = G (
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
 constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
+constexpr double next_to_nothing = 1e-9;         // of the heaviest's mass
 
 }  // namespace
 
@@ -126,12 +127,9 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
   std::array<double, most_materials> p;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    const auto k = static_cast<std::size_t>(m);
-    const Linear& l = linear_[k];
-    const double rho = cell.M[m] / cell.V[m], rho_e = cell.E[m] / cell.V[m];
-    const double pm =
-        l.is ? l.G * (rho_e - l.q * rho) - l.gamma_pi : fluids_[k].pressure(rho, rho_e);
-    const double K = modulus(m, rho, pm);
+    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const double pm = pressure(m, cell.M[m], cell.V[m], cell.E[m]);
+    const double K = modulus(m, cell.M[m] / cell.V[m], pm);
     if (!(cell.M[m] > 0.0 && cell.V[m] > 0.0 && K > 0.0 && K < infinity)) {
       result.failed = m;
       return false;
@@ -216,10 +214,50 @@ void Equilibration::fill_cavity(const Cell& cell, const Present& in, double q) c
   cell.E[heaviest] -= others + (cell.E[in.weakest] - before);
 }
 
+double Equilibration::pressure(int m, double M, double V, double E) const {
+  const auto k = static_cast<std::size_t>(m);
+  const Linear& l = linear_[k];
+  const double rho = M / V, rho_e = E / V;
+  return l.is ? l.G * (rho_e - l.q * rho) - l.gamma_pi : fluids_[k].pressure(rho, rho_e);
+}
+
+// Of what is next to nothing the differences of large fluxes may leave an energy that is none of its
+// law's: it takes that of its least pressure, and the heaviest pays. False: nothing was mended.
+bool Equilibration::mend(const Cell& cell) const {
+  int heaviest = 0;
+  double stiffest = 0;
+  for (int m = 0; m < materials(); ++m) {
+    if (cell.M[m] > cell.M[heaviest]) heaviest = m;
+    if (cell.M[m] != 0.0) stiffest = std::fmax(stiffest, linear_[static_cast<std::size_t>(m)].pi);
+  }
+  if (!(cell.M[heaviest] > 0.0 && cell.V[heaviest] > 0.0)) return false;
+  const double p = pressure(heaviest, cell.M[heaviest], cell.V[heaviest], cell.E[heaviest]);
+  const double least = least_cavity_pressure * std::fmax(stiffest, p);
+  if (!(least > 0.0 && least < infinity)) return false;
+  bool mended = false;
+  for (int m = 0; m < materials(); ++m) {
+    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const double M = cell.M[m], V = cell.V[m];
+    const bool light = M > 0.0 && V > 0.0 && M < next_to_nothing * cell.M[heaviest];
+    if (!light || !l.is || pressure(m, M, V, cell.E[m]) + l.pi > 0.0) continue;
+    const double E = (least - l.pi + l.gamma_pi) * V / l.G + l.q * M;
+    cell.E[heaviest] -= E - cell.E[m];
+    cell.E[m] = E;
+    mended = true;
+  }
+  return mended;
+}
+
 Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
   Present in;
   Result result;
-  if (survey(cell, in, result)) {
+  bool differ = survey(cell, in, result);
+  if (result.failed >= 0 && mend(cell)) {
+    in = {};
+    result = {};
+    differ = survey(cell, in, result);
+  }
+  if (differ) {
     double q = result.pressure;
     if (!find_pressure(cell, in, q, result.iterations)) {
       q = result.pressure;
@@ -236,6 +274,7 @@ Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
                                   : -infinity;
     if (q < least) {
       q = least;
+      result.torn = true;
       fill_cavity(cell, in, q);
     } else {
       cell.E[in.largest] -= relax(cell, in, q, in.largest);

@@ -36,7 +36,8 @@ class Equilibration {
     double pressure = 0;
     double modulus = 0;  // of the mixture
     int iterations = 0;
-    int failed = -1;  // the material without a state, or -1
+    int failed = -1;    // the material without a state, or -1
+    bool torn = false;  // a liquid bears no more: the weakest material holds a cavity open
   };
   // Materials with M = 0 are absent and must have V = E = 0. At least one is present.
   Result equilibrate(const Cell& cell) const;
@@ -64,6 +65,8 @@ class Equilibration {
   // Who is there, at which mean pressure; true: pressures differ.
   bool survey(const Cell& cell, Present& in, Result& result) const;
   double modulus(int m, double rho, double p) const;
+  double pressure(int m, double M, double V, double E) const;
+  bool mend(const Cell& cell) const;
   Branch branch(int m, double q, double M, double V, double E) const;
   Branch general_branch(const Fluid& fluid, double q, double M, double V, double E) const;
   bool is_weaker(int m, int n, const Cell& cell) const;

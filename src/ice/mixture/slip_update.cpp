@@ -13,11 +13,9 @@
 // (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of pure
 // neighbourhood run the rows of one material.
 #include "ice/conservative/update_rows.hpp"
-#include "ice/mixture/collapse.hpp"
+#include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/drag.hpp"
-#include "ice/mixture/equilibrate.hpp"
-#include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/update_state.hpp"
@@ -54,14 +52,12 @@ template <int D, int C>
 class Cells {
  public:
   Cells(const Row& row, const Handles& h, const SchemeOptions& o, const Drag& drag,
-        const Equilibration& equilibration, const Collapse& collapse, const HeatExchange& heat)
+        const CellClosure& closure)
       : row_(row),
         h_(h),
         o_(o),
         drag_(drag),
-        equilibration_(equilibration),
-        collapse_(collapse),
-        heat_(heat),
+        closure_(closure),
         materials_(static_cast<int>(h.state.size())) {
     for (int d = 0; d < D; ++d) l_[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
   }
@@ -202,16 +198,7 @@ class Cells {
   }
 
   void close(double* M, double* V, double* E, double rho, int i) const {
-    double before[most_materials];
-    const std::uint64_t bubbles =
-        collapse_.possible() ? collapse_.traces_of_gas({M, V, E}, rho) : 0;
-    if (bubbles != 0) collapse_.remember({M, V, E}, bubbles, before);
-    Equilibration::Result result = equilibration_.equilibrate({M, V, E});
-    if (bubbles != 0 && result.failed < 0 &&
-        collapse_.settle({M, V, E}, bubbles, before, result.pressure))
-      result = equilibration_.equilibrate({M, V, E});
-    if (heat_.on() && result.failed < 0 && heat_.exchange({M, V, E}, row_.step().dt))
-      result = equilibration_.equilibrate({M, V, E});
+    const Equilibration::Result result = closure_.close({M, V, E}, rho, row_.step().dt);
     const double iJ = row_(h_.common.inverse_J)[i];
     if (!(rho > 0.0 && rho < infinity))
       report(i, fault_density, rho);
@@ -239,16 +226,15 @@ class Cells {
     row_.reductions().fault(f);
   }
 
-  // Each material's own speed, and sound as fast as between free materials.
-  void rates(const DragCell& cell, const double* V, int i) const {
+  // Each material's own speed, and sound as fast as without drag.
+  void rates(DragCell& cell, const double* V, int i) const {
     if (cell.count < 2) return;
     const RateConstants x = rate_constants(o_, row_.step());
-    double inertia = 0;
-    for (int n = 0; n < cell.count; ++n) {
-      const double share = V[cell.index[n]];
-      inertia += share * share / cell.M[n];
-    }
-    const double sound = std::sqrt(row_(h_.end, 1)[i] * inertia);
+    for (int n = 0; n < cell.count; ++n) cell.V[n] = V[cell.index[n]];
+    double given[most_materials], inverse_inertia = 1.0 / cell.total;
+    drag_.push(cell, -1.0, given);
+    for (int n = 0; n < cell.count; ++n) inverse_inertia += cell.V[n] * (given[n] / cell.M[n]);
+    const double sound = std::sqrt(row_(h_.end, 1)[i] * larger(inverse_inertia, 1.0 / cell.total));
     for (int n = 0; n < cell.count; ++n) {
       const Out slip = h_.slip_new[static_cast<std::size_t>(cell.index[n])];
       double deck = 0, flow = 0, fastest = 0, sum = 0;
@@ -271,9 +257,7 @@ class Cells {
   const Handles& h_;
   const SchemeOptions& o_;
   const Drag& drag_;
-  const Equilibration& equilibration_;
-  const Collapse& collapse_;
-  const HeatExchange& heat_;
+  const CellClosure& closure_;
   int materials_;
   double l_[D];
 };
@@ -300,12 +284,11 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, equilibration = Equilibration(o.fluids), drag = Drag(o.drag),
-                 collapse = Collapse(o.fluids), heat = HeatExchange(o.fluids, o.heat_exchange),
+    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange), drag = Drag(o.drag),
                  diffusion = DiffusionRates(o)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
-        if (pure < 0.0) return Cells<D, C>(part, h, o, drag, equilibration, collapse, heat).run();
+        if (pure < 0.0) return Cells<D, C>(part, h, o, drag, closure).run();
         const auto m = static_cast<std::size_t>(pure);
         pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m));
       });

@@ -5,17 +5,14 @@
 //   k = sum_d (F- |U- - v|^2 - F+ |U+ - v|^2)/2 - rho' |m'/rho' - v|^2/2
 // the kinetic energy that the remap loses goes to the materials by mass. A material that ended with
 // no mass is gone: what is left of its energy goes into k. Then sources act (sources/sources.hpp),
-// then one pressure (equilibrate.hpp), heat between the materials (heat_exchange.hpp) and one
-// pressure again.
+// then one pressure and heat between the materials (cell_closure.hpp).
 // Cells of pure neighbourhood run the rows of one material.
 #include <algorithm>
 #include <optional>
 
 #include "ice/conservative/update_rows.hpp"
-#include "ice/mixture/collapse.hpp"
+#include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/equilibrate.hpp"
-#include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/ideal_relaxation.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/update_state.hpp"
@@ -31,10 +28,8 @@ struct Handles : UpdateState {
 
 // What finds the pressure of a cell.
 struct Laws {
-  Equilibration equilibration;
+  CellClosure closure;
   IdealRelaxation ideal;
-  Collapse collapse;
-  HeatExchange heat;
 };
 
 // Adds the sources; the density of the mixture follows.
@@ -207,7 +202,7 @@ class MixedCells {
   }
 
   void find_pressure(int first, int n) {
-    if (laws_.ideal.applies() && !laws_.heat.on() && is_sound(first, n)) {
+    if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n)) {
       GasRows gases[most_materials];
       for (int m = 0; m < materials_; ++m) {
         double* const* next = rows_[m].next;
@@ -229,22 +224,14 @@ class MixedCells {
   }
 
   void find_pressure_of_cell(int i) {
-    double M[most_materials], V[most_materials], E[most_materials], before[most_materials];
+    double M[most_materials], V[most_materials], E[most_materials];
     for (int m = 0; m < materials_; ++m) {
       M[m] = rows_[m].next[of_mass][i];
       V[m] = rows_[m].next[of_volume][i];
       E[m] = rows_[m].next[of_energy][i];
     }
-    const Collapse& collapse = laws_.collapse;
-    const std::uint64_t bubbles =
-        collapse.possible() ? collapse.traces_of_gas({M, V, E}, density_[i]) : 0;
-    if (bubbles != 0) collapse.remember({M, V, E}, bubbles, before);
-    Equilibration::Result result = laws_.equilibration.equilibrate({M, V, E});
-    if (bubbles != 0 && result.failed < 0 &&
-        collapse.settle({M, V, E}, bubbles, before, result.pressure))
-      result = laws_.equilibration.equilibrate({M, V, E});
-    if (laws_.heat.on() && result.failed < 0 && laws_.heat.exchange({M, V, E}, row_.step().dt))
-      result = laws_.equilibration.equilibrate({M, V, E});
+    const Equilibration::Result result =
+        laws_.closure.close({M, V, E}, density_[i], row_.step().dt);
     if (!(density_[i] > 0.0 && density_[i] < infinity)) {
       report(i, fault_density, density_[i]);
     } else if (!(iJ_[i] > 0.0 && iJ_[i] < infinity)) {
@@ -297,9 +284,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=,
-                 laws = Laws{Equilibration(o.fluids), IdealRelaxation(o.fluids), Collapse(o.fluids),
-                             HeatExchange(o.fluids, o.heat_exchange)},
+    task.kernel([=, laws = Laws{CellClosure(o.fluids, o.heat_exchange), IdealRelaxation(o.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       std::optional<MixedCells<D, C>> mixed;
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {

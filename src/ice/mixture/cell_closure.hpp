@@ -1,0 +1,26 @@
+// How a cell of several materials ends its step: one pressure (equilibrate.hpp), bubbles that closed
+// as warm as the liquid (collapse.hpp), heat between the materials (heat_exchange.hpp), and one
+// pressure again.
+#pragma once
+#include "ice/mixture/collapse.hpp"
+#include "ice/mixture/equilibrate.hpp"
+#include "ice/mixture/heat_exchange.hpp"
+
+namespace sluice::ice::mixture {
+
+class CellClosure {
+ public:
+  CellClosure(const std::vector<Fluid>& fluids, const PairCoefficients& heat)
+      : equilibration_(fluids), collapse_(fluids), heat_(fluids, heat) {}
+
+  bool exchanges_heat() const { return heat_.on(); }
+  // Of mass `density` per volume, after a step of dt.
+  Equilibration::Result close(const Equilibration::Cell& cell, double density, double dt) const;
+
+ private:
+  Equilibration equilibration_;
+  Collapse collapse_;
+  HeatExchange heat_;
+};
+
+}  // namespace sluice::ice::mixture
