@@ -52,6 +52,12 @@ Verification verify(const Archive& archive) {
 }
 
 // The last readable state: its grid and labels stand for the archive's.
+std::vector<FieldInfo> all_fields(const ArchiveStep& step) {
+  std::vector<FieldInfo> all = step.fields();
+  all.insert(all.end(), step.particle_fields().begin(), step.particle_fields().end());
+  return all;
+}
+
 std::unique_ptr<ArchiveStep> last_step(const Archive& archive, std::vector<std::string>& damage) {
   for (const bool outputs : {true, false}) {
     const auto& entries = outputs ? archive.outputs() : archive.checkpoints();
@@ -124,7 +130,7 @@ Json to_json(const Archive& archive, const ArchiveStep* step, const Verification
                              {"high", triple_json(corner(l, l.domain.upper))},
                              {"periodic", l.periodic},
                              {"active", l.active}});
-    for (const FieldInfo& f : step->fields())
+    for (const FieldInfo& f : all_fields(*step))
       j["labels"].push_back({{"name", f.name},
                              {"type", name_of(f.type)},
                              {"centring", name_of(f.centring)},
@@ -157,7 +163,7 @@ void print_labels(const ArchiveStep& step) {
     std::set<int> materials, levels;
   };
   std::map<std::string, Row> rows;
-  for (const FieldInfo& f : step.fields()) {
+  for (const FieldInfo& f : all_fields(step)) {
     Row& row = rows.try_emplace(f.name, Row{f, {}, {}}).first->second;
     row.materials.insert(f.material);
     row.levels.insert(f.level);

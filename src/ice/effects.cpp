@@ -158,6 +158,18 @@ void add_scalars(const std::vector<models::TransportedScalar>& scalars, EffectLi
   e.add({"scalars", true, "carried with the mass: " + names, scalars.front().where});
 }
 
+// They are moved once a step is accepted, outside the graph.
+Effect tracers(const IceScene& ice) {
+  if (ice.models.tracers.empty())
+    return {"tracer particles", false, "no <TracerParticles> in the deck", {}};
+  std::string names;
+  for (const models::TracerParticles& t : ice.models.tracers)
+    names += fmt::format("{}{} in {}", names.empty() ? "" : ", ", t.name,
+                         called(ice.materials[static_cast<std::size_t>(t.material)]));
+  return {"tracer particles", true, names + ", moved after each step",
+          ice.models.tracers.front().where};
+}
+
 }  // namespace
 
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
@@ -205,6 +217,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   e.add({"reactions", false,
          ice.models.where.line > 0 ? "no <Model> of a reaction" : "no <Models> in the deck",
          ice.models.where});
+  e.add(tracers(ice));
   return e;
 }
 

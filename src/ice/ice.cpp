@@ -210,6 +210,10 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions, ice_.models.scalars,
                                                        options_.binary));
+  if (effects_.on(effect_tracers))
+    tracers_ = std::make_unique<Tracers>(
+        ice_.models.tracers, scene.grid, boundary_,
+        FlowStorage{material_count(), slots.directions, options_.own_velocities});
   if (!effects_.on(effect_sources)) return;
   for (const Level& level : scene.grid.levels)
     sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,

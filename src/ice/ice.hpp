@@ -8,6 +8,7 @@
 #include "ice/ice_scene.hpp"
 #include "ice/refine/mixture_transfer.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/tracers/tracers.hpp"
 
 namespace sluice::ice {
 
@@ -36,6 +37,7 @@ class Ice : public Component {
   Label refine_flag() const override;
   std::vector<ErrorEstimate> error_estimates() const override { return estimates_; }
   Label mask_label() const override;
+  const ParticleMethod* particles() const override { return tracers_.get(); }
   int reduction_maxima() const override { return StepSlots::maxima; }
   int reduction_sums() const override;
   int first_volume_sum() const override;
@@ -73,6 +75,7 @@ class Ice : public Component {
   SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
   std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
   std::vector<std::unique_ptr<Sources>> sources_;        // by level; empty: there are none
+  std::unique_ptr<Tracers> tracers_;                     // null: none
   std::unique_ptr<TransferOperators> transfer_;
   std::vector<ErrorEstimate> estimates_;
 };
@@ -101,7 +104,8 @@ enum EffectId {
   effect_scalars,
   effect_driving_force,
   effect_sources,
-  effect_reactions
+  effect_reactions,
+  effect_tracers
 };
 
 // Whose task the account of forces is.

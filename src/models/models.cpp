@@ -7,6 +7,7 @@
 #include <set>
 
 #include "framework/scene/deck_values.hpp"
+#include "models/material_name.hpp"
 
 namespace sluice::models {
 namespace {
@@ -53,6 +54,12 @@ const std::vector<Entry>& table() {
              read_binary_scalar(parameters, to.materials, to.geometry, to.faults));
        },
        scalar_labels},
+      {"TracerParticles", tracer_particles_tag(), check_tracer_particles,
+       [](const DeckNode& parameters, const Reading& to) {
+         to.list.tracers.push_back(
+             read_tracer_particles(parameters, to.materials, to.geometry, to.faults));
+       },
+       tracer_labels},
   };
   return entries;
 }
@@ -143,11 +150,19 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
 void check_models(const DeckNode& root, const std::vector<std::string>& materials,
                   std::vector<Fault>& faults) {
   std::set<std::string> labels;
+  std::set<int> traced;
+  const auto& of_all_particles = particle_variables();
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     entry.check(parameters, materials, faults);
     if (entry.labels == nullptr) return;
+    if (entry.labels == tracer_labels &&
+        !traced.insert(read_material(parameters, "material", materials)).second)
+      return add_error(faults, parameters.where, "two <TracerParticles> of the same material",
+                       "write the regions of both into one");
     for (const std::string& label : entry.labels(parameters))
-      if (!labels.insert(label).second)
+      if (std::find(of_all_particles.begin(), of_all_particles.end(), label) ==
+              of_all_particles.end() &&
+          !labels.insert(label).second)
         return add_error(faults, parameters.where,
                          fmt::format("two models bring a variable {}", label),
                          "give each scalar a name of its own");

@@ -13,6 +13,7 @@
 #include "models/fixed_values.hpp"
 #include "models/mass_exchange.hpp"
 #include "models/passive_scalar.hpp"
+#include "models/tracer_particles.hpp"
 
 namespace sluice::models {
 
@@ -22,7 +23,8 @@ struct ModelList {
   std::vector<FixedValues> fixed_values;
   std::vector<TransportedScalar> scalars;
   std::optional<BinaryGas> binary;  // of the gas of a run with one material
-  Location where;                   // of <Models>
+  std::vector<TracerParticles> tracers;
+  Location where;  // of <Models>
 
   // Does any of them change masses, momenta or energies.
   bool any_source() const { return !mass_exchanges.empty() || !fixed_values.empty(); }

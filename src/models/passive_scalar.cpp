@@ -10,6 +10,7 @@
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "models/exponential_decay.hpp"
 #include "models/material_name.hpp"
 
 namespace sluice::models {
@@ -56,24 +57,6 @@ TagSpec constants() {
                .unit("1/time")});
 }
 
-TagSpec decay() {
-  const auto c2 = tag("c2", "second coefficient")
-                      .once()
-                      .attribute(attribute("type", "the same everywhere")
-                                     .once()
-                                     .words({"constant"})
-                                     .not_built({"variable"}))
-                      .with_children({tag("value", "the coefficient")
-                                          .once()
-                                          .real()
-                                          .at_least(0)
-                                          .only_for("type", {"constant"})});
-  return tag("exponentialDecay", "decay with exp(-(c1 c2 + c3) t)")
-      .with_children(
-          {tag("c1", "first coefficient").once().real().at_least(0), c2,
-           tag("c3", "what is added to their product").real().by_default("0").unit("1/time")});
-}
-
 }  // namespace
 
 TagSpec scalar_region_tag() {
@@ -116,7 +99,7 @@ TagSpec passive_scalar_tag() {
                         .boolean()
                         .by_default("false"),
                     tag("reinitializeDomain", "start anew at a restart").boolean(), constants(),
-                    decay(),
+                    exponential_decay_tag(),
                     tag("initialization", "the scalar at the start; nothing: 0")
                         .once()
                         .child(scalar_region_tag()),
@@ -237,8 +220,7 @@ TransportedScalar read_passive_scalar(const DeckNode& parameters,
   TransportedScalar s;
   s.material = read_material(parameters, "material", materials);
   read_scalar_constants(scalar, s);
-  if (const DeckNode* decay = scalar.child("exponentialDecay"))
-    s.decay = decay->real("c1") * decay->child("c2")->real("value") + real_or(*decay, "c3", 0);
+  s.decay = read_decay(scalar);
   s.start = read_scalar_regions(*scalar.child("initialization"), geometry, faults);
   if (const DeckNode* sources = scalar.child("interiorSources"))
     for (const DeckNode* object : sources->all("geom_object")) {

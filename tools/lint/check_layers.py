@@ -16,7 +16,7 @@ RANKS = [
     ["framework/base"],
     ["framework/deck", "framework/geometry", "framework/grid"],
     ["framework/field", "framework/scene"],
-    ["framework/task", "framework/archive", "framework/solve"],
+    ["framework/task", "framework/archive", "framework/particle", "framework/solve"],
     ["framework/refine"],
     ["framework/run"],
     ["eos", "exact"],

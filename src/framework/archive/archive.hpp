@@ -57,6 +57,10 @@ class ArchiveStep {
   const std::filesystem::path& folder() const { return folder_; }
   const std::vector<FieldInfo>& fields() const { return fields_; }  // by name, material, level
   const FieldInfo* find(std::string_view name, int material, int level) const;
+  // The same of particles: those of one material and level are in one order in all variables.
+  const std::vector<FieldInfo>& particle_fields() const { return particle_fields_; }
+  const FieldInfo* find_particles(std::string_view name, int material, int level) const;
+  std::vector<std::vector<double>> read_particles(const FieldInfo& field) const;  // by component
 
   // All indices that hold a value of the field (face labels reach one beyond the cells).
   IndexBox range(const FieldInfo& field) const;
@@ -79,7 +83,7 @@ class ArchiveStep {
 
   std::filesystem::path folder_;
   StepRecord record_;
-  std::vector<FieldInfo> fields_;
+  std::vector<FieldInfo> fields_, particle_fields_;
   std::vector<std::unique_ptr<FieldFileReader>> files_;
   std::vector<std::string> damage_;
 };

@@ -8,11 +8,11 @@
 namespace sluice {
 namespace {
 
-constexpr std::array<std::string_view, 3> stored_names = {"float64", "float32", "int32"};
+constexpr std::array<std::string_view, 4> stored_names = {"float64", "float32", "int32", "int64"};
 constexpr std::array<std::string_view, 7> kind_names = {
     "CCVariable",   "NCVariable",       "SFCXVariable",     "SFCYVariable",
     "SFCZVariable", "ParticleVariable", "ReductionVariable"};
-constexpr std::array<std::string_view, 3> value_names = {"double", "Vector", "int"};
+constexpr std::array<std::string_view, 4> value_names = {"double", "Vector", "int", "long64"};
 
 // The place of `text` in a list of names.
 template <class E, std::size_t N>
@@ -50,7 +50,7 @@ std::string_view name_of(StoredType t) {
   return stored_names[static_cast<std::size_t>(t)];
 }
 std::size_t size_of(StoredType t) {
-  return t == StoredType::float64 ? 8 : 4;
+  return t == StoredType::float64 || t == StoredType::int64 ? 8 : 4;
 }
 std::string type_text(ValueType type, Centring centring) {
   return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(centring)],

@@ -61,7 +61,7 @@ struct ArchiveIndex {
 };
 
 // How one label of one material and level lies in a rank's data file.
-enum class StoredType { float64, float32, int32 };
+enum class StoredType { float64, float32, int32, int64 };
 struct StoredVariable {
   std::string name;
   ValueType type = ValueType::real;

@@ -38,19 +38,54 @@ void ArchiveStep::gather_fields() {
   auto key = [](const FieldInfo& f) { return std::tie(f.name, f.material, f.level); };
   for (const auto& file : files_)
     for (const StoredVariable& v : file->variables())
-      fields_.push_back({v.name, v.type, v.centring, v.unit, v.level, v.material, v.stored});
-  std::stable_sort(fields_.begin(), fields_.end(),
-                   [&](const FieldInfo& a, const FieldInfo& b) { return key(a) < key(b); });
-  fields_.erase(
-      std::unique(fields_.begin(), fields_.end(),
-                  [&](const FieldInfo& a, const FieldInfo& b) { return key(a) == key(b); }),
-      fields_.end());
+      (v.centring == Centring::particle ? particle_fields_ : fields_)
+          .push_back({v.name, v.type, v.centring, v.unit, v.level, v.material, v.stored});
+  for (std::vector<FieldInfo>* fields : {&fields_, &particle_fields_}) {
+    std::stable_sort(fields->begin(), fields->end(),
+                     [&](const FieldInfo& a, const FieldInfo& b) { return key(a) < key(b); });
+    fields->erase(
+        std::unique(fields->begin(), fields->end(),
+                    [&](const FieldInfo& a, const FieldInfo& b) { return key(a) == key(b); }),
+        fields->end());
+  }
 }
 
-const FieldInfo* ArchiveStep::find(std::string_view name, int material, int level) const {
-  for (const FieldInfo& f : fields_)
+namespace {
+
+const FieldInfo* find_in(const std::vector<FieldInfo>& fields, std::string_view name, int material,
+                         int level) {
+  for (const FieldInfo& f : fields)
     if (f.name == name && f.material == material && f.level == level) return &f;
   return nullptr;
+}
+
+}  // namespace
+
+const FieldInfo* ArchiveStep::find(std::string_view name, int material, int level) const {
+  return find_in(fields_, name, material, level);
+}
+
+const FieldInfo* ArchiveStep::find_particles(std::string_view name, int material, int level) const {
+  return find_in(particle_fields_, name, material, level);
+}
+
+std::vector<std::vector<double>> ArchiveStep::read_particles(const FieldInfo& field) const {
+  if (!damage_.empty()) throw DamageError(damage_.front());
+  const auto n = static_cast<std::size_t>(field.components());
+  std::vector<std::vector<double>> lists(n);
+  for (const auto& file : files_) {
+    const StoredVariable* v = file->find(field.name, field.level, field.material);
+    if (v == nullptr) continue;
+    for (std::size_t b = 0; b < file->boxes(*v).size(); ++b) {
+      const std::vector<double> values = file->read_box(*v, b);
+      const auto count = static_cast<std::ptrdiff_t>(values.size() / n);
+      for (std::size_t c = 0; c < n; ++c) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(c) * count;
+        lists[c].insert(lists[c].end(), first, first + count);
+      }
+    }
+  }
+  return lists;
 }
 
 IndexBox ArchiveStep::range(const FieldInfo& field) const {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/archive/particle_table.hpp"
+
 namespace sluice {
 namespace {
 
@@ -80,6 +82,7 @@ class StepComparison {
       else
         compare_field(f, *other);
     }
+    compare_particles();
   }
 
  private:
@@ -106,17 +109,60 @@ class StepComparison {
           compare_values(fa, c, m, x.at(c, m), y.at(c, m), found);
       }
     });
+    keep(found);
+  }
+
+  void compare_particles() {
+    std::vector<int> materials = particle_materials(a_);
+    for (const int m : particle_materials(b_))
+      if (std::find(materials.begin(), materials.end(), m) == materials.end())
+        materials.push_back(m);
+    for (const int m : materials)
+      compare_particles(read_particles(a_, m, options_.labels),
+                        read_particles(b_, m, options_.labels));
+  }
+
+  void compare_particles(const ParticleTable& x, const ParticleTable& y) {
+    const auto [in_x, in_y] = std::mismatch(x.ids.begin(), x.ids.end(), y.ids.begin(), y.ids.end());
+    if (in_x != x.ids.end() || in_y != y.ids.end()) {
+      const bool first = in_y == y.ids.end() || (in_x != x.ids.end() && *in_x < *in_y);
+      return refuse(fmt::format("{} and {} particles of material {}: only the {} has particle {}",
+                                x.size(), y.size(), x.material, first ? "first" : "second",
+                                first ? *in_x : *in_y));
+    }
+    for (const ParticleColumn& b : y.columns)
+      if (options_.labels.selects(b.info.name) && x.find(b.info.name) == nullptr)
+        refuse(fmt::format("only the second has {}", describe(b.info)));
+    for (const ParticleColumn& a : x.columns) {
+      if (!options_.labels.selects(a.info.name)) continue;
+      const ParticleColumn* b = y.find(a.info.name);
+      if (b == nullptr || b->info.type != a.info.type) {
+        refuse(b == nullptr ? "only the first has " + describe(a.info)
+                            : describe(a.info) + " has another type in each");
+        continue;
+      }
+      FieldDifference found;
+      for (std::size_t c = 0; c < a.components.size(); ++c)
+        for (std::size_t n = 0; n < x.size(); ++n)
+          compare_values(a.info, {}, static_cast<int>(c), a.components[c][n], b->components[c][n],
+                         found, x.ids[n]);
+      keep(found);
+    }
+  }
+
+  void keep(const FieldDifference& found) {
     result_.values += found.values;
     result_.differing += found.differing;
     if (found.differing > 0) result_.fields.push_back(found);
   }
 
   void compare_values(const FieldInfo& f, IntVec3 c, int m, double a, double b,
-                      FieldDifference& found) {
+                      FieldDifference& found, std::int64_t particle = -1) {
     ++found.values;
     if (!numbers_differ(a, b, options_.absolute, options_.relative)) return;
     const Difference d{
-        a_.info().step, a_.info().time, f.name, f.level, f.material, m, f.components(), c, a, b};
+        a_.info().step, a_.info().time, f.name, f.level, f.material, m, f.components(), c, a, b,
+        particle};
     if (found.differing++ == 0) found.first = found.largest = d;
     if (d.size() > found.largest.size()) found.largest = d;
   }
@@ -135,11 +181,13 @@ double Difference::size() const {
 
 std::string to_string(const Difference& d) {
   constexpr const char* axes[] = {" x", " y", " z"};
+  const std::string place = d.particle >= 0 ? fmt::format(", particle {}", d.particle)
+                                            : fmt::format(" on level {} at [{}, {}, {}]", d.level,
+                                                          d.index.x, d.index.y, d.index.z);
   return fmt::format(
-      "{}{} of material {} on level {} at [{}, {}, {}], step {}, time {:.17g}: {:.17g} "
-      "and {:.17g}, {:.3g} apart",
-      d.label, d.components > 1 ? axes[d.component] : "", d.material, d.level, d.index.x, d.index.y,
-      d.index.z, d.step, d.time, d.a, d.b, d.size());
+      "{}{} of material {}{}, step {}, time {:.17g}: {:.17g} and {:.17g}, {:.3g} apart", d.label,
+      d.components > 1 ? axes[d.component] : "", d.material, place, d.step, d.time, d.a, d.b,
+      d.size());
 }
 
 std::optional<Difference> CompareResult::first() const {

@@ -1,4 +1,4 @@
-// Comparing two archives, whatever their boxes and ranks.
+// Comparing two archives, whatever their boxes and ranks. Particles are paired by their ids.
 //
 // Two numbers differ when |a - b| > abs and |a - b| > rel max(|a|, |b|); both bounds are 0 unless
 // given, so that any difference counts. NaN differs from everything, -0 equals +0.
@@ -28,7 +28,8 @@ struct Difference {
   int level = 0, material = 0, component = 0, components = 1;
   IntVec3 index{};
   double a = 0, b = 0;
-  double size() const;  // |a - b|; infinite when one is NaN
+  std::int64_t particle = -1;  // its id; -1: a value of a cell, at `index`
+  double size() const;         // |a - b|; infinite when one is NaN
 };
 std::string to_string(const Difference&);
 

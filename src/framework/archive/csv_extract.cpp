@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "framework/archive/particle_table.hpp"
 #include "framework/archive/selection.hpp"
 
 namespace sluice {
@@ -36,10 +39,47 @@ bool inside(Vec3 p, const ExtractOptions& o) {
   return true;
 }
 
+// Particles by id; of all levels where none is chosen.
+std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& options,
+                               const std::function<void(std::string_view)>& write) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  bool headed = false;
+  std::int64_t rows = 0;
+  for (const int material : particle_materials(step)) {
+    if (options.material && *options.material != material) continue;
+    const ParticleTable table = read_particles(step, material, {{options.label}, {}});
+    const ParticleColumn* column = table.find(options.label);
+    if (column == nullptr) continue;
+    if (!headed)
+      fmt::format_to(out, "time,level,material,id,x,y,z,{}\n",
+                     column->components.size() == 3 ? "value_x,value_y,value_z" : "value");
+    headed = true;
+    for (std::size_t n = 0; n < table.size(); ++n) {
+      const Vec3 p = table.position(n);
+      if ((options.level >= 0 && table.levels[n] != options.level) || !inside(p, options)) continue;
+      fmt::format_to(out, "{:.17g},{},{},{},{:.17g},{:.17g},{:.17g}", step.info().time,
+                     table.levels[n], material, table.ids[n], p.x, p.y, p.z);
+      for (const std::vector<double>& values : column->components)
+        fmt::format_to(out, ",{:.17g}", values[n]);
+      fmt::format_to(out, "\n");
+      ++rows;
+    }
+  }
+  write({text.data(), text.size()});
+  return rows;
+}
+
+bool is_of_particles(const ArchiveStep& step, const std::string& label) {
+  return std::any_of(step.particle_fields().begin(), step.particle_fields().end(),
+                     [&](const FieldInfo& f) { return f.name == label; });
+}
+
 }  // namespace
 
 std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
                          const std::function<void(std::string_view)>& write) {
+  if (is_of_particles(step, options.label)) return extract_particles(step, options, write);
   std::vector<LoadedField> fields;
   for (const FieldInfo& f : select_fields(step, options.label, options.material, options.level)) {
     const Level& level = step.grid().levels.at(static_cast<std::size_t>(f.level));

@@ -1,6 +1,7 @@
 // Values of one label as CSV, for scripts.
 //
 //   time,level,material,i,j,k,x,y,z,value          (vectors: value_x,value_y,value_z)
+//   time,level,material,id,x,y,z,value             (labels of particles; rows by material, id)
 //
 // 17 digits; interior points only; rows by material, level, k, j, i. With all levels every point
 // comes once, from the finest level that holds a value there.

@@ -34,12 +34,14 @@ struct Group {
 
 StoredType stored_type(ValueType type, const StorageOptions& options) {
   if (type == ValueType::integer) return StoredType::int32;
+  if (type == ValueType::long_integer) return StoredType::int64;
   return options.doubles_as_float ? StoredType::float32 : StoredType::float64;
 }
 
 hid_t memory_type(StoredType t) {
   return t == StoredType::float64   ? H5T_NATIVE_DOUBLE
          : t == StoredType::float32 ? H5T_NATIVE_FLOAT
+         : t == StoredType::int64   ? H5T_NATIVE_INT64
                                     : H5T_NATIVE_INT32;
 }
 

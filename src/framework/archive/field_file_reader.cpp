@@ -115,6 +115,7 @@ std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable,
           "select a range", file);
   const hid_t type = std::is_same_v<T, double>  ? H5T_NATIVE_DOUBLE
                      : std::is_same_v<T, float> ? H5T_NATIVE_FLOAT
+                     : sizeof(T) == 8           ? H5T_NATIVE_INT64
                                                 : H5T_NATIVE_INT32;
   if (H5Dread(t.values.get(), type, memory.get(), space.get(), H5P_DEFAULT, stored.data()) < 0) {
     H5Eclear2(H5E_DEFAULT);
@@ -124,7 +125,10 @@ std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable,
     if (crc32c(0, stored.data() + c * volume, volume * sizeof(T)) != t.sums[box * components + c])
       throw DamageError(fmt::format("{}: the checksum of {}, box {}, component {} does not fit",
                                     file, variable.group(), box, c));
-  return {stored.begin(), stored.end()};
+  std::vector<double> values(stored.size());
+  std::transform(stored.begin(), stored.end(), values.begin(),
+                 [](T value) { return static_cast<double>(value); });
+  return values;
 }
 
 std::vector<double> FieldFileReader::read_box(const StoredVariable& variable, std::size_t box) {
@@ -134,6 +138,8 @@ std::vector<double> FieldFileReader::read_box(const StoredVariable& variable, st
       return read_box_as<double>(variable, t, box);
     case StoredType::float32:
       return read_box_as<float>(variable, t, box);
+    case StoredType::int64:
+      return read_box_as<std::int64_t>(variable, t, box);
     default:
       return read_box_as<std::int32_t>(variable, t, box);
   }

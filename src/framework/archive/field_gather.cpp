@@ -85,15 +85,19 @@ class Chunk {
     return stored;
   }
 
-  // Only integers that an int32 can hold may stand in an integer label.
+  // Only integers that an int32 can hold may stand in an integer label, those that a double holds
+  // exactly in one of long integers.
   double in_range(double value) {
-    if constexpr (std::is_same_v<T, std::int32_t>)
-      if (!(value >= -2147483648.0 && value <= 2147483647.0 && value == std::trunc(value)))
+    if constexpr (std::is_integral_v<T>) {
+      constexpr bool is_long = sizeof(T) > 4;
+      constexpr double least = is_long ? -0x1p53 : -0x1p31, most = is_long ? 0x1p53 : 0x1p31 - 1;
+      if (!(value >= least && value <= most && value == std::trunc(value)))
         throw PhysicsError(
             fmt::format("integer label {} of material {} holds {:.17g} in box {} of level {}: not "
-                        "an integer of "
-                        "32 bits",
-                        piece_.label.name(), piece_.material, value, piece_.box_id, piece_.level));
+                        "an integer of {} bits",
+                        piece_.label.name(), piece_.material, value, piece_.box_id, piece_.level,
+                        is_long ? 53 : 32));
+    }
     return value;
   }
 
@@ -136,6 +140,8 @@ GatherResult gather(const FieldPiece& piece, StoredType stored,
       return gather_as<float>(piece, emit);
     case StoredType::int32:
       return gather_as<std::int32_t>(piece, emit);
+    case StoredType::int64:
+      return gather_as<std::int64_t>(piece, emit);
   }
   throw std::logic_error("archive: unknown stored type");
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "framework/archive/particle_table.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/archive/vtk_image.hpp"
 #include "framework/base/error.hpp"
@@ -102,9 +103,9 @@ class StepExport {
     for (const auto& [name, set] : materials) many_materials_[name] = set.size() > 1;
     for (const FieldInfo& f : step.fields())
       if (options.labels.selects(f.name)) fields_.push_back({f, step.read(f)});
-    if (fields_.empty())
-      throw InputError(step.folder().string() + " holds no label that was asked for");
   }
+
+  bool empty() const { return fields_.empty(); }
 
   // Writes NAME.vti, or NAME.vtm (and NAME.vthb where VTK can), and returns the file's name.
   std::string write(const fs::path& folder, const std::string& name) const {
@@ -271,6 +272,52 @@ class StepExport {
   std::map<std::string, bool> many_materials_;
 };
 
+// Particles of one material, all levels: positions as points, the rest as arrays.
+void write_particles(const fs::path& path, const ParticleTable& table, const LabelFilter& labels) {
+  const auto array = [&](const std::string& name, const std::vector<std::vector<double>>& values) {
+    VtkArray a{name, VtkType::real, true, static_cast<int>(values.size()), {}};
+    for (std::size_t n = 0; n < table.size(); ++n)
+      for (const std::vector<double>& component : values) a.values.push_back(component[n]);
+    return a;
+  };
+  std::vector<VtkArray> arrays;
+  VtkArray ids{particle_id_name, VtkType::long_integer, true, 1, {}};
+  for (const std::int64_t id : table.ids) ids.values.push_back(static_cast<double>(id));
+  arrays.push_back(ids);
+  for (const ParticleColumn& column : table.columns)
+    if (column.info.name != particle_position_name && labels.selects(column.info.name))
+      arrays.push_back(array(column.info.name, column.components));
+  write_vtp(path, array("Points", table.find(particle_position_name)->components), arrays);
+}
+
+// Writes the particles of a step and names their files in the collection.
+bool export_particles(const ArchiveStep& step, const fs::path& folder, const LabelFilter& labels,
+                      XmlElement& collection) {
+  bool any = false;
+  const auto wanted = [&](const FieldInfo& f) { return labels.selects(f.name); };
+  const auto& fields = step.particle_fields();
+  if (std::none_of(fields.begin(), fields.end(), wanted)) return false;
+  for (const int material : particle_materials(step)) {
+    const std::string file =
+        fmt::format("{}_particles_{}.vtp", step_folder_name(step.info().step), material);
+    write_particles(folder / file, read_particles(step, material, labels), labels);
+    collection.add("DataSet")
+        .set("timestep", real_text(step.info().time))
+        .set("group", "")
+        .set("part", std::to_string(material))
+        .set("file", file);
+    any = true;
+  }
+  return any;
+}
+
+XmlElement collection_file() {
+  XmlElement root("VTKFile");
+  root.set("type", "Collection").set("version", "1.0").set("byte_order", "LittleEndian");
+  root.add("Collection");
+  return root;
+}
+
 }  // namespace
 
 fs::path export_vtk(const Archive& archive, const fs::path& folder, const ExportOptions& options) {
@@ -281,14 +328,21 @@ fs::path export_vtk(const Archive& archive, const fs::path& folder, const Export
   if (!options.time.empty() || steps.empty())
     steps = {archive.select_output(options.time.empty() ? "last" : options.time)};
   const std::string name = archive.folder().filename().string();
-  XmlElement root("VTKFile");
-  root.set("type", "Collection").set("version", "1.0").set("byte_order", "LittleEndian");
-  XmlElement& collection = root.add("Collection");
+  XmlElement root = collection_file(), points = collection_file();
+  XmlElement& collection = root.children.front();
+  bool any_particles = false;
   std::string series;
   for (const StepEntry& entry : steps) {
     const ArchiveStep step = archive.read_output(entry);
     const std::string base = step_folder_name(entry.step);
-    const std::string file = StepExport(step, options).write(folder, base);
+    const bool particles = export_particles(step, folder, options.labels, points.children.front());
+    any_particles = any_particles || particles;
+    const StepExport of_cells(step, options);
+    if (of_cells.empty()) {
+      if (particles) continue;
+      throw InputError(step.folder().string() + " holds no label that was asked for");
+    }
+    const std::string file = of_cells.write(folder, base);
     if (step.grid().levels.size() > 1 && fits_vtk_amr(step.grid()))
       series += fmt::format("{}\n    {{\"name\": \"{}.vthb\", \"time\": {}}}",
                             series.empty() ? "" : ",", base, real_text(entry.time));
@@ -298,6 +352,9 @@ fs::path export_vtk(const Archive& archive, const fs::path& folder, const Export
         .set("part", "0")
         .set("file", file);
   }
+  const fs::path of_points = folder / (name + "_particles.pvd");
+  if (any_particles) write_text_atomically(of_points, to_text(points));
+  if (collection.children.empty()) return of_points;
   const fs::path pvd = folder / (name + ".pvd");
   write_text_atomically(pvd, to_text(root));
   if (!series.empty())

@@ -11,6 +11,9 @@
 // and NAME_high, the values on the cell's two faces (nothing is averaged). An array is called
 // LABEL, or LABEL_M when the step holds the label for several materials M.
 //
+// Particles of all levels become one set of points a material and output (.vtp), named by
+// NAME_particles.pvd.
+//
 // VTK's AMR takes one refinement ratio for all directions: a direction of one cell, which is not
 // refined, is cut into thin copies of its cell on finer levels. With unequal ratios there is no
 // .vthb and no copy.
@@ -31,7 +34,8 @@ struct ExportOptions {
   std::string time;  // one output, as for extract; empty: all
 };
 
-// Writes into `folder` (made when absent) and returns the .pvd file.
+// Writes into `folder` (made when absent) and returns the .pvd file (that of particles where
+// nothing else is asked for).
 std::filesystem::path export_vtk(const Archive& archive, const std::filesystem::path& folder,
                                  const ExportOptions& options);
 

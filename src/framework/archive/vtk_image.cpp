@@ -15,7 +15,14 @@ namespace sluice {
 namespace {
 
 std::size_t value_bytes(const VtkArray& a) {
-  return a.type == VtkType::real ? 8 : a.type == VtkType::integer ? 4 : 1;
+  switch (a.type) {
+    case VtkType::integer:
+      return 4;
+    case VtkType::byte:
+      return 1;
+    default:
+      return 8;
+  }
 }
 
 std::string base64(const void* data, std::size_t size) {
@@ -46,29 +53,42 @@ std::string base64_as(const std::vector<double>& values) {
 }
 
 const char* type_name(VtkType type) {
-  return type == VtkType::real ? "Float64" : type == VtkType::integer ? "Int32" : "UInt8";
+  constexpr const char* names[] = {"Float64", "Int32", "Int64", "UInt8"};
+  return names[static_cast<int>(type)];
 }
 
 std::string array_text(const VtkArray& a) {
   const std::uint64_t length = a.values.size() * value_bytes(a);
   const std::string head = base64(&length, sizeof length);
   if (a.type == VtkType::real) return head + base64(a.values.data(), length);
+  if (a.type == VtkType::long_integer) return head + base64_as<std::int64_t>(a.values);
   return head + (a.type == VtkType::integer ? base64_as<std::int32_t>(a.values)
                                             : base64_as<std::uint8_t>(a.values));
+}
+
+void add_array(XmlElement& element, const VtkArray& a) {
+  element.add("DataArray", array_text(a))
+      .set("type", type_name(a.type))
+      .set("Name", a.name)
+      .set("NumberOfComponents", std::to_string(a.components))
+      .set("format", "binary");
 }
 
 // The <DataArray> elements of one kind.
 XmlElement data_element(const char* kind, const std::vector<VtkArray>& arrays, bool on_points) {
   XmlElement element(kind);
-  for (const VtkArray& a : arrays) {
-    if (a.on_points != on_points) continue;
-    element.add("DataArray", array_text(a))
-        .set("type", type_name(a.type))
-        .set("Name", a.name)
-        .set("NumberOfComponents", std::to_string(a.components))
-        .set("format", "binary");
-  }
+  for (const VtkArray& a : arrays)
+    if (a.on_points == on_points) add_array(element, a);
   return element;
+}
+
+XmlElement vtk_file(const char* type) {
+  XmlElement root("VTKFile");
+  root.set("type", type)
+      .set("version", "1.0")
+      .set("byte_order", "LittleEndian")
+      .set("header_type", "UInt64");
+  return root;
 }
 
 }  // namespace
@@ -81,11 +101,7 @@ void write_vti(const std::filesystem::path& path, const Level& level, const Inde
   for (int d = 0; from_zero && d < 3; ++d) origin[d] += cells.lower[d] * level.spacing[d];
   const std::string extent =
       fmt::format("{} {} {} {} {} {}", lower.x, upper.x, lower.y, upper.y, lower.z, upper.z);
-  XmlElement root("VTKFile");
-  root.set("type", "ImageData")
-      .set("version", "1.0")
-      .set("byte_order", "LittleEndian")
-      .set("header_type", "UInt64");
+  XmlElement root = vtk_file("ImageData");
   XmlElement& image = root.add("ImageData");
   image.set("WholeExtent", extent)
       .set("Origin", fmt::format("{:.17g} {:.17g} {:.17g}", origin.x, origin.y, origin.z))
@@ -94,6 +110,29 @@ void write_vti(const std::filesystem::path& path, const Level& level, const Inde
   XmlElement& piece = image.add("Piece").set("Extent", extent);
   for (const bool on_points : {true, false})
     piece.children.push_back(data_element(on_points ? "PointData" : "CellData", arrays, on_points));
+  write_text_atomically(path, to_text(root));
+}
+
+void write_vtp(const std::filesystem::path& path, const VtkArray& positions,
+               const std::vector<VtkArray>& arrays) {
+  const std::size_t count = positions.values.size() / 3;
+  XmlElement root = vtk_file("PolyData");
+  XmlElement& piece = root.add("PolyData").add("Piece");
+  for (const char* cells : {"Verts", "Lines", "Strips", "Polys"})
+    piece.set(std::string("NumberOf") + cells, std::to_string(cells[0] == 'V' ? count : 0));
+  piece.set("NumberOfPoints", std::to_string(count));
+  piece.children.push_back(data_element("PointData", arrays, true));
+  add_array(piece.add("Points"), positions);
+  // A vertex for each point: without cells nothing is drawn.
+  VtkArray numbers{"connectivity", VtkType::long_integer, true, 1, {}}, ends = numbers;
+  ends.name = "offsets";
+  for (std::size_t n = 0; n < count; ++n) {
+    numbers.values.push_back(static_cast<double>(n));
+    ends.values.push_back(static_cast<double>(n + 1));
+  }
+  XmlElement& vertices = piece.add("Verts");
+  add_array(vertices, numbers);
+  add_array(vertices, ends);
   write_text_atomically(path, to_text(root));
 }
 

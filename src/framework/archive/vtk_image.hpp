@@ -1,4 +1,4 @@
-// One VTK image file (.vti): cell and point arrays over a box of cells.
+// VTK's XML files: images (.vti, cell and point arrays over a box of cells), points (.vtp).
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sluice {
 
-enum class VtkType { real, integer, byte };  // Float64, Int32, UInt8
+enum class VtkType { real, integer, long_integer, byte };  // Float64, Int32, Int64, UInt8
 
 struct VtkArray {
   std::string name;
@@ -22,5 +22,9 @@ struct VtkArray {
 // need); else extents are the level's own indices.
 void write_vti(const std::filesystem::path& path, const Level& level, const IndexBox& cells,
                bool from_zero, const std::vector<VtkArray>& arrays);
+
+// Points with values; `positions` has three components.
+void write_vtp(const std::filesystem::path& path, const VtkArray& positions,
+               const std::vector<VtkArray>& arrays);
 
 }  // namespace sluice

@@ -12,7 +12,8 @@
 namespace sluice {
 
 enum class Centring { cell, node, x_face, y_face, z_face, particle, reduction };
-enum class ValueType { real, vector, integer };  // vector: three reals, stored as three arrays
+// vector: three reals, stored as three arrays; long_integer: 64 bits, of which 53 are used.
+enum class ValueType { real, vector, integer, long_integer };
 
 std::string_view name_of(Centring);
 std::string_view name_of(ValueType);

@@ -81,6 +81,7 @@ struct FlagSeeds {
 };
 
 class LevelSolver;
+class ParticleMethod;
 
 class Component {
  public:
@@ -138,6 +139,8 @@ class Component {
   // Criteria that are no diagnostic of a state; as many on every rank.
   virtual std::vector<FlagSeeds> flag_seeds(const Warehouse& /*state*/) const { return {}; }
   virtual Label mask_label() const = 0;
+  // The particles that the scene has; null: none, and nothing of them is made.
+  virtual const ParticleMethod* particles() const { return nullptr; }
   virtual int reduction_maxima() const = 0;
   virtual int reduction_sums() const = 0;
   // Where the sums of control volumes begin among these (VolumeSums, a tail as long as the scene

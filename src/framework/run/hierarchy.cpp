@@ -39,6 +39,8 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   ends_of_levels_.resize(levels.size());
   costs_.resize(levels.size());
   joints_.resize(levels.size());
+  if (const ParticleMethod* method = component.particles())
+    particles_ = std::make_unique<ParticleCloud>(*method, communicator);
   if (component.first_volume_sum() >= 0)
     for (const ControlVolume& v : control_volumes(scene.analysis))
       volumes_.push_back(cells_of(v, levels.front()));
@@ -210,7 +212,21 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   return result_;
 }
 
+std::vector<LevelSolver*> Hierarchy::existing_levels() {
+  std::vector<LevelSolver*> levels;
+  for (int l = 0; l < level_count(); ++l) levels.push_back(&level(l));
+  return levels;
+}
+
+void Hierarchy::advance_particles() {
+  if (particles_ == nullptr) return;
+  fill_ghosts(end_);
+  particles_->advance(existing_levels(), end_,
+                      in_coarse_step_[static_cast<std::size_t>(level_count()) - 1]);
+}
+
 void Hierarchy::accept() {
+  advance_particles();
   journal_.accept();
   time_ = end_;
   for (int l = 0; l < level_count(); ++l) {

@@ -13,6 +13,7 @@
 #include "framework/refine/regridder.hpp"
 #include "framework/run/event_ledger.hpp"
 #include "framework/run/level_solver.hpp"
+#include "framework/run/particle_cloud.hpp"
 #include "framework/run/refinement_flags.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/scene/scene.hpp"
@@ -76,6 +77,8 @@ class Hierarchy {
   void compute_diagnostics(double time, const std::vector<Label>& wanted);
   void add_totals(Totals& totals) const;
 
+  // Null when there are none.
+  const ParticleCloud* particles() const { return particles_.get(); }
   std::string regrid_state() const;
   int regrids() const { return regrids_; }
   const Component& component() const { return *component_; }
@@ -110,6 +113,8 @@ class Hierarchy {
   void restrict_all();
   void measure_rates(int levels_before);
   void return_memory();
+  std::vector<LevelSolver*> existing_levels();
+  void advance_particles();
 
   const Scene* scene_;
   const Component* component_;
@@ -126,6 +131,7 @@ class Hierarchy {
   std::vector<VolumeCells> volumes_;
   std::optional<Regridder> regridder_;
   RefinementFlags refinement_flags_;
+  std::unique_ptr<ParticleCloud> particles_;
   Schedule cycle_;
   StepJournal journal_;  // of the last attempt, until it is accepted or rejected
   CycleResult result_;

@@ -147,6 +147,7 @@ void Hierarchy::initialise() {
   }
   restrict_all();
   measure_rates(0);
+  if (particles_ != nullptr) particles_->start(existing_levels(), time_);
 }
 
 // Memory follows the cells, but is not returned and asked for again with every regrid.
@@ -167,6 +168,7 @@ bool Hierarchy::regrid(int step) {
   if (changed) {
     lay_out(false);
     measure_rates(levels_before);
+    if (particles_ != nullptr) particles_->follow(existing_levels());
     return_memory();
     ++regrids_;
   }
@@ -191,6 +193,7 @@ bool Hierarchy::balance(int step) {
   if (moved) {
     for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
     join_levels();
+    if (particles_ != nullptr) particles_->follow(existing_levels());
     ++balances_;
   }
   balance_seconds_ +=
@@ -282,6 +285,7 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
     read_level(level(l), *component_, checkpoint);
     level(l).touch();
   }
+  if (particles_ != nullptr) particles_->restore(checkpoint, existing_levels());
 }
 
 }  // namespace sluice

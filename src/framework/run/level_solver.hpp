@@ -59,6 +59,8 @@ class LevelSolver {
   const Warehouse& state() const { return state_; }
   // The state before the last accepted attempt of this coarse step.
   const Warehouse& previous() const { return next_; }
+  // The state at the start of the coarse step, once it was advanced and until it is accepted.
+  const Warehouse& start() const { return start_kept_ ? start_ : next_; }
   Warehouse& outputs() { return outputs_; }
   const Warehouse& outputs() const { return outputs_; }
   const std::vector<int>& state_slots() const { return state_slots_; }

@@ -30,8 +30,14 @@ IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
 
 }  // namespace
 
-SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
+SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
                        const std::vector<Label>& analysed) {
+  const LevelSolver& solver = hierarchy.level(0);
+  std::vector<Label> of_particles;
+  if (hierarchy.particles() != nullptr) of_particles = hierarchy.particles()->labels();
+  const auto is_of_particles = [&](Label l) {
+    return std::find(of_particles.begin(), of_particles.end(), l) != of_particles.end();
+  };
   const auto is_analysed = [&](Label l) {
     return std::find(analysed.begin(), analysed.end(), l) != analysed.end();
   };
@@ -43,6 +49,8 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
     };
     if (label && label->info().centring == Centring::reduction) {
       add(saved.histories);
+    } else if (label && is_of_particles(*label)) {
+      add(saved.particles);
     } else if (label && is_analysed(*label)) {
       add(saved.analysed);
     } else if (label && solver.is_step_label(*label)) {
@@ -53,7 +61,7 @@ SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
       std::vector<std::string> names;
       for (Label l : all_labels())
         if (solver.is_step_label(l) || solver.is_diagnostic_label(l) || is_analysed(l) ||
-            l.info().centring == Centring::reduction)
+            is_of_particles(l) || l.info().centring == Centring::reduction)
           names.push_back(l.name());
       throw InputError(fmt::format("{}: <save label=\"{}\"> names no label of this run ({})",
                                    to_string(request.where), request.label,
@@ -72,11 +80,10 @@ OutputWriter::OutputWriter(const Scene& scene, const Component& component, Hiera
       hierarchy_(&hierarchy),
       analysis_(analysis),
       archive_(std::move(archive)),
-      saved_(sort_saves(scene.output, hierarchy.level(0),
+      saved_(sort_saves(scene.output, hierarchy,
                         analysis != nullptr ? analysis->field_labels() : std::vector<Label>())) {}
 
-bool OutputWriter::wants(Label label, int material, int level,
-                         const SaveRequest*& request) const {
+bool OutputWriter::wants(Label label, int material, int level, const SaveRequest*& request) const {
   const int materials = component_->material_count();
   const int levels = hierarchy_->level_count();
   for (const SaveRequest& r : scene_->output.saves)
@@ -177,6 +184,16 @@ void OutputWriter::write_output(const StepInfo& info, bool initial) {
     add_output_pieces(hierarchy_->level(l), initial, pieces);
   for (int l = 0; l < hierarchy_->level_count() && !saved_.analysed.empty(); ++l)
     add_analysed_pieces(hierarchy_->level(l), pieces);
+  ParticlePieces particles;
+  if (!saved_.particles.empty()) {
+    const SaveRequest* request = nullptr;
+    hierarchy_->particles()->add_pieces(
+        [&](Label label, int material, int level) {
+          return wants(label, material, level, request);
+        },
+        particles);
+    pieces.insert(pieces.end(), particles.pieces.begin(), particles.pieces.end());
+  }
   archive_.write_output(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }
@@ -187,6 +204,11 @@ void OutputWriter::write_checkpoint(const StepInfo& info) {
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_checkpoint_pieces(hierarchy_->level(l), pieces);
   if (analysis_ != nullptr) analysis_->add_checkpoint_pieces(pieces);
+  ParticlePieces particles;
+  if (hierarchy_->particles() != nullptr) {
+    hierarchy_->particles()->add_pieces([](Label, int, int) { return true; }, particles);
+    pieces.insert(pieces.end(), particles.pieces.begin(), particles.pieces.end());
+  }
   archive_.write_checkpoint(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }

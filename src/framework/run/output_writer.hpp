@@ -18,11 +18,12 @@ struct SavedLabels {
   std::vector<Label> diagnostic;  // computed from the state after it
   std::vector<Label> analysed;    // fields that analyses keep
   std::vector<Label> histories;   // reductions
+  std::vector<Label> particles;
 };
 
 // Throws InputError naming entry and nearest label when a label is unknown. `analysed`: labels of
 // fields that analyses keep.
-SavedLabels sort_saves(const OutputSettings& output, const LevelSolver& solver,
+SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
                        const std::vector<Label>& analysed = {});
 
 class OutputWriter {

@@ -47,7 +47,7 @@ class OutputWriterTest : public testing::Test {
 
 TEST_F(OutputWriterTest, SortsSavesByHowTheyAreMade) {
   for (const char* label : {"mock_flux", "MockTotal", "mock_square", "mock_flux"}) save(label);
-  const SavedLabels saved = sort_saves(scene_.output, hierarchy_.level(0));
+  const SavedLabels saved = sort_saves(scene_.output, hierarchy_);
   EXPECT_THAT(saved.step, ElementsAre(mock_labels().flux));  // once, though asked for twice
   EXPECT_THAT(saved.diagnostic, ElementsAre(mock_labels().square));
   EXPECT_THAT(saved.histories, ElementsAre(mock_labels().total));
@@ -56,7 +56,7 @@ TEST_F(OutputWriterTest, SortsSavesByHowTheyAreMade) {
 TEST_F(OutputWriterTest, RefusesUnknownLabelsWithTheNearestOne) {
   save("mock_squar");
   try {
-    sort_saves(scene_.output, hierarchy_.level(0));
+    sort_saves(scene_.output, hierarchy_);
     FAIL() << "accepted";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("mock_square"));

@@ -112,7 +112,7 @@ void Simulation::start() {
     time_.remember_physics_dt(limit_.dt);
   }
   // Bad labels are found also when nothing is written.
-  sort_saves(scene_.output, hierarchy_.level(0), analysis_.field_labels());
+  sort_saves(scene_.output, hierarchy_, analysis_.field_labels());
   const bool writes = scene_.output.any() || scene_.output.checkpoint.any() || analysis_.any();
   if (options_.output && writes) {
     ArchiveWriter archive =
@@ -159,6 +159,8 @@ StepInfo Simulation::step_info() const {
   if (all_finite(hierarchy_.rates()))
     info.state["rates"] = nlohmann::json(hierarchy_.rates()).dump();
   if (analysis_.any()) info.state["analysis"] = analysis_.state();
+  if (const ParticleCloud* particles = hierarchy_.particles())
+    info.state["particles"] = particles->state();
   if (const std::string regrid = hierarchy_.regrid_state(); !regrid.empty())
     info.state["regrid"] = regrid;
   return info;

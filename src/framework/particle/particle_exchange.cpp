@@ -1,0 +1,58 @@
+// Numbers of particles first, then the particles.
+#include "framework/particle/particle_exchange.hpp"
+
+#include <cstring>
+
+namespace sluice {
+namespace {
+
+constexpr int tag = 41;  // of messages with particles
+
+// counts[r]: particles that rank r has for this one.
+std::vector<std::size_t> incoming_counts(const std::vector<ParticleSet>& leaving,
+                                         Communicator& communicator) {
+  std::vector<std::uint64_t> mine;
+  for (const ParticleSet& set : leaving) mine.push_back(set.size());
+  const std::string text(reinterpret_cast<const char*>(mine.data()),
+                         mine.size() * sizeof(std::uint64_t));
+  std::vector<std::size_t> counts;
+  for (const std::string& of_rank : communicator.gather_to_all(text)) {
+    std::uint64_t count = 0;
+    std::memcpy(&count,
+                of_rank.data() + static_cast<std::size_t>(communicator.rank()) * sizeof count,
+                sizeof count);
+    counts.push_back(count);
+  }
+  return counts;
+}
+
+}  // namespace
+
+ParticleSet exchange_particles(const std::vector<ParticleSet>& leaving,
+                               Communicator& communicator) {
+  const auto rank = static_cast<std::size_t>(communicator.rank());
+  ParticleSet arrived = leaving[rank];
+  if (communicator.size() == 1) return arrived;
+  const std::vector<std::size_t> counts = incoming_counts(leaving, communicator);
+  const std::size_t size = arrived.packed_size(), ranks = leaving.size();
+  std::vector<std::vector<double>> in(ranks), out(ranks);
+  Messages messages;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    if (r == rank || counts[r] == 0) continue;
+    in[r].resize(counts[r] * size);
+    messages.post_receive(in[r].data(), in[r].size(), static_cast<int>(r), tag);
+  }
+  for (std::size_t r = 0; r < ranks; ++r) {
+    if (r == rank || leaving[r].empty()) continue;
+    out[r].resize(leaving[r].size() * size);
+    for (std::size_t n = 0; n < leaving[r].size(); ++n)
+      leaving[r].pack(n, out[r].data() + n * size);
+    messages.post_send(out[r].data(), out[r].size(), static_cast<int>(r), tag);
+  }
+  messages.wait_all();
+  for (const std::vector<double>& from : in)
+    for (std::size_t at = 0; at < from.size(); at += size) arrived.add_packed(from.data() + at);
+  return arrived;
+}
+
+}  // namespace sluice

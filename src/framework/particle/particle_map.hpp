@@ -1,0 +1,37 @@
+// Where on the levels a position lives: in the box of the finest level that holds its cell.
+#pragma once
+#include <vector>
+
+#include "framework/grid/box_list.hpp"
+#include "framework/grid/level.hpp"
+
+namespace sluice {
+
+// The cell of a level that holds a point; a direction that is not active has one cell.
+IntVec3 cell_at(const Level& level, Vec3 point);
+
+class ParticleMap {
+ public:
+  struct Home {
+    int level = -1;  // none: outside every box
+    int box = -1;    // its id
+    int owner = -1;
+  };
+
+  ParticleMap() = default;
+  // Of levels coarse to fine, as they are now.
+  explicit ParticleMap(std::vector<Level> levels);
+
+  const std::vector<Level>& levels() const { return levels_; }
+  Home find(Vec3 point) const;
+  // Is this box the home of a point: without a search, unless a finer level begins in the box.
+  bool is_home(int level, int box, Vec3 point) const;
+
+ private:
+  std::vector<Level> levels_;
+  std::vector<BoxFinder> finders_;
+  // By level and box: finer boxes that overlie a part of it.
+  std::vector<std::vector<std::vector<IndexBox>>> finer_;
+};
+
+}  // namespace sluice

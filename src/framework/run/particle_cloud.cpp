@@ -1,0 +1,162 @@
+// Taking particles through coarse steps and over changes of the boxes.
+#include "framework/run/particle_cloud.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "framework/archive/archive.hpp"
+#include "framework/particle/domain_ends.hpp"
+
+namespace sluice {
+namespace {
+
+// The cells of a local box where its particles live.
+std::vector<IndexBox> own_cells(const LevelSolver& level, int box, int levels) {
+  if (levels > 1) return level.coverage().uncovered(box);
+  return {level.state().local_boxes()[static_cast<std::size_t>(box)].cells};
+}
+
+}  // namespace
+
+ParticleCloud::ParticleCloud(const ParticleMethod& method, Communicator& communicator)
+    : method_(&method), communicator_(&communicator) {
+  for (const ParticleKind& kind : method.kinds())
+    kinds_.push_back({ParticleStore(kind.attributes.size(), communicator.rank())});
+}
+
+void ParticleCloud::lay_out(const Levels& levels) {
+  std::vector<Level> now;
+  for (const LevelSolver* level : levels) now.push_back(level->level());
+  auto map = std::make_unique<ParticleMap>(std::move(now));
+  for (Kind& kind : kinds_) kind.store.lay_out(*map);
+  map_ = std::move(map);
+}
+
+void ParticleCloud::settle() {
+  for (Kind& kind : kinds_) kind.store.settle(*communicator_);
+}
+
+void ParticleCloud::follow(const Levels& levels) {
+  lay_out(levels);
+  settle();
+}
+
+void ParticleCloud::start(const Levels& levels, double time) {
+  time_ = time;
+  lay_out(levels);
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    ParticleStore& store = kinds_[k].store;
+    for (int l = 0; l < store.level_count(); ++l) {
+      const LevelSolver& level = *levels[static_cast<std::size_t>(l)];
+      for (int b = 0; b < store.box_count(l); ++b)
+        for (const IndexBox& cells : own_cells(level, b, store.level_count()))
+          method_->start(static_cast<int>(k), level.level(), cells, store.set(l, b));
+    }
+    kinds_[k].made = store.count();
+  }
+  settle();
+}
+
+void ParticleCloud::keep_inside(int kind, const Level& level, ParticleSet& set) {
+  const Reflects reflects = [&](Side side, IntVec3 cell) {
+    return method_->reflects(kind, level.index, side, cell);
+  };
+  std::vector<std::uint32_t> kept;
+  for (std::size_t n = 0; n < set.size(); ++n) {
+    Vec3 place = set.position(n);
+    if (!bring_inside(level, reflects, place)) continue;
+    set.move_to(n, place);
+    kept.push_back(static_cast<std::uint32_t>(n));
+  }
+  if (kept.size() < set.size()) set.select(kept);
+}
+
+void ParticleCloud::advance_box(int kind, LevelSolver& level, int box, ParticleStep step) {
+  const std::vector<IndexBox> cells =
+      own_cells(level, box, static_cast<int>(map_->levels().size()));
+  step.old_state = &level.start();
+  step.new_state = &level.state();
+  step.box = box;
+  step.cells = cells;
+  ParticleSet& set = kinds_[static_cast<std::size_t>(kind)].store.set(level.level().index, box);
+  method_->advance(kind, step, set);
+}
+
+void ParticleCloud::advance(const Levels& levels, double end, int parts) {
+  ParticleStep step;
+  step.old_time = time_;
+  step.new_time = end;
+  for (int part = 0; part < parts; ++part) {
+    step.begin = part == 0 ? step.old_time : step.end;
+    step.end = part + 1 == parts ? end : step.old_time + (end - step.old_time) * (part + 1) / parts;
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      Kind& kind = kinds_[k];
+      std::atomic<std::int64_t> made = 0, left = 0;
+      for (std::size_t l = 0; l < levels.size(); ++l) {
+        const int level = static_cast<int>(l);
+        const auto boxes = static_cast<std::size_t>(kind.store.box_count(level));
+        levels[l]->team()->for_each(boxes, [&](std::size_t b, int) {
+          const int box = static_cast<int>(b);
+          ParticleSet& set = kind.store.set(level, box);
+          const std::size_t before = set.size();
+          advance_box(static_cast<int>(k), *levels[l], box, step);
+          const std::size_t moved = set.size();
+          keep_inside(static_cast<int>(k), levels[l]->level(), set);
+          made += static_cast<std::int64_t>(moved - before);
+          left += static_cast<std::int64_t>(moved - set.size());
+        });
+      }
+      kind.made += made;
+      kind.left += left;
+    }
+    settle();
+  }
+  time_ = end;
+}
+
+std::vector<ParticleCloud::Occupied> ParticleCloud::occupied(int l) const {
+  std::vector<Occupied> all;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const double distance = method_->kinds()[k].refine_distance;
+    if (distance < 0) continue;
+    Occupied& of_kind = all.emplace_back();
+    of_kind.distance = distance;
+    const ParticleStore& store = kinds_[k].store;
+    // A cell under a finer level holds what lives there.
+    for (int f = l; f < store.level_count(); ++f)
+      for (int b = 0; b < store.box_count(f); ++b) {
+        const ParticleSet& set = store.set(f, b);
+        for (std::size_t n = 0; n < set.size(); ++n)
+          of_kind.cells.push_back(
+              cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
+      }
+  }
+  return all;
+}
+
+std::vector<ParticleCount> ParticleCloud::counts() const {
+  Reduction reduction;
+  std::vector<Reduction::Count> slots;
+  for (const Kind& kind : kinds_)
+    for (const std::int64_t n : {kind.made, kind.left, kind.store.count()})
+      slots.push_back(reduction.add_count(n));
+  communicator_->reduce(reduction);
+  std::vector<ParticleCount> counts;
+  for (std::size_t k = 0; k < kinds_.size(); ++k)
+    counts.push_back({method_->kinds()[k].name, reduction.count(slots[3 * k]),
+                      reduction.count(slots[3 * k + 1]), reduction.count(slots[3 * k + 2])});
+  return counts;
+}
+
+std::string ParticleCloud::state() const {
+  nlohmann::json json;
+  json["time"] = time_;
+  for (const ParticleCount& c : counts())
+    json["kinds"].push_back({{"made", c.made}, {"left", c.left}});
+  return json.dump();
+}
+
+}  // namespace sluice

@@ -1,0 +1,83 @@
+// All particles of a run, on the levels as they are: start, steps, output, restart.
+//
+// Particles live on the finest level that holds their cell. A coarse step is taken, once it is
+// accepted, in as many parts as the finest level has substeps; between parts particles change box,
+// rank and level. Numbers and order of particles depend on none of these.
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/archive/field_piece.hpp"
+#include "framework/particle/particle_store.hpp"
+#include "framework/run/level_solver.hpp"
+#include "framework/run/particle_method.hpp"
+
+namespace sluice {
+
+class ArchiveStep;
+
+// What became of the particles of a kind, over all ranks.
+struct ParticleCount {
+  std::string name;
+  std::int64_t made = 0, left = 0, here = 0;
+};
+
+// What is written of particles; `numbers` holds what views point into.
+struct ParticlePieces {
+  std::vector<FieldPiece> pieces;
+  std::deque<std::vector<double>> numbers;
+};
+
+class ParticleCloud {
+ public:
+  using Levels = std::vector<LevelSolver*>;  // that exist, coarse to fine
+
+  ParticleCloud(const ParticleMethod& method, Communicator& communicator);
+
+  void start(const Levels& levels, double time);
+  // A coarse step that ends at `end`: states before and after it, ghosts filled. Collective.
+  void advance(const Levels& levels, double end, int parts);
+  // Boxes have changed. Collective.
+  void follow(const Levels& levels);
+  void restore(const ArchiveStep& checkpoint, const Levels& levels);
+
+  // Labels that can be saved.
+  std::vector<Label> labels() const;
+  // Of all labels for which `wanted`; position and id come with any of them.
+  using Wanted = std::function<bool(Label label, int material, int level)>;
+  void add_pieces(const Wanted& wanted, ParticlePieces& pieces) const;
+
+  // Cells of the local boxes of a level that hold a particle, for each kind that refines.
+  struct Occupied {
+    std::vector<IntVec3> cells;
+    double distance = 0;
+  };
+  std::vector<Occupied> occupied(int level) const;
+
+  const ParticleStore& store(int kind) const {
+    return kinds_[static_cast<std::size_t>(kind)].store;
+  }
+  std::vector<ParticleCount> counts() const;  // collective
+  // For checkpoints. Collective.
+  std::string state() const;
+
+ private:
+  struct Kind {
+    ParticleStore store;
+    std::int64_t made = 0, left = 0;  // by this rank
+  };
+  void lay_out(const Levels& levels);
+  void settle();
+  void advance_box(int kind, LevelSolver& level, int box, ParticleStep step);
+  void keep_inside(int kind, const Level& level, ParticleSet& set);
+
+  const ParticleMethod* method_;
+  Communicator* communicator_;
+  std::unique_ptr<ParticleMap> map_;
+  std::vector<Kind> kinds_;
+  double time_ = 0;  // of the particles
+};
+
+}  // namespace sluice

@@ -1,0 +1,187 @@
+// Numbering, starting, emitting and moving tracers.
+#include "ice/tracers/tracers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/base/error.hpp"
+#include "framework/geometry/sampling.hpp"
+#include "framework/particle/cell_points.hpp"
+#include "ice/tracers/flow_at_points.hpp"
+
+namespace sluice::ice {
+namespace {
+
+IndexBox cells_of(const GeometryPiece& piece, const Level& level, const IndexBox& cells) {
+  const Bounds inside = with_margin(piece.bounds());
+  IndexBox found = cells;
+  for (int d = 0; d < 3; ++d) {
+    // Bounds may be infinite: no integers before they are cut.
+    const double low = (inside.lower[d] - level.anchor[d]) / level.spacing[d] - 1;
+    const double high = (inside.upper[d] - level.anchor[d]) / level.spacing[d] + 2;
+    if (low > cells.lower[d]) found.lower[d] = static_cast<int>(std::min(low, 1e9));
+    if (high < cells.upper[d]) found.upper[d] = static_cast<int>(std::max(high, -1e9));
+  }
+  return intersection(found, cells);
+}
+
+// How many particles each cell of a source has got up to a time.
+std::int64_t emitted(const models::TracerParticles& t, const models::TracerRegion& source,
+                     double time) {
+  const double lasted = std::min(time, t.window.stop) - t.window.start;
+  return lasted > 0 ? static_cast<std::int64_t>(std::floor(source.number * lasted + 0.5)) : 0;
+}
+
+// The flow between two states of a box.
+class FlowInTime {
+ public:
+  FlowInTime(const ParticleStep& step, int material, const FlowStorage& flow)
+      : step_(step),
+        before_(*step.old_state, step.box, material, flow.materials, flow.directions,
+                flow.own_velocities),
+        after_(*step.new_state, step.box, material, flow.materials, flow.directions,
+               flow.own_velocities) {}
+
+  bool velocity(Vec3 point, double time, Vec3& u) const {
+    const double share = (time - step_.old_time) / (step_.new_time - step_.old_time);
+    if (share <= 0) return before_.velocity(point, u);
+    if (share >= 1) return after_.velocity(point, u);
+    Vec3 later{};
+    if (!before_.velocity(point, u) || !after_.velocity(point, later)) return false;
+    u += share * (later - u);
+    return true;
+  }
+
+ private:
+  const ParticleStep& step_;
+  FlowAtPoints before_, after_;
+};
+
+// Heun's method; false: the flow leads further than the cells around the box.
+bool move(const FlowInTime& flow, double begin, double end, Vec3& x) {
+  Vec3 u1{}, u2{};
+  const double dt = end - begin;
+  if (!flow.velocity(x, begin, u1) || !flow.velocity(x + dt * u1, end, u2)) return false;
+  x += 0.5 * dt * (u1 + u2);
+  return true;
+}
+
+}  // namespace
+
+Tracers::Tracers(const std::vector<models::TracerParticles>& list, const Grid& grid,
+                 const Boundaries& boundaries, FlowStorage flow)
+    : list_(&list), grid_(&grid), boundaries_(&boundaries), flow_(std::move(flow)) {
+  for (const models::TracerParticles& t : list) {
+    ParticleKind kind{t.name, t.material, {}, t.refine_distance};
+    if (t.scalar) kind.attributes.push_back(t.scalar->label());
+    kinds_.push_back(std::move(kind));
+    ids_.push_back(number(t));
+  }
+}
+
+Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
+  Ids ids;
+  const auto count = [&](const std::vector<models::TracerRegion>& regions, auto&& most) {
+    std::vector<std::vector<std::int64_t>> first;
+    std::int64_t next = 0;
+    for (const models::TracerRegion& region : regions) {
+      auto& of_levels = first.emplace_back();
+      for (const Level& level : grid_->levels) {
+        of_levels.push_back(next);
+        next += cell_count_of_domain(level) * most(level, region);
+      }
+    }
+    return std::pair(first, next);
+  };
+  std::tie(ids.start, ids.first_of_sources) =
+      count(t.start, [](const Level& level, const models::TracerRegion& region) {
+        return std::int64_t{CellPoints(level, region.number).most()};
+      });
+  std::tie(ids.source, ids.stride) =
+      count(t.sources, [](const Level&, const models::TracerRegion&) { return std::int64_t{1}; });
+  return ids;
+}
+
+void Tracers::add(const models::TracerParticles& t, Vec3 point, std::int64_t id,
+                  ParticleSet& particles) const {
+  if (id < 0 || id >= most_particle_id)
+    throw PhysicsError(
+        fmt::format("tracer '{}' has no numbers left for new particles (2^53 are there): a smaller "
+                    "number of particles a cell, or an earlier <timeStop>",
+                    t.name));
+  particles.add(point, id);
+  if (t.scalar) particles.attribute(0, particles.size() - 1) = t.scalar->initial;
+}
+
+void Tracers::start(int kind, const Level& level, const IndexBox& cells,
+                    ParticleSet& particles) const {
+  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  for (std::size_t r = 0; r < t.start.size(); ++r) {
+    const models::TracerRegion& region = t.start[r];
+    const CellPoints points(level, region.number);
+    const std::int64_t first =
+        ids_[static_cast<std::size_t>(kind)].start[r][static_cast<std::size_t>(level.index)];
+    for_each_cell(cells_of(*region.piece, level, cells), [&](IntVec3 cell) {
+      const int count = points.count(cell);
+      for (int n = 0; n < count; ++n) {
+        const Vec3 point = points.point(cell, n);
+        if (region.piece->inside(point))
+          add(t, point, first + cell_number(level, cell) * points.most() + n, particles);
+      }
+    });
+  }
+}
+
+void Tracers::emit(int kind, const ParticleStep& step, std::vector<double>& born,
+                   ParticleSet& particles) const {
+  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  const Ids& ids = ids_[static_cast<std::size_t>(kind)];
+  const Level& level = step.new_state->level();
+  for (std::size_t r = 0; r < t.sources.size(); ++r) {
+    const models::TracerRegion& source = t.sources[r];
+    const std::int64_t end = emitted(t, source, step.end);
+    for (std::int64_t n = emitted(t, source, step.begin); n < end; ++n) {
+      const double time = t.window.start + (static_cast<double>(n) + 0.5) / source.number;
+      const std::int64_t first = ids.first_of_sources + n * ids.stride +
+                                 ids.source[r][static_cast<std::size_t>(level.index)];
+      for (const IndexBox& part : step.cells)
+        for_each_cell(cells_of(*source.piece, level, part), [&](IntVec3 cell) {
+          const Vec3 point = spread_point(level, cell, n);
+          if (!source.piece->inside(point)) return;
+          add(t, point, first + cell_number(level, cell), particles);
+          born.push_back(std::clamp(time, step.begin, step.end));
+        });
+    }
+  }
+}
+
+void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles) const {
+  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  const std::size_t earlier = particles.size();
+  std::vector<double> born;
+  emit(kind, step, born, particles);
+  if (particles.empty()) return;
+  const FlowInTime flow(step, t.material, flow_);
+  const double whole = t.scalar ? std::exp(-t.scalar->decay * (step.end - step.begin)) : 1.0;
+  for (std::size_t n = 0; n < particles.size(); ++n) {
+    const double begin = n < earlier ? step.begin : born[n - earlier];
+    Vec3 x = particles.position(n);
+    if (!move(flow, begin, step.end, x))
+      throw PhysicsError(fmt::format(
+          "tracer particle {} at [{:g}, {:g}, {:g}] would cross more cells in a step than a box "
+          "knows around it; a smaller <cfl> helps",
+          particles.id(n), x.x, x.y, x.z));
+    particles.move_to(n, x);
+    if (t.scalar)
+      particles.attribute(0, n) *=
+          n < earlier ? whole : std::exp(-t.scalar->decay * (step.end - begin));
+  }
+}
+
+bool Tracers::reflects(int /*kind*/, int level, Side side, IntVec3 cell) const {
+  return (*boundaries_)[static_cast<std::size_t>(level)]->is_wall(side, cell);
+}
+
+}  // namespace sluice::ice

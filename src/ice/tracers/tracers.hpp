@@ -1,0 +1,63 @@
+// Tracer particles in the flow: dx/dt = u(x, t), by Heun's method.
+//
+//   x* = x + dt u(x, t),   x' = x + dt/2 (u(x, t) + u(x*, t + dt))
+//
+// u is linear between cell centres and between the states before and after the step: second order
+// in time and space. Where a wall is, the ghost cells mirror the flow, so that u leads along it.
+// Ids: those at the start are numbered by region, level, cell and place in the cell; then come, one
+// number after the other for all cells of all sources, the particles that appear n-th in their
+// cell. They depend on neither boxes nor ranks nor time steps.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "framework/run/particle_method.hpp"
+#include "framework/scene/scene.hpp"
+#include "ice/boundary_fill.hpp"
+#include "models/tracer_particles.hpp"
+
+namespace sluice::ice {
+
+// How the flow is stored.
+struct FlowStorage {
+  int materials = 1;
+  std::vector<int> directions;  // of the components of the momentum
+  bool own_velocities = false;
+};
+
+class Tracers : public ParticleMethod {
+ public:
+  using Boundaries = std::vector<std::unique_ptr<BoundaryFill>>;  // by level
+
+  // Keeps references to the list, the grid's levels and the boundaries.
+  Tracers(const std::vector<models::TracerParticles>& list, const Grid& grid,
+          const Boundaries& boundaries, FlowStorage flow);
+
+  const std::vector<ParticleKind>& kinds() const override { return kinds_; }
+  void start(int kind, const Level& level, const IndexBox& cells,
+             ParticleSet& particles) const override;
+  void advance(int kind, const ParticleStep& step, ParticleSet& particles) const override;
+  bool reflects(int kind, int level, Side side, IntVec3 cell) const override;
+
+ private:
+  // First ids by region and level.
+  struct Ids {
+    std::vector<std::vector<std::int64_t>> start, source;
+    std::int64_t first_of_sources = 0;
+    std::int64_t stride = 0;  // cells of all sources
+  };
+  Ids number(const models::TracerParticles& t) const;
+  void add(const models::TracerParticles& t, Vec3 point, std::int64_t id,
+           ParticleSet& particles) const;
+  void emit(int kind, const ParticleStep& step, std::vector<double>& born,
+            ParticleSet& particles) const;
+
+  const std::vector<models::TracerParticles>* list_;
+  const Grid* grid_;
+  const Boundaries* boundaries_;
+  FlowStorage flow_;
+  std::vector<ParticleKind> kinds_;
+  std::vector<Ids> ids_;
+};
+
+}  // namespace sluice::ice

@@ -1,0 +1,219 @@
+// Tracers: where the flow takes them, who appears and who leaves.
+#include <cmath>
+#include <numbers>
+
+#include "ice/tracers/tracer_test_support.hpp"
+
+namespace sluice::ice {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double least_order = 1.9;
+const std::string everywhere = tracer_box("[-99,-99,-99]", "[99,99,99]");
+
+GasBox uniform(IntVec3 cells) {
+  GasBox box;
+  box.cells = cells;
+  box.velocity[0] = "0.5";
+  box.velocity[1] = "-0.25";
+  return box;
+}
+
+double wrapped(double x) {
+  return x - std::floor(x);
+}
+// Distance on a circle of length 1.
+double apart(double a, double b) {
+  const double d = std::fabs(wrapped(a) - wrapped(b));
+  return std::min(d, 1 - d);
+}
+
+TEST(Tracers, GoWithUniformFlowAndWrapAround) {
+  GasBox box = uniform({16, 12, 1});
+  box.models = tracer_model(tracer_start(everywhere, 4));
+  TracerRun run(box);
+  const TracerRun::Particles before = run.particles();
+  ASSERT_EQ(before.size(), 16U * 12U * 4U);
+  const int steps = run.run(3.0);
+  EXPECT_GT(steps, 20);
+  const TracerRun::Particles after = run.particles();
+  ASSERT_EQ(after.size(), before.size());
+  for (const auto& [id, p] : after) {
+    const Vec3 start = before.at(id).place;
+    EXPECT_LT(apart(p.place.x, start.x + 0.5 * 3.0), 1e-13) << id;
+    EXPECT_LT(apart(p.place.y, start.y - 0.25 * 3.0), 1e-13) << id;
+    EXPECT_EQ(p.place.z, start.z);
+  }
+}
+
+// Isentropic vortex of strength 3 at rest (C.-W. Shu, ICASE Report 97-65, section 5.1).
+GasBox vortex(int cells) {
+  GasBox box;
+  box.cells = {cells, cells, 1};
+  box.low = {-5, -5, 0};
+  box.high = {5, 5, 1};
+  const std::string T = "(1 - 9/(28*pi^2)*exp(1 - x^2 - y^2))";
+  box.density = T + "^2.5";
+  box.pressure = T + "^3.5";
+  box.velocity[0] = "-3/(2*pi)*exp((1 - x^2 - y^2)/2)*y";
+  box.velocity[1] = "3/(2*pi)*exp((1 - x^2 - y^2)/2)*x";
+  return box;
+}
+
+double turning_speed(double radius) {
+  return 3 / (2 * pi) * std::exp((1 - radius * radius) / 2);
+}
+
+// Mean distance from where the exact flow leads.
+double vortex_error(int cells, double time) {
+  GasBox box = vortex(cells);
+  // The same places on each grid: one a cell of the coarsest.
+  box.models = tracer_model(tracer_start(tracer_box("[-1.5,-1.5,-1]", "[1.5,1.5,2]"), 1));
+  TracerRun run(box);
+  const TracerRun::Particles before = run.particles();
+  run.run(time);
+  double sum = 0;
+  for (const auto& [id, p] : run.particles()) {
+    const Vec3 x = before.at(id).place;
+    const double angle = time * turning_speed(std::hypot(x.x, x.y));
+    sum += std::hypot(p.place.x - (x.x * std::cos(angle) - x.y * std::sin(angle)),
+                      p.place.y - (x.x * std::sin(angle) + x.y * std::cos(angle)));
+  }
+  return sum / static_cast<double>(before.size());
+}
+
+TEST(Tracers, TurnWithAVortexToSecondOrder) {
+  double before = 0;
+  for (const int cells : {32, 64, 128}) {
+    const double error = vortex_error(cells, 4.0);
+    if (before > 0) {
+      const double order = std::log2(before / error);
+      RecordProperty(fmt::format("order_at_{}", cells), fmt::format("{}", order));
+      EXPECT_GE(order, least_order) << error;
+    }
+    before = error;
+  }
+}
+
+// The mover alone in a steady velocity: whole turns, spacing and step halved together.
+TEST(Tracers, CloseTheirCirclesToSecondOrder) {
+  double before = 0;
+  for (const int cells : {64, 128, 256}) {
+    GasBox box = vortex(cells);
+    box.models = tracer_model(tracer_start(tracer_box("[-2,-2,-1]", "[2,2,2]"), 1));
+    TracerRun run(box);
+    LevelSolver& level = run.hierarchy().level(0);
+    run.hierarchy().fill_ghosts(0);
+    const double radius = 1.1, turn = 2 * pi / turning_speed(radius);
+    ParticleSet particle;
+    particle.add({radius, 0, 0.5}, 0);
+    const int steps = 4 * cells;
+    ParticleStep step;
+    step.old_state = step.new_state = &level.state();
+    for (int n = 0; n < steps; ++n) {
+      step.begin = step.old_time = turn * n / steps;
+      step.end = step.new_time = turn * (n + 1) / steps;
+      run.ice().particles()->advance(0, step, particle);
+    }
+    const double error = std::hypot(particle.position(0).x - radius, particle.position(0).y);
+    if (before > 0) {
+      EXPECT_GE(std::log2(before / error), least_order) << error;
+    }
+    before = error;
+  }
+}
+
+TEST(Tracers, StayInAClosedBox) {
+  GasBox box;
+  box.cells = {20, 16, 1};
+  box.periodic = false;
+  box.walls = true;
+  box.pressure = "1 + 4*exp(-40*((x-0.3)^2 + (y-0.4)^2))";
+  box.models = tracer_model(tracer_start(everywhere, 9));
+  TracerRun run(box);
+  const ParticleCount before = run.count();
+  EXPECT_EQ(before.made, 20 * 16 * 9);
+  run.run(1.0);
+  const ParticleCount after = run.count();
+  EXPECT_EQ(after.made, before.made);
+  EXPECT_EQ(after.left, 0);
+  EXPECT_EQ(after.here, before.here);
+  for (const auto& [id, p] : run.particles())
+    EXPECT_TRUE(run.level().domain.contains(cell_at(run.level(), p.place))) << id;
+}
+
+TEST(Tracers, LeaveWhereTheFlowLeaves) {
+  GasBox box = uniform({16, 12, 1});
+  box.periodic = false;
+  box.models = tracer_model(tracer_start(everywhere, 4));
+  TracerRun run(box);
+  const TracerRun::Particles before = run.particles();
+  run.run(0.6);
+  std::int64_t gone = 0;
+  const TracerRun::Particles after = run.particles();
+  for (const auto& [id, p] : before) {
+    const bool inside = p.place.x + 0.3 < 1 && p.place.y - 0.15 >= 0;
+    gone += !inside;
+    EXPECT_EQ(after.count(id), inside ? 1U : 0U) << id;
+  }
+  EXPECT_GT(gone, 100);
+  EXPECT_EQ(run.count().left, gone);
+  EXPECT_EQ(run.count().here, run.count().made - gone);
+}
+
+// Whatever the steps: number n of a cell appears at start + (n + 1/2)/rate and moves from then on.
+TEST(Tracers, AppearInSourcesAtTheirTimes) {
+  GasBox box = uniform({16, 12, 1});
+  const std::string window = "<timeStart>0.1</timeStart><timeStop>0.9</timeStop>";
+  const std::string scalar =
+      "<scalar name='p.age'><initialValue>2</initialValue><exponentialDecay><c1>3</c1>"
+      "<c2 type='constant'><value>0.5</value></c2><c3>0.25</c3></exponentialDecay></scalar>";
+  // 3 x 3 cells.
+  box.models = tracer_model(tracer_start(tracer_box("[5,5,5]", "[6,6,6]"), 1),
+                            tracer_source(tracer_box("[0.25,0.25,-1]", "[0.4375,0.5,2]"), 10),
+                            window + scalar);
+  TracerRun run(box), slow(box);
+  EXPECT_EQ(run.particles().size(), 0U);
+  const int steps = run.run(1.2);
+  EXPECT_GT(slow.run(1.2, 0.3), 2 * steps);
+  const TracerRun::Particles all = run.particles(), same = slow.particles();
+  EXPECT_EQ(all.size(), 9U * 8U);
+  ASSERT_EQ(all.size(), same.size());
+  for (const auto& [id, p] : all) {
+    const SeenParticle& q = same.at(id);
+    EXPECT_LT(apart(p.place.x, q.place.x) + apart(p.place.y, q.place.y), 1e-13) << id;
+    const auto number = id / (16 * 12) - 1;  // the first ids are of those at the start
+    const double age = 1.2 - (0.1 + (static_cast<double>(number) + 0.5) / 10);
+    const double born = wrapped(p.place.x - 0.5 * age);
+    EXPECT_GE(born, 0.25 - 1e-12);
+    EXPECT_LE(born, 0.4375 + 1e-12);
+    EXPECT_NEAR(p.carried, 2 * std::exp(-1.75 * age), 1e-13);
+  }
+}
+
+TEST(Tracers, DoNotDependOnBoxesOrThreads) {
+  GasBox box = vortex(24);
+  box.models = tracer_model(tracer_start(tracer_box("[-3,-4,-1]", "[3,4,2]"), 3),
+                            tracer_source(tracer_box("[1,1,-1]", "[3,3,2]"), 2.5));
+  TracerRun one(box), many(box, {3, 2, 1}, "", "", 2);
+  one.run(1.5);
+  many.run(1.5);
+  EXPECT_GT(one.particles().size(), 500U);
+  EXPECT_EQ(one.particles(), many.particles());
+}
+
+TEST(Tracers, AreNotThereWithoutTheModel) {
+  GasBox box = vortex(8);
+  Stepper without(box);
+  EXPECT_EQ(without.ice().particles(), nullptr);
+  EXPECT_FALSE(without.ice().effects().on(effect_tracers));
+  box.models = tracer_model(tracer_start(everywhere, 1));
+  Stepper with(box);
+  EXPECT_NE(with.ice().particles(), nullptr);
+  EXPECT_EQ(without.solver().graph_as_dot(), with.solver().graph_as_dot());
+  EXPECT_EQ(without.solver().effect_tasks(), with.solver().effect_tasks());
+  EXPECT_EQ(without.solver().memory_bytes(), with.solver().memory_bytes());
+}
+
+}  // namespace
+}  // namespace sluice::ice

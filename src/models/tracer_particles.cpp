@@ -1,0 +1,152 @@
+// Model "TracerParticles": how a deck says it.
+#include "models/tracer_particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/deck/framework_schema.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "models/exponential_decay.hpp"
+#include "models/material_name.hpp"
+
+namespace sluice::models {
+namespace {
+
+constexpr std::string_view prefix = "p.";  // of the names of particle variables
+
+TagSpec region(const char* text, const char* number, const char* of_number, const char* unit) {
+  return tag("geom_object", text)
+      .at_least_once()
+      .group("geometry_piece")
+      .with_children({tag(number, of_number).once().real().at_least(0).unit(unit)});
+}
+
+void check_region(const DeckNode& object, std::vector<Fault>& faults) {
+  if (std::none_of(object.children.begin(), object.children.end(),
+                   [](const auto& child) { return is_geometry_piece(child->name); }))
+    add_error(faults, object.where, "<geom_object> has no geometry piece",
+              "add a <box>, <sphere>, ...; see sluice help geom_object");
+}
+
+void check_regions(const DeckNode* regions, std::vector<Fault>& faults) {
+  if (regions == nullptr) return;
+  for (const DeckNode* object : regions->all("geom_object")) check_region(*object, faults);
+}
+
+std::vector<TracerRegion> read_regions(const DeckNode* regions, const char* number,
+                                       const GeometryReader& geometry, std::vector<Fault>& faults) {
+  std::vector<TracerRegion> list;
+  if (regions == nullptr) return list;
+  for (const DeckNode* object : regions->all("geom_object"))
+    list.push_back({geometry.object(*object, faults).piece, object->real(number)});
+  return list;
+}
+
+void refuse_if_true(const DeckNode& parameters, const char* child, std::vector<Fault>& faults) {
+  const DeckNode* node = parameters.child(child);
+  if (node == nullptr || node->text != "true") return;
+  add_error(faults, node->where,
+            fmt::format("<{}> true is known to the format, but not built yet", child),
+            "start a new run");
+  faults.back().not_built = true;
+}
+
+}  // namespace
+
+TagSpec tracer_particles_tag() {
+  const TagSpec tracer =
+      tag("tracer", "where they are and appear")
+          .once()
+          .attribute(attribute("name", "their name, in the run report").once().text())
+          .with_children(
+              {tag("initialization", "particles at the start")
+                   .once()
+                   .child(region("a region that holds particles at the start", "particlesPerCell",
+                                 "how many in a cell that lies in the region", "1")),
+               tag("interiorSources", "regions in which particles appear")
+                   .child(region("a region in which particles appear", "particlesPerCellPerSecond",
+                                 "how many in a cell and second", "1/time"))});
+  return tag("TracerParticles", "points that move with a material and act on nothing")
+      .with_children(
+          {tag("material", "name of the material; absent: the only one").text(),
+           tag("timeStart", "sources begin").real().at_least(0).by_default("0").unit("time"),
+           tag("timeStop", "sources end; absent: never").real().at_least(0).unit("time"),
+           tag("modelPreviouslyInitialized", "false, or absent").boolean(),
+           tag("reinitializeDomain", "start anew at a restart").boolean(),
+           tag("refine_distance",
+               "cells that are nearer than this to a particle ask for a finer level; absent: "
+               "particles ask for none")
+               .real()
+               .at_least(0)
+               .unit("length"),
+           tag("scalar", "a number that each particle carries")
+               .attribute(attribute("name", "of its variable, begins with p.").once().text())
+               .with_children({tag("initialValue", "when the particle appears").once().real(),
+                               exponential_decay_tag()}),
+           tracer});
+}
+
+void check_tracer_particles(const DeckNode& parameters, const std::vector<std::string>& materials,
+                            std::vector<Fault>& faults) {
+  check_material(parameters, "material", materials, faults);
+  if (parameters.child("material") == nullptr && materials.size() > 1)
+    add_error(faults, parameters.where, "<TracerParticles> needs <material>: there are several");
+  refuse_if_true(parameters, "modelPreviouslyInitialized", faults);
+  refuse_if_true(parameters, "reinitializeDomain", faults);
+  if (const DeckNode* scalar = parameters.child("scalar")) {
+    const std::string name = scalar->attribute("name").value_or("p.");
+    const auto& taken = particle_variables();
+    if (!name.starts_with(prefix))
+      add_error(faults, scalar->where,
+                fmt::format("<scalar name=\"{}\">: variables of particles begin with p.", name),
+                fmt::format("write p.{}", name));
+    else if (std::find(taken.begin(), taken.end(), name) != taken.end())
+      add_error(faults, scalar->where,
+                fmt::format("<scalar name=\"{}\">: every particle has this variable already", name),
+                "choose another name");
+  }
+  const DeckNode* tracer = parameters.child("tracer");
+  if (tracer == nullptr) return;
+  check_regions(tracer->child("initialization"), faults);
+  check_regions(tracer->child("interiorSources"), faults);
+}
+
+TracerParticles read_tracer_particles(const DeckNode& parameters,
+                                      const std::vector<std::string>& materials,
+                                      const GeometryReader& geometry, std::vector<Fault>& faults) {
+  TracerParticles t;
+  const DeckNode& tracer = *parameters.child("tracer");
+  t.where = parameters.where;
+  t.name = tracer.attribute("name").value_or("");
+  t.material = read_material(parameters, "material", materials);
+  t.window.start = real_or(parameters, "timeStart", 0);
+  t.window.stop = real_or(parameters, "timeStop", t.window.stop);
+  t.refine_distance = real_or(parameters, "refine_distance", t.refine_distance);
+  if (const DeckNode* scalar = parameters.child("scalar"))
+    t.scalar = TracerScalar{scalar->attribute("name").value_or(""), scalar->real("initialValue"),
+                            read_decay(*scalar)};
+  t.start = read_regions(tracer.child("initialization"), "particlesPerCell", geometry, faults);
+  t.sources =
+      read_regions(tracer.child("interiorSources"), "particlesPerCellPerSecond", geometry, faults);
+  return t;
+}
+
+Label TracerScalar::label() const {
+  return declare_label(
+      {name, ValueType::real, Centring::particle, "1", "Number that tracer particles carry."});
+}
+
+const std::vector<std::string>& particle_variables() {
+  static const std::vector<std::string> names = {"p.x", "p.particleID"};
+  return names;
+}
+
+std::vector<std::string> tracer_labels(const DeckNode& parameters) {
+  const DeckNode* scalar = parameters.child("scalar");
+  std::vector<std::string> labels = particle_variables();
+  if (scalar != nullptr) labels.push_back(scalar->attribute("name").value_or(""));
+  return labels;
+}
+
+}  // namespace sluice::models
