@@ -109,6 +109,7 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
   option("--slice", request.slice);
   if (request.radius) words.emplace_back("--radius");
   option("--levels", request.levels);
+  option("--particles", request.particles);
   option("--title", request.title);
   option("--time", request.time);
   option("--exact", exact);

@@ -9,7 +9,7 @@ namespace sluice {
 struct PictureRequest {
   std::string archive;
   std::vector<std::string> variables, histories;
-  std::string material, slice, title, levels;
+  std::string material, slice, title, levels, particles;
   std::string time = "last";
   bool radius = false;         // every cell by its distance from the origin
   std::string exact = "auto";  // auto: what the deck names; none; or a CSV file

@@ -6,7 +6,9 @@
 #include <functional>
 
 #include "framework/field/label.hpp"
+#include "framework/run/particle_method.hpp"
 #include "ice/labels.hpp"
+#include "models/tracer_particles.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice {
@@ -55,6 +57,8 @@ std::string label_reference() {
   models::TransportedScalar scalar;
   scalar.name = "NAME";
   scalar.declare_labels();
+  particle_labels();
+  models::TracerScalar{"p.NAME"}.label();
   std::string page = head;
   page += table("Cells", "Values at the centres of cells, after the step unless said otherwise.",
                 [](Label l) { return l.info().centring == Centring::cell && !is_state(l); });
@@ -65,6 +69,10 @@ std::string label_reference() {
   page +=
       table("Histories", "One number (or vector) a step, kept as a `.dat` file beside the index.",
             [](Label l) { return l.info().centring == Centring::reduction; });
+  page +=
+      table("Particles",
+            "Values of particles, in no order; with any of them positions and numbers are saved.",
+            [](Label l) { return l.info().centring == Centring::particle; });
   page += table("Conserved state",
                 "What checkpoints hold. Not for `<save>`; listed because `sluice info` shows it.",
                 is_state);

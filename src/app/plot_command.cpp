@@ -33,6 +33,8 @@ void add_plot_command(CLI::App& app, int& exit_status) {
       ->check(CLI::IsMember({"boxes", "tiles", "edges", "none"}));
   command->add_option("--exact", request->exact,
                       "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
+  command->add_option("--particles", request->particles,
+                      "Particles over a plane, coloured by this label of theirs; p.x: in black");
   command->add_option("--title", request->title, "Heading of the picture");
   command->add_option("-o,--output", request->picture, "Picture: .png, .svg or .pdf");
   command->callback([request, &exit_status] { exit_status = draw_archive(*request); });

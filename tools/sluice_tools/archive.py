@@ -5,6 +5,7 @@
     density = step.field("rho_CC")           # Field of level 0, material 0
     density.values                           # array [i, j, k], vectors [component, i, j, k]
     density.coordinates(0)                   # positions along x
+    step.particles()["p.x"]                  # particles by id: arrays [n], vectors [n, component]
 
 The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
 --verify` does that.
@@ -204,6 +205,30 @@ class Step:
     def stored(self):
         """All (name, material, level) of this step."""
         return sorted(self._stored)
+
+    def particle_materials(self):
+        return self.materials("p.x")
+
+    def particles(self, material=None):
+        """Variables of all particles of a material, on all levels, in the order of their ids."""
+        there = self.particle_materials()
+        if not there:
+            raise ArchiveError(f"no particles at step {self.number}; save p.x")
+        material = there[0] if material is None else material
+        if material not in there:
+            raise ArchiveError(f"no particles of material {material}; materials: {there}")
+        kinds = self.archive.variables
+        names = [n for n in self.names()
+                 if kinds[n].centring == "particle" and material in self.materials(n)]
+        levels = sorted({key[2] for key in self._stored if key[:2] == ("p.x", material)})
+        table = {}
+        for name in names:
+            lists = [block[:, :, 0, 0].T for level in levels
+                     for _, _, block in self.pieces(name, material, level)]
+            values = np.concatenate(lists)
+            table[name] = values if kinds[name].components == 3 else values[:, 0]
+        order = np.argsort(table["p.particleID"])
+        return {name: values[order] for name, values in table.items()}
 
     def pieces(self, name, material, level):
         """What is stored, box by box: [(lower, upper, values[component, i, j, k])]."""

@@ -44,8 +44,9 @@ def panel_grid(count):
     return -(-count // columns), columns
 
 
-def unit_of(archive, name):
-    return archive.variables[views.split_name(name)[0]].unit
+def unit_of(archive, name, of_cells=True):
+    """Names of particle variables have a point of their own."""
+    return archive.variables[views.split_name(name)[0] if of_cells else name].unit
 
 
 def profiles_of_materials(step, name, material):
@@ -154,6 +155,26 @@ def draw_plane(fig, ax, step, name, given):
     bar.formatter.set_powerlimits((-3, 5))
 
 
+def draw_particles(fig, ax, step, given):
+    """Particles over a plane: points, coloured by what they carry where that is asked for."""
+    first, second, _ = views.plane_axes(step, given.normal)
+    particles = step.particles(given.material)
+    if given.particles not in particles:
+        raise ArchiveError(f"particles have no '{given.particles}'; there are: "
+                           f"{', '.join(sorted(particles))}")
+    places = particles["p.x"]
+    near = views.near_plane(step, places, given.normal, given.position)
+    look = {"s": 3, "linewidths": 0, "zorder": 4}
+    if given.particles == "p.x":
+        ax.scatter(places[near, first], places[near, second], color="black", **look)
+        return
+    points = ax.scatter(places[near, first], places[near, second], cmap="magma",
+                        c=particles[given.particles][near], **look)
+    bar = fig.colorbar(points, ax=ax, orientation="horizontal", fraction=0.05, pad=0.14)
+    bar.outline.set_linewidth(0.4)
+    bar.set_label(style.caption(given.particles, unit_of(step.archive, given.particles, False)))
+
+
 def plane_height(step, given, width):
     """Height of a panel of this width (inches) whose plane keeps its proportions."""
     level = step.levels[0]
@@ -188,6 +209,8 @@ def draw_fields(archive, given, plt):
     if given.radius and line:
         raise ArchiveError("--radius is for runs in two or three dimensions; this one is a line")
     one = line or given.radius
+    if given.particles and one:
+        raise ArchiveError("--particles is for planes of runs in two or three dimensions")
     exact = read_exact(given.exact) if given.exact else None
     rows, columns = panel_grid(len(names))
     width = 5.5 if len(names) == 1 and not one else min(4.0, 11.0 / columns)
@@ -201,6 +224,8 @@ def draw_fields(archive, given, plt):
             draw_line(ax, step, name, given, exact)
         else:
             draw_plane(fig, ax, step, name, given)
+            if given.particles:
+                draw_particles(fig, ax, step, given)
         caption = style.caption(name, unit_of(archive, name))
         if not one and "." not in name and archive.variables[name].components == 3:
             caption = caption.replace("  (", " magnitude  (")
@@ -275,6 +300,8 @@ def parse(arguments):
     parser.add_argument("--history", action="append", help="a .dat file by its label; levels: the "
                         "cells of each level over time")
     parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
+    parser.add_argument("--particles", help="particles over the plane, coloured by this label of "
+                        "theirs; p.x: in black")
     parser.add_argument("--title")
     parser.add_argument("-o", "--output", default="picture.png", help=".png, .svg or .pdf")
     given = parser.parse_args(arguments)

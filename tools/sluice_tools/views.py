@@ -144,6 +144,15 @@ def layer(level, normal, position=None):
     return int(np.floor((position - level.anchor[normal]) / level.spacing[normal]))
 
 
+def near_plane(step, places, normal=None, position=None):
+    """Which places lie in a plane's layer of cells of the coarsest level; in 2-D: all."""
+    if len(step.levels[0].active_directions()) < 3:
+        return np.ones(len(places), dtype=bool)
+    level, normal = step.levels[0], 2 if normal is None else normal
+    cells = np.floor((places[:, normal] - level.anchor[normal]) / level.spacing[normal])
+    return cells == layer(level, normal, position)
+
+
 def _edges(field, direction):
     centres = field.coordinates(direction)
     half = 0.5 * field.level.spacing[direction]

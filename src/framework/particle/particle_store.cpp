@@ -29,6 +29,12 @@ void ParticleStore::lay_out(const ParticleMap& map) {
   }
 }
 
+void ParticleStore::clear() {
+  sets_.clear();
+  locals_.clear();
+  homeless_.clear();
+}
+
 const GridBox& ParticleStore::box(int level, int local) const {
   const int id = at(level)[static_cast<std::size_t>(local)].id;
   return map_->levels()[static_cast<std::size_t>(level)].boxes[static_cast<std::size_t>(id)];

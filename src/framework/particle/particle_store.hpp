@@ -17,6 +17,8 @@ class ParticleStore {
   // particles before, they wait for settle().
   void lay_out(const ParticleMap& map);
 
+  void clear();  // no particles, no boxes
+
   int level_count() const { return static_cast<int>(sets_.size()); }
   // Local boxes of a level, numbered as a Warehouse does.
   int box_count(int level) const { return static_cast<int>(at(level).size()); }

@@ -111,7 +111,7 @@ std::vector<FlagField> Hierarchy::flags() {
     fill(l, time_);
     levels.push_back(&level(l));
   }
-  return refinement_flags_.of(levels, flagging, time_, *communicator_);
+  return refinement_flags_.of(levels, flagging, time_, *communicator_, particles_.get());
 }
 
 void Hierarchy::restrict_all() {
@@ -140,14 +140,18 @@ void Hierarchy::measure_rates(int levels_before) {
 void Hierarchy::initialise() {
   time_ = scene_->time.initial_time;
   for (int l = 0; l < level_count(); ++l) component_->initialise(level(l).state());
+  const auto start_particles = [this] {
+    if (particles_ != nullptr) particles_->start(existing_levels(), time_);
+  };
+  start_particles();
   // Each pass may add one level; one more for every level finds that nothing changes.
   for (int pass = 0; regridder_ && pass < 2 * possible_levels(); ++pass) {
     if (!regridder_->regrid_at_start(flags())) break;
     lay_out(true);
+    start_particles();
   }
   restrict_all();
   measure_rates(0);
-  if (particles_ != nullptr) particles_->start(existing_levels(), time_);
 }
 
 // Memory follows the cells, but is not returned and asked for again with every regrid.

@@ -46,6 +46,7 @@ void ParticleCloud::follow(const Levels& levels) {
 
 void ParticleCloud::start(const Levels& levels, double time) {
   time_ = time;
+  for (Kind& kind : kinds_) kind.store.clear();
   lay_out(levels);
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     ParticleStore& store = kinds_[k].store;
@@ -117,12 +118,12 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
   time_ = end;
 }
 
-std::vector<ParticleCloud::Occupied> ParticleCloud::occupied(int l) const {
-  std::vector<Occupied> all;
+std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
+  std::vector<FlagSeeds> all;
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const double distance = method_->kinds()[k].refine_distance;
     if (distance < 0) continue;
-    Occupied& of_kind = all.emplace_back();
+    FlagSeeds& of_kind = all.emplace_back();
     of_kind.distance = distance;
     const ParticleStore& store = kinds_[k].store;
     // A cell under a finer level holds what lives there.

@@ -49,12 +49,8 @@ class ParticleCloud {
   using Wanted = std::function<bool(Label label, int material, int level)>;
   void add_pieces(const Wanted& wanted, ParticlePieces& pieces) const;
 
-  // Cells of the local boxes of a level that hold a particle, for each kind that refines.
-  struct Occupied {
-    std::vector<IntVec3> cells;
-    double distance = 0;
-  };
-  std::vector<Occupied> occupied(int level) const;
+  // Cells of a level that hold particles of this rank, for each kind that asks for finer levels.
+  std::vector<FlagSeeds> flag_seeds(int level) const;
 
   const ParticleStore& store(int kind) const {
     return kinds_[static_cast<std::size_t>(kind)].store;

@@ -151,9 +151,12 @@ std::vector<double> RefinementFlags::largest_errors(const std::vector<LevelSolve
 }
 
 void RefinementFlags::add_seeds(const LevelSolver& solver, Communicator& communicator,
-                                FlagField& flags) const {
+                                const ParticleCloud* particles, FlagField& flags) const {
   const Level& level = solver.level();
-  for (const FlagSeeds& seeds : component_->flag_seeds(solver.state())) {
+  std::vector<FlagSeeds> all = component_->flag_seeds(solver.state());
+  if (particles != nullptr)
+    for (FlagSeeds& seeds : particles->flag_seeds(level.index)) all.push_back(std::move(seeds));
+  for (const FlagSeeds& seeds : all) {
     FlagField found(level.domain);
     for (const IntVec3& cell : seeds.cells) found.set(cell);
     merge_ranks(found, communicator);
@@ -167,7 +170,8 @@ void RefinementFlags::add_seeds(const LevelSolver& solver, Communicator& communi
 }
 
 std::vector<FlagField> RefinementFlags::of(const std::vector<LevelSolver*>& levels, int flagging,
-                                           double time, Communicator& communicator) {
+                                           double time, Communicator& communicator,
+                                           const ParticleCloud* particles) {
   compute(levels, flagging, time);
   const std::vector<double> most = largest_errors(levels, communicator);
   std::vector<FlagField> all;
@@ -180,7 +184,7 @@ std::vector<FlagField> RefinementFlags::of(const std::vector<LevelSolver*>& leve
     for (const GridBox& box : solver.state().local_boxes())
       regions_[static_cast<std::size_t>(l)].add(box.cells, flags);
     merge_ranks(flags, communicator);
-    add_seeds(solver, communicator, flags);
+    add_seeds(solver, communicator, particles, flags);
   }
   return all;
 }

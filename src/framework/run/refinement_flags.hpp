@@ -6,6 +6,7 @@
 #include "framework/refine/flag_field.hpp"
 #include "framework/run/component.hpp"
 #include "framework/run/level_solver.hpp"
+#include "framework/run/particle_cloud.hpp"
 #include "framework/run/region_flags.hpp"
 #include "framework/scene/refinement_settings.hpp"
 
@@ -21,13 +22,14 @@ class RefinementFlags {
   // Flags of the coarsest `flagging` levels; `levels`: those that must be read, ghost cells filled.
   // Collective: all ranks get the flags of all boxes.
   std::vector<FlagField> of(const std::vector<LevelSolver*>& levels, int flagging, double time,
-                            Communicator& communicator);
+                            Communicator& communicator, const ParticleCloud* particles = nullptr);
 
  private:
   void compute(const std::vector<LevelSolver*>& levels, int flagging, double time) const;
   std::vector<double> largest_errors(const std::vector<LevelSolver*>& levels,
                                      Communicator& communicator) const;
-  void add_seeds(const LevelSolver& solver, Communicator& communicator, FlagField& flags) const;
+  void add_seeds(const LevelSolver& solver, Communicator& communicator,
+                 const ParticleCloud* particles, FlagField& flags) const;
 
   const Component* component_;
   Label flag_;
