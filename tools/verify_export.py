@@ -20,7 +20,7 @@ try:
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOXML import (vtkXMLImageDataReader, vtkXMLMultiBlockDataReader,
-                                     vtkXMLUniformGridAMRReader)
+                                     vtkXMLPolyDataReader, vtkXMLUniformGridAMRReader)
 except ImportError as missing:
     print(f"verify_export: skipped: {missing}")
     sys.exit(SKIPPED)
@@ -135,7 +135,9 @@ def check_blanking(levels, images):
 
 def compare_step(step, path):
     images = images_of(path)
-    fields = {key: step.pieces(*key) for key in step.stored()}
+    kinds = step.archive.variables
+    fields = {key: step.pieces(*key) for key in step.stored()
+              if kinds[key[0]].centring != "particle"}
     compared = cells = 0
     for number, image in images:
         box = image_box(step.levels[number], image)
@@ -150,6 +152,43 @@ def compare_step(step, path):
         raise AssertionError(f"{path}: {cells} cells, the archive has {expected}")
     if len(step.levels) > 1:
         check_blanking(step.levels, images)
+    return compared
+
+
+def compare_points(step, material, path):
+    """Particles of a material against a .vtp file; each must be a vertex that is drawn."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    points = reader.GetOutput()
+    particles = step.particles(material)
+    if points.GetNumberOfVerts() != len(particles["p.particleID"]):
+        raise AssertionError(f"{path.name}: {points.GetNumberOfVerts()} vertices")
+    compared = 0
+    for name, values in particles.items():
+        array = (points.GetPoints().GetData() if name == "p.x"
+                 else points.GetPointData().GetArray(name))
+        if array is None or not np.array_equal(vtk_to_numpy(array), values):
+            raise AssertionError(f"{path.name}: values of {name} differ")
+        compared += values.size
+    return compared
+
+
+def compare_particles(archive, pvd):
+    """All that the collection of particles names; nothing where the archive has none."""
+    steps = [archive.step(f"#{n}") for n in range(len(archive.steps))]
+    wanted = [(step, m) for step in steps for m in step.particle_materials()]
+    if not wanted:
+        return 0
+    collection = pvd.with_name(pvd.stem + "_particles.pvd")
+    exported = xml.parse(collection).getroot().find("Collection").findall("DataSet")
+    if len(exported) != len(wanted):
+        raise AssertionError(f"{collection.name} names {len(exported)} files, not {len(wanted)}")
+    compared = 0
+    for (step, material), data_set in zip(wanted, exported):
+        if float(data_set.get("timestep")) != step.time:
+            raise AssertionError(f"{collection.name}: another time than {step.time}")
+        compared += compare_points(step, material, pvd.parent / data_set.get("file"))
     return compared
 
 
@@ -199,6 +238,7 @@ def main(archive, pvd, *options):
             compare_step(archive.step(f"#{number}"), amr)
             check_first_look(amr)
             check_series(pvd.with_suffix(".vthb.series"), amr.name, times[number])
+    compared += compare_particles(archive, pvd)
     if "--paraview" in options:
         check_paraview(pvd, times, last)
     if compared == 0:

@@ -44,9 +44,8 @@ def panel_grid(count):
     return -(-count // columns), columns
 
 
-def unit_of(archive, name, of_cells=True):
-    """Names of particle variables have a point of their own."""
-    return archive.variables[views.split_name(name)[0] if of_cells else name].unit
+def unit_of(archive, name):
+    return archive.variables[views.split_name(name)[0]].unit
 
 
 def profiles_of_materials(step, name, material):
@@ -170,9 +169,10 @@ def draw_particles(fig, ax, step, given):
         return
     points = ax.scatter(places[near, first], places[near, second], cmap="magma",
                         c=particles[given.particles][near], **look)
-    bar = fig.colorbar(points, ax=ax, orientation="horizontal", fraction=0.05, pad=0.14)
+    bar = fig.colorbar(points, cax=ax.inset_axes([0, -0.28, 1, 0.035]), orientation="horizontal")
     bar.outline.set_linewidth(0.4)
-    bar.set_label(style.caption(given.particles, unit_of(step.archive, given.particles, False)))
+    unit = step.archive.variables[given.particles].unit
+    bar.set_label(given.particles + ("" if unit == "1" else f"  ({style.unit_text(unit)})"))
 
 
 def plane_height(step, given, width):

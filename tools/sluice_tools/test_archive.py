@@ -51,6 +51,21 @@ class Writer:
             self.records.append(f'<Variable type="{kind}Variable&lt;{value}&gt;" name="{name}" '
                                 f'level="{level}" material="0" group="/l{level}/{name}/m0"/>')
 
+    def add_particles(self, level, boxes):
+        """Boxes of particles as rows of id, x, y, z."""
+        kinds = {"p.x": ("Vector", slice(1, 4)), "p.particleID": ("long64", slice(0, 1))}
+        for name, (value, columns) in kinds.items():
+            blocks = [np.array(box, dtype=float)[:, columns] for box in boxes]
+            group = self.file.create_group(f"/l{level}/{name}/m0")
+            group["boxes"] = np.array([[0, 0, 0, len(box), 1, 1] for box in boxes], dtype="i4")
+            group["values"] = np.concatenate([block.flatten(order="F") for block in blocks])
+            group["crc32c"] = np.zeros((len(boxes), blocks[0].shape[1]), dtype="u4")
+            self.records.append(f'<Variable type="ParticleVariable&lt;{value}&gt;" name="{name}" '
+                                f'level="{level}" material="0" group="/l{level}/{name}/m0"/>')
+            entry = (name, "Particle", blocks[0].shape[1])
+            if entry not in self.variables:
+                self.variables.append(entry)
+
     def close(self):
         self.file.close()
         folder = self.root / "t00007"
@@ -126,6 +141,27 @@ class Reading(OnDisk):
         field = self.two_dimensional().step().field("vel_CC")
         np.testing.assert_allclose(field.values[0, :, 0, 0], field.coordinates(0))
         np.testing.assert_allclose(field.values[1, 0, :, 0], field.coordinates(1))
+
+    def test_particles_of_all_boxes_and_levels_come_by_their_ids(self):
+        writer = Writer(self.root, [
+            (SPACING, (0, 0, 0), (8, 4, 1), [((0, 0, 0), (8, 4, 1))]),
+            ((0.125, 0.25, 1.0), (0, 0, 0), (16, 8, 1), [((4, 2, 0), (8, 6, 1))])])
+        writer.add_particles(0, [[(7, 1.5, 2.5, 0), (1, 1.25, 2, 0)], [(4, 2, 3, 1)]])
+        writer.add_particles(1, [[(3, 1.75, 2.75, 0)]])
+        writer.close()
+        step = Archive(self.root).step()
+        particles = step.particles()
+        np.testing.assert_array_equal(particles["p.particleID"], [1, 3, 4, 7])
+        np.testing.assert_array_equal(particles["p.x"], [[1.25, 2, 0], [1.75, 2.75, 0], [2, 3, 1],
+                                                         [1.5, 2.5, 0]])
+        with self.assertRaisesRegex(ArchiveError, "material 1"):
+            step.particles(1)
+        with self.assertRaisesRegex(ArchiveError, "save p.x"):
+            self.second("no_particles").step().particles()
+
+    def second(self, name):
+        self.root = self.root.parent / name
+        return self.tube()
 
     def test_times(self):
         archive = self.two_dimensional()
