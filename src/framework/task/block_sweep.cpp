@@ -14,36 +14,35 @@ std::ptrdiff_t padded(std::ptrdiff_t n) {
   return (n + 7) / 8 * 8;
 }
 
-struct CanonicalBox {
-  int low[3] = {0, 0, 0};
-  int high[3] = {1, 1, 1};
-};
-
-// Level box in the order row, middle, swept; directions that are not active are left out.
-CanonicalBox canonical(const IndexBox& b, const Axes& axes) {
-  CanonicalBox c;
-  for (int a = 0; a < axes.count; ++a) {
-    const int place = a == 0 ? 0 : a == axes.count - 1 ? 2 : 1;
-    c.low[place] = b.lower[axes.direction[a]];
-    c.high[place] = b.upper[axes.direction[a]];
-  }
-  return c;
-}
-
-IndexBox window_of(const IndexBox& block, const Growth& g) {
-  return {block.lower - g.low, block.upper + g.high};
-}
-
-std::ptrdiff_t buffer_size(const PlannedBuffer& b, IntVec3 block, const Axes& axes,
-                           int components) {
-  const IndexBox window = window_of({IntVec3{}, block}, b.window);
-  const CanonicalBox c = canonical(window, axes);
-  const std::ptrdiff_t rows =
-      static_cast<std::ptrdiff_t>(c.high[1] - c.low[1]) * (axes.count > 1 ? b.planes : 1);
-  return padded(c.high[0] - c.low[0]) * rows * components;
-}
-
 }  // namespace
+
+BlockSweep::Window BlockSweep::window_of(const IndexBox& block, const Growth& growth,
+                                         const Axes& axes) {
+  Window w;
+  for (int a = 0; a < axes.count; ++a) {
+    const int place = a == 0 ? 0 : a == axes.count - 1 ? 2 : 1, d = axes.direction[a];
+    w.low[place] = block.lower[d] - growth.low[d];
+    w.high[place] = block.upper[d] + growth.high[d];
+  }
+  return w;
+}
+
+BlockSweep::Window BlockSweep::bounding(const Window& a, const Window& b) {
+  Window w;
+  for (int place = 0; place < 3; ++place) {
+    w.low[place] = std::min(a.low[place], b.low[place]);
+    w.high[place] = std::max(a.high[place], b.high[place]);
+  }
+  return w;
+}
+
+std::ptrdiff_t BlockSweep::buffer_size(const PlannedBuffer& buffer, IntVec3 block, const Axes& axes,
+                                       int components) {
+  const Window w = window_of({IntVec3{}, block}, buffer.window, axes);
+  const std::ptrdiff_t rows =
+      static_cast<std::ptrdiff_t>(w.high[1] - w.low[1]) * (axes.count > 1 ? buffer.planes : 1);
+  return padded(w.high[0] - w.low[0]) * rows * components;
+}
 
 BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level& level,
                        const StateBinding& binding, IntVec3 largest_block,
@@ -51,8 +50,12 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
   bound_.resize(list.variables().size());
   std::ptrdiff_t total = 0;
-  for (const PlannedBuffer& b : plan.buffers)
+  std::size_t components = 0;
+  for (const PlannedBuffer& b : plan.buffers) {
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
+    components += static_cast<std::size_t>(list[b.variable].components);
+  }
+  buffers_.resize(components);
   if (scratch_->size() < static_cast<std::size_t>(total))
     *scratch_ = AlignedArray(static_cast<std::size_t>(total));
   std::vector<std::size_t> number(bound_.size(), 0);
@@ -74,6 +77,7 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     for (const Access& a : t.reads) r.push_back(add(a.variable));
     auto& w = writes_.emplace_back();
     for (VariableId v : t.writes) w.push_back(add(v));
+    kernels_.push_back(&t.kernel);
     sharing_.push_back(sharing_of(p));
   }
 }
@@ -104,55 +108,52 @@ void BlockSweep::bind_states(std::size_t piece, int box) {
     const int slot = binding_->slot[v];
     auto& components = components_[piece * state_variables_.size() + s];
     components.clear();
-    RealView view;
-    for (int c = 0; c < variable.components; ++c) {
-      view = warehouse->view(slot, c, box);
-      components.push_back(view.data);
-    }
     BoundArray& b = state(piece, s);
     b = {};
+    for (int c = 0; c < variable.components; ++c) {
+      const RealView view = warehouse->view(slot, c, box);
+      const Window cells = window_of(view.box, {}, plan_->axes);
+      const int n = plan_->axes.count;
+      b.middle = n == 3 ? view.stride[plan_->axes.direction[1]] : 0;
+      b.swept = n > 1 ? view.stride[plan_->axes.direction[n - 1]] : 0;
+      b.low = cells.low[2];
+      components.push_back(view.data - cells.low[0] - cells.low[1] * b.middle);
+    }
     b.components = components.data();
-    const CanonicalBox c = canonical(view.box, plan_->axes);
-    for (int place = 0; place < 3; ++place) b.low[place] = c.low[place];
-    const int n = plan_->axes.count;
-    if (n == 3) b.stride[1] = view.stride[plan_->axes.direction[1]];
-    if (n > 1) b.stride[2] = view.stride[plan_->axes.direction[n - 1]];
   }
 }
 
 void BlockSweep::bind_scratch(const IndexBox& hull) {
   double* next = scratch_->data();
+  double** component = buffers_.data();
   for (const PlannedBuffer& p : plan_->buffers) {
     BoundArray& b = bound_[static_cast<std::size_t>(p.variable.index)];
-    b = {};
-    const CanonicalBox c = canonical(window_of(hull, p.window), plan_->axes);
+    const Window w = window_of(hull, p.window, plan_->axes);
     const int planes = plan_->axes.count > 1 ? p.planes : 1;
-    b.data = next;
-    b.low[0] = c.low[0];
-    b.low[1] = c.low[1];
-    b.low[2] = 0;  // the ring wraps planes of any index
-    b.stride[1] = padded(c.high[0] - c.low[0]);
-    b.stride[2] = b.stride[1] * (c.high[1] - c.low[1]);
+    b.components = component;
+    b.low = 0;  // the ring wraps planes of any index
+    b.middle = padded(w.high[0] - w.low[0]);
+    b.swept = b.middle * (w.high[1] - w.low[1]);
     b.mask = planes - 1;
-    b.component_stride = b.stride[2] * planes;
-    next += b.component_stride * (*list_)[p.variable].components;
+    for (int c = 0; c < (*list_)[p.variable].components; ++c) {
+      *component++ = next - w.low[0] - w.low[1] * b.middle;
+      next += b.swept * planes;
+    }
   }
 }
 
-void BlockSweep::run_plane(std::size_t task, const IndexBox& window, int plane, Row& row) {
-  const RowKernel& kernel =
-      list_->tasks()[static_cast<std::size_t>(plan_->tasks[task].task)].kernel;
-  const CanonicalBox c = canonical(window, plan_->axes);
+void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Row& row) {
+  const RowKernel& kernel = *kernels_[task];
   const Axes& axes = plan_->axes;
   row.reads_ = reads_[task].data();
   row.writes_ = writes_[task].data();
-  row.count_ = c.high[0] - c.low[0];
-  row.index_[0] = c.low[0];
+  row.count_ = window.high[0] - window.low[0];
+  row.index_[0] = window.low[0];
   row.index_[2] = plane;
   row.cell_ = level_->domain.lower;
-  row.cell_[axes.direction[0]] = c.low[0];
+  row.cell_[axes.direction[0]] = window.low[0];
   if (axes.count > 1) row.cell_[axes.direction[axes.count - 1]] = plane;
-  for (int j = c.low[1]; j < c.high[1]; ++j) {
+  for (int j = window.low[1]; j < window.high[1]; ++j) {
     row.index_[1] = j;
     if (axes.count == 3) row.cell_[axes.direction[1]] = j;
     kernel(row);
@@ -161,18 +162,21 @@ void BlockSweep::run_plane(std::size_t task, const IndexBox& window, int plane, 
 
 // The arrays of one piece for a task.
 void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
-  for (const std::size_t s : states_of_task_[task]) bound_[state_variables_[s]] = state(piece, s);
+  for (const std::size_t s : states_of_task_[task]) {
+    if (chosen_[s] == piece) continue;
+    bound_[state_variables_[s]] = state(piece, s);
+    chosen_[s] = piece;
+  }
   row.box_ = stack_[piece].box;
   row.block_low_ = stack_[piece].cells.lower;
   row.block_high_ = stack_[piece].cells.upper;
 }
 
 void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
-  const int swept = plan_->axes.direction[plan_->axes.count - 1];
   std::size_t& first = first_piece_[task];
-  while (first < stack_.size() && window(task, first).upper[swept] <= plane) ++first;
+  while (first < stack_.size() && window(task, first).high[2] <= plane) ++first;
   std::size_t last = first;
-  while (last < stack_.size() && window(task, last).lower[swept] <= plane) ++last;
+  while (last < stack_.size() && window(task, last).low[2] <= plane) ++last;
   if (first == last) return;
   if (last - first == 1 || sharing_[task] == Sharing::none) {
     for (std::size_t n = first; n < last; ++n) {
@@ -180,7 +184,7 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
       run_plane(task, window(task, n), plane, row);
     }
   } else if (sharing_[task] == Sharing::plane) {
-    IndexBox hull = window(task, first);
+    Window hull = window(task, first);
     for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
     run_plane(task, hull, plane, row);
   } else {
@@ -191,30 +195,36 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
 // In two dimensions what the pieces before lack lies at the two ends of the row.
 void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last, int plane,
                            Row& row) {
-  const int along = plan_->axes.direction[0];
-  IndexBox done = window(task, first);
+  Window done = window(task, first);
   choose(task, first, row);
   run_plane(task, done, plane, row);
   for (std::size_t n = first + 1; n < last; ++n) {
-    IndexBox part = window(task, n);
+    Window part = window(task, n);
     choose(task, n, row);
     if (plan_->axes.count == 3) {
       run_plane(task, part, plane, row);
       continue;
     }
-    const int low = part.lower[along], high = part.upper[along];
-    if (low < done.lower[along]) {
-      part.upper[along] = done.lower[along];
+    const int low = part.low[0], high = part.high[0];
+    if (low < done.low[0]) {
+      part.high[0] = done.low[0];
       run_plane(task, part, plane, row);
-      done.lower[along] = low;
+      done.low[0] = low;
     }
-    if (high > done.upper[along]) {
-      part.lower[along] = done.upper[along];
-      part.upper[along] = high;
+    if (high > done.high[0]) {
+      part.low[0] = done.high[0];
+      part.high[0] = high;
       run_plane(task, part, plane, row);
-      done.upper[along] = high;
+      done.high[0] = high;
     }
   }
+}
+
+void BlockSweep::find_windows() {
+  windows_.clear();
+  for (const PlannedTask& p : plan_->tasks)
+    for (const SweepPiece& piece : stack_)
+      windows_.push_back(window_of(piece.cells, p.window, plan_->axes));
 }
 
 void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
@@ -234,30 +244,27 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   IndexBox hull = stack.front().cells;
   for (std::size_t n = 0; n < stack.size(); ++n) {
     bind_states(n, stack[n].box);
-    hull = bounding(hull, stack[n].cells);
+    hull = sluice::bounding(hull, stack[n].cells);
   }
   bind_scratch(hull);
+  chosen_.assign(state_variables_.size(), stack.size());
+  find_windows();
+  first_piece_.assign(plan_->tasks.size(), 0);
   Row row;
   row.axes_ = plan_->axes.count;
   row.along_ = plan_->axes.direction[0];
   row.step_ = &step;
   row.reductions_ = &reductions;
-  const Axes& axes = plan_->axes;
-  const int swept = axes.count > 1 ? axes.direction[axes.count - 1] : -1;
-  windows_.clear();
-  first_piece_.assign(plan_->tasks.size(), 0);
+  const bool swept = plan_->axes.count > 1;
   int first = 0, last = 1;
-  for (std::size_t t = 0; t < plan_->tasks.size(); ++t) {
-    const PlannedTask& p = plan_->tasks[t];
-    for (const SweepPiece& piece : stack) windows_.push_back(window_of(piece.cells, p.window));
-    if (swept < 0) continue;
-    const int low = window(t, 0).lower[swept] - p.lead;
-    const int high = window(t, stack.size() - 1).upper[swept] - p.lead;
+  for (std::size_t t = 0; swept && t < plan_->tasks.size(); ++t) {
+    const int lead = plan_->tasks[t].lead;
+    const int low = window(t, 0).low[2] - lead, high = window(t, stack.size() - 1).high[2] - lead;
     first = t == 0 ? low : std::min(first, low);
     last = t == 0 ? high : std::max(last, high);
   }
   const auto run_one = [&](std::size_t t, int k) {
-    if (swept >= 0) return run_task(t, k + plan_->tasks[t].lead, row);
+    if (swept) return run_task(t, k + plan_->tasks[t].lead, row);
     choose(t, 0, row);
     run_plane(t, window(t, 0), 0, row);
   };

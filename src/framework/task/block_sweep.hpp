@@ -68,14 +68,25 @@ class BlockSweep {
     states,  // once, from the arrays of each piece what those before lack
   };
 
+  // Cells in the order row, middle, swept; directions that are not active are left out.
+  struct Window {
+    int low[3] = {0, 0, 0};
+    int high[3] = {1, 1, 1};
+  };
+
   Sharing sharing_of(const PlannedTask& planned) const;
+  static Window window_of(const IndexBox& block, const Growth& growth, const Axes& axes);
+  static Window bounding(const Window& a, const Window& b);
+  static std::ptrdiff_t buffer_size(const PlannedBuffer& buffer, IntVec3 block, const Axes& axes,
+                                    int components);
+  void find_windows();
   void bind_states(std::size_t piece, int box);
   void bind_scratch(const IndexBox& hull);
   void choose(std::size_t task, std::size_t piece, Row& row);
   void run_task(std::size_t task, int plane, Row& row);
   void run_parts(std::size_t task, std::size_t first, std::size_t last, int plane, Row& row);
-  void run_plane(std::size_t task, const IndexBox& window, int plane, Row& row);
-  const IndexBox& window(std::size_t task, std::size_t piece) const {
+  void run_plane(std::size_t task, const Window& window, int plane, Row& row);
+  const Window& window(std::size_t task, std::size_t piece) const {
     return windows_[task * stack_.size() + piece];
   }
   BoundArray& state(std::size_t piece, std::size_t number) {
@@ -88,7 +99,9 @@ class BlockSweep {
   const StateBinding* binding_;
   std::shared_ptr<AlignedArray> scratch_;
   std::vector<BoundArray> bound_;                               // by variable
+  std::vector<double*> buffers_;                                // components of temporaries
   std::vector<std::vector<const BoundArray*>> reads_, writes_;  // by planned task
+  std::vector<const RowKernel*> kernels_;                       // by planned task
   std::vector<Sharing> sharing_;                                // by planned task
   std::vector<std::size_t> state_variables_;                    // those that are no temporaries
   std::vector<std::vector<std::size_t>> states_of_task_;        // numbers in state_variables_
@@ -96,7 +109,8 @@ class BlockSweep {
   std::span<const SweepPiece> stack_;
   std::vector<BoundArray> states_;                // by piece and state variable
   std::vector<std::vector<double*>> components_;  // likewise: their arrays
-  std::vector<IndexBox> windows_;                 // by planned task and piece
+  std::vector<std::size_t> chosen_;               // by state variable: the piece in bound_
+  std::vector<Window> windows_;                   // by planned task and piece
   std::vector<std::size_t> first_piece_;          // by planned task: pieces below are done
 };
 

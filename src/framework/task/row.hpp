@@ -25,20 +25,16 @@ struct Axes {
   int direction[3] = {0, 1, 2};  // level direction of each axis
 };
 
-// One variable as it is bound for one block. Canonical coordinates: axis 0, middle axis (3-D only),
-// swept axis (2-D and 3-D).
+// One variable as it is bound for one block. Canonical coordinates: axis 0 (unit stride), middle
+// axis (3-D only), swept axis (2-D and 3-D). Asked for hundreds of times a row.
 struct BoundArray {
-  double* data = nullptr;  // element at `low`
-  std::ptrdiff_t component_stride = 0;
-  double* const* components = nullptr;  // one pointer a component when they are separate arrays
-  int low[3] = {0, 0, 0};
-  std::ptrdiff_t stride[3] = {1, 0, 0};
-  int mask = -1;  // ring of planes along the swept axis: plane index & mask
+  double* const* components = nullptr;   // where cell (0, 0, low) of each would lie
+  std::ptrdiff_t middle = 0, swept = 0;  // strides
+  int low = 0;                           // along the swept axis
+  int mask = -1;                         // ring of planes along the swept axis: plane & mask
 
-  double* at(int component, int i, int j, int k) const {
-    double* base =
-        components != nullptr ? components[component] : data + component * component_stride;
-    return base + (i - low[0]) + (j - low[1]) * stride[1] + ((k - low[2]) & mask) * stride[2];
+  [[gnu::always_inline]] double* at(int component, int i, int j, int k) const {
+    return components[component] + i + j * middle + ((k - low) & mask) * swept;
   }
 };
 
@@ -69,7 +65,8 @@ class Row {
   Reductions& reductions() const { return *reductions_; }
 
   // Row of an input, shifted by `shift` cells along `axis` (of the active axes).
-  const double* operator()(In in, int component = 0, int axis = 0, int shift = 0) const {
+  [[gnu::always_inline]] const double* operator()(In in, int component = 0, int axis = 0,
+                                                  int shift = 0) const {
     return at(reads_[in.index], component, axis, shift);
   }
   // Shifted along two different axes.
@@ -83,13 +80,13 @@ class Row {
   const double* at_offset(In in, int component, std::array<int, 3> offset) const {
     return at(reads_[in.index], component, offset.data());
   }
-  double* operator()(Out out, int component = 0) const {
+  [[gnu::always_inline]] double* operator()(Out out, int component = 0) const {
     return at(writes_[out.index], component, 0, 0);
   }
 
  private:
   friend class BlockSweep;
-  double* at(const BoundArray* a, int component, int axis, int shift) const {
+  [[gnu::always_inline]] double* at(const BoundArray* a, int component, int axis, int shift) const {
     const int i = axis == 0 ? index_[0] + shift : index_[0];
     const int j = axis == 1 && axes_ == 3 ? index_[1] + shift : index_[1];
     const int k = axis != 0 && axis == axes_ - 1 ? index_[2] + shift : index_[2];

@@ -35,11 +35,16 @@ inline Around around(const Row& row, In in, int component, int axis) {
           row(in, component, axis, 1)};
 }
 
+// Both are loaded: one load after the other, or a masked one, costs more than the choice.
+[[gnu::always_inline]] inline double chosen(bool left, double right_cell, double left_cell) {
+  return left ? right_cell : left_cell;
+}
+
 // Q3 of the donor: the right cell when the flow is to the left.
 inline double donor_slope(const Around& q, int i, bool left, double nu, double B) {
   const double middle = q.p[i] - q.m[i];
   const double low = q.m[i] - q.mm[i], high = q.pp[i] - q.p[i];
-  return upwind_slope(left ? high : low, middle, nu, B);
+  return upwind_slope(chosen(left, high, low), middle, nu, B);
 }
 
 // Even: density is bounded as energy is: what is linear in both stays so. Known when the loop
@@ -93,16 +98,16 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
     const double H = l * uf[i];
     const bool left = H < 0.0;
     const double half_sign = left ? -0.5 : 0.5;
-    const double iJ = left ? iJb[i] : iJa[i];
-    const double rL = left ? rLb[i] : rLa[i];
-    const double EL = left ? ELb[i] : ELa[i];
-    const double sc = Scaled ? (left ? scb[i] : sca[i]) : EL;
-    double rs = left ? rBb[i] : rBa[i];
-    double es = left ? EBb[i] : EBa[i];
-    const double m = Masked ? (left ? mb[i] : ma[i]) : 1.0;
+    const double iJ = chosen(left, iJb[i], iJa[i]);
+    const double rL = chosen(left, rLb[i], rLa[i]);
+    const double EL = chosen(left, ELb[i], ELa[i]);
+    const double sc = Scaled ? chosen(left, scb[i], sca[i]) : EL;
+    double rs = chosen(left, rBb[i], rBa[i]);
+    double es = chosen(left, EBb[i], EBa[i]);
+    const double m = Masked ? chosen(left, mb[i], ma[i]) : 1.0;
     if constexpr (Second) {
-      const double N = left ? Nb[i] : Na[i];
-      const double iN = left ? iNb[i] : iNa[i];
+      const double N = chosen(left, Nb[i], Na[i]);
+      const double iN = chosen(left, iNb[i], iNa[i]);
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
       rs += weight * donor_slope(R, i, left, nu, Even ? 2.0 : 2.0 * iN);
@@ -114,13 +119,13 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
         es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
     }
     const double flow = H * rs;
-    const double f = smaller(std::fabs(flow) * (left ? wb[i] : wa[i]), 0.99);
+    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), 0.99);
     // Components along axes and carried ones are summed apart: the sum of two does not depend on
     // the order of the axes.
     double d2 = 0.0, carried = 0.0;
     for (int c = 0; c < C; ++c) {
-      const double v = left ? vb[c][i] : va[c][i];
-      double u = left ? uBb[c][i] : uBa[c][i];
+      const double v = chosen(left, vb[c][i], va[c][i]);
+      double u = chosen(left, uBb[c][i], uBa[c][i]);
       if constexpr (Second) u += half_sign * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
       U[c][i] = u;
       (c < D ? d2 : carried) += (u - v) * (u - v);
