@@ -1,5 +1,6 @@
 // Carrying out an interpolation: gather or borrow coarse cells, then the component's operator.
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "framework/refine/interpolation_plan.hpp"
@@ -10,6 +11,10 @@ namespace {
 
 // Fewer fine cells than this are not worth another thread.
 constexpr std::int64_t cells_per_chunk = 2048;
+
+// Targets that the component gets at a time: enough to fill vectors, few enough for the cache.
+constexpr std::size_t group = 16;
+constexpr std::int64_t group_cells = 2048;  // coarse ones, of several targets
 
 // Coarse values at a time between two states.
 class CoarseState {
@@ -41,10 +46,13 @@ class CoarseState {
   std::vector<StateViews> before_, after_;
 };
 
-// What one thread needs to gather the coarse cells of one target.
+// What one thread needs to gather the coarse cells of a group of targets.
 struct Gather {
   AlignedArray memory;
-  StateViews views, piece;
+  std::ptrdiff_t used = 0;              // of the memory
+  std::array<StateViews, group> views;  // by target of the group
+  StateViews piece;
+  std::vector<Prolongation> regions;
 };
 
 }  // namespace
@@ -62,12 +70,15 @@ struct Interpolation::Plan : InterpolationPlan {
   void send_parts();
   void interpolate(std::size_t first, std::size_t last, const TransferOperators& operators,
                    int order, const ThreadTeam* team);
-  const StateViews& coarse_cells(const Target& target, Gather& gather);
+  const StateViews& coarse_cells(const Target& target, Gather& gather, StateViews& views);
+  void prolong(std::span<const Target> some, Gather& gather, const TransferOperators& operators,
+               int order);
 };
 
 void Interpolation::Plan::prepare(int threads) {
   gathers.resize(std::max(gathers.size(), static_cast<std::size_t>(threads)));
-  const auto count = static_cast<std::size_t>(most_coarse_cells * components);
+  const auto count =
+      static_cast<std::size_t>(std::max(most_coarse_cells, group_cells) * components);
   for (Gather& g : gathers)
     if (g.memory.size() < count) g.memory = AlignedArray(count);
 }
@@ -82,38 +93,56 @@ void Interpolation::Plan::send_parts() {
 }
 
 // The coarse cells of a target, as views in its own indices.
-const StateViews& Interpolation::Plan::coarse_cells(const Target& target, Gather& gather) {
+const StateViews& Interpolation::Plan::coarse_cells(const Target& target, Gather& gather,
+                                                    StateViews& views) {
   if (target.direct >= 0 && !state.blends()) {
     const StateViews& box = state.of(target.direct);
     if (target.shift == IntVec3{}) return box;
-    gather.views = box;
-    for (RealView& v : gather.views) v.box = v.box.shifted(IntVec3{} - target.shift);
-    return gather.views;
+    views = box;
+    for (RealView& v : views) v.box = v.box.shifted(IntVec3{} - target.shift);
+    return views;
   }
-  view_array(gather.memory.data(), target.coarse, coarse, components, gather.views);
-  if (target.direct >= 0) state.write(gather.views, target.coarse, target.direct, target.shift);
+  view_array(gather.memory.data() + gather.used, target.coarse, coarse, components, views);
+  gather.used += target.coarse.volume() * components;
+  if (target.direct >= 0) state.write(views, target.coarse, target.direct, target.shift);
   for (std::size_t n = target.first_source; n < target.last_source; ++n) {
     const Source& s = sources[n];
     if (s.box >= 0) {
-      state.write(gather.views, s.cells, s.box, s.shift);
+      state.write(views, s.cells, s.box, s.shift);
     } else {
       view_array(messages.incoming(s.piece), s.cells, coarse, components, gather.piece);
-      copy_state(gather.views, s.cells, gather.piece, {});
+      copy_state(views, s.cells, gather.piece, {});
     }
   }
-  return gather.views;
+  return views;
+}
+
+// In groups whose coarse cells fit the memory.
+void Interpolation::Plan::prolong(std::span<const Target> some, Gather& gather,
+                                  const TransferOperators& operators, int order) {
+  std::int64_t cells = 0;
+  const auto flush = [&] {
+    if (gather.regions.empty()) return;
+    operators.prolong_all(gather.regions, geometry, order);
+    gather.regions.clear();
+    gather.used = cells = 0;
+  };
+  for (const Target& t : some) {
+    if (gather.regions.size() == group || cells + t.coarse.volume() > group_cells) flush();
+    StateViews& views = gather.views[gather.regions.size()];
+    const StateViews& from = coarse_cells(t, gather, views);
+    gather.regions.push_back({&from, &fine_views[static_cast<std::size_t>(t.box)], t.cells});
+    cells += t.coarse.volume();
+  }
+  flush();
 }
 
 void Interpolation::Plan::interpolate(std::size_t first, std::size_t last,
                                       const TransferOperators& operators, int order,
                                       const ThreadTeam* team) {
   const auto some = [&](std::size_t from, std::size_t to, int thread) {
-    Gather& gather = gathers[static_cast<std::size_t>(thread)];
-    for (std::size_t n = from; n < to; ++n) {
-      const Target& t = targets[n];
-      operators.prolong(coarse_cells(t, gather), fine_views[static_cast<std::size_t>(t.box)],
-                        t.cells, geometry, order);
-    }
+    prolong(std::span(targets).subspan(from, to - from), gathers[static_cast<std::size_t>(thread)],
+            operators, order);
   };
   const auto wanted = static_cast<std::size_t>(fine_cells / cells_per_chunk);
   const std::size_t chunks = std::min(wanted, last - first);

@@ -19,6 +19,13 @@ struct TransferGeometry {
   std::array<bool, 3> active{true, true, true};  // other directions have one cell on both levels
 };
 
+// Fine cells to be found, and the coarse ones around them. Views of one box are laid out alike.
+struct Prolongation {
+  const StateViews* coarse = nullptr;
+  const StateViews* fine = nullptr;
+  IndexBox cells;
+};
+
 // Changes of conserved quantities in a list of cells: mass, momentum components and total energy of
 // each material per volume of those cells.
 struct ConservedChange {
@@ -36,6 +43,12 @@ class TransferOperators {
   // inadmissible that was not so before. Depends on nothing but the coarse cells around.
   virtual void prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
                        const TransferGeometry& geometry, int order) const = 0;
+
+  // Many regions, most of them strips of a few cells: an operator may compute them together.
+  virtual void prolong_all(std::span<const Prolongation> regions, const TransferGeometry& geometry,
+                           int order) const {
+    for (const Prolongation& r : regions) prolong(*r.coarse, *r.fine, r.cells, geometry, order);
+  }
 
   // Coarse cells as exact means of mass, momentum and total energy of their fine cells; kinetic
   // energy that the mean loses becomes internal energy. The order of summation is mirror-exact.

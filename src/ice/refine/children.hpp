@@ -7,11 +7,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "framework/refine/transfer_operators.hpp"
 #include "framework/task/row.hpp"
 
 namespace sluice::ice {
+
+// to[i] = from[i * step].
+inline void copy_strided(const double* __restrict from, std::ptrdiff_t step, int n,
+                         double* __restrict to) {
+  if (step == 2)  // known when it is compiled: vectors are loaded and sorted
+    for (int i = 0; i < n; ++i) to[i] = from[2 * i];
+  else
+    for (int i = 0; i < n; ++i) to[i] = from[i * step];
+}
 
 class Children {
  public:
@@ -38,7 +48,8 @@ class Children {
   // rows[child] = that child of each of n coarse cells from `first` on along level direction
   // `along`.
   template <int D, int Width>
-  void gather(const RealView& fine, int along, IntVec3 first, int n, double (*rows)[Width]) const {
+  void gather(const RealView& fine, int along, IntVec3 first, int n, double (*rows)[Width],
+              int place_in_rows = 0) const {
     std::ptrdiff_t step = 0;
     IntVec3 corner = first;
     for (int a = 0; a < D; ++a) {
@@ -49,9 +60,7 @@ class Children {
     for (int child = 0; child < count(); ++child) {
       IntVec3 cell = corner;
       for (int a = 0; a < D; ++a) cell[axes_.direction[a]] += place(child, a);
-      const double* __restrict from = fine.data + fine.offset(cell);
-      double* __restrict to = rows[child];
-      for (int i = 0; i < n; ++i) to[i] = from[i * step];
+      copy_strided(fine.data + fine.offset(cell), step, n, rows[child] + place_in_rows);
     }
   }
 
@@ -83,6 +92,59 @@ class Children {
   int ratio_[3] = {1, 1, 1};  // by axis
   int sums_ = 0;
   std::array<Sum, most - 1> sum_{};
+};
+
+// Part of a line of cells of some region: `count` from `first` on, as numbers place, place + 1, ...
+// of a batch.
+struct LinePart {
+  std::size_t region = 0;
+  int along = 0;  // level direction of the line
+  IntVec3 first;
+  int count = 0, place = 0;
+};
+
+// Cells of several lines that are computed together: boxes, and still more the strips around them,
+// may be too narrow to fill vectors line by line.
+template <int Width>
+class Batch {
+ public:
+  // Adds the cells of a box in lines along level direction `along`; calls f(batch) whenever the
+  // batch is full.
+  template <class F>
+  void add(std::size_t region, const IndexBox& cells, int along, F&& f) {
+    IndexBox starts = cells;
+    starts.upper[along] = starts.lower[along] + 1;
+    for_each_cell(starts, [&](IntVec3 first) {
+      while (first[along] < cells.upper[along]) {
+        const int left = cells.upper[along] - first[along];
+        const int taken = left < Width - size_ ? left : Width - size_;
+        parts_[static_cast<std::size_t>(count_++)] = {region, along, first, taken, size_};
+        first[along] += taken;
+        size_ += taken;
+        if (size_ == Width) flush(f);
+      }
+    });
+  }
+  template <class F>
+  void flush(F&& f) {
+    if (size_ > 0) f(*this);
+    count_ = size_ = 0;
+  }
+
+  std::span<const LinePart> parts() const {
+    return {parts_.data(), static_cast<std::size_t>(count_)};
+  }
+  // Whole vectors: loops over so many cells have no remainder. repeat_last() fills what is beyond.
+  int padded() const { return (size_ + vector - 1) / vector * vector; }
+  void repeat_last(double* row) const {
+    for (int i = size_; i < padded(); ++i) row[i] = row[size_ - 1];
+  }
+
+ private:
+  static constexpr int vector = 8;
+  static_assert(Width % vector == 0);
+  int count_ = 0, size_ = 0;
+  std::array<LinePart, Width> parts_;
 };
 
 // Calls f(first cell, count) for pieces of at most `width` cells of the lines along level direction

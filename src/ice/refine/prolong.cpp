@@ -15,6 +15,7 @@
 // Laws whose energy may have any sign: E stands for (p + pi)/G, how far the energy is from where
 // the law ends (closure_rows.hpp). A coarse cell with a fine one outside of the law stays constant.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "framework/grid/box_list.hpp"
@@ -70,61 +71,82 @@ struct Basis {
 
 template <int D, int C, int Order>
 class Prolonger {
- public:
   static constexpr int width = D == 3 ? 16 : 64;
+  static constexpr int quantities = C + 2, energy = C + 1;
+  using Functions = Basis<D, Order>;
 
-  Prolonger(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
-            const Children& children, int along, const Fluid& fluid)
+ public:
+  Prolonger(std::span<const Prolongation> regions, const TransferGeometry& geometry,
+            const Children& children, const Fluid& fluid)
       : fluid_(fluid),
         ideal_(fluid.ideal() != nullptr),
-        coarse_(coarse),
-        fine_(fine),
-        cells_(cells),
+        regions_(regions),
+        ratio_(geometry.ratio),
         children_(children),
-        basis_(children),
-        along_(along) {
-    for (int a = 0; a < D; ++a)
-      if (children.axes().direction[a] == along) ratio_along_ = children.ratio(a);
+        basis_(children) {}
+
+  void run() {
+    const auto run_batch = [&](const Batch<width>& batch) { run(batch); };
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (regions_[r].cells.empty()) continue;
+      const IndexBox parents = coarsen(regions_[r].cells, ratio_);
+      batch_.add(r, parents, longest_direction(parents, children_.axes()), run_batch);
+    }
+    batch_.flush(run_batch);
   }
 
-  // n coarse cells along the line.
-  void run(IntVec3 first, int n) {
-    for (int q = 0; q < quantities; ++q) find_terms(q, first, n);
+ private:
+  // The coarse cells of a batch.
+  void run(const Batch<width>& batch) {
+    const int n = batch.padded();
+    find_sources(batch);
+    for (int q = 0; q < quantities; ++q) find_terms(q, batch);
     if (!ideal_) set_energy_aside(n);
     keep_positive(n);
     take_kinetic_energy(n);
     if (!ideal_) withdraw_inadmissible(n);
-    for (int child = 0; child < children_.count(); ++child) emit(child, first, n);
+    for (int child = 0; child < children_.count(); ++child) emit(child, batch);
   }
 
- private:
-  static constexpr int quantities = C + 2, energy = C + 1;
-  using Functions = Basis<D, Order>;
-
-  // Row of the coarse cells shifted by `shift`; copied where they do not lie side by side.
-  const double* coarse_row(int q, IntVec3 first, int n, double* copy) const {
-    const RealView& v = coarse_[static_cast<std::size_t>(q)];
-    const double* from = v.data + v.offset(first);
-    const std::ptrdiff_t step = v.stride[along_];
-    if (step == 1) return from;
-    for (int i = 0; i < n; ++i) copy[i] = from[i * step];
-    return copy;
-  }
-  const double* shifted_row(int q, IntVec3 first, int n, int axis, int shift, int other, int move,
-                            double* copy) const {
-    first[children_.axes().direction[axis]] += shift;
-    first[children_.axes().direction[other]] += move;
-    return coarse_row(q, first, n, copy);
+  // Where the coarse cells of a part of a batch lie, the same in the array of every quantity.
+  struct Source {
+    const StateViews* views = nullptr;
+    std::ptrdiff_t first = 0, step = 0;  // along the line
+    std::ptrdiff_t stride[D];            // by axis
+  };
+  void find_sources(const Batch<width>& batch) {
+    std::size_t k = 0;
+    for (const LinePart& line : batch.parts()) {
+      Source& s = sources_[k++];
+      s.views = regions_[line.region].coarse;
+      const RealView& v = s.views->front();
+      s.first = v.offset(line.first);
+      s.step = v.stride[line.along];
+      for (int a = 0; a < D; ++a) s.stride[a] = v.stride[children_.axes().direction[a]];
+    }
   }
 
-  void find_terms(int q, IntVec3 first, int n) {
-    double copy[4][width], smooth[D][width];
-    const double* centre = coarse_row(q, first, n, copy[0]);
-    std::copy(centre, centre + n, centre_[q]);
+  // The coarse cells of a batch, shifted along two axes.
+  void gather(int q, const Batch<width>& batch, int axis, int shift, int other, int move,
+              double* to) const {
+    const Source* s = sources_;
+    for (const LinePart& line : batch.parts()) {
+      const double* from = (*s->views)[static_cast<std::size_t>(q)].data + s->first +
+                           shift * s->stride[axis] + move * s->stride[other];
+      copy_strided(from, s->step, line.count, to + line.place);
+      ++s;
+    }
+    batch.repeat_last(to);
+  }
+
+  void find_terms(int q, const Batch<width>& batch) {
+    const int n = batch.padded();
+    double smooth[D][width], low[width], high[width];
+    gather(q, batch, 0, 0, 0, 0, centre_[q]);
     const double* __restrict m = centre_[q];
     for (int a = 0; a < D; ++a) {
-      const double* __restrict low = shifted_row(q, first, n, a, -1, a, 0, copy[0]);
-      const double* __restrict high = shifted_row(q, first, n, a, 1, a, 0, copy[1]);
+      gather(q, batch, a, -1, a, 0, low);
+      gather(q, batch, a, 1, a, 0, high);
       double* __restrict slope = term_[q][a];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) slope[i] = central_slope(m[i] - low[i], high[i] - m[i]);
@@ -140,10 +162,10 @@ class Prolonger {
     }
     for (int p = 0; p < Functions::pairs; ++p) {
       const int a = pair_axes[p][0], b = pair_axes[p][1];
-      const double* mm = shifted_row(q, first, n, a, -1, b, -1, copy[0]);
-      const double* mp = shifted_row(q, first, n, a, -1, b, 1, copy[1]);
-      const double* pm = shifted_row(q, first, n, a, 1, b, -1, copy[2]);
-      const double* pp = shifted_row(q, first, n, a, 1, b, 1, copy[3]);
+      double corner[4][width];
+      for (int k = 0; k < 4; ++k)
+        gather(q, batch, a, k < 2 ? -1 : 1, b, k % 2 == 0 ? -1 : 1, corner[k]);
+      const auto& [mm, mp, pm, pp] = corner;
       double* cross = term_[q][2 * D + p];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i)
@@ -256,20 +278,45 @@ class Prolonger {
         }
   }
 
-  // One fine cell of each coarse cell, where it is asked for.
-  void emit(int child, IntVec3 first, int n) const {
-    IntVec3 cell = first;
+  // What is asked for of one fine cell of each coarse cell of a line.
+  struct Wanted {
+    const StateViews* views = nullptr;
+    std::ptrdiff_t first = 0, step = 0;  // in the array of every quantity
+    int place = 0, count = 0;            // in the batch
+  };
+  Wanted wanted(int child, const LinePart& line) const {
+    const IndexBox& asked = regions_[line.region].cells;
+    const int d = line.along, ratio = ratio_[d];
+    IntVec3 cell = line.first;
     for (int a = 0; a < D; ++a) {
-      const int d = children_.axes().direction[a];
-      cell[d] = first[d] * children_.ratio(a) + children_.place(child, a);
-      if (d != along_ && (cell[d] < cells_.lower[d] || cell[d] >= cells_.upper[d])) return;
+      const int e = children_.axes().direction[a];
+      cell[e] = line.first[e] * children_.ratio(a) + children_.place(child, a);
+      if (e != d && (cell[e] < asked.lower[e] || cell[e] >= asked.upper[e])) return {};
     }
-    int begin = 0, end = n;
-    while (begin < end && cell[along_] + begin * ratio_along_ < cells_.lower[along_]) ++begin;
-    while (begin < end && cell[along_] + (end - 1) * ratio_along_ >= cells_.upper[along_]) --end;
-    if (begin == end) return;
-    cell[along_] += begin * ratio_along_;
+    int begin = 0, end = line.count;
+    while (begin < end && cell[d] + begin * ratio < asked.lower[d]) ++begin;
+    while (begin < end && cell[d] + (end - 1) * ratio >= asked.upper[d]) --end;
+    cell[d] += begin * ratio;
+    Wanted w;
+    w.views = regions_[line.region].fine;
+    w.first = w.views->front().offset(cell);
+    w.step = w.views->front().stride[d] * ratio;
+    w.place = line.place + begin;
+    w.count = end - begin;
+    return w;
+  }
+
+  // One fine cell of each coarse cell, where it is asked for.
+  void emit(int child, const Batch<width>& batch) const {
+    std::array<Wanted, width> lines;
+    std::size_t count = 0;
+    for (const LinePart& line : batch.parts()) {
+      lines[count] = wanted(child, line);
+      if (lines[count].count > 0) ++count;
+    }
+    if (count == 0) return;
     const double* f = basis_.value[child];
+    const int n = batch.padded();
     for (int q = 0; q < quantities; ++q) {
       double value[width];
 #pragma GCC ivdep
@@ -278,21 +325,23 @@ class Prolonger {
         for (int i = 0; i < n; ++i) value[i] *= rest_[i];
       if (q == energy && !ideal_)
         for (int i = 0; i < n; ++i) value[i] = fine_energy(f, i);
-      const RealView& v = fine_[static_cast<std::size_t>(q)];
-      double* __restrict to = v.data + v.offset(cell);
-      const std::ptrdiff_t step = v.stride[along_] * ratio_along_;
-      for (int i = begin; i < end; ++i) to[(i - begin) * step] = value[i];
+      for (std::size_t k = 0; k < count; ++k) {
+        const Wanted& w = lines[k];
+        double* __restrict to = (*w.views)[static_cast<std::size_t>(q)].data + w.first;
+        const double* __restrict from = value + w.place;
+        for (int i = 0; i < w.count; ++i) to[i * w.step] = from[i];
+      }
     }
   }
 
   const Fluid& fluid_;
   bool ideal_;
-  const StateViews& coarse_;
-  const StateViews& fine_;
-  const IndexBox& cells_;
+  std::span<const Prolongation> regions_;
+  IntVec3 ratio_;
   const Children& children_;
   Functions basis_;
-  int along_, ratio_along_ = 1;
+  Batch<width> batch_;
+  Source sources_[width];
   double centre_[quantities][width];
   double term_[quantities][Functions::terms][width];
   double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
@@ -321,27 +370,23 @@ void copy_to_children(const RealView& coarse, const RealView& fine, const IndexB
 }
 
 template <int Order>
-void prolong_cells(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
-                   const TransferGeometry& geometry, int components, const Fluid& fluid) {
+void prolong_regions(std::span<const Prolongation> regions, const TransferGeometry& geometry,
+                     int components, const Fluid& fluid) {
   const Children children(geometry);
-  const IndexBox parents = coarsen(cells, geometry.ratio);
-  const int along = longest_direction(parents, children.axes());
   dispatch(children.axes().count, components, [&]<int D, int C>() {
-    using Line = Prolonger<D, C, Order>;
-    Line line(coarse, fine, cells, children, along, fluid);
-    for_each_line(parents, along, Line::width, [&](IntVec3 first, int n) { line.run(first, n); });
+    Prolonger<D, C, Order>(regions, geometry, children, fluid).run();
   });
 }
 
 }  // namespace
 
-void IceTransfer::prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
-                          const TransferGeometry& geometry, int order) const {
-  if (cells.empty()) return;
-  if (order == 2) return prolong_cells<2>(coarse, fine, cells, geometry, components_, fluid_);
-  if (order == 1) return prolong_cells<1>(coarse, fine, cells, geometry, components_, fluid_);
-  for (std::size_t q = 0; q < coarse.size(); ++q)
-    copy_to_children(coarse[q], fine[q], cells, geometry);
+void IceTransfer::prolong_all(std::span<const Prolongation> regions,
+                              const TransferGeometry& geometry, int order) const {
+  if (order == 2) return prolong_regions<2>(regions, geometry, components_, fluid_);
+  if (order == 1) return prolong_regions<1>(regions, geometry, components_, fluid_);
+  for (const Prolongation& r : regions)
+    for (std::size_t q = 0; q < r.coarse->size() && !r.cells.empty(); ++q)
+      copy_to_children((*r.coarse)[q], (*r.fine)[q], r.cells, geometry);
 }
 
 }  // namespace sluice::ice

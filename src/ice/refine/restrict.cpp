@@ -3,6 +3,8 @@
 //   rho = <rho_f>,  m = <m_f>,  E = <E_f> + <rho_f |u_f - U|^2>/2,   U = m/rho
 // Mass, momentum and total energy are kept exactly; the kinetic energy that the mean loses is the
 // variance of the velocity, computed as such: nothing large is subtracted.
+#include <algorithm>
+
 #include "ice/conservative/variables.hpp"
 #include "ice/refine/children.hpp"
 #include "ice/refine/ice_transfer.hpp"
@@ -16,30 +18,40 @@ class Restrictor {
   Restrictor(const StateViews& fine, const StateViews& coarse, const Children& children, int along)
       : fine_(fine), coarse_(coarse), children_(children), along_(along) {}
 
-  // n coarse cells along the line.
-  void run(IntVec3 first, int n) {
-    for (int q = 0; q < quantities; ++q)
-      children_.gather<D>(fine_[static_cast<std::size_t>(q)], along_, first, n, values_[q]);
+  static constexpr int width = D == 3 ? 16 : 64;
+
+  // The coarse cells of a batch.
+  void run(const Batch<width>& batch) {
+    const int n = batch.padded();
     double mean[quantities][width];
     for (int q = 0; q < quantities; ++q) {
+      gather(q, batch);
       for (int child = 0; child < children_.count(); ++child)
-        for (int i = 0; i < n; ++i) rows_[child][i] = values_[q][child][i];
+        std::copy_n(values_[q][child], n, rows_[child]);
       children_.mean(rows_, n);
-      for (int i = 0; i < n; ++i) mean[q][i] = rows_[0][i];
+      std::copy_n(rows_[0], n, mean[q]);
     }
     add_heat(mean, n);
     for (int q = 0; q < quantities; ++q) {
       const RealView& v = coarse_[static_cast<std::size_t>(q)];
-      double* to = v.data + v.offset(first);
       const std::ptrdiff_t step = v.stride[along_];
-      for (int i = 0; i < n; ++i) to[i * step] = mean[q][i];
+      for (const LinePart& line : batch.parts()) {
+        double* to = v.data + v.offset(line.first);
+        for (int i = 0; i < line.count; ++i) to[i * step] = mean[q][line.place + i];
+      }
     }
   }
 
-  static constexpr int width = D == 3 ? 16 : 64;
-
  private:
   static constexpr int quantities = C + 2;
+
+  void gather(int q, const Batch<width>& batch) {
+    auto& rows = values_[q];
+    for (const LinePart& line : batch.parts())
+      children_.gather<D>(fine_[static_cast<std::size_t>(q)], along_, line.first, line.count, rows,
+                          line.place);
+    for (int child = 0; child < children_.count(); ++child) batch.repeat_last(rows[child]);
+  }
 
   void add_heat(double (&mean)[quantities][width], int n) {
     double U[C][width];
@@ -84,8 +96,10 @@ void IceTransfer::restrict_to(const StateViews& fine, const StateViews& coarse,
   dispatch(children.axes().count, components_, [&]<int D, int C>() {
     using Line = Restrictor<D, C>;
     Line line(fine, coarse, children, along);
-    for_each_line(coarse_cells, along, Line::width,
-                  [&](IntVec3 first, int n) { line.run(first, n); });
+    Batch<Line::width> batch;
+    const auto run = [&](const auto& full) { line.run(full); };
+    batch.add(0, coarse_cells, along, run);
+    batch.flush(run);
   });
 }
 
