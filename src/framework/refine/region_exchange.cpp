@@ -1,24 +1,12 @@
 // Views, row copies and packed messages.
 #include "framework/refine/region_exchange.hpp"
 
-#include <cstring>
-
-#include "framework/refine/box_pieces.hpp"
+#include "framework/field/region_rows.hpp"
 
 namespace sluice {
 namespace {
 
 constexpr int message_tag = 2;
-
-// Calls f(start of a row in `to`, start of the same row in a view of the cells + shift, length).
-template <class F>
-void for_each_row(const RealView& to, const IndexBox& region, F&& f) {
-  const int along = to.stride[0] == 1 ? 0 : to.stride[1] == 1 ? 1 : 2;
-  IndexBox starts = region;
-  starts.upper[along] = starts.lower[along] + 1;
-  const auto length = static_cast<std::size_t>(region.size()[along]);
-  for_each_cell(starts, [&](IntVec3 c) { f(c, length); });
-}
 
 }  // namespace
 
@@ -71,24 +59,20 @@ std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes) {
 
 void copy_state(const StateViews& to, const IndexBox& region, const StateViews& from,
                 IntVec3 shift) {
-  for (std::size_t n = 0; n < to.size(); ++n)
-    for_each_row(to[n], region, [&](IntVec3 c, std::size_t length) {
-      std::memcpy(to[n].data + to[n].offset(c), from[n].data + from[n].offset(c + shift),
-                  length * sizeof(double));
-    });
+  for (std::size_t n = 0; n < to.size(); ++n) copy_region(to[n], region, from[n], shift);
 }
 
 void blend_state(const StateViews& to, const IndexBox& region, const StateViews& a,
                  const StateViews& b, double share, IntVec3 shift) {
   const double rest = 1 - share;
-  for (std::size_t n = 0; n < to.size(); ++n)
-    for_each_row(to[n], region, [&](IntVec3 c, std::size_t length) {
-      double* const t = to[n].data + to[n].offset(c);
-      const double* const p = a[n].data + a[n].offset(c + shift);
-      const double* const q = b[n].data + b[n].offset(c + shift);
+  for (std::size_t n = 0; n < to.size(); ++n) {
+    const double *const first_a = a[n].data, *const first_b = b[n].data;  // of the same cells
+    for_each_row(to[n], region, a[n], shift, [=](double* t, const double* p, int length) {
+      const double* const q = first_b + (p - first_a);
 #pragma GCC ivdep
-      for (std::size_t i = 0; i < length; ++i) t[i] = rest * p[i] + share * q[i];
+      for (int i = 0; i < length; ++i) t[i] = rest * p[i] + share * q[i];
     });
+  }
 }
 
 PackedMessages::Piece PackedMessages::add(int rank, std::int64_t cells, std::int64_t Peer::*total) {

@@ -2,10 +2,10 @@
 #include "framework/task/halo.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <utility>
 
+#include "framework/field/region_rows.hpp"
 #include "framework/grid/box_list.hpp"
 
 namespace sluice {
@@ -27,25 +27,20 @@ std::vector<IntVec3> periodic_shifts(const Level& level, IntVec3 ghosts) {
   return shifts;
 }
 
-// Calls f(offset of the first cell of a row, length) for every row of a region of a view.
-template <class F>
-void for_each_row(const RealView& v, const IndexBox& region, F&& f) {
-  // Rows run along the direction of unit stride: the first that has one.
-  const int along = v.stride[0] == 1 ? 0 : v.stride[1] == 1 ? 1 : 2;
-  IndexBox starts = region;
-  starts.upper[along] = starts.lower[along] + 1;
-  const auto length = static_cast<std::size_t>(region.size()[along]);
-  for_each_cell(starts, [&](IntVec3 c) { f(v.offset(c), length); });
-}
-
-void copy_region(const RealView& to, const IndexBox& region, const RealView& from, IntVec3 shift) {
-  const int along = to.stride[0] == 1 ? 0 : to.stride[1] == 1 ? 1 : 2;
-  IndexBox starts = region;
-  starts.upper[along] = starts.lower[along] + 1;
-  const auto bytes = static_cast<std::size_t>(region.size()[along]) * sizeof(double);
-  for_each_cell(starts, [&](IntVec3 c) {
-    std::memcpy(to.data + to.offset(c), from.data + from.offset(c + shift), bytes);
+// The cells of a region of a view, to a message and back.
+double* pack(const RealView& v, const IndexBox& region, double* next) {
+  for_each_row(v, region, v, {}, [&](double* row, const double*, int n) {
+    copy_row(next, row, n);
+    next += n;
   });
+  return next;
+}
+const double* unpack(const RealView& v, const IndexBox& region, const double* next) {
+  for_each_row(v, region, v, {}, [&](double* row, const double*, int n) {
+    copy_row(row, next, n);
+    next += n;
+  });
+  return next;
 }
 
 }  // namespace
@@ -141,13 +136,8 @@ void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots,
     double* next = p.send_buffer.data();
     for (const Local& r : p.sends)
       for (int s : slots)
-        for (int c = 0; c < warehouse.info(s).components; ++c) {
-          const RealView v = warehouse.view(s, c, r.from);
-          for_each_row(v, r.region.shifted(r.shift), [&](std::ptrdiff_t offset, std::size_t n) {
-            std::memcpy(next, v.data + offset, n * sizeof(double));
-            next += n;
-          });
-        }
+        for (int c = 0; c < warehouse.info(s).components; ++c)
+          next = pack(warehouse.view(s, c, r.from), r.region.shifted(r.shift), next);
     messages_.post_send(p.send_buffer.data(), p.send_buffer.size(), p.rank, 1);
   }
   copy_local(warehouse, slots, team);
@@ -156,13 +146,8 @@ void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots,
     const double* next = p.receive_buffer.data();
     for (const Local& r : p.receives)
       for (int s : slots)
-        for (int c = 0; c < warehouse.info(s).components; ++c) {
-          const RealView v = warehouse.view(s, c, r.to);
-          for_each_row(v, r.region, [&](std::ptrdiff_t offset, std::size_t n) {
-            std::memcpy(v.data + offset, next, n * sizeof(double));
-            next += n;
-          });
-        }
+        for (int c = 0; c < warehouse.info(s).components; ++c)
+          next = unpack(warehouse.view(s, c, r.to), r.region, next);
   }
 }
 
