@@ -18,8 +18,8 @@ namespace sluice::ice::mixture {
 
 // Below this share of the cell a material neither gives nor takes heat.
 constexpr double least_conducting_share = 1e-8;
-// Below this one it does not limit the time step.
-constexpr double least_limiting_share = 0.01;
+// Below this one, or this share of the mass, it does not limit the time step.
+constexpr double least_limiting_share = 0.01, least_limiting_mass = 1e-9;
 
 // One side of a face, by material.
 struct ContactSide {

@@ -33,12 +33,18 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
     if (viscosity_varies_) mu = s.viscosity[i];
     most = larger(most, twice * mu / rho);
   }
+  const auto total_mass = [&](int i) {
+    double sum = 0;
+    for (std::size_t m = 0; m < fluids_.size(); ++m) sum += s.mass[m][i];
+    return sum;
+  };
   for (std::size_t m = 0; m < fluids_.size(); ++m) {
     if (!(conducting_ && (conductivity_varies_ || conductivities_[m] > 0.0))) continue;
     for (int i = 0; i < n; ++i) {
       const double k = conductivity_varies_ ? s.conductivity[m][i] : conductivities_[m];
       const double V = s.volume[m][i];
       if (!(V >= least_limiting_share)) continue;
+      if (V < 1.0 && s.mass[m][i] < least_limiting_mass * total_mass(i)) continue;
       const double rho = s.mass[m][i] / V;
       const double cv = constant_heat_capacity(fluids_[m])
                             ? fluids_[m].specific_heat
