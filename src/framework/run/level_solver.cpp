@@ -363,13 +363,45 @@ std::int64_t LevelSolver::mask_faults(double time) {
       now += mask != 0.0;
       mask = 0.0;
     }
+  const auto over_ranks = [&](std::int64_t count) {
+    Reduction all;
+    const auto sum = all.add_count(count);
+    communicator_->reduce(all);
+    return all.count(sum);
+  };
+  now = over_ranks(now);
   halo_->run(state_, {slot}, team_.get());
+  if (now == 0 && attempt_.faults > 0) {
+    now = over_ranks(widen_masks(slot));
+    halo_->run(state_, {slot}, team_.get());
+  }
   component_->fill_boundary(state_, time, *team_);
   masked_ = true;
-  Reduction all;
-  const auto count = all.add_count(now);
-  communicator_->reduce(all);
-  return all.count(count);
+  return now;
+}
+
+// By one cell along each direction: what flows into a cell has the slopes of its neighbours.
+std::int64_t LevelSolver::widen_masks(int slot) {
+  std::int64_t found = 0;
+  for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
+    const RealView mask = state_.view(slot, 0, b);
+    std::vector<IntVec3> next;
+    for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+      bool beside = false;
+      for (int d = 0; d < 3; ++d) {
+        if (!level_.active[static_cast<std::size_t>(d)]) continue;
+        for (const int step : {-1, 1}) {
+          IntVec3 other = c;
+          other[d] += step;
+          beside = beside || mask(other) == 0.0;
+        }
+      }
+      if (beside && mask(c) != 0.0) next.push_back(c);
+    });
+    for (const IntVec3 c : next) mask(c) = 0.0;
+    found += static_cast<std::int64_t>(next.size());
+  }
+  return found;
 }
 
 void LevelSolver::compute_diagnostics(double time, const std::vector<Label>& wanted) {

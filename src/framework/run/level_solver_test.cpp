@@ -110,7 +110,7 @@ TEST_F(LevelSolverTest, MasksHoldForTheStepAndAreForgottenAfterIt) {
   Tube other(2, {}, 1.6);
   other.attempt(dt);
   other.solver.mask_faults(0);
-  EXPECT_EQ(other.solver.mask_faults(0), 0);  // the same cells again
+  EXPECT_GT(other.solver.mask_faults(0), 0);  // the same cells again: their neighbours
   tube.solver.advance();
   tube.solver.accept();
   tube.solver.fill_ghosts(dt);
