@@ -222,6 +222,7 @@ class Cells {
     f.cell[o_.axes.direction[0]] += i;
     f.level = row_.step().level;
     f.kind = kind;
+    if (kind >= fault_of_material) f.material = kind / fault_of_material - 1;
     f.value = value;
     row_.reductions().fault(f);
   }
