@@ -5,8 +5,9 @@
 // The sum rises with c in straight pieces: Newton's step ends on the piece of the solution. Without
 // drift u_fm = u_f to the bit. Cells: outflow Courant number of each material,
 // N_m = (1/J) sum_d l_d [max(0, u_fm+) + max(0, -u_fm-)], and the largest l |u_fm| of its outlets,
-// negative if there are several.
+// negative if there are several, minus infinity if several are the largest.
 #include <cmath>
+#include <limits>
 
 #include "ice/limiters.hpp"
 #include "ice/mixture/runs.hpp"
@@ -14,6 +15,8 @@
 
 namespace sluice::ice::mixture {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct FaceHandles {
   std::vector<In> mass, volume;
@@ -121,9 +124,16 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
         count += (high > 0.0 ? 1.0 : 0.0) + (low < 0.0 ? 1.0 : 0.0);
         largest = larger(largest, l[d] * larger(high, -low));
       }
+      double ties = 0;
+      for (int d = 0; d < D; ++d) {
+        const In face = h.face_velocity[static_cast<std::size_t>(d)];
+        const double low = row(face, m)[i], high = row(face, m, d, 1)[i];
+        ties += (l[d] * high == largest ? 1.0 : 0.0) + (l[d] * -low == largest ? 1.0 : 0.0);
+      }
       for (int c = D; c < o.components; ++c) carried += l[c] * std::fabs(row(h.velocity, c)[i]);
       N[i] = (out + carried) * row(h.inverse_J)[i];
-      outlet[i] = count > 1.0 ? -largest : largest;
+      const double several = ties > 1.0 ? -infinity : -largest;
+      outlet[i] = count > 1.0 ? several : largest;
     }
   }
 }
