@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Run random scenes of gases and liquids; each must finish and keep what is conserved.
+
+A scene has one to three materials (ideal or stiffened gases), each in a box or a cylinder of its
+own, at 1e4 to 1e9 Pa, 120 to 1900 K and up to 500 m/s; any drag from none to one velocity, any heat
+exchange, viscosity and conduction or none, closed, open or periodic sides, one or two dimensions.
+Every number follows from the seed alone: a scene that fails is kept and can be run again.
+"""
+import argparse
+import json
+import pathlib
+import random
+import subprocess
+import sys
+
+STEPS = 200
+DRIFT = 1e-13  # of the scale of each conserved quantity
+LIQUIDS = [(4.4, 6e8, 4180), (2.35, 1e9, 1816), (6.12, 3.43e8, 4000), (3, 1e6, 1000)]
+
+DECK = """<?xml version="1.0" encoding="UTF-8"?>
+<Uintah_specification>
+  <Meta><title>random scene {seed}</title></Meta>
+  <SimulationComponent type="ice"/>
+  <Time>
+    <maxTime>1</maxTime> <initTime>0</initTime>
+    <delt_min>0</delt_min> <delt_max>1</delt_max> <timestep_multiplier>1</timestep_multiplier>
+  </Time>
+  <Grid>
+    <BoundaryConditions>
+{sides}
+    </BoundaryConditions>
+    <Level>
+      <Box label="domain">
+        <lower>[0,0,0]</lower> <upper>[1,1,1]</upper>
+        <resolution>[{cells[0]},{cells[1]},1]</resolution> <patches>[1,1,1]</patches>
+      </Box>
+      {periodic}
+    </Level>
+  </Grid>
+  <DataArchiver><filebase>scene.uda</filebase><outputInterval>0</outputInterval></DataArchiver>
+  <CFD><cfl>{cfl}</cfl><ICE><advection type="SecondOrder"/></ICE></CFD>
+  <PhysicalConstants>
+    <gravity>[0,0,0]</gravity> <reference_pressure>101325</reference_pressure>
+  </PhysicalConstants>
+  <MaterialProperties>
+    <ICE>
+{materials}
+    </ICE>
+{exchange}
+  </MaterialProperties>
+</Uintah_specification>
+"""
+
+
+class Material:
+    """A law with its numbers."""
+
+    def __init__(self, draw, liquids):
+        self.stiff = liquids and draw.random() < 0.5
+        if self.stiff:
+            self.gamma, self.pinf, self.heat = draw.choice(LIQUIDS)
+        else:
+            self.gamma, self.pinf = draw.choice([1.2, 1.4, 1.667, 3.0]), 0
+            self.heat = draw.choice([300, 717.5, 3000])
+
+    def density(self, pressure, temperature):
+        return (pressure + self.pinf) / ((self.gamma - 1) * self.heat * temperature)
+
+    def head(self, viscosity, conductivity):
+        law = (f'<EOS type="StiffenedGas"><pinf>{self.pinf}</pinf><q>0</q></EOS>' if self.stiff
+               else '<EOS type="ideal_gas"/>')
+        return (f"{law}<specific_heat>{self.heat}</specific_heat><gamma>{self.gamma}</gamma>"
+                f"<dynamic_viscosity>{viscosity}</dynamic_viscosity>"
+                f"<thermal_conductivity>{conductivity}</thermal_conductivity>")
+
+
+def filled(draw, material, shape, planar):
+    """The geometry object of a material in a shape, at a random state."""
+    pressure = 1e5 * 10 ** draw.uniform(-1, draw.choice([1, 3, 4]))
+    temperature = 300 * 10 ** draw.uniform(-0.4, 0.8)
+    u, v = (draw.choice([0, 0, draw.uniform(-500, 500)]) for _ in range(2))
+    return (f"<geom_object>{shape}<res>[2,2,2]</res><velocity>[{u},{v if planar else 0},0]</velocity>"
+            f"<density>{material.density(pressure, temperature)!r}</density>"
+            f"<temperature>{temperature!r}</temperature></geom_object>")
+
+
+def shapes_of(draw, count, planar):
+    """As many shapes beside each other, and what they leave."""
+    shapes = []
+    for n in range(count):
+        middle = (n + 0.5 + draw.uniform(-0.15, 0.15)) / count
+        if planar and draw.random() < 0.7:
+            height, radius = draw.uniform(0.2, 0.8), draw.uniform(0.08, 0.2)
+            shapes.append(f'<cylinder label="s{n}"><bottom>[{middle},{height},-1]</bottom>'
+                          f'<top>[{middle},{height},1]</top><radius>{radius}</radius></cylinder>')
+        else:
+            shapes.append(f'<box label="s{n}"><min>[{middle - 0.12},-9,-9]</min>'
+                          f'<max>[{middle + 0.12},9,9]</max></box>')
+    names = "".join(f'<{s[1:s.index(" ")]} label="s{n}"/>' for n, s in enumerate(shapes))
+    union = f"<union>{names}</union>" if count > 1 else names
+    everything = '<box label="all"><min>[-9,-9,-9]</min><max>[9,9,9]</max></box>'
+    return shapes, f"<difference>{everything}{union}</difference>"
+
+
+def side(name, kind):
+    if kind == "closed":
+        return f'<Face side="{name}"><BCType id="all" label="Symmetric" var="symmetry"/></Face>'
+    open_side = "".join(
+        f'<BCType id="{0 if label == "Pressure" else "all"}" label="{label}" var="Neumann">'
+        f"<value>{value}</value></BCType>"
+        for label, value in (("Pressure", 0), ("Density", 0), ("Temperature", 0),
+                             ("Velocity", "[0,0,0]")))
+    return f'<Face side="{name}">{open_side}</Face>'
+
+
+def scene(seed):
+    """The deck of a seed, and what it is in words."""
+    draw = random.Random(seed)
+    count, liquids = draw.choice([1, 2, 2, 3]), draw.random() < 0.6
+    materials = [Material(draw, liquids) for _ in range(count)]
+    cells = draw.choice([(64, 1), (24, 24), (32, 16)])
+    kind, cfl = draw.choice(["closed", "open", "periodic"]), draw.choice([0.2, 0.4, 0.4, 0.8])
+    drag, heat = draw.choice([1e15, 1e15, 0, 100, 1e6]), draw.choice([0, 0, 1e3, 1e9, 1e15])
+    viscosity, conductivity = draw.choice([0, 0, 1e-3, 1]), draw.choice([0, 0, 0.1, 100])
+    planar = cells[1] > 1
+    shapes, rest = shapes_of(draw, max(count - 1, 1), planar)
+    places = [*shapes, rest]  # two of one material
+    owners = materials if count > 1 else materials * 2
+    objects = [filled(draw, m, place, planar) for m, place in zip(owners, places)]
+    if count == 1:
+        objects = ["".join(objects)]
+    texts = [f'<material name="m{n}">{m.head(viscosity, conductivity)}{objects[n]}</material>'
+             for n, m in enumerate(materials)]
+    pairs = count * (count - 1) // 2
+    exchange = "<exchange_properties><exchange_coefficients>" \
+               f"<momentum>{[drag] * pairs}</momentum><heat>{[heat] * pairs}</heat>" \
+               "</exchange_coefficients></exchange_properties>" if pairs else ""
+    sides = [] if kind == "periodic" else [side(s, kind) for s in ("x-", "x+", "y-", "y+")]
+    sides += [side(s, "closed") for s in ("z-", "z+")]
+    text = DECK.format(seed=seed, sides="\n".join(sides), cells=cells, cfl=cfl,
+                       periodic="<periodic>[1,1,0]</periodic>" if kind == "periodic" else "",
+                       materials="\n".join(texts), exchange=exchange)
+    if count == 1:
+        text = text.replace('id="all"', 'id="0"')
+    words = (f"{'+'.join('liquid' if m.stiff else 'gas' for m in materials)}, {kind}, "
+             f"{cells[0]} x {cells[1]}, drag {drag:g}, heat {heat:g}, mu {viscosity}, k {conductivity}")
+    return text, words
+
+
+def fault(given, deck, report):
+    """What is wrong with a run; None: nothing."""
+    try:
+        done = subprocess.run(
+            [given.sluice, "run", str(deck), "--no-output", "--max-steps", str(STEPS), "--progress",
+             "none", "--json", str(report)], capture_output=True, text=True, timeout=300)
+    except subprocess.TimeoutExpired:
+        return "not finished in 300 s"
+    if done.returncode != 0:
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        return f"exit {done.returncode}: {errors[0] if errors else 'no message'}"
+    kept = json.loads(report.read_text())["conservation"]
+    worst = max(kept, key=lambda name: abs(kept[name]["drift"]))
+    drift = abs(kept[worst]["drift"])
+    return None if drift <= DRIFT else f"{worst} drifts by {drift:.2g} of its scale"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sluice", required=True)
+    parser.add_argument("--folder", required=True, type=pathlib.Path)
+    parser.add_argument("--first", type=int, default=0, help="seed of the first scene")
+    parser.add_argument("--count", type=int, default=40)
+    given = parser.parse_args()
+    given.folder.mkdir(parents=True, exist_ok=True)
+
+    failed = 0
+    for seed in range(given.first, given.first + given.count):
+        text, words = scene(seed)
+        deck = given.folder / f"scene_{seed}.ups"
+        deck.write_text(text)
+        wrong = fault(given, deck, given.folder / "report.json")
+        if wrong is None:
+            deck.unlink()
+            continue
+        failed += 1
+        print(f"   FAILED scene {seed} ({words}): {wrong}\n          {deck}", flush=True)
+    print(f"RESULT: {given.count - failed} of {given.count} random scenes finished and kept mass, "
+          f"momentum and energy to {DRIFT:g}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
