@@ -14,6 +14,7 @@
 #include "ice/refine/criteria.hpp"
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
+#include "ice/tracers/tracers.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -213,7 +214,8 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, scene.grid, boundary_,
-        FlowStorage{material_count(), slots.directions, options_.own_velocities});
+        FlowStorage{material_count(), slots.directions, options_.own_velocities},
+        scene.time.max_time);
   if (!effects_.on(effect_sources)) return;
   for (const Level& level : scene.grid.levels)
     sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,

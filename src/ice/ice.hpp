@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "framework/run/component.hpp"
+#include "framework/run/particle_method.hpp"
 #include "ice/boundary_fill.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/ice_scene.hpp"
 #include "ice/refine/mixture_transfer.hpp"
 #include "ice/sources/source_tasks.hpp"
-#include "ice/tracers/tracers.hpp"
 
 namespace sluice::ice {
 
@@ -75,7 +75,7 @@ class Ice : public Component {
   SchemeOptions options_;  // of level 0; the levels differ in what at_level() sets
   std::vector<std::unique_ptr<BoundaryFill>> boundary_;  // by level
   std::vector<std::unique_ptr<Sources>> sources_;        // by level; empty: there are none
-  std::unique_ptr<Tracers> tracers_;                     // null: none
+  std::unique_ptr<ParticleMethod> tracers_;              // null: none
   std::unique_ptr<TransferOperators> transfer_;
   std::vector<ErrorEstimate> estimates_;
 };

@@ -13,13 +13,11 @@
 namespace sluice::models {
 namespace {
 
+constexpr double most_in_a_cell = 1e6;     // at the start
 constexpr std::string_view prefix = "p.";  // of the names of particle variables
 
-TagSpec region(const char* text, const char* number, const char* of_number, const char* unit) {
-  return tag("geom_object", text)
-      .at_least_once()
-      .group("geometry_piece")
-      .with_children({tag(number, of_number).once().real().at_least(0).unit(unit)});
+TagSpec region(const char* text, const TagSpec& number) {
+  return tag("geom_object", text).at_least_once().group("geometry_piece").child(number.once());
 }
 
 void check_region(const DeckNode& object, std::vector<Fault>& faults) {
@@ -62,11 +60,18 @@ TagSpec tracer_particles_tag() {
           .with_children(
               {tag("initialization", "particles at the start")
                    .once()
-                   .child(region("a region that holds particles at the start", "particlesPerCell",
-                                 "how many in a cell that lies in the region", "1")),
+                   .child(
+                       region("a region that holds particles at the start",
+                              tag("particlesPerCell", "how many in a cell that lies in the region")
+                                  .real()
+                                  .at_least(0)
+                                  .at_most(most_in_a_cell))),
                tag("interiorSources", "regions in which particles appear")
-                   .child(region("a region in which particles appear", "particlesPerCellPerSecond",
-                                 "how many in a cell and second", "1/time"))});
+                   .child(region("a region in which particles appear",
+                                 tag("particlesPerCellPerSecond", "how many in a cell and second")
+                                     .real()
+                                     .at_least(0)
+                                     .unit("1/time")))});
   return tag("TracerParticles", "points that move with a material and act on nothing")
       .with_children(
           {tag("material", "name of the material; absent: the only one").text(),

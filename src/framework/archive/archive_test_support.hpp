@@ -61,6 +61,32 @@ class Fields {
   }
   std::vector<FieldPiece>& pieces() { return pieces_; }
 
+  // Particles of one box: numbers, positions x = f(id, component), and a value f(id, 3).
+  void add_particles(int level, int box, const std::vector<double>& ids,
+                     const std::function<double(double, int)>& f, int material = 0) {
+    const auto list = [&](Label label, int component, const std::function<double(double)>& value) {
+      auto& values = memory_.emplace_back();
+      for (const double id : ids) values.push_back(value(id));
+      FieldPiece p;
+      p.label = label;
+      p.material = material;
+      p.level = level;
+      p.box_id = box;
+      p.component = component;
+      p.view.data = values.data();
+      p.view.box = {{0, 0, 0}, {static_cast<int>(ids.size()), 1, 1}};
+      p.cells = p.view.box;
+      pieces_.push_back(p);
+    };
+    const auto label = [](const char* name, ValueType type) {
+      return declare_label({name, type, Centring::particle, "1", "a test"});
+    };
+    for (int d = 0; d < 3; ++d)
+      list(label("p.x", ValueType::vector), d, [&](double id) { return f(id, d); });
+    list(label("p.particleID", ValueType::long_integer), 0, [](double id) { return id; });
+    list(label("p.heat", ValueType::real), 0, [&](double id) { return f(id, 3); });
+  }
+
  private:
   FieldPiece piece(const IndexBox& cells, Label label, int material, int level, int box, int c,
                    const Function& f) {

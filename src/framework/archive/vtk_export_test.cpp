@@ -101,6 +101,26 @@ TEST(VtkExport, UnequalRatiosAreWrittenAsBlocksOnly) {
   EXPECT_FALSE(fs::exists(folder.path() / "vtk" / "box.uda.000.vthb.series"));
 }
 
+TEST(VtkExport, ParticlesAsPoints) {
+  const TemporaryFolder folder;
+  const Grid grid = make_two_levels(1);
+  Fields fields;
+  for (const Level& level : grid.levels) fields.add(level, real_label("press_CC"), 0, wavy);
+  const auto f = [](double id, int c) { return std::sin(id + c); };
+  fields.add_particles(0, 0, {9, 2, 0x1p53 - 1}, f);
+  fields.add_particles(1, 1, {5}, f);
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  for (int step = 1; step <= 2; ++step)
+    writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
+  expect_right_numbers(writer.folder(), folder.path(), ".vtm");
+  EXPECT_TRUE(fs::exists(folder.path() / "vtk" / "box.uda.000_particles.pvd"));
+  // Particles alone.
+  const fs::path pvd =
+      export_vtk(Archive::open(writer.folder()), folder.path() / "points", {{{"p.heat"}, {}}, ""});
+  EXPECT_EQ(pvd.filename(), "box.uda.000_particles.pvd");
+  EXPECT_FALSE(fs::exists(folder.path() / "points" / "box.uda.000.pvd"));
+}
+
 // The check itself must be able to fail: a number changed after the export is found.
 TEST(VtkExport, TheReadingBackFindsAWrongNumber) {
   const TemporaryFolder folder;

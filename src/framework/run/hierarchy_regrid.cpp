@@ -91,7 +91,7 @@ void Hierarchy::lay_out(bool from_deck) {
   int laid_out = -1;  // the last level that has changed
   for (int l = 1; l < possible_levels(); ++l) {
     std::vector<GridBox> boxes = regridder_->boxes(l);
-    deal_out(boxes, level(l), *communicator_);
+    deal_out(boxes, level(l), particles_.get(), *communicator_);
     if (same_boxes(boxes, level(l).level().boxes)) {
       if (laid_out == l - 1) make_joint(l - 1);
       continue;
@@ -189,7 +189,7 @@ bool Hierarchy::balance(int step) {
   bool moved = false;
   for (int l = 0; l < level_count(); ++l) {
     std::vector<GridBox> boxes =
-        rebalanced(level(l), scene_->refinement.balance_gain, *communicator_);
+        rebalanced(level(l), particles_.get(), scene_->refinement.balance_gain, *communicator_);
     if (boxes.empty()) continue;
     lay_out_level(l, std::move(boxes), false);
     moved = true;

@@ -7,8 +7,13 @@
 
 namespace sluice {
 
-std::vector<double> box_seconds(const LevelSolver& solver, Communicator& communicator) {
-  const std::vector<double> mine = solver.box_seconds();
+std::vector<double> box_seconds(const LevelSolver& solver, const ParticleCloud* particles,
+                                Communicator& communicator) {
+  std::vector<double> mine = solver.box_seconds();
+  if (particles != nullptr && solver.level().index < particles->level_count()) {
+    const std::vector<double>& more = particles->box_seconds(solver.level().index);
+    for (std::size_t b = 0; b < mine.size(); ++b) mine[b] += more[b];
+  }
   const std::vector<GridBox>& boxes = solver.level().boxes;
   const std::string text(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double));
   const std::vector<std::string> all = communicator.gather_to_all(text);
@@ -23,16 +28,17 @@ std::vector<double> box_seconds(const LevelSolver& solver, Communicator& communi
   return seconds;
 }
 
-void deal_out(std::vector<GridBox>& boxes, const LevelSolver& solver, Communicator& communicator) {
+void deal_out(std::vector<GridBox>& boxes, const LevelSolver& solver,
+              const ParticleCloud* particles, Communicator& communicator) {
   if (communicator.size() == 1) return;
-  const std::vector<double> measured = box_seconds(solver, communicator);
+  const std::vector<double> measured = box_seconds(solver, particles, communicator);
   assign_owners(boxes, carried_costs(solver.level().boxes, measured, boxes), communicator.size());
 }
 
-std::vector<GridBox> rebalanced(const LevelSolver& solver, double least_gain,
-                                Communicator& communicator) {
+std::vector<GridBox> rebalanced(const LevelSolver& solver, const ParticleCloud* particles,
+                                double least_gain, Communicator& communicator) {
   if (communicator.size() == 1) return {};
-  const std::vector<double> costs = box_seconds(solver, communicator);
+  const std::vector<double> costs = box_seconds(solver, particles, communicator);
   const std::vector<GridBox>& now = solver.level().boxes;
   std::vector<GridBox> better = now;
   assign_owners(better, costs, communicator.size());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "framework/archive/archive.hpp"
@@ -31,6 +32,9 @@ void ParticleCloud::lay_out(const Levels& levels) {
   std::vector<Level> now;
   for (const LevelSolver* level : levels) now.push_back(level->level());
   auto map = std::make_unique<ParticleMap>(std::move(now));
+  box_seconds_.clear();
+  for (const LevelSolver* level : levels)
+    box_seconds_.emplace_back(level->state().local_boxes().size(), 0.0);
   for (Kind& kind : kinds_) kind.store.lay_out(*map);
   map_ = std::move(map);
 }
@@ -100,6 +104,7 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
         const int level = static_cast<int>(l);
         const auto boxes = static_cast<std::size_t>(kind.store.box_count(level));
         levels[l]->team()->for_each(boxes, [&](std::size_t b, int) {
+          const auto start = std::chrono::steady_clock::now();
           const int box = static_cast<int>(b);
           ParticleSet& set = kind.store.set(level, box);
           const std::size_t before = set.size();
@@ -108,6 +113,8 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
           keep_inside(static_cast<int>(k), levels[l]->level(), set);
           made += static_cast<std::int64_t>(moved - before);
           left += static_cast<std::int64_t>(moved - set.size());
+          box_seconds_[l][b] +=
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         });
       }
       kind.made += made;

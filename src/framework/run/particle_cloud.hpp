@@ -13,16 +13,11 @@
 #include "framework/particle/particle_store.hpp"
 #include "framework/run/level_solver.hpp"
 #include "framework/run/particle_method.hpp"
+#include "framework/run/run_report.hpp"
 
 namespace sluice {
 
 class ArchiveStep;
-
-// What became of the particles of a kind, over all ranks.
-struct ParticleCount {
-  std::string name;
-  std::int64_t made = 0, left = 0, here = 0;
-};
 
 // What is written of particles; `numbers` holds what views point into.
 struct ParticlePieces {
@@ -43,6 +38,7 @@ class ParticleCloud {
   void follow(const Levels& levels);
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
 
+  int level_count() const { return static_cast<int>(box_seconds_.size()); }
   // Labels that can be saved.
   std::vector<Label> labels() const;
   // Of all labels for which `wanted`; position and id come with any of them.
@@ -56,6 +52,10 @@ class ParticleCloud {
     return kinds_[static_cast<std::size_t>(kind)].store;
   }
   std::vector<ParticleCount> counts() const;  // collective
+  // Spent on the particles of each local box of a level since boxes were laid out.
+  const std::vector<double>& box_seconds(int level) const {
+    return box_seconds_[static_cast<std::size_t>(level)];
+  }
   // For checkpoints. Collective.
   std::string state() const;
 
@@ -73,7 +73,8 @@ class ParticleCloud {
   Communicator* communicator_;
   std::unique_ptr<ParticleMap> map_;
   std::vector<Kind> kinds_;
-  double time_ = 0;  // of the particles
+  std::vector<std::vector<double>> box_seconds_;  // by level, local box
+  double time_ = 0;                               // of the particles
 };
 
 }  // namespace sluice

@@ -44,6 +44,9 @@ nlohmann::ordered_json to_json(const RunReport& r) {
                       {"domain_cells", level.domain_cells},
                       {"substeps", level.substeps},
                       {"cell_updates", level.updates}});
+  nlohmann::ordered_json particles = nlohmann::ordered_json::array();
+  for (const ParticleCount& p : r.particles)
+    particles.push_back({{"name", p.name}, {"made", p.made}, {"left", p.left}, {"here", p.here}});
   return {{"status", to_string(r.status)},
           {"message", r.message},
           {"archive", archive},
@@ -62,6 +65,7 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"cell_updates", r.cell_updates},
           {"uniform_updates", r.uniform_updates()},
           {"levels", levels},
+          {"particles", particles},
           {"regrids", r.regrids},
           {"regrid_s", r.regrid_seconds},
           {"balances", r.balances},
@@ -109,6 +113,9 @@ std::string summary(const RunReport& r) {
       r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
       r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
   if (r.levels.size() > 1) text += levels_text(r);
+  for (const ParticleCount& p : r.particles)
+    text += fmt::format("particles {}: {} in the domain; {} made, {} left it\n", p.name,
+                        human_count(p.here), human_count(p.made), human_count(p.left));
   if (r.blocks_asleep > 0)
     text += fmt::format("quiet blocks: {:.0f} % slept\n",
                         100.0 * static_cast<double>(r.blocks_asleep) /

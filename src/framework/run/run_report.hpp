@@ -28,6 +28,12 @@ struct LevelCost {
   int substeps = 1;               // in a coarse step
 };
 
+// What became of the particles of a kind, over all ranks.
+struct ParticleCount {
+  std::string name;
+  std::int64_t made = 0, left = 0, here = 0;  // made = left + here
+};
+
 struct RunReport {
   RunStatus status = RunStatus::running;
   std::string message;  // why it failed; empty otherwise
@@ -46,6 +52,7 @@ struct RunReport {
   std::vector<EffectCost> effects;
   std::vector<LevelCost> levels;  // coarse to fine
   std::int64_t cell_updates = 0;  // of all levels
+  std::vector<ParticleCount> particles;
   int regrids = 0;
   double regrid_seconds = 0;
   int balances = 0;  // times that boxes moved to other ranks, regrids aside

@@ -355,6 +355,7 @@ RunReport Simulation::report() const {
   r.peak_memory_bytes = peak_resident_bytes_of_all(communicator_);
   r.step_limit = limit_.reason;
   r.levels = hierarchy_.costs();
+  if (const ParticleCloud* particles = hierarchy_.particles()) r.particles = particles->counts();
   r.regrids = hierarchy_.regrids();
   r.regrid_seconds = hierarchy_.regrid_seconds();
   r.balances = hierarchy_.balances();

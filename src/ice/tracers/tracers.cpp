@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "framework/base/error.hpp"
 #include "framework/geometry/sampling.hpp"
@@ -71,14 +72,31 @@ bool move(const FlowInTime& flow, double begin, double end, Vec3& x) {
 }  // namespace
 
 Tracers::Tracers(const std::vector<models::TracerParticles>& list, const Grid& grid,
-                 const Boundaries& boundaries, FlowStorage flow)
+                 const Boundaries& boundaries, FlowStorage flow, double max_time)
     : list_(&list), grid_(&grid), boundaries_(&boundaries), flow_(std::move(flow)) {
   for (const models::TracerParticles& t : list) {
     ParticleKind kind{t.name, t.material, {}, t.refine_distance};
     if (t.scalar) kind.attributes.push_back(t.scalar->label());
     kinds_.push_back(std::move(kind));
     ids_.push_back(number(t));
+    check_ids(t, ids_.back(), max_time);
   }
+}
+
+void Tracers::check_ids(const models::TracerParticles& t, const Ids& ids, double max_time) {
+  double most = static_cast<double>(ids.first_of_sources);
+  for (const models::TracerRegion& source : t.sources) {
+    const double lasts = std::min(max_time, t.window.stop) - t.window.start;
+    most = std::max(
+        most, static_cast<double>(ids.first_of_sources) +
+                  (source.number * std::max(lasts, 0.0) + 1) * static_cast<double>(ids.stride));
+  }
+  if (most < static_cast<double>(most_particle_id)) return;
+  throw InputError(fmt::format(
+      "{}: <TracerParticles>: {:g} numbers are needed for all particles of '{}' that may appear "
+      "until t = {:g}, and there are 2^53: ask for fewer particles a cell or second, or for an "
+      "earlier <timeStop>",
+      to_string(t.where), most, t.name, max_time));
 }
 
 Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
@@ -106,11 +124,6 @@ Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
 
 void Tracers::add(const models::TracerParticles& t, Vec3 point, std::int64_t id,
                   ParticleSet& particles) const {
-  if (id < 0 || id >= most_particle_id)
-    throw PhysicsError(
-        fmt::format("tracer '{}' has no numbers left for new particles (2^53 are there): a smaller "
-                    "number of particles a cell, or an earlier <timeStop>",
-                    t.name));
   particles.add(point, id);
   if (t.scalar) particles.attribute(0, particles.size() - 1) = t.scalar->initial;
 }
@@ -169,9 +182,9 @@ void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles
     const double begin = n < earlier ? step.begin : born[n - earlier];
     Vec3 x = particles.position(n);
     if (!move(flow, begin, step.end, x))
-      throw PhysicsError(fmt::format(
+      throw std::logic_error(fmt::format(
           "tracer particle {} at [{:g}, {:g}, {:g}] would cross more cells in a step than a box "
-          "knows around it; a smaller <cfl> helps",
+          "knows around it: the step is longer than the scheme allows",
           particles.id(n), x.x, x.y, x.z));
     particles.move_to(n, x);
     if (t.scalar)

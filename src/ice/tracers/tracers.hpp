@@ -31,7 +31,7 @@ class Tracers : public ParticleMethod {
 
   // Keeps references to the list, the grid's levels and the boundaries.
   Tracers(const std::vector<models::TracerParticles>& list, const Grid& grid,
-          const Boundaries& boundaries, FlowStorage flow);
+          const Boundaries& boundaries, FlowStorage flow, double max_time);
 
   const std::vector<ParticleKind>& kinds() const override { return kinds_; }
   void start(int kind, const Level& level, const IndexBox& cells,
@@ -47,6 +47,7 @@ class Tracers : public ParticleMethod {
     std::int64_t stride = 0;  // cells of all sources
   };
   Ids number(const models::TracerParticles& t) const;
+  static void check_ids(const models::TracerParticles& t, const Ids& ids, double max_time);
   void add(const models::TracerParticles& t, Vec3 point, std::int64_t id,
            ParticleSet& particles) const;
   void emit(int kind, const ParticleStep& step, std::vector<double>& born,

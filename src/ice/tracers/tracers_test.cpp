@@ -64,12 +64,24 @@ double turning_speed(double radius) {
   return 3 / (2 * pi) * std::exp((1 - radius * radius) / 2);
 }
 
-// Mean distance from where the exact flow leads.
-double vortex_error(int cells, double time) {
+const std::string static_levels =
+    "<AMR type='StaticGridML'><ICE><orderOfInterpolation>2</orderOfInterpolation></ICE></AMR>";
+
+std::string finer_level(Vec3 low, Vec3 high, IntVec3 cells) {
+  return fmt::format(
+      "<Level><Box><lower>[{},{},{}]</lower><upper>[{},{},{}]</upper>"
+      "<resolution>[{},{},{}]</resolution></Box><periodic>[1,1,1]</periodic></Level>",
+      low.x, low.y, low.z, high.x, high.y, high.z, cells.x, cells.y, cells.z);
+}
+
+// Mean distance from where the exact flow leads; `levels`: one half of the vortex is refined.
+double vortex_error(int cells, double time, bool levels = false) {
   GasBox box = vortex(cells);
   // The same places on each grid: one a cell of the coarsest.
   box.models = tracer_model(tracer_start(tracer_box("[-1.5,-1.5,-1]", "[1.5,1.5,2]"), 1));
-  TracerRun run(box);
+  TracerRun run(box, {},
+                levels ? finer_level({-2.5, -2.5, 0}, {0, 2.5, 1}, {cells / 2, cells, 1}) : "",
+                levels ? static_levels : "");
   const TracerRun::Particles before = run.particles();
   run.run(time);
   double sum = 0;
@@ -82,17 +94,25 @@ double vortex_error(int cells, double time) {
   return sum / static_cast<double>(before.size());
 }
 
-TEST(Tracers, TurnWithAVortexToSecondOrder) {
+void expect_second_order(bool levels) {
   double before = 0;
   for (const int cells : {32, 64, 128}) {
-    const double error = vortex_error(cells, 4.0);
+    const double error = vortex_error(cells, 4.0, levels);
     if (before > 0) {
       const double order = std::log2(before / error);
-      RecordProperty(fmt::format("order_at_{}", cells), fmt::format("{}", order));
+      testing::Test::RecordProperty(fmt::format("order_at_{}", cells), fmt::format("{}", order));
       EXPECT_GE(order, least_order) << error;
     }
     before = error;
   }
+}
+
+TEST(Tracers, TurnWithAVortexToSecondOrder) {
+  expect_second_order(false);
+}
+
+TEST(Tracers, TurnAcrossLevelsToSecondOrder) {
+  expect_second_order(true);
 }
 
 // The mover alone in a steady velocity: whole turns, spacing and step halved together.
@@ -161,6 +181,53 @@ TEST(Tracers, LeaveWhereTheFlowLeaves) {
   EXPECT_EQ(run.count().here, run.count().made - gone);
 }
 
+TEST(Tracers, LiveOnTheFinestLevelAndCrossItsEdge) {
+  GasBox box = uniform({16, 16, 1});
+  box.models = tracer_model(tracer_start(everywhere, 4));
+  const std::string fine = finer_level({0.25, 0.25, 0}, {0.75, 0.75, 1}, {16, 16, 1});
+  TracerRun run(box, {}, fine, static_levels), split(box, {4, 2, 1}, fine, static_levels);
+  const TracerRun::Particles before = run.particles();
+  EXPECT_EQ(before.size(), 4U * (16 * 16 - 8 * 8 + 16 * 16));  // so many a cell of the level there
+  run.run(1.5);
+  const TracerRun::Particles after = run.particles();
+  ASSERT_EQ(after.size(), before.size());
+  int crossed = 0;
+  for (const auto& [id, p] : after) {
+    const SeenParticle& start = before.at(id);
+    EXPECT_LT(apart(p.place.x, start.place.x + 0.75), 1e-13) << id;
+    EXPECT_LT(apart(p.place.y, start.place.y - 0.375), 1e-13) << id;
+    const auto inside = [](double x) { return x >= 0.25 && x < 0.75; };
+    EXPECT_EQ(p.level, inside(p.place.x) && inside(p.place.y) ? 1 : 0) << id;
+    crossed += p.level != start.level;
+  }
+  EXPECT_GT(crossed, 200);
+  split.run(1.5);
+  EXPECT_EQ(after, split.particles());
+}
+
+// A finer level wherever they go, and nowhere else.
+TEST(Tracers, AreFollowedByAFinerLevel) {
+  GasBox box = uniform({32, 32, 1});
+  box.models = tracer_model(tracer_start(tracer_box("[0.2,0.2,-1]", "[0.3,0.3,2]"), 4), "",
+                            "<refine_distance>0.02</refine_distance>");
+  TracerRun run(box, {}, "",
+                "<AMR><ICE><orderOfInterpolation>2</orderOfInterpolation></ICE>"
+                "<Regridder type='Tiled'><max_levels>2</max_levels>"
+                "<cell_refinement_ratio>[[2,2,1]]</cell_refinement_ratio>"
+                "<min_patch_size>[[8,8,1]]</min_patch_size></Regridder></AMR>");
+  const std::size_t count = run.particles().size();
+  EXPECT_GT(count, 100U);
+  for (const double time : {0.0, 0.5, 1.3}) {
+    run.run(time);
+    const TracerRun::Particles all = run.particles();
+    EXPECT_EQ(all.size(), count);
+    for (const auto& [id, p] : all) EXPECT_EQ(p.level, 1) << id << " at " << time;
+    ASSERT_EQ(run.hierarchy().level_count(), 2);
+    const Level& fine = run.hierarchy().level(1).level();
+    EXPECT_LT(fine.cell_count(), fine.domain.volume() / 3) << time;
+  }
+}
+
 // Whatever the steps: number n of a cell appears at start + (n + 1/2)/rate and moves from then on.
 TEST(Tracers, AppearInSourcesAtTheirTimes) {
   GasBox box = uniform({16, 12, 1});
@@ -200,6 +267,17 @@ TEST(Tracers, DoNotDependOnBoxesOrThreads) {
   many.run(1.5);
   EXPECT_GT(one.particles().size(), 500U);
   EXPECT_EQ(one.particles(), many.particles());
+}
+
+TEST(Tracers, AreRefusedWhereNumbersWouldRunOut) {
+  GasBox box = uniform({16, 16, 1});
+  box.models = tracer_model(tracer_start(everywhere, 1), tracer_source(everywhere, 1e14));
+  try {
+    TracerRun run(box);
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("ask for fewer particles"), std::string::npos) << e.what();
+  }
 }
 
 TEST(Tracers, AreNotThereWithoutTheModel) {
