@@ -221,6 +221,7 @@ std::vector<Entry> on_levels() {
       {"amr_tracers", "amr_tracers", {cells("[24,20,1]")}},
       {"amr_tracers_lockstep", "amr_tracers", {cells("[20,22,1]"), lockstep}},
       {"amr_tracers_ratio_4", "amr_tracers", {cells("[16,18,1]"), ratio("[[4,2,1]]")}},
+      {"amr_tracers_greedy", "amr_tracers", {cells("[20,16,1]"), greedy, unlimited}},
       {"amr_tracers_three_levels",
        "amr_tracers",
        {cells("[16,16,1]"), "AMR/Regridder/max_levels=3"}},

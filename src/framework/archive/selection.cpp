@@ -67,6 +67,7 @@ std::vector<FieldInfo> select_fields(const ArchiveStep& step, const std::string&
       found.push_back(f);
   }
   if (!found.empty()) return found;
+  for (const FieldInfo& f : step.particle_fields()) names.insert(f.name);
   const std::string where = step.folder().string();
   if (materials.empty() && !step.damage().empty()) throw DamageError(step.damage().front());
   if (materials.empty())
