@@ -24,7 +24,7 @@ std::ostream& operator<<(std::ostream& out, const Place& p) {
   return out << p.deck;
 }
 
-IntVec3 cell_at(const Level& level, Vec3 point) {
+IntVec3 nearest_cell(const Level& level, Vec3 point) {
   IntVec3 cell;
   for (int d = 0; d < 3; ++d) {
     const double n = (point[d] - level.anchor[d]) / level.spacing[d];
@@ -77,7 +77,7 @@ TEST_P(RejectedSubstep, LeavesNoTrace) {
       const std::vector<double> before = values_of(a);
       PlantedFault& fault = faulty.component->fault;
       fault = {level,
-               cell_at(a.level(level).level(), GetParam().point),
+               nearest_cell(a.level(level).level(), GetParam().point),
                time + (substep - 0.5) * own,
                time + (substep + 0.5) * own,
                0.75 * own,
@@ -133,7 +133,7 @@ class FaultOnALevel : public testing::TestWithParam<int> {
     const FaultyDeck loaded(deck, boxes);
     loaded.component->fault = planted;
     loaded.component->fault.cell =
-        cell_at(loaded.scene.grid.levels[static_cast<std::size_t>(planted.level)], point);
+        nearest_cell(loaded.scene.grid.levels[static_cast<std::size_t>(planted.level)], point);
     RunOptions o;
     o.parent = folder;
     o.progress = ProgressMode::none;

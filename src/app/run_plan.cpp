@@ -10,6 +10,7 @@
 
 #include "app/first_step_limit.hpp"
 #include "framework/deck/nearest_name.hpp"
+#include "framework/run/particle_archive.hpp"
 #include "framework/task/block_sweep.hpp"
 #include "framework/task/graph.hpp"
 #include "framework/task/halo.hpp"
@@ -95,6 +96,8 @@ class Planner {
     describe_grid();
     const Graph all_step = compile_graph(component_, level_, false, {});
     step_labels_ = output_labels(all_step.list);
+    if (component_.particles() != nullptr)
+      particle_labels_ = savable_labels(*component_.particles());
     TaskList diagnostics;
     component_.declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
@@ -162,6 +165,9 @@ class Planner {
     const std::optional<Label> label = find_label(name);
     if (!label) return {};
     const bool history = histories && label->info().centring == Centring::reduction;
+    const bool of_particles = std::find(particle_labels_.begin(), particle_labels_.end(), *label) !=
+                              particle_labels_.end();
+    if (histories && of_particles) return label;
     const bool field = step_labels_.count(*label) > 0 || diagnostic_labels_.count(*label) > 0;
     return history || field ? label : std::nullopt;
   }
@@ -216,6 +222,8 @@ class Planner {
       const int components = component_count(label->info().type);
       if (label->info().centring == Centring::reduction) {
         out.made = "history, a line a step";
+      } else if (label->info().centring == Centring::particle) {
+        out.made = "of particles";
       } else {
         out.made = step_labels_.count(*label) > 0 ? "stored in the step" : "from the state";
         const bool short_reals = o.doubles_as_floats && label->info().type == ValueType::real;
@@ -405,6 +413,7 @@ class Planner {
   Graph plain_;
   IntVec3 block_{};
   std::set<Label> step_labels_, diagnostic_labels_;
+  std::vector<Label> particle_labels_;
   std::map<Label, std::set<int>> materials_of_;  // by label that can be saved
   std::set<Label> stored_, computed_;            // of saves and analyses
 };

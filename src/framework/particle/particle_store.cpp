@@ -86,24 +86,49 @@ void ParticleStore::settle(Communicator& communicator) {
     for (Box& box : at(l)) sort(l, box);
 }
 
+namespace {
+
+// The order by cell, then by id; `cells` counts the cells of the box, `at` says which each is in.
+std::vector<std::uint32_t> order_of(const ParticleSet& set, const std::vector<std::uint32_t>& at,
+                                    std::size_t cells) {
+  const auto by_id = [&](std::uint32_t a, std::uint32_t b) { return set.id(a) < set.id(b); };
+  std::vector<std::uint32_t> order(set.size());
+  if (set.size() < cells / 8) {  // few particles: counting would cost more than they do
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return at[a] != at[b] ? at[a] < at[b] : by_id(a, b);
+    });
+    return order;
+  }
+  std::vector<std::uint32_t> first(cells + 1, 0);
+  for (const std::uint32_t cell : at) ++first[cell + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> next = first;
+  for (std::uint32_t n = 0; n < set.size(); ++n) order[next[at[n]]++] = n;
+  for (std::size_t c = 0; c < cells; ++c)
+    if (first[c + 1] > first[c] + 1)
+      std::sort(order.begin() + first[c], order.begin() + first[c + 1], by_id);
+  return order;
+}
+
+}  // namespace
+
 void ParticleStore::sort(int l, Box& box) const {
+  if (box.set.empty()) return;
   const Level& level = map_->levels()[static_cast<std::size_t>(l)];
   const IndexBox& cells = level.boxes[static_cast<std::size_t>(box.id)].cells;
   const IntVec3 size = cells.size();
-  using Key = std::pair<std::int64_t, std::int64_t>;
-  std::vector<Key> keys;
-  keys.reserve(box.set.size());
+  std::vector<std::uint32_t> at;
+  at.reserve(box.set.size());
+  bool sorted = true;
   for (std::size_t n = 0; n < box.set.size(); ++n) {
     const IntVec3 c = cell_at(level, box.set.position(n)) - cells.lower;
-    keys.emplace_back(c.x + size.x * (c.y + static_cast<std::int64_t>(size.y) * c.z),
-                      box.set.id(n));
+    at.push_back(
+        static_cast<std::uint32_t>(c.x + size.x * (c.y + static_cast<std::int64_t>(size.y) * c.z)));
+    if (n > 0 && sorted)
+      sorted = at[n - 1] != at[n] ? at[n - 1] < at[n] : box.set.id(n - 1) < box.set.id(n);
   }
-  if (std::is_sorted(keys.begin(), keys.end())) return;
-  std::vector<std::uint32_t> order(keys.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
-  box.set.select(order);
+  if (!sorted) box.set.select(order_of(box.set, at, static_cast<std::size_t>(cells.volume())));
 }
 
 std::int64_t ParticleStore::count() const {

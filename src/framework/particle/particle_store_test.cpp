@@ -19,8 +19,7 @@ class EndOfMpi : public testing::Environment {
  public:
   void TearDown() override { world().finalize(); }
 };
-const testing::Environment* const end_of_mpi =
-    testing::AddGlobalTestEnvironment(new EndOfMpi);
+const testing::Environment* const end_of_mpi = testing::AddGlobalTestEnvironment(new EndOfMpi);
 
 Level square(int index, int cells, std::vector<IndexBox> boxes) {
   Level level;

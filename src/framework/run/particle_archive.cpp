@@ -2,6 +2,8 @@
 //
 // Variables of one material and level list its particles in the same order, so that they are joined
 // by their place; position and id are always among them.
+#include "framework/run/particle_archive.hpp"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -42,12 +44,16 @@ const ParticleLabels& particle_labels() {
   return labels;
 }
 
-std::vector<Label> ParticleCloud::labels() const {
+std::vector<Label> savable_labels(const ParticleMethod& method) {
   std::vector<Label> all = {particle_labels().position, particle_labels().id};
-  for (const ParticleKind& kind : method_->kinds())
+  for (const ParticleKind& kind : method.kinds())
     for (const Label label : kind.attributes)
       if (std::find(all.begin(), all.end(), label) == all.end()) all.push_back(label);
   return all;
+}
+
+std::vector<Label> ParticleCloud::labels() const {
+  return savable_labels(*method_);
 }
 
 void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
