@@ -90,6 +90,12 @@ TEST_F(PlanCommand, PredictsTheFirstStepToTheBit) {
   EXPECT_EQ(effect(planned, "flow").at("bytes_per_cell"), effect(run, "flow").at("bytes_per_cell"));
 }
 
+TEST_F(PlanCommand, NamesTheLabelsOfParticles) {
+  ASSERT_EQ(sluice({"plan", deck("tracers")}), 0) << said_;
+  for (const char* part : {"p.particleID  of particles", "dust in gas, moved after each step"})
+    EXPECT_THAT(said_, HasSubstr(part));
+}
+
 TEST_F(PlanCommand, CountsFieldsMessagesAndOutputs) {
   const json p = plan({deck("blast_3d"), "--boxes", "2,1,1", "--ranks", "2"});
   EXPECT_LE(p.at("memory").at("field_doubles_per_cell").get<double>(), 40);
