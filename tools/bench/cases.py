@@ -37,12 +37,12 @@ class Ratio:
 
 @dataclasses.dataclass(frozen=True)
 class Program:
-    """A program of its own that ends its line with "ratio N"."""
+    """A program of its own that ends its line with "UNIT N"."""
     name: str
     program: str
     limit: float | None = None
-
-    unit = "ratio"
+    unit: str = "ratio"
+    arguments: tuple[str, ...] = ()
 
 
 TUBE = "inputs/ice/shock_tube.ups"
@@ -104,5 +104,9 @@ CASES = [
     Ratio("levels: speed-up of 2 ranks", "levels: explosion, 32^2 to 512^2",
           "levels: explosion, 2 ranks", 1.8, at_least=True),
     Program("1 GiB archive over a plain write", "sluice_archive_bench", 1.3),
+    # A mixed cell each.
+    Program("one pressure, two ideal gases", "sluice_equilibration_bench", 90, "ns", ("gases",)),
+    Program("one pressure, liquid and gas", "sluice_equilibration_bench", 90, "ns", ("liquid",)),
+    Program("one pressure, JWL and gas", "sluice_equilibration_bench", 400, "ns", ("jwl",)),
     Ratio("share left by the quiet half", "1-D, 4096 cells, savings on", "1-D, 4096 cells"),
 ]

@@ -90,12 +90,13 @@ def median_runs(builds, cases, repeat):
 
 
 def program_figures(build, programs):
-    """The ratio that each program of a build prints, by case name."""
+    """The figure that each program of a build prints, by case name."""
     figures = {}
     for case in programs:
-        done = subprocess.run(["taskset", "-c", ONE_CORE, str(build.bin / case.program)],
+        done = subprocess.run(["taskset", "-c", ONE_CORE, str(build.bin / case.program),
+                               *case.arguments],
                               capture_output=True, text=True)
-        figures[case.name] = float(re.search(r"ratio ([0-9.]+)", done.stdout).group(1))
+        figures[case.name] = float(re.search(case.unit + " ([0-9.]+)", done.stdout).group(1))
     return figures
 
 
