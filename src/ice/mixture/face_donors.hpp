@@ -68,7 +68,7 @@ class MaterialFaces {
   }
 
  private:
-  template <bool Second, bool Masked>
+  template <bool Second, bool Masked, int Lanes>
   friend class FaceShares;
 
   void bind(int m);

@@ -31,8 +31,10 @@ inline double sharp_slope(double dm, double dp, double B) {
 
 }  // namespace
 
-// At most `most_faces` faces of a row, material by material in plain loops.
-template <bool Second, bool Masked>
+// At most `most_faces` faces of a row, material by material in plain loops. Lanes: so many faces
+// exactly, known when loops are compiled; 0: any number. At an interface there are a few faces a
+// row, and loops around one vector would cost more than what they do.
+template <bool Second, bool Masked, int Lanes>
 class FaceShares {
  public:
   FaceShares(const MaterialFaces& faces, int first, int count, std::uint64_t set)
@@ -40,13 +42,13 @@ class FaceShares {
     for (int s = 0; s < 4; ++s) {
       pure_[s] = faces.pure_[s] + first;
       int pure = 0;
-      for (int i = 0; i < n_; ++i) pure |= int{pure_[s][i] >= 0.0};
+      for (int i = 0; i < size(); ++i) pure |= int{pure_[s][i] >= 0.0};
       any_pure_ = any_pure_ || pure != 0;
     }
     for_each_of(set, [&](int m) { bind(materials_[count_++], m); });
   }
 
-  void run() {
+  [[gnu::noinline]] void run() {
     prepare();
     for (int k = 0; k < count_; ++k) {
       if (faces_.based_)
@@ -69,6 +71,11 @@ class FaceShares {
  private:
   static constexpr int rows_each = 20;
 
+  int size() const {
+    if constexpr (Lanes > 0) return Lanes;
+    return n_;
+  }
+
   // One material around the faces.
   struct Material {
     const double* V[6];  // volume fraction of cells -3 .. 2
@@ -85,7 +92,7 @@ class FaceShares {
   const double* pick(Sought q, int m, int shift) {
     if (!any_pure_) return q.own + first_;
     double* to = work_[used_++];
-    pick_row(n_, pure_[shift + 2], m, q.own + first_, q.mixture + first_, to);
+    pick_row(size(), pure_[shift + 2], m, q.own + first_, q.mixture + first_, to);
     return to;
   }
   Pair two(const Sought* q, int m) { return {pick(q[0], m, -1), pick(q[1], m, 0)}; }
@@ -115,7 +122,7 @@ class FaceShares {
 
   // What all materials need of the donor.
   void prepare() {
-    const int n = n_;
+    const int n = size();
     const double l = faces_.l_;
     const double* const uf = faces_.uf_ + first_;
     const Pair iJ = cells(faces_.iJ_), N_of = cells(faces_.N_), iN = cells(faces_.iN_);
@@ -148,7 +155,7 @@ class FaceShares {
   // several they would leave to a share, never all.
   template <bool Based>
   void propose(const Material& k) {
-    const int n = n_;
+    const int n = size();
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
     const Pair base = k.base_V, masses{k.M[0], k.M[1]};
     double *share = k.FV, *more = k.FE, *receiver = k.FM;
@@ -187,7 +194,7 @@ class FaceShares {
 
   // Step 2. The sum is one up to round-off after one pass: the caps sum to one or more.
   void close_volumes() {
-    const int n = n_;
+    const int n = size();
     double *shrink = sum_, *fill = room_;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
@@ -201,7 +208,7 @@ class FaceShares {
 
   // Step 3; FM tells whether the face takes all.
   void keep_traces_together(const Material& k, int number) {
-    const int n = n_;
+    const int n = size();
     const Pair fraction{k.V[2], k.V[3]};
     const double *shrink = sum_, *fill = room_, *more = k.FE;
     double *share = k.FV, *FM = k.FM;
@@ -236,7 +243,7 @@ class FaceShares {
   // Steps 4 and 5; first the largest share takes what round-off and the rules left.
   template <bool Based, bool All>
   void carry(const Material& k, int number) {
-    const int n = n_;
+    const int n = size();
     const double *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4];
     const Pair masses{k.M[0], k.M[1]};
     const Around r = k.r, e = k.e;
@@ -295,7 +302,7 @@ class FaceShares {
   bool any_pure_ = false;
   const double* pure_[4];
   Material materials_[most_materials];
-  using Work = double[MaterialFaces::most_faces];
+  using Work = double[Lanes > 0 ? Lanes : MaterialFaces::most_faces];
   Work sum_, room_;  // then by how much shares shrink, and which part of what is left they take
   Work largest_, others_, largest_of_;
   // Of the donor; weight: s (1-nu)/2.
@@ -309,12 +316,19 @@ std::uint64_t MaterialFaces::carry(int first, int count) {
     bind(m);
     if ((set >> m & 1) == 0) nothing_passes(m, first, count);
   }
+  constexpr int lanes = 8;
+  const auto share = [&]<bool Second, bool Masked>() {
+    if (count == lanes)
+      FaceShares<Second, Masked, lanes>(*this, first, count, set).run();
+    else
+      FaceShares<Second, Masked, 0>(*this, first, count, set).run();
+  };
   if (!options_.second_order)
-    FaceShares<false, false>(*this, first, count, set).run();
+    share.template operator()<false, false>();
   else if (options_.masked)
-    FaceShares<true, true>(*this, first, count, set).run();
+    share.template operator()<true, true>();
   else
-    FaceShares<true, false>(*this, first, count, set).run();
+    share.template operator()<true, false>();
   return set;
 }
 

@@ -26,11 +26,11 @@ void add_presence(TaskList& list, const Variables& v, int effect) {
   task.kernel([=](const Row& row) {
     const int n = row.count();
     double* __restrict set = row(presence);
-    for (int i = 0; i < n; ++i) set[i] = 0.0;
     for (std::size_t m = 0; m < mass.size(); ++m) {
       const double* __restrict M = row(mass[m]);
       const double bit = only(static_cast<int>(m));
-      for (int i = 0; i < n; ++i) set[i] += M[i] != 0.0 ? bit : 0.0;
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) set[i] = (m == 0 ? 0.0 : set[i]) + (M[i] != 0.0 ? bit : 0.0);
     }
   });
 }
@@ -46,16 +46,18 @@ void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& 
     const double* __restrict here = row(presence);
     double* __restrict key = row(pure);
     for (int i = 0; i < n; ++i) key[i] = here[i];
-    const auto compare = [&](const double* __restrict other) {
-      for (int i = 0; i < n; ++i) key[i] = other[i] == here[i] ? key[i] : 0.0;
-    };
     for (int dk = axes > 2 ? -1 : 0; dk <= (axes > 2 ? 1 : 0); ++dk)
-      for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj)
-        for (int di = -1; di <= 1; ++di) compare(row.at_offset(presence, 0, {di, dj, dk}));
-    for_each_run(key, n, [&](int first, int count, double set) {
-      const double material = set != 0.0 && is_single(set) ? first_of(set) : -1.0;
-      for (int i = first; i < first + count; ++i) key[i] = material;
-    });
+      for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj) {
+        const double* __restrict other = row.at_offset(presence, 0, {0, dj, dk});
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) {
+          const int same = int{other[i - 1] == here[i]} & int{other[i] == here[i]} &
+                           int{other[i + 1] == here[i]};
+          key[i] = same != 0 ? key[i] : 0.0;
+        }
+      }
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) key[i] = single_of(key[i]);
   });
 }
 

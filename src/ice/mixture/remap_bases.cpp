@@ -177,11 +177,16 @@ class MixedBases {
 
 template <int D, int C, bool Masked>
 void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
+  const auto runs = [&](auto&& f) { for_each_run(row(h.pure), row.count(), f); };
+  const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
+  const auto bases_of = [&](int first, int count, int of) {
+    base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
+  };
+  for_each_pure_piece(runs, scaled, bases_of);
   std::optional<MixedBases<D, Masked>> mixed;
-  for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
-    const bool scaled = pure < 0 || o.fluids[static_cast<std::size_t>(pure)].ideal() == nullptr;
-    base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, scaled);
+  runs([&](int first, int count, double pure) {
     if (pure >= 0) return;
+    bases_of(first, count, 1);
     if (!mixed) mixed.emplace(row, h, o.axes);
     // Nobody reads what is computed for cells of pure neighbourhood.
     mixed->run(first, whole_vectors(count, row.count() - first));

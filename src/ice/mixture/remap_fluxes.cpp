@@ -59,7 +59,19 @@ class MixedFaces {
     G_ = row(h.common.flux, 1);
   }
 
-  void run(int first, int count) {
+  // Up to `most` faces from `first` on are there; those beyond `count` keep what they have.
+  void run(int first, int count, int most) {
+    const int whole = whole_vectors(count, most), beyond = first + count, more = whole - count;
+    double kept[2 + C][most_beyond];
+    for (int r = 0; r < 2 + C; ++r) std::copy_n(total_row(r) + beyond, more, kept[r]);
+    run_chunks(first, whole);
+    for (int r = 0; r < 2 + C; ++r) std::copy_n(kept[r], more, total_row(r) + beyond);
+  }
+
+ private:
+  double* total_row(int r) const { return r == 0 ? F_ : r == 1 ? G_ : U_[r - 2]; }
+
+  void run_chunks(int first, int count) {
     constexpr int most = MaterialFaces::most_faces;
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done);
@@ -73,7 +85,6 @@ class MixedFaces {
     }
   }
 
- private:
   // Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
   // N: materials of which something may pass; their energy fluxes get their parts of it.
   template <int N, bool Second, bool Masked>
@@ -175,21 +186,23 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
+        const auto runs = [&](auto&& f) {
+          for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(), f);
+        };
+        const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
+        for_each_pure_piece(runs, scaled, [&](int first, int count, int of) {
+          const Row part = row.part(first, count);
+          if (of != 0)
+            flux_row_of<D, C, true>(part, h.common, axis, l, o);
+          else
+            flux_row_of<D, C, false>(part, h.common, axis, l, o);
+        });
         std::optional<MixedFaces<D, C>> mixed;
-        for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
-                          [&](int first, int count, double pure) {
-                            if (pure < 0) {
-                              if (!mixed) mixed.emplace(row, h, o, axis, l);
-                              // Faces too many are computed again by the run that follows.
-                              return mixed->run(first, whole_vectors(count, row.count() - first));
-                            }
-                            const Row part = row.part(first, count);
-                            const auto m = static_cast<std::size_t>(pure);
-                            if (o.fluids[m].ideal() == nullptr)
-                              flux_row_of<D, C, true>(part, h.common, axis, l, o);
-                            else
-                              flux_row_of<D, C, false>(part, h.common, axis, l, o);
-                          });
+        runs([&](int first, int count, double pure) {
+          if (pure >= 0) return;
+          if (!mixed) mixed.emplace(row, h, o, axis, l);
+          mixed->run(first, count, row.count() - first);
+        });
       });
     });
   }
