@@ -1,5 +1,5 @@
-// Blocks, kinds, threads, sleeping blocks.
-#include "framework/task/sweep_executor.hpp"
+// Blocks, kinds, threads.
+#include "framework/task/sweep_worker.hpp"
 
 #include <array>
 #include <chrono>
@@ -22,48 +22,6 @@ IntVec3 across_swept(const IndexBox& hull, const std::array<bool, 3>& active) {
 }
 
 }  // namespace
-
-// What was counted and timed of one kind.
-struct SweepExecutor::Tally {
-  std::int64_t run = 0, sampled = 0;
-  TaskTimes times;
-
-  void add(const Tally& other) {
-    run += other.run;
-    sampled += other.sampled;
-    if (times.size() < other.times.size()) times.resize(other.times.size(), 0);
-    for (std::size_t t = 0; t < other.times.size(); ++t) times[t] += other.times[t];
-  }
-};
-
-// A graph as it is bound to warehouses.
-struct SweepExecutor::Graph {
-  explicit Graph(SweepGraph g)
-      : list(g.list), plan(std::move(g.plan)), absent(std::move(g.absent)) {
-    kept.times.assign(plan.tasks.size(), 0);
-  }
-  const TaskList* list;
-  SweepPlan plan;
-  std::vector<AbsentSlot> absent;
-  StateBinding binding;
-  std::vector<int> written;       // slots of the new state
-  std::vector<int> absent_slots;  // of `absent`, in the new state or among the outputs
-  Tally kept;                     // before the workers were made anew
-};
-
-struct SweepExecutor::Worker {
-  Worker(int kinds, const SweepOptions& o)
-      : sweeps(static_cast<std::size_t>(kinds)),
-        tallies(static_cast<std::size_t>(kinds)),
-        reductions(o.maxima, o.sums) {}
-  std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>();
-  std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
-  std::vector<Tally> tallies;                       // by kind
-  Reductions reductions;
-  TaskTimes boxes;                 // by local box
-  std::vector<SweepPiece> pieces;  // awake, of one kind, to be swept as one
-  std::int64_t asleep = 0;
-};
 
 SweepExecutor::SweepExecutor(SweepKinds kinds, const Level& level, const SweepOptions& options)
     : kinds_(std::move(kinds)),
@@ -209,54 +167,6 @@ SweepExecutor::Tally SweepExecutor::tally(int kind) const {
   if (graphs_[k] != nullptr) sum = graphs_[k]->kept;
   for (const auto& w : workers_) sum.add(w->tallies[k]);
   return sum;
-}
-
-bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
-  for (VariableId id : graph.plan.states_read) {
-    const Variable& variable = (*graph.list)[id];
-    const int slot = graph.binding.slot[static_cast<std::size_t>(id.index)];
-    for (int c = 0; c < variable.components; ++c) {
-      const RealView v = old_state_->view(slot, c, block.box);
-      const IndexBox seen = intersection(block.cells.grown(graph.plan.halo), v.box);
-      if (any_other(v, seen, v(seen.lower))) return false;
-    }
-  }
-  return true;
-}
-
-void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
-  const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
-  BlockSweep& sweep = *worker.sweeps[static_cast<std::size_t>(block.kind)];
-  // Peel off the cells along the boundary of the domain, side by side, each cell once.
-  IndexBox rest = block.cells;
-  for (int a = 0; a < graph.plan.axes.count && !rest.empty(); ++a) {
-    const int d = graph.plan.axes.direction[a];
-    if (level_->periodic[static_cast<std::size_t>(d)]) continue;
-    if (rest.lower[d] == level_->domain.lower[d]) {
-      IndexBox strip = rest;
-      strip.upper[d] = strip.lower[d] + 1;
-      sweep.run(step, block.box, strip, worker.reductions);
-      rest.lower[d] += 1;
-    }
-    if (!rest.empty() && rest.upper[d] == level_->domain.upper[d]) {
-      IndexBox strip = rest;
-      strip.lower[d] = strip.upper[d] - 1;
-      sweep.run(step, block.box, strip, worker.reductions);
-      rest.upper[d] -= 1;
-    }
-  }
-  if (rest.empty()) return;
-  sweep.run(step, block.box, {rest.lower, rest.lower + IntVec3{1, 1, 1}}, worker.reductions);
-  for (std::size_t v = 0; v < graph.list->variables().size(); ++v) {
-    const Variable& variable = graph.list->variables()[v];
-    if (variable.storage != Storage::new_state || !graph.plan.used[v]) continue;
-    const int from = old_state_->find(variable.label, variable.material);
-    for (int c = 0; c < variable.components; ++c) {
-      const RealView old = old_state_->view(from, c, block.box);
-      const RealView now = new_state_->view(graph.binding.slot[v], c, block.box);
-      fill(now, rest, old(rest.lower));
-    }
-  }
 }
 
 // What pieces cost, by their cells.
