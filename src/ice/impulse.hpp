@@ -34,7 +34,7 @@ inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepCons
 template <int D, int C>
 void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstants& s,
                   bool viscous) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict r = row(h.rho);
   for (int c = 0; c < C; ++c) {
     double* __restrict dp = row(h.impulse, c);

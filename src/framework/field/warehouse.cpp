@@ -15,8 +15,9 @@ constexpr std::size_t alignment = 64;
 }
 
 AlignedArray::AlignedArray(std::size_t count, Contents contents) : count_(count) {
+  // Rows are read in whole vectors: one of them beyond the last number.
   // calloc does not clear what the system hands out clear: levels come and go with their memory.
-  std::size_t bytes = count * sizeof(double) + alignment;
+  std::size_t bytes = count * sizeof(double) + 2 * alignment;
   void* base = contents == Contents::zero ? std::calloc(bytes, 1) : std::malloc(bytes);
   if (base == nullptr) throw std::bad_alloc();
   void* p = base;

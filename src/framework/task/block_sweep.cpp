@@ -9,9 +9,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Length of one row of a buffer: the window, rounded up so that rows start on cache lines.
+constexpr int vector = 8;  // numbers in the widest vector, and in a cache line
+
+template <class Integer>
+Integer rounded_up(Integer n) {
+  return (n + vector - 1) / vector * vector;
+}
+
+// Length of one row of a buffer: the window, rounded up so that rows start on cache lines, and room
+// for the rest of a vector.
 std::ptrdiff_t padded(std::ptrdiff_t n) {
-  return (n + 7) / 8 * 8;
+  return rounded_up(n) + vector;
 }
 
 }  // namespace
@@ -56,6 +64,7 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     components += static_cast<std::size_t>(list[b.variable].components);
   }
   buffers_.resize(components);
+  total += 2 * vector;  // what is read beyond the last row
   if (scratch_->size() < static_cast<std::size_t>(total))
     *scratch_ = AlignedArray(static_cast<std::size_t>(total));
   std::vector<std::size_t> number(bound_.size(), 0);
@@ -79,6 +88,9 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     for (VariableId v : t.writes) w.push_back(add(v));
     kernels_.push_back(&t.kernel);
     sharing_.push_back(sharing_of(p));
+    stores_.push_back(t.always || std::any_of(t.writes.begin(), t.writes.end(), [&](VariableId v) {
+                        return list[v].storage != Storage::temporary;
+                      }));
   }
 }
 
@@ -142,12 +154,14 @@ void BlockSweep::bind_scratch(const IndexBox& hull) {
   }
 }
 
-void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Row& row) {
+void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Row& row,
+                           bool alone) {
   const RowKernel& kernel = *kernels_[task];
   const Axes& axes = plan_->axes;
   row.reads_ = reads_[task].data();
   row.writes_ = writes_[task].data();
   row.count_ = window.high[0] - window.low[0];
+  row.whole_vectors_ = alone && !stores_[task] ? rounded_up(row.count_) : row.count_;
   row.index_[0] = window.low[0];
   row.index_[2] = plane;
   row.cell_ = level_->domain.lower;
@@ -181,12 +195,12 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
   if (last - first == 1 || sharing_[task] == Sharing::none) {
     for (std::size_t n = first; n < last; ++n) {
       choose(task, n, row);
-      run_plane(task, window(task, n), plane, row);
+      run_plane(task, window(task, n), plane, row, last - first == 1);
     }
   } else if (sharing_[task] == Sharing::plane) {
     Window hull = window(task, first);
     for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
-    run_plane(task, hull, plane, row);
+    run_plane(task, hull, plane, row, true);
   } else {
     run_parts(task, first, last, plane, row);
   }
@@ -266,7 +280,7 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   const auto run_one = [&](std::size_t t, int k) {
     if (swept) return run_task(t, k + plan_->tasks[t].lead, row);
     choose(t, 0, row);
-    run_plane(t, window(t, 0), 0, row);
+    run_plane(t, window(t, 0), 0, row, true);
   };
   for (int k = first; k < last; ++k)
     for (std::size_t t = 0; t < plan_->tasks.size(); ++t) {

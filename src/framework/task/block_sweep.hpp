@@ -85,7 +85,8 @@ class BlockSweep {
   void choose(std::size_t task, std::size_t piece, Row& row);
   void run_task(std::size_t task, int plane, Row& row);
   void run_parts(std::size_t task, std::size_t first, std::size_t last, int plane, Row& row);
-  void run_plane(std::size_t task, const Window& window, int plane, Row& row);
+  // `alone`: nothing else of the task's is on this plane.
+  void run_plane(std::size_t task, const Window& window, int plane, Row& row, bool alone = false);
   const Window& window(std::size_t task, std::size_t piece) const {
     return windows_[task * stack_.size() + piece];
   }
@@ -103,6 +104,7 @@ class BlockSweep {
   std::vector<std::vector<const BoundArray*>> reads_, writes_;  // by planned task
   std::vector<const RowKernel*> kernels_;                       // by planned task
   std::vector<Sharing> sharing_;                                // by planned task
+  std::vector<bool> stores_;                                    // by planned task: or reduces
   std::vector<std::size_t> state_variables_;                    // those that are no temporaries
   std::vector<std::vector<std::size_t>> states_of_task_;        // numbers in state_variables_
   // Of the stack at hand.

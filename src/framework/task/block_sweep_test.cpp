@@ -91,6 +91,37 @@ INSTANTIATE_TEST_SUITE_P(
       return std::to_string(n.x) + "x" + std::to_string(n.y) + "x" + std::to_string(n.z);
     });
 
+// Only what goes to scratch memory may be computed beyond the row.
+TEST(BlockSweep, StoringTasksComputeTheirRowsOnly) {
+  const Level level = level_of({21, 6, 1});
+  EffectList effects;
+  effects.add({"test", true, "", {}});
+  TaskList list;
+  const VariableId old = list.old_state(test_label(0), 0, 2), passing = list.temporary("passing");
+  const VariableId now = list.new_state(test_label(0), 0, 2);
+  std::vector<int> beyond_scratch, beyond_state;
+  TaskBuilder first = list.task("first", 0);
+  first.read(old);
+  first.write(passing);
+  first.kernel(
+      [&](const Row& row) { beyond_scratch.push_back(row.whole_vectors() - row.count()); });
+  TaskBuilder second = list.task("second", 0);
+  second.read(passing);
+  second.write(now);
+  second.kernel([&](const Row& row) {
+    beyond_state.push_back(row.whole_vectors() - row.count());
+    EXPECT_EQ(row.part(2, 3).whole_vectors(), 3);
+  });
+  const Axes axes = axes_of(level);
+  const Warehouse before = filled_state(level, 0);
+  Warehouse after = empty_state(level);
+  SweepExecutor executor(list, compile(list, effects, {now}, axes), level, SweepOptions{});
+  executor.bind(before, after, nullptr);
+  executor.run({});
+  EXPECT_EQ(beyond_scratch, std::vector<int>(6, 3));
+  EXPECT_EQ(beyond_state, std::vector<int>(6, 0));
+}
+
 // Boxes of different widths on top of each other, as tiles leave them: swept as stacks, also with
 // gaps, and where one box lies on two.
 TEST(BlockSweep, StacksOfUnequalBoxesGiveTheBitsOfTheReference) {
@@ -213,7 +244,8 @@ TEST(BlockSweep, ScratchIsAFewPlanesOnly) {
   const SweepPlan plan = plan_sweep(list, {0, 1}, axes);
   const StateBinding binding;
   const BlockSweep sweep(list, plan, flat, binding, {64, 1000, 1});
-  EXPECT_EQ(sweep.scratch_bytes(), 4u * 64u * sizeof(double));  // three planes, in a ring of four
+  // Three planes, in a ring of four; a vector beyond each row, and two at the end.
+  EXPECT_EQ(sweep.scratch_bytes(), (4u * (64u + 8u) + 2u * 8u) * sizeof(double));
 }
 
 TEST(BlockSweep, StorageThatIsMissingIsNamed) {

@@ -49,6 +49,9 @@ struct StepConstants {
 class Row {
  public:
   int count() const { return count_; }
+  // So many cells may be computed instead: whole vectors, where nothing is stored beyond the row
+  // and nobody reads it. Inputs there hold any number.
+  int whole_vectors() const { return whole_vectors_; }
   IntVec3 cell() const { return cell_; }            // level index of the first cell of the row
   int box() const { return box_; }                  // number of the local box
   IntVec3 block_low() const { return block_low_; }  // interior cells of the block
@@ -57,7 +60,7 @@ class Row {
   // `count` cells of the row, from its cell number `first` on.
   Row part(int first, int count) const {
     Row r = *this;
-    r.count_ = count;
+    r.count_ = r.whole_vectors_ = count;
     r.index_[0] += first;
     r.cell_[along_] += first;
     return r;
@@ -103,7 +106,7 @@ class Row {
   int axes_ = 1;
   int along_ = 0;             // level direction of axis 0
   int index_[3] = {0, 0, 0};  // canonical coordinates of the row's first cell
-  int count_ = 0, box_ = 0;
+  int count_ = 0, whole_vectors_ = 0, box_ = 0;
   IntVec3 cell_{}, block_low_{}, block_high_{};
   const StepConstants* step_ = nullptr;
   Reductions* reductions_ = nullptr;

@@ -3,8 +3,10 @@
 // Every written value is a weighted sum of values that its task reads at shifted places; the
 // reference computes it cell by cell, recursively, with nothing of windows, rings or blocks.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <random>
 #include <tuple>
@@ -142,6 +144,9 @@ class RandomGraph {
       for (std::size_t w = 0; w < out.size(); ++w)
         for (std::size_t c = 0; c < task.writes[w].terms.size(); ++c) {
           double* result = row(out[w], static_cast<int>(c));
+          // Beyond the row nobody may read.
+          std::fill(result + row.count(), result + row.whole_vectors(),
+                    std::numeric_limits<double>::quiet_NaN());
           for (int i = 0; i < row.count(); ++i) {
             double sum = 0;
             for (const Term& t : task.writes[w].terms[c]) {

@@ -157,7 +157,7 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
   const FaceRows<D, Second, Gravity, Mixed> rows(row, h, axis, k);
   double* __restrict uf = row(h.face_velocity);
   double* __restrict pf = row(h.face_pressure);
-  const int n = row.count();
+  const int n = row.whole_vectors();
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const FaceState f = rows.solve(i);

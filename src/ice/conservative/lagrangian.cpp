@@ -31,7 +31,7 @@ struct Handles {
 template <int D, int C>
 void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bool viscous) {
   impulse_rows<D, C>(row, h.forces, s, viscous);
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict w = row(h.inverse_rho);
   for (int c = 0; c < C; ++c) {
     const double* __restrict u = row(h.velocity, c);
@@ -141,7 +141,7 @@ void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s
 
 template <int D, int C>
 void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict r = row(h.forces.rho);
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict E = row(h.energy);
@@ -191,7 +191,7 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
 template <int D, int C>
 void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   double *Es = row(h.energy_star), *EL = row(h.energy_L);
   if (o.mixture) {
     mixture_rows<D>(row, h, s.l);

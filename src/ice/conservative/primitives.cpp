@@ -30,7 +30,7 @@ void primitive_row(const Fluid& fluid, int n, const double* __restrict r,
 
 void velocity_rows(const Row& row, In momentum, Out velocity, const double* __restrict w,
                    int components) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   for (int q = 0; q < components; ++q) {
     const double* __restrict m = row(momentum, q);
     double* __restrict u = row(velocity, q);
@@ -60,8 +60,9 @@ void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOption
     return;
   }
   task.kernel([=](const Row& row) {
-    primitive_row(fluid, row.count(), row(rho), row(energy), row(inverse), row(pressure),
-                  row(sound));
+    // Other laws may search for a root, which what lies beyond the row need not have.
+    const int n = fluid.ideal() != nullptr ? row.whole_vectors() : row.count();
+    primitive_row(fluid, n, row(rho), row(energy), row(inverse), row(pressure), row(sound));
     velocity_rows(row, momentum, velocity, row(inverse), components);
   });
 }

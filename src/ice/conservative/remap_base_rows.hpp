@@ -99,7 +99,7 @@ template <int D, int C, bool Masked>
 void base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3 gravity,
                bool scaled) {
   Context x;
-  x.n = row.count();
+  x.n = row.whole_vectors();
   x.mask = Masked ? row(h.mask) : nullptr;
   const double* su[3];
   const double* sp[3];

@@ -51,7 +51,7 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
 // is compiled: a choice in it costs its vectors or its registers.
 template <int D, int C, bool Second, bool Masked, bool Scaled, bool Even = false>
 void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
   constexpr bool based = Second && D > 1;
   const double* __restrict uf = row(h.face_velocity);

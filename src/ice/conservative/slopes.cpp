@@ -30,7 +30,7 @@ void slope_row(int n, const double* __restrict qm, const double* __restrict q,
 template <int D>
 void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx, double f_dx,
                         bool gravity) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict pm = row(h.pressure, 0, axis, -1);
   const double* __restrict p = row(h.pressure);
   const double* __restrict pp = row(h.pressure, 0, axis, 1);
@@ -47,7 +47,7 @@ void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx,
 
 template <int D>
 void transverse_row(const Row& row, const Handles& h, int d, const double* half_courant) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   double* __restrict UT = row(h.transverse, d);
   bool first = true;
   for (int t = 0; t < D; ++t) {
@@ -72,7 +72,7 @@ void transverse_row(const Row& row, const Handles& h, int d, const double* half_
 template <int D>
 void predict_row(const Row& row, const Handles& h, const double* half_courant, const double* g_dx,
                  const double* f_dx) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict r = row(h.rho);
   const double* __restrict p = row(h.pressure);
   const double* __restrict c = row(h.sound);
@@ -106,7 +106,7 @@ void predict_row(const Row& row, const Handles& h, const double* half_courant, c
 
 template <int D>
 void mask_rows(const Row& row, const Handles& h) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const double* __restrict mask = row(h.mask);
   for (int d = 0; d < D; ++d)
     for (double* __restrict s : {row(h.velocity_slope, d), row(h.pressure_slope, d),
@@ -151,7 +151,7 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         f_dx[d] = o.force[o.axes.direction[d]] * dx;
       }
       for (int d = 0; d < D; ++d) {
-        slope_row(row.count(), row(h.velocity, d, d, -1), row(h.velocity, d),
+        slope_row(row.whole_vectors(), row(h.velocity, d, d, -1), row(h.velocity, d),
                   row(h.velocity, d, d, 1), row(h.velocity_slope, d));
         pressure_slope_row<D>(row, h, d, g_dx[d], f_dx[d], o.gravity_on);
         if constexpr (D > 1) transverse_row<D>(row, h, d, half_courant);
