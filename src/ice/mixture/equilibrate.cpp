@@ -14,6 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 100;
 constexpr double same_pressure = 4e-15;  // of the modulus: round-off of p = G (rho e) + F
+constexpr double newton_ends = 1e-9;     // a step: what is left of it is round-off
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
 constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
@@ -35,10 +36,11 @@ Equilibration::Equilibration(const std::vector<Fluid>& fluids) : fluids_(fluids)
   }
 }
 
-Equilibration::Branch Equilibration::branch(int m, double q, double M, double V, double E) const {
+Equilibration::Branch Equilibration::branch(int m, double q, double M, double V, double E,
+                                            double start) const {
   const auto k = static_cast<std::size_t>(m);
   const Linear& l = linear_[k];
-  if (!l.is) return general_branch(fluids_[k], q, M, V, E);
+  if (!l.is) return general_branch(fluids_[k], q, M, V, E, start);
   const double inverse = 1.0 / (q + l.gamma_pi + l.G * q);
   const double volume = l.G * ((E - l.q * M) + q * V) * inverse;
   return {volume, (l.G * V - volume * (1.0 + l.G)) * inverse};
@@ -46,11 +48,11 @@ Equilibration::Branch Equilibration::branch(int m, double q, double M, double V,
 
 // p(M/V', (E - q (V' - V))/V') falls with V': dp/dV' = -K/V' at the solution.
 Equilibration::Branch Equilibration::general_branch(const Fluid& fluid, double q, double M,
-                                                    double V, double E) const {
+                                                    double V, double E, double start) const {
   return std::visit(
       [&](const auto& law) -> Branch {
         double low = M / law.highest_density(), high = infinity;
-        double v = V > low ? V : 2.0 * low;
+        double v = start > low ? start : V > low ? V : 2.0 * low;
         double slope = 0;
         for (int n = 0; n < most_iterations; ++n) {
           const double rho = M / v, rho_e = (E - q * (v - V)) / v;
@@ -63,19 +65,20 @@ Equilibration::Branch Equilibration::general_branch(const Fluid& fluid, double q
           else
             high = v;
           double next = dp < 0.0 ? v - h / dp : std::numeric_limits<double>::quiet_NaN();
-          if (!(next > low && next < high))
+          const bool newton = next > low && next < high;
+          if (!newton)
             next = high < infinity ? (low > 0.0 ? std::sqrt(low * high) : 0.5 * high) : 2.0 * v;
           slope = (1.0 + law.dp_de(rho, rho_e) * (v - V) / M) / dp;
-          if (h == 0.0 || std::fabs(next - v) <= 2e-16 * v) break;
-          v = next;
+          const double step = std::fabs(next - v);
+          if (h != 0.0) v = next;
+          if (h == 0.0 || step <= (newton ? newton_ends : 2e-16) * v) break;
         }
         return {v, slope};
       },
       fluid.law);
 }
 
-bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q,
-                                  int& iterations) const {
+bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const {
   if (in.ideal) {
     double energy = 0, volume = 0;
     for (int n = 0; n < in.count; ++n) {
@@ -92,16 +95,19 @@ bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q
   for (int n = 0; n < in.count; ++n)
     lowest = std::fmin(lowest, linear_[static_cast<std::size_t>(in.index[n])].pi);
   const double lo = -lowest;
+  Branch branches[most_materials];
   double x = q - lo, below = 0.0, above = infinity;
   bool found = false;
+  if (!in.linear)
+    for (int n = 0; n < in.count; ++n) in.start[in.index[n]] = cell.V[in.index[n]];
   if (!(x > 0.0)) x = 1e-3 * (std::fabs(q) + std::fabs(lo)) + 1e-300;
   for (iterations = 1; iterations <= most_iterations; ++iterations) {
     double f = -in.volume, slope = 0.0;
     for (int n = 0; n < in.count; ++n) {
       const int m = in.index[n];
-      const Branch b = branch(m, x + lo, cell.M[m], cell.V[m], cell.E[m]);
-      f += b.volume;
-      slope += b.slope;
+      branches[m] = branch(m, x + lo, cell.M[m], cell.V[m], cell.E[m], in.start[m]);
+      f += branches[m].volume;
+      slope += branches[m].slope;
     }
     if (!(std::fabs(f) < infinity)) return false;
     if (f > 0.0)
@@ -109,12 +115,21 @@ bool Equilibration::find_pressure(const Cell& cell, const Present& in, double& q
     else
       above = x;
     double next = x / (1.0 + f / (slope * x));
-    if (!(next > below && next < above))
+    const bool newton = next > below && next < above;
+    if (!newton)
       next = above < infinity ? (below > 0.0 ? std::sqrt(below * above) : 1e-3 * above) : 8.0 * x;
-    found = std::fabs(f) < volume_tolerance ||
-            std::fabs(next - x) < pressure_tolerance * std::fabs(x + lo);
-    if (found) break;
+    // Laws that are costly are spared the step that only confirms.
+    const double last =
+        newton && !in.linear ? newton_ends * x : pressure_tolerance * std::fabs(x + lo);
+    found = std::fabs(f) < volume_tolerance || std::fabs(next - x) < last;
+    if (found && (in.linear || !newton)) break;
+    if (!in.linear)  // where the search of each goes on
+      for (int n = 0; n < in.count; ++n) {
+        const Branch& b = branches[in.index[n]];
+        in.start[in.index[n]] = b.volume + b.slope * (next - x);
+      }
     x = next;
+    if (found) break;
   }
   q = x + lo;
   return found;
@@ -188,7 +203,7 @@ double Equilibration::relax(const Cell& cell, const Present& in, double q, int r
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
     if (m == rest) continue;
-    const double now = branch(m, q, cell.M[m], cell.V[m], cell.E[m]).volume;
+    const double now = branch(m, q, cell.M[m], cell.V[m], cell.E[m], in.start[m]).volume;
     const double change = -q * (now - cell.V[m]);
     cell.V[m] = now;
     cell.E[m] += change;

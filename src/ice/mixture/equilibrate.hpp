@@ -7,7 +7,8 @@
 // T ds_m = (p_m - q) dV_m >= 0. For laws p = G (rho e) + F with constant G and F = -gamma pi
 //   V' = G (E + q V)/(q + gamma pi + G q), falling and convex in q;
 // For ideal gases alone q = sum g_m E_m/(1 - sum g_m V_m), g = G/(1 + G). Other laws find V' by a
-// bracketed Newton iteration. q by a hyperbolic Newton step in q + pi_min,
+// bracketed Newton iteration, which begins where the slope at the pressure before says. q by a
+// hyperbolic Newton step in q + pi_min,
 //   x <- x/(1 + f/(f' x)),   f = sum V' - 1,
 // bracketed, with the geometric mean of the bracket where it leaves it. The largest material takes
 // the rest of volume and energy: both are exact to the round-off of the sums. Materials that are at
@@ -57,23 +58,26 @@ class Equilibration {
   struct Present {
     int index[most_materials];
     int count = 0;
-    int largest = -1, weakest = -1;    // by volume; by the tension that it bears
-    double stiffest = 0;               // pi, Pa
-    double volume = 1.0;               // that they fill together
-    bool linear = true, ideal = true;  // all laws
+    int largest = -1, weakest = -1;     // by volume; by the tension that it bears
+    double stiffest = 0;                // pi, Pa
+    double volume = 1.0;                // that they fill together
+    double start[most_materials] = {};  // by material: where the search for its volume begins
+    bool linear = true, ideal = true;   // all laws
   };
   // Who is there, at which mean pressure; true: pressures differ.
   bool survey(const Cell& cell, Present& in, Result& result) const;
   double modulus(int m, double rho, double p) const;
   double pressure(int m, double M, double V, double E) const;
   bool mend(const Cell& cell) const;
-  Branch branch(int m, double q, double M, double V, double E) const;
-  Branch general_branch(const Fluid& fluid, double q, double M, double V, double E) const;
+  // `start`: about the volume that is sought.
+  Branch branch(int m, double q, double M, double V, double E, double start) const;
+  Branch general_branch(const Fluid& fluid, double q, double M, double V, double E,
+                        double start) const;
   bool is_weaker(int m, int n, const Cell& cell) const;
   // Without the materials of which there is a trace; false: there are none, or only one.
   bool leave_traces_out(const Cell& cell, Present& in) const;
   // From the start q; false: there is none.
-  bool find_pressure(const Cell& cell, const Present& in, double& q, int& iterations) const;
+  bool find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const;
   double relax(const Cell& cell, const Present& in, double q, int rest) const;
   void find_modulus(const Cell& cell, const Present& in, Result& result) const;
   void fill_cavity(const Cell& cell, const Present& in, double q) const;
