@@ -1,6 +1,7 @@
 // Friction and conduction with two materials in layers: exact solutions, energy, levels.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -38,6 +39,95 @@ TEST(Layers, CouetteFlowHasOneStress) {
   EXPECT_LE(worst, straight);
   EXPECT_LE(drift_per_thousand(run), allowed_drift);
   EXPECT_EQ(run.events(), 0);
+}
+
+// Couette flow with Sutherland's law in two layers: velocity and temperature at `y`, for one stress
+// and one heat flux at y = 0, by the midpoint rule.
+struct Profile {
+  double u = 0, T = .1;
+};
+Profile follow(double stress, double heat, double y) {
+  constexpr int steps = 4000;
+  Profile p;
+  double flux = heat;  // k T'
+  const double h = 1. / steps;
+  const auto slope = [&](double x, Profile at) {
+    const double a = x < .25 ? 1 : .3, b = x < .25 ? .1 : .2;
+    return stress / (a * std::sqrt(at.T) / (1 + b / at.T));
+  };
+  const auto k = [](double x) { return x < .25 ? .05 : .1; };
+  for (int n = 0; n * h < y - 1e-12; ++n) {
+    const double x = (n + .5) * h;
+    const Profile middle{0, p.T + .5 * h * flux / k(x)};
+    const double du = slope(x, middle);
+    p.u += h * du;
+    p.T += h * (flux - .5 * h * stress * du) / k(x);
+    flux -= h * stress * du;
+  }
+  return p;
+}
+// Newton's method for the state of the plate at y = 1.
+std::array<double, 2> shoot() {
+  double s = .005, q = .008;
+  for (int n = 0; n < 20; ++n) {
+    constexpr double d = 1e-7;
+    const Profile p = follow(s, q, 1), ps = follow(s + d, q, 1), pq = follow(s, q + d, 1);
+    const double us = (ps.u - p.u) / d, uq = (pq.u - p.u) / d;
+    const double ts = (ps.T - p.T) / d, tq = (pq.T - p.T) / d;
+    const double ru = .1 - p.u, rt = .2 - p.T, det = us * tq - uq * ts;
+    s += (ru * tq - uq * rt) / det;
+    q += (us * rt - ru * ts) / det;
+  }
+  return {s, q};
+}
+
+TEST(Layers, SutherlandsLawIsThatOfEachLayer) {
+  const auto [stress, heat] = shoot();
+  EXPECT_NEAR(follow(stress, heat, 1).u, .1, 1e-12);
+  const auto errors = [&, s = stress, q = heat](int n) {
+    const CaseRun run("layers_sutherland", {resolution(1, n)});
+    EXPECT_EQ(run.events(), 0);
+    EXPECT_LE(drift_per_thousand(run), allowed_drift);
+    const CellValues u = run.field("vel_CC"), below = run.field("temp_CC", 0, "last", 0),
+                     above = run.field("temp_CC", 0, "last", 1);
+    std::array<double, 2> sum{};
+    for (int j = 0; j < n; ++j) {
+      const double y = u.centre(0, j).y;
+      const Profile exact = follow(s, q, y);
+      sum[0] += std::fabs(u.at(0, j) - exact.u) / n;
+      sum[1] += std::fabs((y < .25 ? below : above).at(0, j) - exact.T) / n;
+    }
+    record("velocity_" + std::to_string(n), sum[0]);
+    record("temperature_" + std::to_string(n), sum[1]);
+    return sum;
+  };
+  const auto coarse = errors(8), fine = errors(16);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_GE(std::log2(coarse[k] / fine[k]), lowest_order) << coarse[k] << " " << fine[k];
+}
+
+// A gas that slips along a layer which takes the place of a solid: layers in series.
+TEST(Layers, GasSlipsAlongALayer) {
+  constexpr double allowed = 1e-4;  // of the differences between the plates
+  const CaseRun run("layers_slip");
+  EXPECT_EQ(run.events(), 0);
+  const double h = std::sqrt(2 / pi) / 3;
+  const double stress = 1e-5 / (.25 / .2 + 1 / h + .75 / .05);
+  const double heat = 1e-6 / (.25 / .2 + 1 / (1.2 * h) + .75 / .05);
+  const CellValues u = run.field("vel_CC"), wall = run.field("temp_CC", 0, "last", 0),
+                   gas = run.field("temp_CC", 0, "last", 1);
+  double velocity = 0, temperature = 0;
+  for (int j = 0; j < u.size.y; ++j) {
+    const double y = u.centre(0, j).y;
+    const double exact = y < .25 ? stress * y / .2 : 1e-5 - stress * (1 - y) / .05;
+    const double T = y < .25 ? 2.5 + heat * y / .2 : 2.500001 - heat * (1 - y) / .05;
+    velocity = std::fmax(velocity, std::fabs(u.at(0, j) - exact) / 1e-5);
+    temperature = std::fmax(temperature, std::fabs((y < .25 ? wall : gas).at(0, j) - T) / 1e-6);
+  }
+  record("velocity", velocity);
+  record("temperature", temperature);
+  EXPECT_LE(velocity, allowed);
+  EXPECT_LE(temperature, allowed);
 }
 
 // An interface inside a cell: the mean viscosity of the cell is not that of two layers in series.

@@ -60,6 +60,11 @@ Effect viscous_stress(const IceScene& ice) {
 Effect conduction(const IceScene& ice) {
   Effect e = by_material("heat conduction", "thermal_conductivity", ice, &IceMaterial::conductivity,
                          &IceMaterial::conductivity_where);
+  if (const auto& x = ice.exchange.convective; x && ice.materials.size() > 1) {
+    if (!e.on) e.line = x->where;
+    e.on = true;
+    e.reason += fmt::format(", convective exchange of materials {} and {}", x->fluid, x->solid);
+  }
   if (!ice.turbulence) return e;
   if (!e.on) e.line = ice.turbulence->where;
   e.on = true;
@@ -104,6 +109,8 @@ void add_exchange(const IceScene& ice, EffectList& e) {
          several ? fmt::format("{} materials: one pressure where they share a cell", count)
                  : std::string("one material: its own equation of state"),
          several ? ice.materials[1].where : ice.materials.front().where});
+  const std::optional<SlipExchange>& slip = ice.exchange.slip;
+  const auto name_of = [&](int m) { return called(ice.materials[static_cast<std::size_t>(m)]); };
   Effect momentum =
       exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
   if (momentum.on && ice.one_velocity())
@@ -115,6 +122,9 @@ void add_exchange(const IceScene& ice, EffectList& e) {
         fmt::format("; not all at least {:g}: each material has a velocity of its own",
                     one_velocity_coefficient);
   }
+  if (several && slip && slip->use_slip_coefficients)
+    momentum.reason +=
+        fmt::format("; {} slips along {}", name_of(slip->fluid), name_of(slip->solid));
   e.add(momentum);
   Effect heat = exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where);
   if (heat.on) heat.reason += ", in the update";

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
@@ -84,23 +86,37 @@ void check_index(const DeckNode& parent, const char* tag, int materials,
                         *index, materials));
 }
 
-void not_built(const DeckNode& node, const std::string& what, const std::string& advice,
-               std::vector<Fault>& faults) {
-  add_error(faults, node.where, what + " is known to the format, but not built yet", advice);
-  faults.back().not_built = true;
+// A gas and what takes the place of a solid. The gas: an ideal one, if `slips`.
+void check_surface(const DeckNode& parent, const char* fluid_tag, const char* solid_tag,
+                   const std::vector<const DeckNode*>& materials, bool slips,
+                   std::vector<Fault>& faults) {
+  const auto count = static_cast<int>(materials.size());
+  check_index(parent, fluid_tag, count, faults);
+  check_index(parent, solid_tag, count, faults);
+  const auto fluid = integer_of(&parent, fluid_tag), solid = integer_of(&parent, solid_tag);
+  if (!fluid || !solid || *fluid < 0 || *fluid >= count) return;
+  if (*fluid == *solid)
+    add_error(faults, parent.child(solid_tag)->where,
+              fmt::format("<{}> and <{}> are both {}: a material has no surface against itself",
+                          fluid_tag, solid_tag, *fluid));
+  const DeckNode* law = materials[static_cast<std::size_t>(*fluid)]->child("EOS");
+  if (!slips || law == nullptr || law->attribute("type") == "ideal_gas") return;
+  add_error(faults, parent.child(fluid_tag)->where,
+            fmt::format("<{}>: slip follows from the free path of an ideal gas; material {} is {}",
+                        fluid_tag, *fluid, law->attribute("type").value_or("another law")));
 }
 
-void check_models(const DeckNode& exchange, int materials, std::vector<Fault>& faults) {
-  if (const DeckNode* model = exchange.child("Model")) {
-    check_index(*model, "fluidMatlIndex", materials, faults);
-    check_index(*model, "solidMatlIndex", materials, faults);
-    not_built(*model, "exchange with slip at a solid", "remove <Model>", faults);
-  }
-  check_index(exchange, "convective_fluid", materials, faults);
-  check_index(exchange, "convective_solid", materials, faults);
+void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& materials,
+                  std::vector<Fault>& faults) {
+  if (const DeckNode* model = exchange.child("Model"))
+    check_surface(*model, "fluidMatlIndex", "solidMatlIndex", materials, true, faults);
+  check_surface(exchange, "convective_fluid", "convective_solid", materials, false, faults);
   const DeckNode* convective = exchange.child("do_convective_heat_transfer");
-  if (convective != nullptr && convective->text == "true")
-    not_built(*convective, "convective heat exchange with a solid", "write false", faults);
+  if (convective == nullptr || convective->text != "true") return;
+  for (const char* needed : {"convective_fluid", "convective_solid"})
+    if (exchange.child(needed) == nullptr)
+      add_error(faults, convective->where,
+                fmt::format("<do_convective_heat_transfer> needs <{}>", needed));
 }
 
 }  // namespace
@@ -109,6 +125,20 @@ double growth_with_mass_ratio(double M_m, double M_n) {
   constexpr double least = 1e5, most = 1e12;
   const double ratio = M_m > M_n ? M_m / M_n : M_n / M_m;
   return std::clamp(ratio * ratio, least, most) / least;
+}
+
+// rho sqrt(2 R T/pi) a/(2 - a): Maxwell's slip length is (2 - a)/a mean free paths
+// mu/(rho sqrt(2 R T/pi)).
+double SlipExchange::momentum_transfer(const Fluid& gas, double rho, double T) const {
+  const double R = (gas.gamma - 1.0) * gas.specific_heat, a = momentum_accommodation;
+  return rho * std::sqrt(2.0 * R * std::max(T, 0.0) / std::numbers::pi) * (a / (2.0 - a));
+}
+
+// Smoluchowski's jump of temperature, (2 - a)/a 2/(gamma + 1) k/(cv mu) mean free paths.
+double SlipExchange::heat_transfer(const Fluid& gas, double rho, double T, double cv) const {
+  const double R = (gas.gamma - 1.0) * gas.specific_heat, a = thermal_accommodation;
+  return rho * std::sqrt(2.0 * R * std::max(T, 0.0) / std::numbers::pi) * (a / (2.0 - a)) * cv *
+         (0.5 * (gas.gamma + 1.0));
 }
 
 bool PairCoefficients::any() const {
@@ -164,27 +194,31 @@ TagSpec exchange_tag() {
                "of the masses, so that next to nothing is bound as well")
                .with_children({variation("momentum", "variation of the momentum coefficients"),
                                variation("heat", "variation of the heat coefficients")}),
-           tag("Model", "slip of a rarefied gas at a solid; not built yet")
+           tag("Model", "slip of a rarefied gas along the surface of a material")
                .attribute(attribute("type", "which one").once().words({"slip"}))
-               .with_children({tag("fluidMatlIndex", "the gas").once().integer().at_least(0),
-                               tag("solidMatlIndex", "the solid").once().integer().at_least(0),
-                               tag("momentum_accommodation_coeff", "share of diffuse reflection")
-                                   .once()
-                                   .real()
-                                   .above(0)
-                                   .at_most(1),
-                               tag("thermal_accommodation_coeff", "share of heat accommodation")
-                                   .once()
-                                   .real()
-                                   .above(0)
-                                   .at_most(1),
-                               tag("useSlipCoeffs", "coefficients follow from slip").boolean()}),
+               .with_children(
+                   {tag("fluidMatlIndex", "the gas, an ideal one").once().integer().at_least(0),
+                    tag("solidMatlIndex", "the material with the surface")
+                        .once()
+                        .integer()
+                        .at_least(0),
+                    tag("momentum_accommodation_coeff", "share of diffuse reflection")
+                        .once()
+                        .real()
+                        .above(0)
+                        .at_most(1),
+                    tag("thermal_accommodation_coeff", "share of heat accommodation")
+                        .once()
+                        .real()
+                        .above(0)
+                        .at_most(1),
+                    tag("useSlipCoeffs", "false: no slip").boolean().by_default("true")}),
            tag("do_convective_heat_transfer",
-               "heat between a solid's surface and the fluid beside "
-               "it; not built yet")
+               "heat between a surface and the fluid in the cell beside it, by the coefficient of "
+               "the two times the spacing")
                .boolean(),
            tag("convective_fluid", "the fluid of that exchange").integer().at_least(0),
-           tag("convective_solid", "the solid of that exchange").integer().at_least(0),
+           tag("convective_solid", "the material with the surface").integer().at_least(0),
            tag("exchange_coefficients", "coefficients of the pairs 0-1, 0-2, ..., 1-2, ...")
                .once()
                .with_children(
@@ -195,14 +229,15 @@ TagSpec exchange_tag() {
 void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* exchange = exchange_node(root);
   if (!runs_ice(root)) return;
-  const auto materials = static_cast<int>(ice_materials(root).size());
+  const auto nodes = ice_materials(root);
+  const auto materials = static_cast<int>(nodes.size());
   const DeckNode* coefficients =
       exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
   if (coefficients != nullptr) {
     check_count(*coefficients, "momentum", materials, faults);
     check_count(*coefficients, "heat", materials, faults);
   }
-  if (exchange != nullptr) check_models(*exchange, materials, faults);
+  if (exchange != nullptr) check_models(*exchange, nodes, faults);
 }
 
 }  // namespace sluice::ice

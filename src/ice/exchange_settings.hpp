@@ -55,6 +55,9 @@ struct SlipExchange {
   bool use_slip_coefficients = true;
   Location where;
 
+  bool between(int a, int b) const {
+    return (a == fluid && b == solid) || (a == solid && b == fluid);
+  }
   // What passes the surface, per area: momentum by the difference of the velocities along it,
   // kg/(m^2 s), and heat by that of the temperatures, W/(m^2 K).
   double momentum_transfer(const Fluid& gas, double rho, double T) const;

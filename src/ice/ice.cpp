@@ -11,6 +11,7 @@
 #include "ice/initial_state.hpp"
 #include "ice/labels.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/surface.hpp"
 #include "ice/refine/criteria.hpp"
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
@@ -48,6 +49,11 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.heat_exchange = ice.exchange.heat;
   o.own_velocities = !ice.one_velocity();
   o.drag = ice.exchange.momentum;
+  if (ice.materials.size() > 1) {
+    if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
+      o.slip_exchange = ice.exchange.slip;
+    o.convective = ice.exchange.convective;
+  }
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -67,7 +73,7 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.transports = transport_models(ice, level);
   o.transport = o.transports.front();
   o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
-  o.conducting = o.conducting || ice.turbulence;
+  o.conducting = o.conducting || ice.turbulence || o.convective;
   o.conductivity_varies = ice.turbulence.has_value();
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
@@ -139,12 +145,12 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   SchemeVariables& v = m.common;
   scalars::declare_variables(list, o, v, {m.mass, m.mass_new, m.volume});
   // task                            reads                              writes
-  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
-  add_slopes(list, v, o, effect_second_order);                // u, p       su, sp, P, UT
-  add_faces(list, v, o, effect_flow);                         // slopes     u_f, p_f
-  mixture::add_viscosity(list, m, o, effect_viscosity, effect_turbulence);  // V_m, T_m, u  mu
-  add_viscous_stress(list, v, o, effect_viscosity);                         // u, mu      t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);  // T_m        q_f, of each material
+  mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
+  add_slopes(list, v, o, effect_second_order);                 // u, p       su, sp, P, UT
+  add_faces(list, v, o, effect_flow);                          // slopes     u_f, p_f
+  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
+  mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);           // u_f, p_f   E_mL, scales
   mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
@@ -167,14 +173,14 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   const SchemeVariables &v = m.common, &volume = m.slip.common;
   constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
-  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
-  mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
-  add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
-  add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
-  mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
-  mixture::add_viscosity(list, m, o, effect_viscosity, effect_turbulence);  // V_m, T_m, u  mu
-  add_viscous_stress(list, v, o, effect_viscosity);                         // u, mu      t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);  // T_m        q_f, of each material
+  mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
+  mixture::add_slip_motion(list, m, o, slip);                  // state      u_m, u, c of volume
+  add_slopes(list, volume, o, effect_second_order);            // u, p       su, sp, P, UT
+  add_faces(list, volume, o, effect_flow);                     // slopes     u_f, p_f
+  mixture::add_slip_phase(list, m, o, slip);                   // p_f        w_mL, drift, work
+  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
+  mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
   mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow

@@ -158,6 +158,8 @@ void check_own_velocities(const Scene& scene, const IceScene& s, std::vector<Fau
   refuse(s.models.any_source() || !s.models.scalars.empty() || !s.added_heat.empty(),
          "with models or added heat");
   refuse(s.driving_force.on(), "with a driving force");
+  refuse(s.exchange.slip && s.exchange.slip->use_slip_coefficients,
+         "with <Model type=\"slip\"> along a surface");
 }
 
 }  // namespace

@@ -86,8 +86,9 @@ class CellStates {
   std::vector<RealView> mass_, energy_, volume_;
 };
 
-// The larger of mu and k/cv of one gas (kg/(m s)), or the rate of a mixture. Subgrid viscosity needs ghost cells: without
-// them it is left out, and the dynamic model's constant is that of isotropic turbulence.
+// The larger of mu and k/cv of one gas (kg/(m s)), or the rate of a mixture. Subgrid viscosity
+// needs ghost cells: without them it is left out, and the dynamic model's constant is that of
+// isotropic turbulence.
 class Diffusion {
  public:
   Diffusion(const Warehouse& state, SchemeOptions options, int box)

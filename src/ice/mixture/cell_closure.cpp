@@ -3,8 +3,8 @@
 
 namespace sluice::ice::mixture {
 
-Equilibration::Result CellClosure::close(const Equilibration::Cell& cell, double density,
-                                         double dt) const {
+Equilibration::Result CellClosure::close(const Equilibration::Cell& cell, double density, double dt,
+                                         const HeatExchange::Surface& surface) const {
   double before[most_materials];
   const std::uint64_t bubbles = collapse_.possible() ? collapse_.traces_of_gas(cell, density) : 0;
   if (bubbles != 0) collapse_.remember(cell, bubbles, before);
@@ -13,7 +13,7 @@ Equilibration::Result CellClosure::close(const Equilibration::Cell& cell, double
   if (bubbles != 0 && result.failed < 0 && !result.torn &&
       collapse_.settle(cell, bubbles, before, result.pressure))
     result = equilibration_.equilibrate(cell);
-  if (heat_.on() && result.failed < 0 && heat_.exchange(cell, dt))
+  if (heat_.on() && result.failed < 0 && heat_.exchange(cell, dt, surface))
     result = equilibration_.equilibrate(cell);
   return result;
 }

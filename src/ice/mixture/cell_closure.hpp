@@ -10,12 +10,14 @@ namespace sluice::ice::mixture {
 
 class CellClosure {
  public:
-  CellClosure(const std::vector<Fluid>& fluids, const PairCoefficients& heat)
-      : equilibration_(fluids), collapse_(fluids), heat_(fluids, heat) {}
+  CellClosure(const std::vector<Fluid>& fluids, const PairCoefficients& heat,
+              const std::optional<SlipExchange>& slip)
+      : equilibration_(fluids), collapse_(fluids), heat_(fluids, heat, slip) {}
 
   bool exchanges_heat() const { return heat_.on(); }
   // Of mass `density` per volume, after a step of dt.
-  Equilibration::Result close(const Equilibration::Cell& cell, double density, double dt) const;
+  Equilibration::Result close(const Equilibration::Cell& cell, double density, double dt,
+                              const HeatExchange::Surface& surface) const;
 
  private:
   Equilibration equilibration_;

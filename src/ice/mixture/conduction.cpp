@@ -14,6 +14,7 @@
 #include "ice/limiters.hpp"
 #include "ice/mixture/contacts.hpp"
 #include "ice/mixture/runs.hpp"
+#include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/transport/viscosity.hpp"
 #include "ice/wall_faces.hpp"
@@ -34,6 +35,9 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
   const In rho = turbulent ? task.read(v.common.rho) : In{};
   const Out conductivity = turbulent ? task.write(v.common.conductivity) : Out{};
   task.kernel([=](const Row& row) {
+    // The end of the step asks for it where a material may have come in.
+    for (int m = 0; turbulent && m < static_cast<int>(o.fluids.size()); ++m)
+      std::fill_n(row(conductivity, m), row.count(), 0.0);
     for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
@@ -67,7 +71,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
 }
 
 struct Handles {
-  In presence, pure, temperature, capacity, conductivity;
+  In presence, pure, temperature, capacity, conductivity, surface;
   std::vector<In> volume, mass;
   Out flux, of_materials;
 };
@@ -78,21 +82,26 @@ constexpr double round_off = 1e-13;
 // Rows of one side of the faces of a row, by material.
 struct SideRows {
   const double *presence, *share[most_materials], *temperature[most_materials],
-      *capacity[most_materials], *conductivity[most_materials], *mass[most_materials];
+      *capacity[most_materials], *conductivity[most_materials], *mass[most_materials], *jump;
 };
 
 // All that one side of a face has, gathered for one face.
 struct Gathered {
   double share[most_materials], temperature[most_materials], most[most_materials],
       conductivity[most_materials], density[most_materials];
+  double jump = 0;
 
-  ContactSide side() const { return {share, temperature, most, conductivity, density}; }
+  ContactSide side() const { return {share, temperature, most, conductivity, density, jump}; }
 };
 
 class FaceHeat {
  public:
   FaceHeat(const SchemeOptions& o, const Handles& h, int axis)
-      : o_(o), h_(h), axis_(axis), contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange) {}
+      : o_(o),
+        h_(h),
+        axis_(axis),
+        contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange, o.slip_exchange,
+                  o.convective) {}
 
   void run(const Row& row) const {
     const double* a = row(h_.presence, 0, axis_, -1);
@@ -138,6 +147,8 @@ class FaceHeat {
   SideRows side(const Row& row, int shift) const {
     SideRows s;
     s.presence = row(h_.presence, 0, axis_, shift);
+    s.jump =
+        o_.slip_exchange ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift) : nullptr;
     for (int m = 0; m < materials(); ++m) {
       s.share[m] = row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift);
       s.temperature[m] = row(h_.temperature, m, axis_, shift);
@@ -159,6 +170,7 @@ class FaceHeat {
   }
   void gather(const SideRows& s, double bound, int i, Gathered& g) const {
     const auto set = as_set(s.presence[i]);
+    if (s.jump != nullptr) g.jump = s.jump[i];
     for (int m = 0; m < materials(); ++m) {
       const bool present = (set >> m & 1) != 0;
       g.share[m] = present ? s.share[m][i] : 0.0;
@@ -302,6 +314,7 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
     h.pure = task.read(v.pure, both);
     h.temperature = task.read(v.temperature, both);
     h.capacity = task.read(v.heat_capacity, both);
+    if (o.slip_exchange) h.surface = task.read(v.surface, both);
     if (o.conductivity_varies) h.conductivity = task.read(v.common.conductivity, both);
     for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
     for (std::size_t m = 0; m < v.mass.size() && o.heat_exchange.varies(); ++m)

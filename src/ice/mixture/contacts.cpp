@@ -2,23 +2,44 @@
 #include "ice/mixture/contacts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ice/conservative/face_mean.hpp"
 #include "ice/mixture/runs.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 
-HeatContacts::HeatContacts(int materials, const PairCoefficients& heat_exchange)
-    : materials_(materials), H_(heat_exchange) {}
+HeatContacts::HeatContacts(int materials, const PairCoefficients& heat_exchange,
+                           std::optional<SlipExchange> slip,
+                           std::optional<ConvectiveExchange> convective)
+    : materials_(materials),
+      H_(heat_exchange),
+      slip_(std::move(slip)),
+      convective_(std::move(convective)) {}
 
 double HeatContacts::conductivity(const ContactSide& low, int a, const ContactSide& high, int b,
                                   double dx) const {
   const double k_a = low.conductivity[a], k_b = high.conductivity[b];
   if (a == b) return harmonic_mean(k_a, k_b);
   double H = H_.materials() > 0 ? H_(a, b) : 0.0;
-  if (!(k_a > 0.0 && k_b > 0.0 && H > 0.0)) return 0.0;
+  const bool film = convective_ && convective_->between(a, b);
+  if (!(H > 0.0 && (film || (k_a > 0.0 && k_b > 0.0)))) return 0.0;
   if (H_.varies()) H = H_.between(a, b, low.density[a], high.density[b]);
-  return 1.0 / (0.5 * (1.0 / k_a + 1.0 / k_b) + 4.0 / (H * (dx * dx)));
+  double layers = 0.5 * ((k_a > 0.0 ? 1.0 / k_a : 0.0) + (k_b > 0.0 ? 1.0 / k_b : 0.0));
+  if (slip_ && slip_->between(a, b)) {
+    const double h = a == slip_->fluid ? low.jump : high.jump;
+    if (!(h > 0.0)) return 0.0;
+    layers += 1.0 / (h * dx);
+  }
+  return 1.0 / (layers + (film ? 1.0 : 4.0) / (H * (dx * dx)));
+}
+
+double HeatContacts::left_to_face(const ContactSide& low, const ContactSide& high) const {
+  const auto part = [&](const ContactSide& side) {
+    return shared_part(side.share[slip_->fluid], side.share[slip_->solid]);
+  };
+  return 1.0 - std::max(part(low), part(high));
 }
 
 void HeatContacts::conduct(const ContactSide& low, const ContactSide& high, double dx,
@@ -47,7 +68,8 @@ void HeatContacts::conduct(const ContactSide& low, const ContactSide& high, doub
     if (!(rest_low[a] > 0.0)) continue;
     for (int b = 0; b < count; ++b) {
       if (!(rest_high[b] > 0.0)) continue;
-      const double q = rest_low[a] * rest_high[b] * inverse_rest * heat(a, b);
+      double q = rest_low[a] * rest_high[b] * inverse_rest * heat(a, b);
+      if (slip_ && slip_->between(a, b)) q *= left_to_face(low, high);
       given[a] += q;
       taken[b] += q;
     }

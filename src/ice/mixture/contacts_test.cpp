@@ -13,6 +13,7 @@ constexpr double unbounded = 1e300;
 
 struct Cell {
   std::vector<double> share, temperature, bound, density;
+  double jump = 0;
 };
 
 Cell cell(std::vector<double> share, std::vector<double> temperature) {
@@ -33,14 +34,16 @@ struct Heat {
 struct Contacts {
   std::vector<double> k;  // of each material
   PairCoefficients H;
+  std::optional<SlipExchange> slip{};
+  std::optional<ConvectiveExchange> convective{};
 };
 Heat through(const Contacts& c, const Cell& low, const Cell& high, double dx) {
   Heat q{std::vector<double>(low.share.size()), std::vector<double>(low.share.size())};
   const auto side = [&](const Cell& x) {
-    return ContactSide{x.share.data(), x.temperature.data(), x.bound.data(), c.k.data(),
-                       x.density.data()};
+    return ContactSide{x.share.data(), x.temperature.data(), x.bound.data(),
+                       c.k.data(),     x.density.data(),     x.jump};
   };
-  const HeatContacts contacts(static_cast<int>(c.k.size()), c.H);
+  const HeatContacts contacts(static_cast<int>(c.k.size()), c.H, c.slip, c.convective);
   contacts.conduct(side(low), side(high), dx, q.given.data(), q.taken.data());
   return q;
 }
@@ -79,6 +82,41 @@ TEST(HeatContacts, ACoefficientMayGrowWithTheRatioOfMasses) {
   hot.density[0] = 2;  // alike: the coefficient itself
   EXPECT_NEAR(through({{k, k}, varying}, hot, cold, dx).given[0] / through_interface(1e5), 1,
               1e-14);
+}
+
+// The jump of temperature of a rarefied gas is a layer of its own, h (T_gas - T_wall) = q.
+TEST(HeatContacts, TemperatureJumpsAtASurface) {
+  const double dx = .01, k_gas = 2, k_wall = 50, h = 30;
+  SlipExchange slip;
+  slip.fluid = 1;
+  slip.solid = 0;
+  Cell gas = cell({0, 1}, {0, 400}), wall = cell({1, 0}, {300, 0});
+  gas.jump = h;
+  const Contacts contacts{{k_wall, k_gas}, exchange(2, 1e15), slip};
+  const double exact = 100 / (.5 * dx / k_gas + 1 / h + .5 * dx / k_wall);
+  EXPECT_NEAR(through(contacts, gas, wall, dx).given[1] / exact, 1, 1e-9);
+  EXPECT_NEAR(through(contacts, wall, gas, dx).given[0] / exact, -1, 1e-9);
+  EXPECT_NEAR(through(contacts, gas, wall, dx).given[1], through(contacts, gas, wall, dx).taken[0],
+              0);
+  // Of a cell that both share half and half all of the surface belongs to the cell.
+  const Cell both = cell({.5, .5}, {300, 400});
+  const Heat q = through(contacts, both, wall, dx);
+  EXPECT_NEAR(q.given[1], 0, 1e-13);
+}
+
+// Beside a surface the coefficient acts between whole cells, whether they conduct or not.
+TEST(HeatContacts, ConvectiveExchangeIsThatOfTheTwoCells) {
+  const double dx = .01, H = 1e5;
+  ConvectiveExchange film;
+  film.fluid = 1;
+  film.solid = 0;
+  const Cell gas = cell({0, 1}, {0, 400}), wall = cell({1, 0}, {300, 0});
+  const auto heat = [&](double k_wall) {
+    return through({{k_wall, 0}, exchange(2, H), {}, film}, gas, wall, dx).given[1];
+  };
+  EXPECT_NEAR(heat(0), H * dx * 100, 1e-9 * H);
+  EXPECT_NEAR(heat(3), 100 / (.5 * dx / 3 + 1 / (H * dx)), 1e-9 * H);
+  EXPECT_EQ(through({{0, 0}, exchange(2, H)}, gas, wall, dx).given[1], 0);
 }
 
 // Like fluids at the same temperature are one fluid, whatever their shares are.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "ice/mixture/pair_relaxation.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -19,12 +21,17 @@ bool has_constant_heat(const Fluid& fluid) {
 
 }  // namespace
 
-HeatExchange::HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H)
-    : fluids_(fluids), H_(H), on_(fluids.size() > 1 && H.materials() > 0 && H.any()) {
+HeatExchange::HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H,
+                           std::optional<SlipExchange> slip)
+    : fluids_(fluids),
+      H_(H),
+      slip_(std::move(slip)),
+      on_(fluids.size() > 1 && H.materials() > 0 && H.any()) {
   for (const Fluid& fluid : fluids) constant_heat_.push_back(has_constant_heat(fluid));
 }
 
-bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt) const {
+bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt,
+                            const Surface& surface) const {
   Present in;
   for (int m = 0; m < static_cast<int>(fluids_.size()); ++m)
     if (cell.M[m] > 0.0) in.index[in.count++] = m;
@@ -42,7 +49,7 @@ bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt) const {
   const auto [coldest, hottest] = std::minmax_element(in.T, in.T + n);
   if (*coldest == *hottest) return false;
   double k[most_materials * most_materials], gain[most_materials];
-  couple(cell, in, dt, k);
+  couple(cell, in, dt, surface, k);
   relax_pairs(n, in.C, in.T, k, gain);
   bool sound = true;
   for (int i = 0; i < n; ++i) {
@@ -50,7 +57,7 @@ bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt) const {
     sound = sound && after >= *coldest && after <= *hottest && after >= least_share * in.T[i];
   }
   if (!sound) {
-    couple(cell, in, dt, k);
+    couple(cell, in, dt, surface, k);
     take_means(cell, in, k, gain);
   }
   const auto largest = std::max_element(in.C, in.C + n) - in.C;
@@ -65,12 +72,15 @@ bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt) const {
 }
 
 void HeatExchange::couple(const Equilibration::Cell& cell, const Present& in, double dt,
-                          double* k) const {
+                          const Surface& surface, double* k) const {
   for (int i = 0; i < in.count; ++i)
     for (int j = 0; j < in.count; ++j) {
       const int m = in.index[i], n = in.index[j];
       const double H = i == j ? 0.0 : H_.between(m, n, cell.M[m], cell.M[n]);
-      k[i * in.count + j] = dt * H * (cell.V[m] * cell.V[n]);
+      double passes = H * (cell.V[m] * cell.V[n]);
+      if (slip_ && slip_->between(m, n))
+        passes = through_surface(passes, surface.share, surface.heat);
+      k[i * in.count + j] = dt * passes;
     }
 }
 

@@ -13,11 +13,19 @@ namespace sluice::ice::mixture {
 class HeatExchange {
  public:
   // H in W/(m^3 K); without any coefficient above zero it does nothing.
-  HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H);
+  // With slip of a gas along a surface, of which a cell holds what surface.hpp says.
+  HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H,
+               std::optional<SlipExchange> slip = {});
 
   bool on() const { return on_; }
   // Over a step of dt at fixed volumes; energies sum to what they were. True: something passed.
-  bool exchange(const Equilibration::Cell& cell, double dt) const;
+  struct Surface {
+    double share = 0, heat = 0;
+  };
+  bool exchange(const Equilibration::Cell& cell, double dt, const Surface& surface) const;
+  bool exchange(const Equilibration::Cell& cell, double dt) const {
+    return exchange(cell, dt, Surface{});
+  }
 
  private:
   struct Present {
@@ -27,12 +35,14 @@ class HeatExchange {
     double E[most_materials];                     // after it, of take_means
   };
   // What a pair exchanges for a unit of difference, in n x n.
-  void couple(const Equilibration::Cell& cell, const Present& in, double dt, double* k) const;
+  void couple(const Equilibration::Cell& cell, const Present& in, double dt, const Surface& surface,
+              double* k) const;
   void take_means(const Equilibration::Cell& cell, Present& in, double* k, double* gain) const;
 
   std::vector<Fluid> fluids_;
   std::vector<bool> constant_heat_;
   PairCoefficients H_;
+  std::optional<SlipExchange> slip_;
   bool on_ = false;
 };
 

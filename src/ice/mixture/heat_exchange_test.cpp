@@ -109,6 +109,27 @@ TEST(HeatExchange, IsTheExponentialForAnyCoefficient) {
       }
 }
 
+// Through a surface the two resist one after the other; without one only the coefficient does.
+TEST(HeatExchange, PassesASurface) {
+  SlipExchange slip;
+  slip.fluid = 1;
+  slip.solid = 0;
+  const double dt = 1e-3, h = 5e4, V = .3;
+  for (const double H : {1e3, 1e6, 1e15})
+    for (const double share : {0., .5, 1.}) {
+      PairCoefficients coefficient(2);
+      coefficient.set(0, 1, H);
+      Cell cell = cell_of(V, 1.2, .2);
+      HeatExchange({air, helium}, coefficient, slip)
+          .exchange({cell.M, cell.V, cell.E}, dt, {share, h});
+      const double all = H * V * (1 - V);
+      const double passes = share / (1 / all + 1 / h) + (1 - share) * all;
+      const double rate = passes * (1 / (cell.M[0] * 717) + 1 / (cell.M[1] * 3115));
+      EXPECT_NEAR(cell.temperature(0) - cell.temperature(1), 600 * std::exp(-dt * rate), 1e-8)
+          << H << " " << share;
+    }
+}
+
 // A trace is bound by the same coefficient that hardly couples it otherwise.
 TEST(HeatExchange, LinearVariationBindsTraces) {
   PairCoefficients coefficient(2);

@@ -198,7 +198,8 @@ class Cells {
   }
 
   void close(double* M, double* V, double* E, double rho, int i) const {
-    const Equilibration::Result result = closure_.close({M, V, E}, rho, row_.step().dt);
+    const Equilibration::Result result =
+        closure_.close({M, V, E}, rho, row_.step().dt, surface_of(row_, h_, o_, i));
     const double iJ = row_(h_.common.inverse_J)[i];
     if (!(rho > 0.0 && rho < infinity))
       report(i, fault_density, rho);
@@ -285,8 +286,8 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange), drag = Drag(o.drag),
-                 diffusion = DiffusionRates(o)](const Row& row) {
+    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
+                 drag = Drag(o.drag), diffusion = DiffusionRates(o)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         if (pure < 0.0) return Cells<D, C>(part, h, o, drag, closure).run();

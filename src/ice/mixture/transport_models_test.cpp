@@ -1,5 +1,5 @@
-// Laws of viscosity, sponges, turbulence and laws of the wall with several materials: like gases are
-// one gas, a closed box keeps its energy, the same bits for any cut, mirror images.
+// Laws of viscosity, sponges, turbulence, laws of the wall and surfaces with several materials:
+// like gases are one gas, a closed box keeps its energy, the same bits for any cut, mirror images.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -126,21 +126,29 @@ MixtureCell three(Vec3 x) {
   c.pressure = {x.x < .25 ? 3e8 : 1e5, 1e5, 2e5};
   return c;
 }
-Transport all_models(bool dynamic) {
+// Kinds of models: 0 and 1 with Smagorinsky's and Germano's eddies, 2 with slip of the air along
+// the water and convective exchange of the heavy gas with it.
+Transport all_models(int kind) {
+  const auto surfaces = [kind](ExchangeSettings& x) {
+    if (kind < 2) return;
+    x.slip = SlipExchange{1, 0, .3, .4, true, {}};
+    x.convective = ConvectiveExchange{2, 0, {}};
+    x.heat.set(0, 1, 1e15);
+  };
   return {{1e3, 0, 0},
           {6e5, 2e3, 1e4},
           1e8,
           {{}, sutherland(2, 100), with_sponge({}, 50)},
-          eddies(dynamic, .3),
+          eddies(kind == 1, .3),
           {rough_wall(Side::y_minus, 1e-3)},
-          {}};
+          surfaces};
 }
 
 TEST(MixtureTransportModels, AClosedBoxKeepsMassAndEnergy) {
   constexpr double limit = 1e-13;
-  for (const bool dynamic : {false, true}) {
+  for (const int kind : {0, 1, 2}) {
     MixtureBox run(box_of({32, 24, 1}, false), {water, air, heavy}, three, {}, {},
-                   all_models(dynamic));
+                   all_models(kind));
     const Totals before = run.totals();
     run.steps(300);
     const Totals after = run.totals();
@@ -155,10 +163,11 @@ TEST(MixtureTransportModels, AClosedBoxKeepsMassAndEnergy) {
 }
 
 TEST(MixtureTransportModels, BlocksBoxesAndKindsLeaveNoTrace) {
-  for (const bool dynamic : {false, true}) {
+  for (const int kind : {0, 1, 2}) {
+    SCOPED_TRACE(kind);
     const auto run_with = [&](const SolverOptions& options, IntVec3 boxes) {
       MixtureBox run(box_of({48, 40, 1}, false), {water, air, heavy}, three, options, boxes,
-                     all_models(dynamic));
+                     all_models(kind));
       run.steps(20);
       return bits_of(run, false);
     };
@@ -167,7 +176,7 @@ TEST(MixtureTransportModels, BlocksBoxesAndKindsLeaveNoTrace) {
 }
 
 TEST(MixtureTransportModels, MirroredStartsGiveMirroredBits) {
-  for (const bool dynamic : {false, true}) {
+  for (const int kind : {0, 1, 2}) {
     GasBox box = box_of({48, 16, 1}, false);
     box.low = {-.5, -.5, -.5};
     box.high = {.5, .5, .5};
@@ -176,7 +185,7 @@ TEST(MixtureTransportModels, MirroredStartsGiveMirroredBits) {
       c.velocity[1] = 5;
       return c;
     };
-    Transport models = all_models(dynamic);
+    Transport models = all_models(kind);
     models.models[2].sponges = {{{{{-.2, -.3, -1}, {.2, .1, 2}}}, 50}};
     const auto bits = [&](double way, bool mirror) {
       MixtureBox run(
@@ -184,7 +193,7 @@ TEST(MixtureTransportModels, MirroredStartsGiveMirroredBits) {
       run.steps(40);
       return bits_of(run, mirror);
     };
-    EXPECT_EQ(bits(1, false), bits(-1, true)) << dynamic;
+    EXPECT_EQ(bits(1, false), bits(-1, true)) << kind;
   }
 }
 
@@ -216,6 +225,13 @@ TEST(MixtureTransportModels, WhatIsOffAddsNoTask) {
   EXPECT_TRUE(has(tasks(law_of_air, 1), "molecular viscosity"));
   EXPECT_TRUE(has(tasks(law_of_air, 2), "viscosity of each material"));
   EXPECT_TRUE(has(tasks(law_of_air, 2), "viscosity of fronts"));
+  Transport slipping{{1, 1}, {1, 1}, 1, {}, {}, {}, [](ExchangeSettings& x) {
+                       x.slip = SlipExchange{1, 0, 1, 1, true, {}};
+                     }};
+  EXPECT_TRUE(has(tasks(slipping, 2), "surface along which"));
+  EXPECT_TRUE(has(tasks(slipping, 2), "slip on axis 1"));
+  slipping.change = [](ExchangeSettings& x) { x.slip = SlipExchange{1, 0, 1, 1, false, {}}; };
+  EXPECT_EQ(tasks(slipping, 2).find("slip"), std::string::npos);
   const Transport turbulent{{0, 0}, {}, 0, {}, eddies(false, .1), {}, {}};
   EXPECT_FALSE(has(tasks(turbulent, 2), "viscosity of each material"));
   for (const int kind : {0, 1, 2}) EXPECT_TRUE(has(tasks(turbulent, kind), "eddy viscosity"));

@@ -231,7 +231,7 @@ class MixedCells {
       E[m] = rows_[m].next[of_energy][i];
     }
     const Equilibration::Result result =
-        laws_.closure.close({M, V, E}, density_[i], row_.step().dt);
+        laws_.closure.close({M, V, E}, density_[i], row_.step().dt, surface_of(row_, h_, o_, i));
     if (!(density_[i] > 0.0 && density_[i] < infinity)) {
       report(i, fault_density, density_[i]);
     } else if (!(iJ_[i] > 0.0 && iJ_[i] < infinity)) {
@@ -284,7 +284,9 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, laws = Laws{CellClosure(o.fluids, o.heat_exchange), IdealRelaxation(o.fluids)},
+    task.kernel([=,
+                 laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
+                             IdealRelaxation(o.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       std::optional<MixedCells<D, C>> mixed;
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {

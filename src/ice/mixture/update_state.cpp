@@ -11,6 +11,7 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   h.lagrangian = task.read(v.common.lagrangian_mixture);
   h.energy_L = task.read(v.energy_L);
   h.pure = task.read(v.pure);
+  if (o.slip_exchange) h.surface = task.read(v.surface);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));

@@ -3,6 +3,8 @@
 #pragma once
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/heat_exchange.hpp"
+#include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -15,6 +17,7 @@ struct MaterialState {
 struct UpdateState {
   UpdateHandles common;
   In lagrangian, energy_L, pure;
+  In surface;              // where a gas slips along one
   std::array<In, 3> flux;  // of each material
   std::vector<MaterialState> state;
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
@@ -25,6 +28,12 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o);
 // What the update of material m alone calls its own.
 UpdateHandles handles_of(const UpdateState& h, int m);
+// What of a surface a cell holds, for the heat that passes it.
+inline HeatExchange::Surface surface_of(const Row& row, const UpdateState& h,
+                                        const SchemeOptions& o, int i) {
+  if (!o.slip_exchange) return {};
+  return {row(h.surface, SurfaceParts::share)[i], row(h.surface, SurfaceParts::heat)[i]};
+}
 // Where material m is alone the others have nothing.
 void leave_alone(const Row& row, const UpdateState& h, int m);
 // Density, pressure and modulus of the mixture where `fluid` is alone.

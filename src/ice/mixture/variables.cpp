@@ -5,6 +5,7 @@
 
 #include "ice/labels.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -68,6 +69,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
       v.heat_flux[static_cast<std::size_t>(a)] = list.temporary(
           "heat through contacts of axis " + std::to_string(a), 2 * M, o.axes.direction[a]);
   }
+  if (o.slip_exchange) v.surface = list.temporary("surface", SurfaceParts::count(o.axes.count));
   if (o.viscous && o.own_viscosity_varies())
     v.own_viscosity = list.temporary("viscosity of each material", M);
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);

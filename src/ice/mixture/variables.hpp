@@ -77,8 +77,8 @@ inline int component(int material, Carried q) {
 // `everywhere`: density and energy of each material also where it is alone, for outputs.
 void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
                     bool everywhere = false);
-void add_viscosity(TaskList&, const Variables&, const SchemeOptions&, int effect,
-                   int turbulence_effect);
+// Viscosity and stress.
+void add_friction(TaskList&, const Variables&, const SchemeOptions&);
 // Molecular viscosity of each material.
 void add_own_viscosities(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_heat_flux(TaskList&, const Variables&, const SchemeOptions&, int effect);

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <string>
 
+#include "ice/ice.hpp"
 #include "ice/mixture/runs.hpp"
+#include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -75,6 +77,25 @@ void add_total(TaskList& list, const SchemeVariables& v, int effect) {
   });
 }
 
+// All fields of viscosity that the step needs.
+void add_viscosity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                   int turbulence_effect) {
+  const SchemeVariables& c = v.common;
+  const bool turbulent = o.transport.turbulence.has_value();
+  const VariableId molecular = turbulent ? c.molecular_viscosity : c.viscosity;
+  if (o.own_viscosity_varies()) {
+    add_own_viscosities(list, v, o, effect);
+    add_shares_of_fields(list, v, molecular, effect);
+    add_shares(list, v, usual_viscosities(o), "viscosity of fronts", c.front_viscosity, effect);
+  } else {
+    add_shares(list, v, o.viscosities, "viscosity of the mixture", molecular, effect);
+  }
+  if (!turbulent) return;
+  add_eddy_viscosity({list, o, turbulence_effect, ""}, {c.rho, c.energy, c.velocity},
+                     c.eddy_viscosity);
+  add_total(list, c, turbulence_effect);
+}
+
 }  // namespace
 
 void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
@@ -109,23 +130,16 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
   });
 }
 
-void add_viscosity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
-                   int turbulence_effect) {
+void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
   if (!o.viscous) return;
-  const SchemeVariables& c = v.common;
-  const bool turbulent = o.transport.turbulence.has_value();
-  const VariableId molecular = turbulent ? c.molecular_viscosity : c.viscosity;
-  if (o.own_viscosity_varies()) {
-    add_own_viscosities(list, v, o, effect);
-    add_shares_of_fields(list, v, molecular, effect);
-    add_shares(list, v, usual_viscosities(o), "viscosity of fronts", c.front_viscosity, effect);
-  } else {
-    add_shares(list, v, o.viscosities, "viscosity of the mixture", molecular, effect);
-  }
-  if (!turbulent) return;
-  add_eddy_viscosity({list, o, turbulence_effect, ""}, {c.rho, c.energy, c.velocity},
-                     c.eddy_viscosity);
-  add_total(list, c, turbulence_effect);
+  add_viscosity(list, v, o, effect_viscosity, effect_turbulence);
+  if (!o.slip_exchange) return add_viscous_stress(list, v.common, o, effect_viscosity);
+  SchemeVariables raw = v.common;
+  for (int a = 0; a < o.axes.count; ++a)
+    raw.stress[static_cast<std::size_t>(a)] = list.temporary(
+        "stress without slip of axis " + std::to_string(a), o.components, o.axes.direction[a]);
+  add_viscous_stress(list, raw, o, effect_viscosity);
+  add_slip_of_friction(list, v, o, raw.stress, effect_momentum_exchange);
 }
 
 }  // namespace sluice::ice::mixture

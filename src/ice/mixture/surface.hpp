@@ -1,0 +1,45 @@
+// The surface of one material along which a rarefied gas slips (SlipExchange).
+//
+// Any material may stand for the solid: its surface is where its volume fraction V_s jumps, as
+// where materials lie side by side (slip_motion.cpp): not up to a quarter of a cell, fully from
+// three quarters on. What is torn apart smoothly has no surface; it exchanges with the deck's
+// coefficients.
+// The area of the surface that a face between two cells holds is the jump of V_s there, as in
+// contacts.hpp. Cells that gas and solid share take the part s = 4 V_g V_s of it (of two that
+// share, each in proportion), so that an interface counts once, wherever it lies; what is left
+// is the face's. The area of a cell is the size of what its faces leave it along each axis, its
+// normal the direction, out of the solid.
+#pragma once
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::mixture {
+
+// Components of Variables::surface.
+struct SurfaceParts {
+  static constexpr int share = 0;               // 0: no surface, 1: nothing but a surface
+  static constexpr int momentum = 1, heat = 2;  // that pass, per volume: kg/(m^3 s), W/(m^3 K)
+  static constexpr int momentum_per_area = 3, heat_per_area = 4;  // of the gas of the cell
+  static constexpr int normal = 5;                                // by axis
+  static constexpr int count(int axes) { return normal + axes; }
+};
+
+// What passes where `all` (the deck's coefficient) and the surface resist one after the other, in
+// the share of the cell where there is a surface.
+inline double through_surface(double all, double share, double surface) {
+  if (!(share > 0.0)) return all;
+  const double both = surface > 0.0 && all > 0.0 ? 1.0 / (1.0 / all + 1.0 / surface) : 0.0;
+  return share * both + (1.0 - share) * all;
+}
+
+// The share of a cell's surface in the cell itself.
+inline double shared_part(double gas, double solid) {
+  return 4.0 * gas * solid;
+}
+
+void add_surface(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// The stress along faces where gas touches the solid: friction and slip one after the other.
+// `raw`: the stress without slip, by axis.
+void add_slip_of_friction(TaskList&, const Variables&, const SchemeOptions&,
+                          const std::array<VariableId, 3>& raw, int effect);
+
+}  // namespace sluice::ice::mixture
