@@ -236,8 +236,8 @@ double Equilibration::pressure(int m, double M, double V, double E) const {
   return l.is ? l.G * (rho_e - l.q * rho) - l.gamma_pi : fluids_[k].pressure(rho, rho_e);
 }
 
-// Of what is next to nothing the differences of large fluxes may leave an energy that is none of its
-// law's: it takes that of its least pressure, and the heaviest pays. False: nothing was mended.
+// Of what is next to nothing the differences of large fluxes may leave an energy that is none of
+// its law's: it takes that of its least pressure, and the heaviest pays. False: nothing was mended.
 bool Equilibration::mend(const Cell& cell) const {
   int heaviest = 0;
   double stiffest = 0;
