@@ -79,7 +79,8 @@ def filled(draw, material, shape, planar):
     pressure = 1e5 * 10 ** draw.uniform(-1, draw.choice([1, 3, 4]))
     temperature = 300 * 10 ** draw.uniform(-0.4, 0.8)
     u, v = (draw.choice([0, 0, draw.uniform(-500, 500)]) for _ in range(2))
-    return (f"<geom_object>{shape}<res>[2,2,2]</res><velocity>[{u},{v if planar else 0},0]</velocity>"
+    return (f"<geom_object>{shape}<res>[2,2,2]</res>"
+            f"<velocity>[{u},{v if planar else 0},0]</velocity>"
             f"<density>{material.density(pressure, temperature)!r}</density>"
             f"<temperature>{temperature!r}</temperature></geom_object>")
 
@@ -142,8 +143,9 @@ def scene(seed):
                        materials="\n".join(texts), exchange=exchange)
     if count == 1:
         text = text.replace('id="all"', 'id="0"')
-    words = (f"{'+'.join('liquid' if m.stiff else 'gas' for m in materials)}, {kind}, "
-             f"{cells[0]} x {cells[1]}, drag {drag:g}, heat {heat:g}, mu {viscosity}, k {conductivity}")
+    names = "+".join("liquid" if m.stiff else "gas" for m in materials)
+    words = (f"{names}, {kind}, {cells[0]} x {cells[1]}, drag {drag:g}, heat {heat:g}, "
+             f"mu {viscosity}, k {conductivity}")
     return text, words
 
 

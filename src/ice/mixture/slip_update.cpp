@@ -10,8 +10,8 @@
 // has lost, in the frame of v, to the materials by mass:
 //   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 + w_mL q_m + M_m' w_mL^2/2 }
 //       - |sum a_m|^2/(2 rho') - sum_m M_m' w_m''^2/2
-// (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of pure
-// neighbourhood run the rows of one material.
+// (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of
+// pure neighbourhood run the rows of one material.
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
