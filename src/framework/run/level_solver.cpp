@@ -1,9 +1,7 @@
 // Compiling graph variants and running attempts.
-#include "framework/run/level_solver.hpp"
+#include "framework/run/level_solver_variant.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,13 +9,6 @@
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
-
-struct LevelSolver::Variant {
-  std::vector<std::unique_ptr<TaskList>> lists;  // by kind, those that were met
-  std::unique_ptr<SweepExecutor> executor;
-  int layout = -1;  // of the level when it was last bound
-  int boxes = -1;   // likewise, without what joints change
-};
 
 namespace {
 
@@ -295,44 +286,6 @@ void LevelSolver::reduce(const Reductions& local, const RunControl* control) {
     attempt_.first_fault = lowest_of_ranks(local.fault_count() > 0, lowest);
 }
 
-// Rare: the lowest of the cells that ranks have found.
-CellFault LevelSolver::lowest_of_ranks(bool found, const CellFault& lowest) {
-  std::string mine;
-  if (found) mine.assign(reinterpret_cast<const char*>(&lowest), sizeof lowest);
-  bool first = true;
-  CellFault lowest_of_all = lowest;
-  for (const std::string& text : communicator_->gather_to_all(mine)) {
-    if (text.size() != sizeof(CellFault)) continue;
-    CellFault f;
-    std::copy(text.begin(), text.end(), reinterpret_cast<char*>(&f));
-    if (first || before(f, lowest_of_all)) lowest_of_all = f;
-    first = false;
-  }
-  return lowest_of_all;
-}
-
-std::optional<UnsoundCell> LevelSolver::unsound_start() {
-  CellFault lowest;
-  std::int64_t found = 0;
-  for (const int slot : state_slots_)
-    for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b)
-      for (int c = 0; c < state_.info(slot).components; ++c) {
-        const RealView v = state_.view(slot, c, b);
-        for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-          if (std::isfinite(v(cell))) return;
-          const CellFault f{cell, level_.index, state_.info(slot).material, slot, v(cell)};
-          if (found == 0 || before(f, lowest)) lowest = f;
-          ++found;
-        });
-      }
-  Reduction all;
-  const auto count = all.add_count(found);
-  communicator_->reduce(all);
-  if (all.count(count) == 0) return std::nullopt;
-  lowest = lowest_of_ranks(found > 0, lowest);
-  return UnsoundCell{lowest, state_.info(lowest.kind).label};
-}
-
 void LevelSolver::advance() {
   state_.swap(next_);
   masked_ = false;
@@ -345,63 +298,6 @@ void LevelSolver::reject() {
   if (advanced_ > 0) ghosts_filled_ = false;
   accept();
   masked_ = false;
-}
-
-std::int64_t LevelSolver::mask_faults(double time) {
-  add_state_slot({component_->mask_label(), 0, 1, 0});
-  const int slot = state_.find(component_->mask_label(), 0);
-  if (!masked_)
-    for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
-      const RealView v = state_.view(slot, 0, b);
-      std::fill_n(v.data, v.box.volume(), 1.0);
-    }
-  std::int64_t now = 0;
-  for (const CellFault& f : last_.faults())
-    for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
-      if (!state_.local_boxes()[static_cast<std::size_t>(b)].cells.contains(f.cell)) continue;
-      double& mask = state_.view(slot, 0, b)(f.cell);
-      now += mask != 0.0;
-      mask = 0.0;
-    }
-  const auto over_ranks = [&](std::int64_t count) {
-    Reduction all;
-    const auto sum = all.add_count(count);
-    communicator_->reduce(all);
-    return all.count(sum);
-  };
-  now = over_ranks(now);
-  halo_->run(state_, {slot}, team_.get());
-  if (now == 0 && attempt_.faults > 0) {
-    now = over_ranks(widen_masks(slot));
-    halo_->run(state_, {slot}, team_.get());
-  }
-  component_->fill_boundary(state_, time, *team_);
-  masked_ = true;
-  return now;
-}
-
-// By one cell along each direction: what flows into a cell has the slopes of its neighbours.
-std::int64_t LevelSolver::widen_masks(int slot) {
-  std::int64_t found = 0;
-  for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
-    const RealView mask = state_.view(slot, 0, b);
-    std::vector<IntVec3> next;
-    for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
-      bool beside = false;
-      for (int d = 0; d < 3; ++d) {
-        if (!level_.active[static_cast<std::size_t>(d)]) continue;
-        for (const int step : {-1, 1}) {
-          IntVec3 other = c;
-          other[d] += step;
-          beside = beside || mask(other) == 0.0;
-        }
-      }
-      if (beside && mask(c) != 0.0) next.push_back(c);
-    });
-    for (const IntVec3 c : next) mask(c) = 0.0;
-    found += static_cast<std::int64_t>(next.size());
-  }
-  return found;
 }
 
 void LevelSolver::compute_diagnostics(double time, const std::vector<Label>& wanted) {
@@ -418,105 +314,13 @@ std::vector<double> LevelSolver::initial_rates() {
   return attempt_.maxima;
 }
 
-std::vector<double> LevelSolver::effect_seconds() const {
-  std::vector<double> seconds(static_cast<std::size_t>(component_->effects().size()), 0.0);
-  for (const auto& [key, v] : variants_)
-    for (int kind = 0; kind < v->executor->kinds(); ++kind) {
-      if (!v->executor->met(kind)) continue;
-      const TaskList& list = v->executor->list(kind);
-      const SweepPlan& plan = v->executor->plan(kind);
-      const std::vector<double> tasks = v->executor->task_seconds(kind);
-      for (std::size_t t = 0; t < tasks.size(); ++t) {
-        const auto task = static_cast<std::size_t>(plan.tasks[t].task);
-        seconds[static_cast<std::size_t>(list.tasks()[task].effect)] += tasks[t];
-      }
-    }
-  return seconds;
-}
-
 const SweepPlan& LevelSolver::plain_plan(int kind) {
   return variant(false, {}).executor->plan(kind);
-}
-
-std::vector<int> LevelSolver::effect_tasks() const {
-  std::vector<int> most(static_cast<std::size_t>(component_->effects().size()), 0);
-  const auto plain = variants_.find({false, {}});
-  if (plain == variants_.end()) return most;
-  SweepExecutor& executor = *plain->second->executor;
-  for (int kind = 0; kind < executor.kinds(); ++kind) {
-    if (!executor.met(kind)) continue;
-    std::vector<int> count(most.size(), 0);
-    for (const PlannedTask& p : executor.plan(kind).tasks)
-      ++count[static_cast<std::size_t>(
-          executor.list(kind).tasks()[static_cast<std::size_t>(p.task)].effect)];
-    for (std::size_t e = 0; e < most.size(); ++e) most[e] = std::max(most[e], count[e]);
-  }
-  return most;
-}
-
-std::vector<double> LevelSolver::effect_doubles() const {
-  std::vector<double> doubles(static_cast<std::size_t>(component_->effects().size()), 0.0);
-  const auto plain = variants_.find({false, {}});
-  if (plain == variants_.end()) return doubles;
-  SweepExecutor& executor = *plain->second->executor;
-  std::set<std::pair<Label, int>> counted;  // kinds write the same slots
-  for (int kind = executor.kinds() - 1; kind >= 0; --kind) {
-    if (!executor.met(kind)) continue;
-    const TaskList& list = executor.list(kind);
-    for (const Task& t : list.tasks())
-      for (VariableId v : t.writes)
-        if (executor.plan(kind).used[static_cast<std::size_t>(v.index)] &&
-            list[v].storage == Storage::new_state &&
-            counted.insert({list[v].label, list[v].material}).second)
-          doubles[static_cast<std::size_t>(t.effect)] += 2.0 * list[v].components;  // old and new
-  }
-  return doubles;
-}
-
-std::vector<double> LevelSolver::box_seconds() const {
-  std::vector<double> seconds(state_.local_boxes().size(), 0.0);
-  for (const auto& [key, v] : variants_) {
-    if (v->boxes != boxes_) continue;
-    const std::vector<double> own = v->executor->box_seconds();
-    for (std::size_t b = 0; b < own.size(); ++b) seconds[b] += own[b];
-  }
-  return seconds;
-}
-
-std::int64_t LevelSolver::blocks_run() const {
-  std::int64_t n = 0;
-  for (const auto& [key, v] : variants_) n += v->executor->blocks_run();
-  return n;
-}
-
-std::int64_t LevelSolver::blocks_asleep() const {
-  std::int64_t n = 0;
-  for (const auto& [key, v] : variants_) n += v->executor->blocks_asleep();
-  return n;
-}
-
-std::size_t LevelSolver::memory_bytes() const {
-  std::size_t n = state_.bytes() + next_.bytes() + start_.bytes() + outputs_.bytes();
-  for (const auto& [key, v] : variants_) n += v->executor->scratch_bytes();
-  for (const auto& [key, v] : diagnostics_) n += v->executor->scratch_bytes();
-  return n;
-}
-
-std::size_t LevelSolver::message_bytes() const {
-  int components = 0;
-  for (int s : state_slots_) components += state_.info(s).components;
-  return halo_->message_bytes(components);
 }
 
 std::string LevelSolver::graph_as_dot(int kind) {
   SweepExecutor& executor = *variant(false, {}).executor;
   return to_dot(executor.list(kind), component_->effects(), executor.plan(kind));
-}
-
-std::int64_t LevelSolver::blocks_run(int kind) const {
-  std::int64_t n = 0;
-  for (const auto& [key, v] : variants_) n += v->executor->blocks_run(kind);
-  return n;
 }
 
 }  // namespace sluice
