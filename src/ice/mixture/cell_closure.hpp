@@ -1,6 +1,6 @@
 // How a cell of several materials ends its step: one pressure (equilibrate.hpp), bubbles that
-// closed as warm as the liquid (collapse.hpp), heat between the materials (heat_exchange.hpp), and one
-// pressure again.
+// closed as warm as the liquid (collapse.hpp), heat between the materials (heat_exchange.hpp), and
+// one pressure again.
 #pragma once
 #include "ice/mixture/collapse.hpp"
 #include "ice/mixture/equilibrate.hpp"
