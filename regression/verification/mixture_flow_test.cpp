@@ -102,6 +102,14 @@ void expect_untouched(const CaseRun& run) {
   EXPECT_LE(run.events(), run.steps() / 500) << events.dump();
 }
 
+std::string drag(const char* coefficient) {
+  return std::string("MaterialProperties/exchange_properties/exchange_coefficients/momentum=[") +
+         coefficient + "]";
+}
+const std::string by_four = "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]";
+const std::string tiles_for_four = "AMR/Regridder/min_patch_size=[[8,8,1]]";
+const std::string three_levels = "AMR/Regridder/max_levels=3";
+
 class WaterSquare : public testing::TestWithParam<Levels> {};
 
 TEST_P(WaterSquare, LeavesNoTraceInPressureVelocityAndTemperature) {
@@ -113,16 +121,42 @@ TEST_P(WaterSquare, LeavesNoTraceInPressureVelocityAndTemperature) {
 INSTANTIATE_TEST_SUITE_P(
     On, WaterSquare,
     testing::Values(Levels{"Ratio2", {}}, Levels{"Lockstep", {"AMR/useLockStep=true"}},
-                    Levels{"Ratio4",
-                           {resolution(16, 16), "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]",
-                            "AMR/Regridder/min_patch_size=[[8,8,1]]"}},
-                    Levels{"ThreeLevels", {resolution(16, 16), "AMR/Regridder/max_levels=3"}},
-                    Levels{"CopiedCells", {"AMR/ICE/orderOfInterpolation=0"}}),
+                    Levels{"Ratio4", {resolution(16, 16), by_four, tiles_for_four}},
+                    Levels{"ThreeLevels", {resolution(16, 16), three_levels}},
+                    Levels{"CopiedCells", {"AMR/ICE/orderOfInterpolation=0"}},
+                    Levels{"Free", {drag("0")}},
+                    Levels{"FreeByFour", {drag("0"), resolution(16, 16), by_four, tiles_for_four}},
+                    Levels{"FreeOnThreeLevels", {drag("0"), resolution(16, 16), three_levels}},
+                    Levels{"DraggedInLockstep", {drag("1e6"), "AMR/useLockStep=true"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(MixtureFlow, EdgesCrossFacesOfAFixedRegion) {
   expect_untouched(CaseRun("amr_water_through_region"));
+  expect_untouched(CaseRun("amr_water_through_region", {drag("0")}));
 }
+
+// Drops that fly through a gas at rest, a shock that overtakes them, a cylinder of water in their
+// way; each material has a velocity of its own.
+class Drops : public testing::TestWithParam<Levels> {};
+
+TEST_P(Drops, KeepMassesMomentumAndEnergy) {
+  for (const char* K : {"0", "100", "1e6"}) {
+    std::vector<std::string> overrides = GetParam().overrides;
+    overrides.push_back(drag(K));
+    const CaseRun run("amr_drops", overrides);
+    EXPECT_LE(drift_per_thousand(run), allowed_drift) << K;
+    EXPECT_LE(run.events(), 1) << K << run.record().at("events").dump();
+    for (const LevelCell& cell : level_cells(run, "press_CC")) ASSERT_GT(cell.value, 0) << K;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(On, Drops,
+                         testing::Values(Levels{"OneLevel", {one_level()}}, Levels{"Ratio2", {}},
+                                         Levels{"Lockstep", {"AMR/useLockStep=true"}},
+                                         Levels{"Ratio4",
+                                                {resolution(16, 16), by_four, tiles_for_four}},
+                                         Levels{"ThreeLevels", {resolution(16, 16), three_levels}}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(MixtureFlow, ShockOverAWaterCylinderConserves) {
   const CaseRun run("amr_water_cylinder");

@@ -164,6 +164,42 @@ TEST(DrivingForce, AcceleratesAUniformFlowOnLevels) {
   expect_driven("amr_uniform_flow", "0.3", "-0.2", accelerated_on_levels);
 }
 
+// Two gases by halves, each with a velocity of its own: the mixture goes as one gas, the gradient
+// acts by volume (with the virtual mass of theory_ice.md), drag holds.
+TEST(DrivingForce, PushesMaterialsApartUntilDragHoldsThem) {
+  for (const double K : {0., 2., 1e6}) {
+    const CaseRun run("driven_mixture",
+                      {"MaterialProperties/exchange_properties/exchange_coefficients/momentum=[" +
+                       std::to_string(K) + "]"});
+    const double f = .3, V = .5, a = .5 * .25, b = .5 * .14992503748125938, rho = a + b;
+    const double inverse = 1 / a + 1 / b, virtual_mass = .125 * (a + b);
+    const double push = f * V * (1 / a - 1 / b) / (1 + virtual_mass * inverse);
+    const double rate = K * V * V * inverse, t = run.field("vel_CC", 0).time;
+    const double apart = push * (K > 0 ? -std::expm1(-rate * t) / rate : t);
+    const double ua = f * t / rho + apart * b / rho, ub = f * t / rho - apart * a / rho;
+    record("first", farthest_from(run.field("vel_CC", 0, "last", 0), ua) / ua);
+    EXPECT_LE(farthest_from(run.field("vel_CC", 0, "last", 0), ua), round_off * ua) << K;
+    EXPECT_LE(farthest_from(run.field("vel_CC", 0, "last", 1), ub), round_off * ub) << K;
+    EXPECT_LE(drift_per_thousand(run), allowed_drift) << K;
+  }
+}
+
+// Mass that becomes another's takes its own velocity along; what mixing loses is heat.
+TEST(MassExchange, BringsTheVelocityOfTheGiver) {
+  for (const char* K : {"0", "10"}) {
+    const CaseRun run(
+        "amr_mass_exchange",
+        {std::string("MaterialProperties/exchange_properties/exchange_coefficients/momentum=[") +
+             K + "]",
+         "MaterialProperties/ICE/material[2]/geom_object/velocity=[3,-1,0]"});
+    const double start = of_conservation(run, "mass of material 1", "start");
+    const double now = of_conservation(run, "mass of material 1", "now");
+    EXPECT_NEAR(now / (start * std::exp(-5.)), 1, on_levels) << K;
+    EXPECT_LE(drift_per_thousand(run), allowed_drift) << K;
+    EXPECT_LE(std::fabs(last_of_history(run, "TotalModelEng_src")), round_off) << K;
+  }
+}
+
 TEST(HeldRegion, HasTheValuesOfTheDeck) {
   const CaseRun run("held_region");
   const auto worst = [&](const std::string& variable, int component, double wanted) {

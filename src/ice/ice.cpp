@@ -96,8 +96,9 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
   const bool matches = matches_fluxes(scene, ice);
   std::unique_ptr<TransferOperators> flow;
   const std::size_t materials = o.fluids.size();
-  const std::size_t views =
-      static_cast<std::size_t>(o.components) + (materials == 1 ? 2 : 3 * materials);
+  const auto components = static_cast<std::size_t>(o.components);
+  const std::size_t views = components + (materials == 1 ? 2 : 3 * materials) +
+                            (o.own_velocities ? materials * components : 0);
   if (materials == 1)
     flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
   else
@@ -169,7 +170,8 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
 
 // The same where each material has a velocity of its own: mixture/slip.hpp.
 void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
-  const mixture::Variables m = mixture::declare_variables(list, o);
+  mixture::Variables m = mixture::declare_variables(list, o);
+  scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});
   const SchemeVariables &v = m.common, &volume = m.slip.common;
   constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
@@ -177,9 +179,10 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   mixture::add_slip_motion(list, m, o, slip);                  // state      u_m, u, c of volume
   add_slopes(list, volume, o, effect_second_order);            // u, p       su, sp, P, UT
   add_faces(list, volume, o, effect_flow);                     // slopes     u_f, p_f
-  mixture::add_slip_phase(list, m, o, slip);                   // p_f        w_mL, drift, work
-  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
+  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m        where gas slips
   mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
+  mixture::add_slip_stress(list, m, o, effect_viscosity);      // u_m        t of each
+  mixture::add_slip_phase(list, m, o, slip);                   // p_f        w_mL, drift, work
   mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
@@ -188,12 +191,15 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   mixture::add_slip_bases(list, m, o, slip);                   // Lagrange   bases of u_m
   mixture::add_slip_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE, U of each
   mixture::add_slip_update(list, m, o, effect_equilibration);  // fluxes     new state, rates
+  scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
   add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp      sums
-  add_volume_account(list, v, o, effect_diagnostics);           // fluxes, dp sums
-  add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
-  declare_step_outputs(list, v, o);                             // saved      outputs
+  mixture::add_slip_force_account(list, m, o, effect_of_forces(o));
+  add_source_account(list, v, o, effect_sources);      // change     sums
+  add_volume_account(list, v, o, effect_diagnostics);  // fluxes, dp sums
+  add_flux_record(list, v, o, effect_flux_record);     // fluxes     face tables
+  declare_step_outputs(list, v, o);                    // saved      outputs
   mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
 }
 

@@ -141,25 +141,16 @@ void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
 }
 
 // What materials with velocities of their own cannot do yet.
-void check_own_velocities(const Scene& scene, const IceScene& s, std::vector<Fault>& faults) {
-  if (s.one_velocity()) return;
-  const auto refuse = [&](bool here, const char* what) {
-    if (!here) return;
-    const ExchangeSettings& x = s.exchange;
-    add_error(faults, x.written ? x.momentum_where : s.materials[1].where,
-              fmt::format("materials with velocities of their own (a momentum coefficient below "
-                          "{:g}) {} are not built yet",
-                          one_velocity_coefficient, what),
-              fmt::format("coefficients of {:g} and more move all materials together",
-                          one_velocity_coefficient));
-    faults.back().not_built = true;
-  };
-  refuse(scene.grid.levels.size() > 1, "on several levels");
-  refuse(s.models.any_source() || !s.models.scalars.empty() || !s.added_heat.empty(),
-         "with models or added heat");
-  refuse(s.driving_force.on(), "with a driving force");
-  refuse(s.exchange.slip && s.exchange.slip->use_slip_coefficients,
-         "with <Model type=\"slip\"> along a surface");
+void check_own_velocities(const IceScene& s, std::vector<Fault>& faults) {
+  if (s.one_velocity() || !s.exchange.slip || !s.exchange.slip->use_slip_coefficients) return;
+  const ExchangeSettings& x = s.exchange;
+  add_error(faults, x.written ? x.momentum_where : s.materials[1].where,
+            fmt::format("materials with velocities of their own (a momentum coefficient below "
+                        "{:g}) with <Model type=\"slip\"> along a surface are not built yet",
+                        one_velocity_coefficient),
+            fmt::format("coefficients of {:g} and more move all materials together",
+                        one_velocity_coefficient));
+  faults.back().not_built = true;
 }
 
 }  // namespace
@@ -201,7 +192,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);
-  check_own_velocities(scene, s, faults);
+  check_own_velocities(s, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

@@ -3,9 +3,35 @@
 
 #include <algorithm>
 
+#include "framework/grid/box_list.hpp"
 #include "framework/refine/box_pieces.hpp"
 
 namespace sluice {
+namespace {
+
+// What the finder's boxes and their periodic images cover of the layer around a box.
+std::vector<IndexBox> covered_around(const IndexBox& cells, const Level& level,
+                                     const BoxFinder& finder) {
+  IntVec3 layer{}, images{};
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    layer[d] = level.active[n] ? 1 : 0;
+    images[d] = level.active[n] && level.periodic[n] ? 1 : 0;
+  }
+  std::vector<IndexBox> covered;
+  for (const IndexBox& part : subtract(cells.grown(layer), cells))
+    for_each_cell(IndexBox{IntVec3{} - images, images + IntVec3::all(1)}, [&](IntVec3 image) {
+      const IntVec3 shift = image * level.domain.size();
+      const IndexBox there{part.lower + shift, part.upper + shift};
+      for (const int n : finder.overlapping(there)) {
+        const IndexBox both = intersection(there, finder.boxes()[static_cast<std::size_t>(n)]);
+        covered.push_back({both.lower - shift, both.upper - shift});
+      }
+    });
+  return covered;
+}
+
+}  // namespace
 
 LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank)
     : along_(row_direction(level.active)) {
@@ -22,6 +48,7 @@ LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank)
     Box& box = boxes_.emplace_back();
     box.cells = b.cells;
     box.uncovered = pieces_without(b.cells, covered, along_);
+    if (any_) box.around = covered_around(b.cells, level, finder);
     list_rows(box);
   }
 }
@@ -67,6 +94,13 @@ bool LevelCoverage::is_covered(int box, IntVec3 cell) const {
   for (const Segment& s : uncovered_in_row(box, cell))
     if (cell[along_] >= s.first && cell[along_] < s.first + s.count) return false;
   return true;
+}
+
+bool LevelCoverage::is_covered_around(int box, IntVec3 cell) const {
+  const Box& b = boxes_[static_cast<std::size_t>(box)];
+  if (b.cells.contains(cell)) return is_covered(box, cell);
+  return std::any_of(b.around.begin(), b.around.end(),
+                     [&](const IndexBox& part) { return part.contains(cell); });
 }
 
 std::int64_t LevelCoverage::uncovered_cells() const {

@@ -28,6 +28,9 @@ class LevelCoverage {
   std::span<const Segment> uncovered_in_row(int box, IntVec3 cell) const;
   // Cells outside the box are not.
   bool is_covered(int box, IntVec3 cell) const;
+  // The same of cells around the box too, one layer, through periodic sides as well: whoever asks
+  // about a cell, it has one answer.
+  bool is_covered_around(int box, IntVec3 cell) const;
   bool any() const { return any_; }      // on any rank
   std::int64_t uncovered_cells() const;  // of this rank
 
@@ -35,6 +38,7 @@ class LevelCoverage {
   struct Box {
     IndexBox cells;
     std::vector<IndexBox> uncovered;
+    std::vector<IndexBox> around;     // covered parts of the layer around
     std::vector<std::int32_t> begin;  // by row: its first segment; one more at the end
     std::vector<Segment> segments;
   };

@@ -11,6 +11,23 @@ namespace {
 
 using namespace transfer_test;
 
+IntVec3 layer_of(const Level& level) {
+  IntVec3 layer{};
+  for (int d = 0; d < 3; ++d) layer[d] = level.active[static_cast<std::size_t>(d)] ? 1 : 0;
+  return layer;
+}
+
+// Is a cell, or the one that it is the periodic image of, under the finer level.
+bool is_covered_anywhere(const Levels& levels, IntVec3 c) {
+  const IndexBox& domain = levels.coarse.domain;
+  for (int d = 0; d < 3; ++d) {
+    if (!levels.coarse.periodic[static_cast<std::size_t>(d)]) continue;
+    const int n = domain.size()[d];
+    c[d] = domain.lower[d] + (c[d] - domain.lower[d] + n) % n;
+  }
+  return holds(levels.fine, c * levels.fine.ratio);
+}
+
 void expect_partition(const Levels& levels) {
   const LevelCoverage coverage(levels.coarse, &levels.fine, world().rank());
   EXPECT_EQ(coverage.any(), !levels.fine.boxes.empty());
@@ -36,6 +53,9 @@ void expect_partition(const Levels& levels) {
       cells += !covered;
     });
     for (const IndexBox& piece : coverage.uncovered(local)) EXPECT_TRUE(b.cells.contains(piece));
+    for_each_cell(b.cells.grown(layer_of(levels.coarse)), [&](IntVec3 c) {
+      ASSERT_EQ(coverage.is_covered_around(local, c), is_covered_anywhere(levels, c));
+    });
     ++local;
   }
   EXPECT_EQ(coverage.uncovered_cells(), cells);

@@ -55,7 +55,8 @@ void record_segment(const Row& row, const FaceFluxHandles& h, const ScalarHandle
     const int i = start + n;
     const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
     const int momentum = materials, energies = momentum + o.components;
-    const int amounts = energies + (materials == 1 ? 1 : 2 * materials + 1);
+    const int apart = o.own_velocities ? materials * o.components : 0;
+    const int amounts = energies + (materials == 1 ? 1 : 2 * materials + 1 + apart);
     for (std::size_t k = 0; k < o.scalars.size(); ++k)
       value(amounts + static_cast<int>(k), n) = scalar_flux(row, scalars, k, axis, shift, i);
     for (int c = 0; c < o.components; ++c) value(momentum + c, n) = flux.momentum[c];

@@ -11,6 +11,7 @@ DiffusionRates::DiffusionRates(const SchemeOptions& o)
       viscosities_(o.viscosities),
       conductivities_(o.conductivities),
       axes_(o.axes),
+      own_velocities_(o.own_velocities),
       viscous_(o.viscous),
       conducting_(o.conducting),
       viscosity_varies_(o.viscous && (o.own_viscosity_varies() || o.transport.turbulence)),
@@ -32,6 +33,9 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
     }
     if (viscosity_varies_) mu = s.viscosity[i];
     most = larger(most, twice * mu / rho);
+    for (std::size_t m = 0; own_velocities_ && m < fluids_.size(); ++m)
+      if (const double V = s.volume[m][i]; V >= least_limiting_share)
+        most = larger(most, twice * viscosities_[m] * V / s.mass[m][i]);
   }
   const auto total_mass = [&](int i) {
     double sum = 0;

@@ -32,6 +32,7 @@ class DiffusionRates {
   std::vector<Fluid> fluids_;
   std::vector<double> viscosities_, conductivities_;
   Axes axes_;
+  bool own_velocities_;
   bool viscous_, conducting_, viscosity_varies_, conductivity_varies_;
 };
 

@@ -27,11 +27,6 @@ double virtual_mass(const DragCell& cell, int i, int j) {
   return 0.5 * a * b * (aa * cell.M[i] + bb * cell.M[j]) / (aa * a + bb * b);
 }
 
-double lock_of_trace(double V) {
-  if (V >= unbound) return 0.0;
-  return strength((unbound - V) / (unbound - bound));
-}
-
 // From 1 to 0 as x goes from a to b.
 double falling(double x, double a, double b) {
   return x <= a ? 1.0 : x < b ? (b - x) / (b - a) : 0.0;
@@ -39,10 +34,14 @@ double falling(double x, double a, double b) {
 
 }  // namespace
 
+double freedom(double volume) {
+  return 1.0 - falling(volume, bound, unbound);
+}
+
 double binding(const DragCell& cell, int i, double courant) {
   const double lightness = cell.M[i] / (cell.V[i] * cell.total);  // density by that of the mixture
   const double share = falling(lightness, light, heavy) * falling(cell.V[i], little, some);
-  return lock_of_trace(cell.V[i]) + (share > 0.0 ? share * courant / lightness : 0.0);
+  return strength(1.0 - freedom(cell.V[i])) + (share > 0.0 ? share * courant / lightness : 0.0);
 }
 
 double Drag::pair(const DragCell& cell, int i, int j, double dt, double part) const {

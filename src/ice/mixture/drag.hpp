@@ -28,6 +28,9 @@ struct DragCell {
   double bind[most_materials];                  // of each material to the mixture
 };
 
+// Of a volume fraction: 0 where it is so small that the material moves with the mixture, 1 where it
+// need not.
+double freedom(double volume);
 // How strongly a material of which a cell holds little is bound to the mixture. `courant`: how many
 // cells it moves against the mixture in a step.
 double binding(const DragCell& cell, int i, double courant);

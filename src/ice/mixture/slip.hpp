@@ -7,8 +7,8 @@
 //      1/rho_e = 1/rho + sum V_m r_m, r_m what a unit of pressure force gives to u_m - u while drag
 //      acts. Faces know that velocity and that density: l u_f is the volume that passes. Between
 //      free materials sound travels at a speed between theirs, under strong drag at Wood's
-//   2. Lagrangian phase: half a step of drag, then what the pressure gives, dm_m = -V_m dp less the
-//      share by mass, under drag throughout
+//   2. Lagrangian phase: half a step of drag, then what the pressure (and a driving force) gives,
+//      dm_m = -V_m dp less the share by mass, under drag throughout
 //   3. each face has a velocity for each material, u_fm = c + r_m: r_m the mean by mass of what
 //      both cells have above the mean by volume, c such that what the materials carry with the
 //      volumes of their own donors is what passes, sum H_m = l u_f
@@ -26,6 +26,8 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
 
 // Velocities of each material, and how the volume moves (1).
 void add_slip_motion(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// Friction of each material on itself joins that of the mixture.
+void add_slip_stress(TaskList&, Variables&, const SchemeOptions&, int effect);
 // Drag and pressure over the Lagrangian phase (2).
 void add_slip_phase(TaskList&, const Variables&, const SchemeOptions&, int effect);
 // Velocity of each material at the faces, and what flows out of cells (3).
@@ -34,5 +36,18 @@ void add_slip_faces(TaskList&, const Variables&, const SchemeOptions&, int effec
 void add_slip_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_slip_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// What a driving force works on the slip, summed; absent without one.
+void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
+
+// What friction pushes apart: momentum by material, sum 0.
+struct DragCell;
+struct FrictionOnSlip {
+  bool on = false;
+  Axes axes;
+  int components = 1;
+  std::array<In, 3> stress;
+  void add(const Row& row, const DragCell& cell, int c, int i, double* push) const;
+};
+FrictionOnSlip read_friction(TaskBuilder&, const Variables&, const SchemeOptions&);
 
 }  // namespace sluice::ice::mixture

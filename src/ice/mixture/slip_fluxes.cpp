@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/refine/coverage.hpp"
 #include "ice/conservative/remap_flux_rows.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/runs.hpp"
@@ -166,13 +167,27 @@ class Faces {
   }
 
   // Where a cell has none of a material: until the donor is filled. Tiny amounts: at all but the
-  // main outlet. If the others can make up the outflow.
+  // main outlet. Little of it that leaves the cells under a finer level: that level brings it. If
+  // the others can make up the outflow.
   bool waits(const Passing& k, int i) const {
     const double behind = volume(k.index, k.donor == 0 ? 1 : -2, i);
     const bool unfilled =
         mass(k.index, k.donor == 0 ? -1 : 0, i) == 0.0 && k.V < least_fill * behind;
     const bool aside = k.V < tiny && k.outlet < 0.0 && -k.outlet > std::fabs(k.flow);
-    return (unfilled || aside) && 1.0 - k.V >= k.N;
+    return (unfilled || aside || leaves_cover(k, i)) && 1.0 - k.V >= k.N;
+  }
+
+  // Cells under a finer level are its averages, so that a front in them is wider than there. What
+  // it sent ahead of itself would be taken back when fluxes are matched; by then the finer level,
+  // whose ghost cells have seen it, may hold part of it: more than the cell could give back.
+  bool leaves_cover(const Passing& k, int i) const {
+    if (k.V >= interface_band || o_.coverage == nullptr || !o_.coverage->any()) return false;
+    IntVec3 donor = row_.cell();
+    donor[o_.axes.direction[0]] += i;
+    IntVec3 receiver = donor;
+    (k.donor == 0 ? receiver : donor)[o_.axes.direction[axis_]] -= 1;
+    return o_.coverage->is_covered_around(row_.box(), donor) &&
+           !o_.coverage->is_covered_around(row_.box(), receiver);
   }
 
   double theta(const Passing& k, int i) const {

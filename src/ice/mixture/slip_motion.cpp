@@ -158,6 +158,7 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
   s.drift = list.temporary("drift of each material", M * D);
   s.kick = list.temporary("slip by pressure of each material", M * D);
   s.work = list.temporary("work defect with slip");
+  if (o.force_on) s.force_work = list.temporary("work of the driving force on slip");
   s.outflow = list.temporary("outflow and outlets of each material", 2 * M);
   for (int a = 0; a < D; ++a) {
     const auto n = static_cast<std::size_t>(a);

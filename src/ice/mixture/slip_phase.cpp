@@ -4,6 +4,8 @@
 // E: half a step of drag; R: what dm_m = -(V_m - M_m/rho) l (p_f+ - p_f-) gives under drag in a
 // whole step. Work defect: W - (S - S_L), S = sum M_m |w_m|^2/2: what pressure does on the slip and
 // drag takes from it is in it, so that total energy is kept and a drag without limit heats nothing.
+// A driving force f is a pressure gradient: dp - dt f in place of dp, and what it works on the slip,
+// dt f . sum V_m w_half, is added and counted.
 #include <cmath>
 
 #include "ice/limiters.hpp"
@@ -17,7 +19,9 @@ struct Handles {
   std::vector<In> mass, volume, slip;
   In presence, lock, lagrangian;
   std::array<In, 3> face_pressure;
-  Out velocity_L, drift, kick, work;
+  Out velocity_L, drift, kick, work, force_work;
+  bool force_on = false;
+  FrictionOnSlip friction;
 };
 
 class Cells {
@@ -29,6 +33,8 @@ class Cells {
         components_(o.components),
         axes_(o.axes.count),
         materials_(static_cast<int>(h.mass.size())) {
+    for (int c = 0; c < components_; ++c)
+      force_[c] = row.step().dt * o.force[o.direction[static_cast<std::size_t>(c)]];
     for (int a = 0; a < axes_; ++a) {
       const auto n = static_cast<std::size_t>(a);
       l_[a] = row.step().dt / row.step().spacing[o.axes.direction[a]];
@@ -52,6 +58,7 @@ class Cells {
     clear(h_.kick, materials_ * axes_);
     const double* W = row_(h_.lagrangian, 1);
     for (int i = 0; i < n; ++i) row_(h_.work)[i] = W[i];
+    if (h_.force_on) clear(h_.force_work, 1);
   }
   void mixed() {
     for (int i = 0; i < row_.count(); ++i) cell(i);
@@ -71,21 +78,25 @@ class Cells {
       }
       cell.bind[k] = binding(cell, k, courant);
     }
-    double before = 0, after = 0, carried_before = 0, carried_after = 0;
+    double before = 0, after = 0, carried_before = 0, carried_after = 0, driven = 0;
     for (int c = 0; c < components_; ++c) {
       double w[most_materials], R[most_materials] = {}, half[most_materials] = {};
       for (int k = 0; k < cell.count; ++k)
         w[k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
       (c < axes_ ? before : carried_before) += Drag::energy(cell, w);
       drag_.decay(cell, dt, 0.5, w);
-      if (c < axes_) {
-        const double pressed = l_[c] * (high_[c][i] - low_[c][i]);
+      const bool along = c < axes_;
+      const double pressed = (along ? l_[c] * (high_[c][i] - low_[c][i]) : 0.0) - force_[c];
+      if (along || pressed != 0.0 || h_.friction.on) {
         double push[most_materials];
         drag_.push(cell, pressed, push);
+        h_.friction.add(row_, cell, c, i, push);
         drag_.respond(cell, dt, 1.0, push, R);
         for (int k = 0; k < cell.count; ++k) push[k] *= 0.5;
         drag_.respond(cell, dt, 0.5, push, half);
-        write_drift(cell, c, w, half, R, i);
+        for (int k = 0; k < cell.count; ++k) half[k] += w[k];
+        if (along) write_drift(cell, c, half, R, i);
+        for (int k = 0; k < cell.count; ++k) driven += force_[c] * (cell.V[k] * half[k]);
       }
       for (int k = 0; k < cell.count; ++k) w[k] += R[k];
       (c < axes_ ? after : carried_after) += Drag::energy(cell, w);
@@ -93,16 +104,14 @@ class Cells {
     }
     before += carried_before;
     after += carried_after;
-    row_(h_.work)[i] = row_(h_.lagrangian, 1)[i] - (before - after);
+    row_(h_.work)[i] = row_(h_.lagrangian, 1)[i] - (before - after) - driven;
+    if (h_.force_on) row_(h_.force_work)[i] = driven;
   }
-  void write_drift(const DragCell& cell, int axis, const double* w, const double* half,
-                   const double* R, int i) {
+  // `half`: in the middle of the step.
+  void write_drift(const DragCell& cell, int axis, const double* half, const double* R, int i) {
     double drift[most_materials], mean = 0;
-    for (int k = 0; k < cell.count; ++k) {
-      drift[k] = w[k] + half[k];
-      mean += cell.V[k] * drift[k];
-    }
-    for (int k = 0; k < cell.count; ++k) drift[k] -= mean;
+    for (int k = 0; k < cell.count; ++k) mean += cell.V[k] * half[k];
+    for (int k = 0; k < cell.count; ++k) drift[k] = half[k] - mean;
     write(h_.drift, cell, axes_, axis, drift, i);
     write(h_.kick, cell, axes_, axis, R, i);
   }
@@ -116,7 +125,7 @@ class Cells {
   const Handles& h_;
   const Drag& drag_;
   int components_, axes_, materials_;
-  double l_[3];
+  double l_[3], force_[3];
   const double *low_[3], *high_[3];
   const double *mass_[most_materials], *volume_[most_materials];
 };
@@ -143,6 +152,9 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.drift = task.write(v.slip.drift);
   h.kick = task.write(v.slip.kick);
   h.work = task.write(v.slip.work);
+  h.friction = read_friction(task, v, o);
+  h.force_on = o.force_on;
+  if (o.force_on) h.force_work = task.write(v.slip.force_work);
   task.kernel([=, drag = Drag(o.drag)](const Row& row) {
     for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);

@@ -203,14 +203,6 @@ TEST(Slip, InterfacesHoldAtStrongJumpsWithoutDrag) {
   }
 }
 
-struct Hard {
-  const char* name;
-  Fluid a, b;
-  IntVec3 cells;
-  double time;
-  Start start;
-};
-
 MixtureCell two(double V, double rho_a, double rho_b, double p) {
   MixtureCell c;
   c.volume = {V, 1 - V};
@@ -218,6 +210,88 @@ MixtureCell two(double V, double rho_a, double rho_b, double p) {
   c.pressure = {p, p};
   return c;
 }
+
+// Clouds of drops and a slab, moving against the gas: everything that slip does.
+Start busy(bool turned) {
+  return [turned](Vec3 x) {
+    const double s = turned ? -x.x : x.x;
+    const double V = s > -.4 && s < -.1 ? .02 : s > .1 && s < .3 && x.y < .2 ? 1.0 : 0.0;
+    MixtureCell c = two(V, 1000, 1.2, s < -.3 ? 1e6 : 1e5);
+    c.velocity[0] = turned ? -20 : 20;
+    c.velocity[1] = 5;
+    c.slip = {turned ? -60. : 60., 0};
+    return c;
+  };
+}
+// Two viscous fluids in every cell, a shear wave in one of them that drags the other along:
+//   M_m u_m' = -V_m mu_m k^2 u_m + K V_a V_b (u_n - u_m)
+double shear_error(int n, double K) {
+  const double A = 1e-2, V = .4, Ma = .4 * 3, Mb = .6, mu_a = .05, mu_b = .2, time = .5;
+  const double k2 = 4 * M_PI * M_PI;
+  Transport transport;
+  transport.viscosity = {mu_a, mu_b};
+  MixtureBox run(
+      tube({4, n, 1}, true), {heavy, air},
+      [&](Vec3 x) {
+        MixtureCell c = two(V, 3, 1, 1);
+        c.slip = {A * std::sin(2 * M_PI * x.y), 0};
+        return c;
+      },
+      {}, {}, transport, K);
+  run.run(time);
+  double u[2] = {A, 0};
+  const int steps = 20000;
+  for (int s = 0; s < steps; ++s) {  // the midpoint rule
+    const auto rate = [&](const double* v, int m) {
+      const double pull = K * V * (1 - V) * (m == 0 ? v[1] - v[0] : v[0] - v[1]);
+      return m == 0 ? (pull - V * mu_a * k2 * v[0]) / Ma : (pull - (1 - V) * mu_b * k2 * v[1]) / Mb;
+    };
+    const double h = time / steps;
+    const double half[2] = {u[0] + .5 * h * rate(u, 0), u[1] + .5 * h * rate(u, 1)};
+    const double next[2] = {u[0] + h * rate(half, 0), u[1] + h * rate(half, 1)};
+    u[0] = next[0];
+    u[1] = next[1];
+  }
+  double worst = 0;
+  for (int j = 0; j < n; ++j)
+    for (int m = 0; m < 2; ++m)
+      worst = std::fmax(worst, std::fabs(run.velocity_of(m, {2, j, 0}) -
+                                         u[m] * std::sin(2 * M_PI * (j + .5) / n)));
+  return worst / A;
+}
+TEST(Slip, ShearOfTwoFluidsFallsAsEachRubsAndBothDrag) {
+  for (const double K : {0., 5., 1e4}) {
+    const double coarse = shear_error(16, K), fine = shear_error(32, K);
+    const double order = std::log2(coarse / fine);
+    std::printf("K %g: errors %.2e %.2e, order %.2f\n", K, coarse, fine, order);
+    EXPECT_LT(fine, 4e-3) << K;
+    EXPECT_GT(order, 1.6) << K;
+  }
+}
+
+// Friction, conduction, heat exchange and drag between walls: nothing is lost.
+TEST(Slip, ClosedBoxWithAllTransportKeepsEnergy) {
+  Transport transport;
+  transport.viscosity = {2, .5};
+  transport.conductivity = {600, 30};
+  transport.heat_exchange = 1e6;
+  MixtureBox run(tube({24, 24, 1}), {water, air}, busy(false), {}, {}, transport, 100);
+  const Totals before = run.totals();
+  run.steps(200);
+  const Totals after = run.totals();
+  for (std::size_t m = 0; m < 2; ++m)
+    EXPECT_NEAR(after.mass[m].sum.value() / before.mass[m].sum.value(), 1, 4e-15);
+  EXPECT_NEAR(energy(after) / energy(before), 1, 2e-14);
+  EXPECT_EQ(run.rejected(), 0);
+}
+
+struct Hard {
+  const char* name;
+  Fluid a, b;
+  IntVec3 cells;
+  double time;
+  Start start;
+};
 
 std::vector<Hard> hard_cases() {
   std::vector<Hard> all;
@@ -267,18 +341,6 @@ TEST(Slip, HardCasesFinish) {
     }
 }
 
-// Clouds of drops and a slab, moving against the gas: everything that slip does.
-Start busy(bool turned) {
-  return [turned](Vec3 x) {
-    const double s = turned ? -x.x : x.x;
-    const double V = s > -.4 && s < -.1 ? .02 : s > .1 && s < .3 && x.y < .2 ? 1.0 : 0.0;
-    MixtureCell c = two(V, 1000, 1.2, s < -.3 ? 1e6 : 1e5);
-    c.velocity[0] = turned ? -20 : 20;
-    c.velocity[1] = 5;
-    c.slip = {turned ? -60. : 60., 0};
-    return c;
-  };
-}
 GasBox around_zero(int nx, int ny) {
   GasBox box = tube({nx, ny, 1});
   box.low = {-.5, -.5, -.5};

@@ -6,7 +6,7 @@
 //   q_m = sum_d [F_m- (U_m- - v_m) - F_m+ (U_m+ - v_m)],   a_m = M_m' w_mL + q_m
 //   S_m' = a_m - (M_m'/rho') sum a_n
 // then half a step of drag about what pressure holds against it, w'' = R + E (w' - R), R the answer
-// to dm_m = -(V_m' - M_m'/rho') l (p_f+ - p_f-) in a whole step. Heat is what the kinetic energy
+// to dm_m = -(V_m' - M_m'/rho') [l (p_f+ - p_f-) - dt f] in a whole step. Heat is what the kinetic energy
 // has lost, in the frame of v, to the materials by mass:
 //   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 + w_mL q_m + M_m' w_mL^2/2 }
 //       - |sum a_m|^2/(2 rho') - sum_m M_m' w_m''^2/2
@@ -26,25 +26,30 @@ namespace {
 struct Handles : UpdateState {
   In velocity_L, lock;
   std::array<In, 3> velocity, face_pressure;  // of each material; of the mixture
-  std::vector<Out> slip_new;
+  FrictionOnSlip friction;
 };
 
-// `o`: the options of material m.
+// `o`: the options of material m. True: its cells may hold others now, and need one pressure.
 template <int D, int C>
-void pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
+bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
-  check_row(row, u, o);
-  end_alone(row, h, u, o.fluid);
   leave_alone(row, h, m);
   for (const Out slip : h.slip_new)
     for (int c = 0; c < C; ++c) std::fill_n(row(slip, c), row.count(), 0.0);
+  if (o.sources != nullptr) {
+    add_sources(row, h, o);
+    if (o.sources->takes_from(m, row.step())) return true;
+  }
+  check_row(row, u, o);
+  end_alone(row, h, u, o.fluid);
+  return false;
 }
 
 // Nothing is left of a material, to the round-off of what was there (update.cpp).
 bool is_gone(double M, double V, double M_before, double V_before) {
-  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
-  return M == 0.0 || std::fabs(V) < least || std::fabs(M) <= round_off * M_before ||
+  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
+  return M == 0.0 || std::fabs(V) < least_volume || std::fabs(M) <= round_off * M_before ||
          (std::fabs(V) <= round_off * V_before && V_before > 0.0);
 }
 
@@ -60,9 +65,17 @@ class Cells {
         closure_(closure),
         materials_(static_cast<int>(h.state.size())) {
     for (int d = 0; d < D; ++d) l_[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
+    for (int c = 0; c < C; ++c)
+      force_[c] = row.step().dt * o.force[o.direction[static_cast<std::size_t>(c)]];
   }
-  void run() {
-    for (int i = 0; i < row_.count(); ++i) cell(i);
+  void run() const {
+    for (int i = 0; i < row_.count(); ++i) move(i);
+    if (o_.sources != nullptr) add_sources(row_, h_, o_);
+    relax();
+  }
+  // Of cells whose new state is there but for one pressure.
+  void relax() const {
+    for (int i = 0; i < row_.count(); ++i) relax_cell(i);
   }
 
  private:
@@ -118,7 +131,8 @@ class Cells {
     return gain + (brought + carried) + left_over;
   }
 
-  void cell(int i) const {
+  // The new state before sources.
+  void move(int i) const {
     double M[most_materials], V[most_materials], E[most_materials];
     double a[most_materials][C], passed[C] = {}, rho = 0, k = 0;
     for (int m = 0; m < materials_; ++m) {
@@ -139,8 +153,28 @@ class Cells {
       ++present.count;
     }
     k -= kinetic_energy(a, rho) + finish_drag(present, a, i);
-    for (int m = 0; m < materials_; ++m) E[m] += k / rho * M[m];
-    close(M, V, E, rho, i);
+    for (int m = 0; m < materials_; ++m) {
+      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      row_(s.mass_new)[i] = M[m];
+      row_(s.volume_new)[i] = V[m];
+      row_(s.energy_new)[i] = E[m] + k / rho * M[m];
+    }
+    row_(h_.end, 0)[i] = rho;
+  }
+  void relax_cell(int i) const {
+    double M[most_materials], V[most_materials], E[most_materials];
+    DragCell present;
+    present.total = row_(h_.end, 0)[i];
+    for (int m = 0; m < materials_; ++m) {
+      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      M[m] = row_(s.mass_new)[i];
+      V[m] = row_(s.volume_new)[i];
+      E[m] = row_(s.energy_new)[i];
+      if (M[m] == 0.0) continue;
+      present.index[present.count] = m;
+      present.M[present.count++] = M[m];
+    }
+    close(M, V, E, present.total, i);
     rates(present, V, i);
   }
 
@@ -166,7 +200,7 @@ class Cells {
       for (int n = 0; n < cell.count; ++n) total += a[cell.index[n]][c];
       for (int n = 0; n < cell.count; ++n)
         w[n] = a[cell.index[n]][c] / cell.M[n] - total / cell.total;
-      if (c < D) respond(cell, c, i, R);
+      if (c < D || force_[c] != 0.0 || h_.friction.on) respond(cell, c, i, R);
       for (int n = 0; n < cell.count; ++n) w[n] -= R[n];
       drag_.decay(cell, row_.step().dt, 0.5, w);
       for (int n = 0; n < cell.count; ++n) {
@@ -189,11 +223,15 @@ class Cells {
       cell.bind[n] = binding(cell, n, courant);
     }
   }
-  void respond(const DragCell& cell, int d, int i, double* R) const {
-    const In pressure = h_.face_pressure[static_cast<std::size_t>(d)];
-    const double pressed = l_[d] * (row_(pressure, 0, d, 1)[i] - row_(pressure)[i]);
+  void respond(const DragCell& cell, int c, int i, double* R) const {
+    double pressed = -force_[c];
+    if (c < D) {
+      const In pressure = h_.face_pressure[static_cast<std::size_t>(c)];
+      pressed += l_[c] * (row_(pressure, 0, c, 1)[i] - row_(pressure)[i]);
+    }
     double push[most_materials];
     drag_.push(cell, pressed, push);
+    h_.friction.add(row_, cell, c, i, push);
     drag_.respond(cell, row_.step().dt, 1.0, push, R);
   }
 
@@ -207,12 +245,10 @@ class Cells {
       report(i, fault_volume, 1.0 / iJ);
     else if (result.failed >= 0)
       report(i, fault_of_material * (result.failed + 1), E[result.failed]);
-    row_(h_.end, 0)[i] = rho;
     row_(h_.end, 1)[i] = result.modulus;
     row_(h_.pressure)[i] = result.pressure;
     for (int m = 0; m < materials_; ++m) {
       const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
-      row_(s.mass_new)[i] = M[m];
       row_(s.volume_new)[i] = V[m];
       row_(s.energy_new)[i] = E[m];
     }
@@ -261,7 +297,7 @@ class Cells {
   const Drag& drag_;
   const CellClosure& closure_;
   int materials_;
-  double l_[D];
+  double l_[D], force_[C];
 };
 
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
@@ -269,13 +305,13 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   declare_update(task, v, o, h);
   h.velocity_L = task.read(v.slip.velocity_L);
   h.lock = task.read(v.slip.lock);
+  h.friction = read_friction(task, v, o);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
     h.velocity[a] = task.read(v.common.material_velocity[a], both);
     h.face_pressure[a] = task.read(v.common.face_pressure[a], both);
   }
-  for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
   return h;
 }
 
@@ -290,9 +326,10 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
                  drag = Drag(o.drag), diffusion = DiffusionRates(o)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
-        if (pure < 0.0) return Cells<D, C>(part, h, o, drag, closure).run();
+        const Cells<D, C> cells(part, h, o, drag, closure);
+        if (pure < 0.0) return cells.run();
         const auto m = static_cast<std::size_t>(pure);
-        pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m));
+        if (pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);

@@ -17,14 +17,9 @@
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
-
-struct Handles : UpdateState {
-  SourceHandles sources;
-};
 
 // What finds the pressure of a cell.
 struct Laws {
@@ -32,30 +27,9 @@ struct Laws {
   IdealRelaxation ideal;
 };
 
-// Adds the sources; the density of the mixture follows.
-void add_sources(const Row& row, const Handles& h, const SchemeOptions& o) {
-  SourceRows rows;
-  rows.row = &row;
-  rows.change = h.sources.change;
-  rows.layout = source_change(o);
-  for (std::size_t m = 0; m < h.state.size(); ++m) {
-    rows.mass[m] = row(h.state[m].mass_new);
-    rows.volume[m] = row(h.state[m].volume_new);
-    rows.energy[m] = row(h.state[m].energy_new);
-  }
-  for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
-  o.sources->apply(rows);
-  double* density = row(h.end, 0);
-  std::fill_n(density, row.count(), 0.0);
-  for (const MaterialState& s : h.state) {
-    const double* M = row(s.mass_new);
-    for (int i = 0; i < row.count(); ++i) density[i] += M[i];
-  }
-}
-
 // `o`: the options of material m. True: its cells may hold others now, and need one pressure.
 template <int D, int C>
-bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
+bool pure_cells(const Row& row, const UpdateState& h, const SchemeOptions& o, int m) {
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
   leave_alone(row, h, m);
@@ -72,7 +46,7 @@ bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m)
 template <int D, int C>
 class MixedCells {
  public:
-  MixedCells(const Row& row, const Handles& h, const SchemeOptions& o, const Laws& laws)
+  MixedCells(const Row& row, const UpdateState& h, const SchemeOptions& o, const Laws& laws)
       : row_(row),
         h_(h),
         o_(o),
@@ -166,10 +140,9 @@ class MixedCells {
 
   // k by mass, with what materials leave that are gone: to the round-off of what was there. Through
   // one outlet a material leaves to the bit (remap_fluxes.cpp), through several only the sum of
-  // their fluxes is all of it. Below `least` its numbers would lose their digits; no sum over
-  // cells knows of it.
+  // their fluxes is all of it.
   void share_defect(int first, int n) const {
-    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(), least = 1e-100;
+    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
     double* __restrict defect = modulus_ + first;
     const double* __restrict density = density_ + first;
     for (int m = 0; m < materials_; ++m) {
@@ -183,7 +156,7 @@ class MixedCells {
       for (int i = 0; i < n; ++i) {
         const int light = int{std::fabs(M[i]) <= round_off * M_before[i]};
         const int thin = int{std::fabs(V[i]) <= round_off * V_before[i]} & int{V_before[i] > 0.0};
-        const int empty = int{M[i] == 0.0} | int{std::fabs(V[i]) < least};
+        const int empty = int{M[i] == 0.0} | int{std::fabs(V[i]) < least_volume};
         const bool gone = (empty | light | thin) != 0;
         defect[i] += gone ? E[i] : 0.0;
         M[i] = gone ? 0.0 : M[i];
@@ -259,7 +232,7 @@ class MixedCells {
   }
 
   const Row& row_;
-  const Handles& h_;
+  const UpdateState& h_;
   const SchemeOptions& o_;
   const Axes& axes_;
   const Laws& laws_;
@@ -270,18 +243,12 @@ class MixedCells {
   Material rows_[most_materials];
 };
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
-  Handles h;
-  declare_update(task, v, o, h);
-  h.sources = declare_sources(task, v.common, o);
-  return h;
-}
-
 }  // namespace
 
 void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
-  const Handles h = declare(task, v, o);
+  UpdateState h;
+  declare_update(task, v, o, h);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=,

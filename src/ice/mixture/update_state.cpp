@@ -26,6 +26,9 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
     s.energy_new = task.write(v.energy_new[m]);
     h.state.push_back(s);
   }
+  if (o.own_velocities)
+    for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
+  h.sources = declare_sources(task, v.common, o);
   h.end = task.write(v.end);
   h.pressure = task.write(v.common.new_pressure);
   h.closure = task.write(v.common.closure);
@@ -73,6 +76,29 @@ void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, con
   for (int i = 0; i < n; ++i) {
     p[i] = gas->pressure(rho[i], E[i]);
     K[i] = gas->gamma * p[i];
+  }
+}
+
+void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o) {
+  SourceRows rows;
+  rows.row = &row;
+  rows.change = h.sources.change;
+  rows.layout = source_change(o);
+  for (std::size_t m = 0; m < h.state.size(); ++m) {
+    rows.mass[m] = row(h.state[m].mass_new);
+    rows.volume[m] = row(h.state[m].volume_new);
+    rows.energy[m] = row(h.state[m].energy_new);
+  }
+  for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
+  for (std::size_t m = 0; m < h.slip_new.size(); ++m)
+    for (int c = 0; c < o.components; ++c)
+      rows.slip[m][static_cast<std::size_t>(c)] = row(h.slip_new[m], c);
+  o.sources->apply(rows);
+  double* density = row(h.end, 0);
+  std::fill_n(density, row.count(), 0.0);
+  for (const MaterialState& s : h.state) {
+    const double* M = row(s.mass_new);
+    for (int i = 0; i < row.count(); ++i) density[i] += M[i];
   }
 }
 

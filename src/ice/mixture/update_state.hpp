@@ -6,6 +6,7 @@
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::mixture {
 
@@ -21,6 +22,8 @@ struct UpdateState {
   std::array<In, 3> flux;  // of each material
   std::vector<MaterialState> state;
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
+  std::vector<Out> slip_new;   // where each material has a velocity of its own
+  SourceHandles sources;
 };
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
 
@@ -38,6 +41,9 @@ inline HeatExchange::Surface surface_of(const Row& row, const UpdateState& h,
 void leave_alone(const Row& row, const UpdateState& h, int m);
 // Density, pressure and modulus of the mixture where `fluid` is alone.
 void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid);
+
+// Adds the sources to the new state; the density of the mixture follows.
+void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o);
 
 // Over the whole row: in runs of one material alone too.
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion);

@@ -23,6 +23,8 @@ struct SlipVariables {
   VariableId drift;        // by axis: u_m less the mean by volume, in the middle of the step
   VariableId kick;         // by axis: what pressure gave to u_m - u
   VariableId work;         // work defect of the mixture and its change of kinetic energy of slip
+  VariableId force_work;   // what a driving force works on the slip
+  std::array<VariableId, 3> stress;         // by axis: friction of each material
   std::array<VariableId, 3> face_velocity;  // by axis, of each material
   VariableId outflow;                       // of each material: Courant number, main outlet
   std::array<VariableId, 3> base;           // by axis: velocity of each for the remap

@@ -4,11 +4,16 @@
 //   E' = E + dE + p (W - V') + r M'/rho'
 // with p the cell's pressure (what a volume given or taken at the face works) and r what makes the
 // total energy right: by mass, as the dissipation of a step. A material of which nothing is left
-// leaves its energy to r. With velocities of their own S_m' = a_m - (M_m'/rho') sum a_n with
-// a_m = S_m + dP_m - u dM_m, u the mixture's velocity and dP_m what passes with the material; the
-// kinetic energy of slip is part of the total energy.
+// leaves its energy to r. With velocities of their own, dP_m what passes with the material, u the
+// mixture's velocity, w_m = S_m/M_m and a cell that had the material,
+//   w_m' = w_m + (dP_m - (u + w_m) dM_m)/max(M_m', M_m/2),   S_m' = M_m' (w_m' - sum M_n' w_n'/rho')
+// what is left of a material takes no velocity from what went. One that comes new brings its own,
+// up to its sound speed; traces move with the mixture (drag.hpp). The kinetic energy of slip is part
+// of the total energy.
 #include <cmath>
 
+#include "ice/limiters.hpp"
+#include "ice/mixture/drag.hpp"
 #include "ice/refine/correction.hpp"
 #include "ice/refine/mixture_transfer.hpp"
 
@@ -117,7 +122,7 @@ class MixtureCorrector {
   // Is what is left of a material nothing but the round-off of what came and went.
   bool nothing_left(std::size_t m) const {
     const Part &s = part_[m], &d = change_[m], &n = now_[m];
-    if (n.M == 0.0) return true;
+    if (n.M == 0.0 || std::fabs(n.V) < mixture::least_volume) return true;
     if (!(std::fabs(n.V) <= round_off)) return false;
     const double density =
         std::fmax(s.V > 0.0 ? s.M / s.V : 0.0, d.V != 0.0 ? std::fabs(d.M / d.V) : 0.0);
@@ -132,12 +137,13 @@ class MixtureCorrector {
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part &s = part_[m], &d = change_[m];
       now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
-      for (std::size_t c = 0; c < layout_.components; ++c)
-        now_[m].S[c] = s.S[c] + share * (d.S[c] - mixture_.m[c] / mixture_.rho * d.M);
+      if (now_[m].M < least_kept_by_corrections * s.M) keep_state(m);
       if (nothing_left(m))
         now_[m] = {};
       else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))
         return false;
+      else if (layout_.own_velocities)
+        bring_slip(m, share);
       moved = moved || now_[m].V != s.V;
       rho += now_[m].M;
       volume += now_[m].V;
@@ -166,6 +172,30 @@ class MixtureCorrector {
       if (!fluids_[m].admissible(now.M / now.V, now.E / now.V)) return false;
     }
     return true;
+  }
+
+  // Little that is left of a material is as all of it was: differences of what went say nothing of
+  // its state.
+  void keep_state(std::size_t m) {
+    const double share = now_[m].M / part_[m].M;
+    now_[m].V = share * part_[m].V;
+    now_[m].E = share * part_[m].E;
+  }
+
+  // Slip in the frame of the mixture before.
+  void bring_slip(std::size_t m, double share) {
+    const Part &s = part_[m], &d = change_[m];
+    Part& now = now_[m];
+    const double free = mixture::freedom(now.V), dM = share * d.M;
+    const double sound = fluids_[m].sound_speed(now.M / now.V, pressure_);
+    const double fastest = sound > 0.0 ? sound : 0.0;  // a gas in tension has none
+    for (std::size_t c = 0; c < layout_.components; ++c) {
+      const double u = mixture_.m[c] / mixture_.rho, w = s.M > 0.0 ? s.S[c] / s.M : 0.0;
+      const double brought = share * d.S[c] - (u + w) * dM;
+      double after = w + brought / larger(now.M, 0.5 * s.M);
+      if (!(s.M > 0.0)) after = larger(-fastest, smaller(fastest, after));
+      now.S[c] = free * now.M * after;
+    }
   }
 
   // Slips of those present sum to zero; what their kinetic energy gains.

@@ -20,8 +20,9 @@ inline std::vector<Fluid> three_fluids() {
 
 class MixtureState {
  public:
-  MixtureState(const IndexBox& box, const TransferCase& c, std::size_t materials)
-      : box_(box), layout_{materials, static_cast<std::size_t>(c.components)} {
+  MixtureState(const IndexBox& box, const TransferCase& c, std::size_t materials,
+               bool own_velocities = false)
+      : box_(box), layout_{materials, static_cast<std::size_t>(c.components), own_velocities} {
     data_.assign(layout_.quantities(),
                  std::vector<double>(static_cast<std::size_t>(box.volume()), 0.0));
     const BoxState shape(box, c);
@@ -42,6 +43,9 @@ class MixtureState {
   double& energy(std::size_t m, IntVec3 cell) const { return at(layout_.energy(m), cell); }
   double& volume(std::size_t m, IntVec3 cell) const { return at(layout_.volume(m), cell); }
   double& momentum(std::size_t c, IntVec3 cell) const { return at(layout_.momentum(c), cell); }
+  double& slip(std::size_t m, std::size_t c, IntVec3 cell) const {
+    return at(layout_.slip(m, c), cell);
+  }
 
   double density(IntVec3 cell) const {
     double rho = 0;
@@ -52,7 +56,11 @@ class MixtureState {
     long double square = 0, internal = 0;
     for (std::size_t c = 0; c < layout_.components; ++c)
       square += static_cast<long double>(momentum(c, cell)) * momentum(c, cell);
-    for (std::size_t m = 0; m < layout_.materials; ++m) internal += energy(m, cell);
+    for (std::size_t m = 0; m < layout_.materials; ++m) {
+      internal += energy(m, cell);
+      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+        if (const long double S = slip(m, c, cell); S != 0) internal += S * S / (2 * mass(m, cell));
+    }
     return internal + square / (2.0L * density(cell));
   }
   // A material that fills a share of a cell with this density at this pressure.

@@ -20,6 +20,7 @@ struct Handles {
   std::vector<In> q, mass;  // by scalar
   In velocity, mask, rho_L, velocity_slope;
   std::vector<char> by_volume;  // by scalar
+  std::vector<int> moves;       // by scalar: first component of its velocity
   Out base, half;
 };
 
@@ -159,7 +160,9 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   for (const ScalarVariables::Each& e : v.scalars.each) {
     h.q.push_back(task.read(e.old, Stencil::box(1)));
     h.mass.push_back(task.read(e.mass, Stencil::box(1)));
-    diffusivity.push_back(o.scalars[static_cast<std::size_t>(e.index)].diffusivity);
+    const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
+    diffusivity.push_back(scalar.diffusivity);
+    h.moves.push_back(o.mixture && o.own_velocities ? scalar.material * o.components : 0);
   }
   for (const ScalarVariables::Each& e : v.scalars.each)
     h.by_volume.push_back(o.scalars[static_cast<std::size_t>(e.index)].by_volume ? 1 : 0);
@@ -183,7 +186,7 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
             const double dx = part.step().spacing[axes.direction[t]];
             x.h[t] = 0.5 * part.step().dt / dx;
             x.diffusion[t] = x.h[t] / dx * diffusivity[k];
-            x.velocity[t] = part(h.velocity, t);
+            x.velocity[t] = part(h.velocity, h.moves[k] + t);
           }
           base_rows<D>(part, h, x, k, diffusivity[k] > 0);
         }

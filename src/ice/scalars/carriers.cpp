@@ -1,4 +1,5 @@
-// Which mass of each material with scalars passes the faces of a mixture.
+// Which mass of each material with scalars passes the faces of a mixture, and how it moves there if
+// it has a velocity of its own.
 //
 // Where both cells of a face have the same pure neighbourhood it is the total flux, of that
 // material alone; elsewhere that of each material (mixture/remap_fluxes.cpp).
@@ -34,6 +35,53 @@ void add_carriers(TaskList& list, const SchemeVariables& v, const SchemeOptions&
       }
     });
   }
+}
+
+namespace {
+
+// Of each carrier its own where the neighbourhood is mixed, else the mixture's; axis -1: of cells.
+void add_choice(TaskList& list, const char* name, const mixture::Variables& v, int effect,
+                const SchemeOptions& o, int axis, VariableId mixture, VariableId own,
+                VariableId to) {
+  TaskBuilder task = list.task(name, effect);
+  const In of_all = task.read(mixture), of_each = task.read(own);
+  const Stencil around = axis < 0 ? Stencil{} : Stencil::along(o.axes.direction[axis], 1, 0);
+  const In pure = task.read(v.pure, around);
+  const Out out = task.write(to);
+  task.kernel([=, carried = v.common.scalars.materials](const Row& row) {
+    const double* below = axis < 0 ? row(pure) : row(pure, 0, axis, -1);
+    const double* above = row(pure);
+    const double* all = row(of_all);
+    for (std::size_t k = 0; k < carried.size(); ++k) {
+      const double* each = row(of_each, carried[k]);
+      double* chosen = row(out, static_cast<int>(k));
+      for (int i = 0; i < row.count(); ++i)
+        chosen[i] = below[i] == above[i] && above[i] >= 0.0 ? all[i] : each[i];
+    }
+  });
+}
+
+}  // namespace
+
+SchemeVariables add_own_motion(TaskList& list, const mixture::Variables& m, const SchemeOptions& o,
+                               int effect) {
+  SchemeVariables v = m.common;
+  if (v.scalars.each.empty()) return v;
+  static const char* names[] = {"velocity with scalars of axis 0",
+                                "velocity with scalars of axis 1",
+                                "velocity with scalars of axis 2"};
+  const int count = static_cast<int>(v.scalars.materials.size());
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    v.face_velocity[a] = list.temporary(names[axis], count, o.axes.direction[axis]);
+    add_choice(list, names[axis], m, effect, o, axis, m.common.face_velocity[a],
+               m.slip.face_velocity[a], v.face_velocity[a]);
+  }
+  v.courant = list.temporary("outflow with scalars", count);
+  add_choice(list, "outflow with scalars", m, effect, o, -1, m.common.courant, m.slip.outflow,
+             v.courant);
+  v.velocity = m.slip.velocity;
+  return v;
 }
 
 }  // namespace sluice::ice::scalars

@@ -18,6 +18,7 @@ namespace {
 struct Each {
   In q, mass, volume;
   int carrier = 0, place = 0;
+  int motion = 0;  // component of face velocity and outflow
   double diffusivity = 0;
   bool by_volume = false;
 };
@@ -50,7 +51,7 @@ void face_row(const Row& row, const Handles& h, const Each& e, int axis, int axe
   const auto cells = [&](In in, int c = 0) { return Pair{row(in, c, axis, -1), row(in, c)}; };
   const Pair low = cells(h.base, first + lowest), high = cells(h.base, first + highest);
   const Pair base = cells(h.base, first + offered + axis);
-  const Pair iJ = cells(h.inverse_J), N = cells(h.courant);
+  const Pair iJ = cells(h.inverse_J), N = cells(h.courant, e.motion);
   const Pair mask = Masked ? cells(h.mask) : iJ;
   const double* __restrict qmm = row(e.q, 0, axis, -2);
   const double* __restrict qm = row(e.q, 0, axis, -1);
@@ -61,7 +62,7 @@ void face_row(const Row& row, const Handles& h, const Each& e, int axis, int axe
   const double* __restrict Mp = row(e.mass, 0, axis, 0);
   const double* __restrict Mpp = row(e.mass, 0, axis, 1);
   const double* __restrict F = row(h.carrier, e.carrier);
-  const double* __restrict uf = row(h.face_velocity);
+  const double* __restrict uf = row(h.face_velocity, e.motion);
   double* __restrict face = row(h.face, e.place);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
@@ -94,7 +95,7 @@ void amount_row(const Row& row, const Handles& h, const Each& e, int axis, int a
   const auto cells = [&](In in, int c = 0) { return Pair{row(in, c, axis, -1), row(in, c)}; };
   const Pair low = cells(h.base, first + lowest), high = cells(h.base, first + highest);
   const Pair base = cells(h.base, first + offered + axis);
-  const Pair iJ = cells(h.inverse_J), N = cells(h.courant);
+  const Pair iJ = cells(h.inverse_J), N = cells(h.courant, e.motion);
   const Pair mask = Masked ? cells(h.mask) : iJ;
   const double *q[4], *M[4];
   for (int k = 0; k < 4; ++k) {
@@ -126,7 +127,7 @@ void amount_row(const Row& row, const Handles& h, const Each& e, int axis, int a
 void donor_row(const Row& row, const Handles& h, const Each& e, int axis) {
   const double* __restrict qm = row(e.q, 0, axis, -1);
   const double* __restrict qp = row(e.q);
-  const double* __restrict uf = row(h.face_velocity);
+  const double* __restrict uf = row(h.face_velocity, e.motion);
   double* __restrict face = row(h.face, e.place);
   for (int i = 0; i < row.count(); ++i) face[i] = uf[i] < 0.0 ? qp[i] : qm[i];
 }
@@ -149,8 +150,8 @@ void spread_row(const Row& row, const Handles& h, const Each& e, int axis, doubl
   }
   const double* __restrict Va = row(e.volume, 0, axis, -1);
   const double* __restrict Vb = row(e.volume);
-  const double* __restrict Na = row(h.courant, 0, axis, -1);
-  const double* __restrict Nb = row(h.courant);
+  const double* __restrict Na = row(h.courant, e.motion, axis, -1);
+  const double* __restrict Nb = row(h.courant, e.motion);
 #pragma GCC ivdep
   for (int i = 0; i < row.count(); ++i) {
     const double stays_a = Ma[i] * staying_share(Va[i], Na[i]);
@@ -171,6 +172,7 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     each.mass = task.read(e.mass, o.second_order ? four : both);
     if (o.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
     each.carrier = e.carrier;
+    each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
     each.diffusivity = o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
     each.by_volume = o.scalars[static_cast<std::size_t>(e.index)].by_volume;

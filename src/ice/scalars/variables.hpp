@@ -9,6 +9,10 @@
 #include "ice/conservative/variables.hpp"
 #include "models/transported_scalar.hpp"
 
+namespace sluice::ice::mixture {
+struct Variables;
+}
+
 namespace sluice::ice::scalars {
 
 // Components of `base` of each scalar: lowest and highest value around, then what the cell offers
@@ -22,6 +26,11 @@ struct Masses {
 };
 void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v,
                        const Masses& masses);
+
+// How the materials that carry scalars move, where each has a velocity of its own: face velocity
+// and outflow by carrier, velocity of cells of all materials, in the places of the mixture's.
+SchemeVariables add_own_motion(TaskList&, const mixture::Variables&, const SchemeOptions&,
+                               int effect);
 
 // Tasks of the step, in order; each in the file of its name. None without scalars.
 void add_carriers(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);

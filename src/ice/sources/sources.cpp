@@ -18,6 +18,26 @@ double density_at(const SourceRows& r, int i) {
   return rho;
 }
 
+// Velocity of a material relative to the mixture.
+double drift(const SourceRows& r, std::size_t m, int c, int i) {
+  if (!r.own_velocities() || r.mass[m][i] == 0.0) return 0.0;
+  return r.slip[m][static_cast<std::size_t>(c)][i] / r.mass[m][i];
+}
+
+// Material k comes to have mass M and velocity v, the others (of mass `others` together) keep
+// theirs: momentum and slips of component c. `mean`: the velocity of the mixture before.
+void move_apart(const SourceRows& r, std::size_t k, int c, int i, double mean, double others,
+                double M, double v) {
+  const auto n = static_cast<std::size_t>(c);
+  double& own = r.slip[k][n][i];
+  const double momentum = others > 0 ? (others * mean - own) + M * v : M * v;
+  const double now = momentum / (others + M);
+  for (std::size_t m = 0; m < static_cast<std::size_t>(r.layout.materials); ++m)
+    if (m != k && r.mass[m][i] != 0.0) r.slip[m][n][i] += r.mass[m][i] * (mean - now);
+  own = others > 0 ? M * (v - now) : 0.0;
+  r.momentum[c][i] = momentum;
+}
+
 }  // namespace
 
 Sources::Sources(const models::ModelList& models, const std::vector<models::AddedHeat>& heat,
@@ -82,6 +102,13 @@ void Sources::exchange(const SourceRows& r, const models::MassExchange& x, doubl
     const double V = r.volume[from][i];
     const double stays = V * (1.0 - share) < least_volume ? 0.0 : 1.0 - share;
     if (stays > 0 && r.mass[to][i] == 0.0 && V * share < least_volume) continue;
+    const double receiver = r.mass[to][i];
+    double velocity[3] = {}, apart = 0;  // of the giver; |u_from - u_to|^2
+    for (int c = 0; c < r.layout.components; ++c) {
+      const double w = drift(r, from, c, i), between = w - drift(r, to, c, i);
+      velocity[c] = r.momentum[c][i] / rho + w;
+      apart += between * between;
+    }
     const auto pass = [&](double& giver, double& taker, C::OfMaterial q) {
       const double rest = stays * giver, amount = giver - rest;
       giver = rest;
@@ -95,9 +122,17 @@ void Sources::exchange(const SourceRows& r, const models::MassExchange& x, doubl
     exchanged_mass[i] += mass;
     exchanged_energy[i] += pass(r.energy[from][i], r.energy[to][i], C::energy);
     for (int c = 0; c < r.layout.components; ++c) {
-      const double carried = mass * (r.momentum[c][i] / rho);
+      const double carried = mass * velocity[c];
       change_row(r, r.layout.of(x.from, C::momentum) + c)[i] -= carried;
       change_row(r, r.layout.of(x.to, C::momentum) + c)[i] += carried;
+    }
+    if (!r.own_velocities()) continue;
+    r.energy[to][i] += 0.5 * apart * (mass * receiver / (mass + receiver));
+    for (std::size_t c = 0; c < static_cast<std::size_t>(r.layout.components); ++c) {
+      double &giver = r.slip[from][c][i], &taker = r.slip[to][c][i];
+      const double rest = stays * giver;
+      taker = r.mass[to][i] == rho ? 0.0 : taker + (giver - rest);
+      giver = rest;
     }
   }
 }
@@ -130,18 +165,22 @@ void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const
       if (n != m) others += r.mass[static_cast<std::size_t>(n)][i];
     double gain = 0, slip = 0;  // of kinetic energy; |u - u_f|^2
     for (int c = 0; c < r.layout.components; ++c) {
-      const double u = r.momentum[c][i] / rho, v = f.velocity[static_cast<std::size_t>(c)];
+      const double mean = r.momentum[c][i] / rho, v = f.velocity[static_cast<std::size_t>(c)];
+      const double u = mean + drift(r, k, c, i);
       row_of(r.layout.of(m, C::momentum) + c)[i] += M1 * v - M0 * u;
       gain += 0.5 * (M1 * v * v - M0 * u * u);
       slip += (u - v) * (u - v);
-      r.momentum[c][i] = others > 0 ? others * u + M1 * v : M1 * v;
+      if (r.own_velocities())
+        move_apart(r, k, c, i, mean, others, M1, v);
+      else
+        r.momentum[c][i] = others > 0 ? others * u + M1 * v : M1 * v;
     }
     r.mass[k][i] = M1;
     r.energy[k][i] = E1;
     row_of(r.layout.of(m, C::mass))[i] += M1 - M0;
     row_of(r.layout.of(m, C::energy))[i] += E1 - E0;
     row_of(r.layout.of(C::total_energy))[i] += (E1 - E0) + gain;
-    if (!(others > 0)) continue;
+    if (!(others > 0) || r.own_velocities()) continue;
     const double lost = 0.5 * slip * others * M1 / ((others + M1) * (others + M1));  // per mass
     for (int n = 0; n < materials; ++n) {
       const auto j = static_cast<std::size_t>(n);

@@ -11,6 +11,9 @@
 //   heat       E_m += q M_m
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass
+// Where each material has a velocity of its own, u_m = u + S_m/M_m is that of the momentum above:
+// what passes in an exchange mixes with the receiver, whose heat the loss of kinetic energy becomes;
+// the material of `fixed` mixes with none.
 #pragma once
 #include <array>
 #include <vector>
@@ -47,6 +50,9 @@ struct SourceRows {
   // By material of the graph; volume null: it fills the cell.
   std::array<double*, most> mass{}, volume{}, energy{};
   double* momentum[3] = {nullptr, nullptr, nullptr};
+  // Momentum of each material relative to the mixture, by component; null: one velocity.
+  std::array<std::array<double*, 3>, most> slip{};
+  bool own_velocities() const { return slip[0][0] != nullptr; }
 };
 
 class Sources {

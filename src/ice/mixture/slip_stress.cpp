@@ -1,0 +1,166 @@
+// Friction of each material on itself, with velocities of their own.
+//
+//   t_m = (mu_m/mu) t + tau_m,   tau_m the stress of w_m = u_m - u with mu_m,   t' = t + sum tau_m
+// t: the stress of the mixture's motion (conservative/viscous_stress.cpp), mu_m: harmonic mean of
+// V_m mu_m of both cells, mu: that of the mixture. What is no material's own, of eddies and between
+// fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace with
+// little mass takes the friction that it can bear in a step. Absent without friction.
+#include <algorithm>
+#include <string>
+
+#include "ice/conservative/face_mean.hpp"
+#include "ice/limiters.hpp"
+#include "ice/mixture/drag.hpp"
+#include "ice/mixture/slip.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+struct Handles {
+  std::vector<In> mass, volume;
+  In pure, own, velocity, viscosity, own_viscosity, stress;
+  Out total, each;
+};
+
+template <int D, int C>
+class Faces {
+ public:
+  Faces(const Row& row, const Handles& h, const SchemeOptions& o, int axis)
+      : row_(row), h_(h), o_(o), axis_(axis), materials_(static_cast<int>(h.mass.size())) {
+    double sum = 0;
+    for (int t = 0; t < D; ++t) {
+      inverse_[t] = 1.0 / row.step().spacing[o.axes.direction[t]];
+      sum += inverse_[t] * inverse_[t];
+    }
+    bearable_ = 0.375 / (row.step().dt * sum);
+  }
+  void run() const {
+    for (int i = 0; i < row_.count(); ++i) face(i);
+  }
+
+ private:
+  double at(In in, int c, int shift, int i) const { return row_(in, c, axis_, shift)[i]; }
+  double viscosity(int m, int shift, int i) const {
+    const auto k = static_cast<std::size_t>(m);
+    const double mu =
+        h_.own_viscosity.index < 0 ? o_.viscosities[k] : at(h_.own_viscosity, m, shift, i);
+    return at(h_.volume[k], 0, shift, i) * mu;
+  }
+  // Of a material against the mixture, in a cell of the face or `step` cells from it along t.
+  double drift(int m, int c, int shift, int t, int step, int i) const {
+    return row_.at_corner(h_.own, m * C + c, axis_, shift, t, step)[i] -
+           row_.at_corner(h_.velocity, c, axis_, shift, t, step)[i];
+  }
+  double across(int m, int c, int t, int i) const {
+    const double a = drift(m, c, -1, t, 1, i) - drift(m, c, -1, t, -1, i);
+    const double b = drift(m, c, 0, t, 1, i) - drift(m, c, 0, t, -1, i);
+    return 0.25 * inverse_[t] * (a + b);
+  }
+  double strain(int m, int c, int i) const {
+    const double normal =
+        (drift(m, c, 0, axis_, 0, i) - drift(m, c, -1, axis_, 0, i)) * inverse_[axis_];
+    if (c >= D) return normal;
+    if (c != axis_) return normal + across(m, axis_, c, i);
+    double divergence = 0;
+    for (int d = 0; d < D; ++d)
+      if (d != axis_) divergence += across(m, d, d, i);
+    return 2.0 * normal - (2.0 / 3.0) * (normal + divergence);
+  }
+
+  void face(int i) const {
+    const double mu = harmonic_mean(at(h_.viscosity, 0, -1, i), at(h_.viscosity, 0, 0, i));
+    for (int c = 0; c < C; ++c) row_(h_.total, c)[i] = row_(h_.stress, c)[i];
+    for (int m = 0; m < materials_; ++m) {
+      const auto k = static_cast<std::size_t>(m);
+      const double borne = bearable_ * smaller(at(h_.mass[k], 0, -1, i), at(h_.mass[k], 0, 0, i));
+      const double own = smaller(harmonic_mean(viscosity(m, -1, i), viscosity(m, 0, i)), borne);
+      for (int c = 0; c < C; ++c) {
+        double& t = row_(h_.each, m * C + c)[i];
+        t = 0.0;
+        if (!(own > 0.0)) continue;
+        const double tau = own * strain(m, c, i);
+        t = own / mu * row_(h_.stress, c)[i] + tau;
+        row_(h_.total, c)[i] += tau;
+      }
+    }
+  }
+
+  const Row& row_;
+  const Handles& h_;
+  const SchemeOptions& o_;
+  int axis_, materials_;
+  double inverse_[D], bearable_;
+};
+
+}  // namespace
+
+void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int effect) {
+  if (!o.viscous) return;
+  static const char* names[] = {"stress of each material on axis 0",
+                                "stress of each material on axis 1",
+                                "stress of each material on axis 2"};
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const int direction = o.axes.direction[axis];
+    const Stencil both = Stencil::along(direction, 1, 0);
+    TaskBuilder task = list.task(names[axis], effect);
+    Handles h;
+    for (std::size_t m = 0; m < v.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.mass[m], both));
+      h.volume.push_back(task.read(v.volume[m], both));
+    }
+    h.pure = task.read(v.pure, both);
+    h.own = task.read(v.slip.velocity, Stencil::box(1));
+    h.velocity = task.read(v.common.velocity, Stencil::box(1));
+    h.viscosity = task.read(v.common.viscosity, both);
+    if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
+    h.stress = task.read(v.common.stress[a]);
+    v.common.stress[a] =
+        list.temporary(std::string("sum of ") + names[axis], o.components, direction);
+    v.slip.stress[a] =
+        list.temporary(names[axis], static_cast<int>(v.mass.size()) * o.components, direction);
+    h.total = task.write(v.common.stress[a]);
+    h.each = task.write(v.slip.stress[a]);
+    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+      task.kernel([=](const Row& row) {
+        for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
+                          [&](int first, int count, double pure) {
+                            const Row part = row.part(first, count);
+                            if (pure < 0.0) return Faces<D, C>(part, h, o, axis).run();
+                            for (int c = 0; c < C; ++c)
+                              std::copy_n(part(h.stress, c), count, part(h.total, c));
+                          });
+      });
+    });
+  }
+}
+
+FrictionOnSlip read_friction(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+  FrictionOnSlip f;
+  f.on = o.viscous;
+  f.axes = o.axes;
+  f.components = o.components;
+  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    f.stress[a] = task.read(v.slip.stress[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  return f;
+}
+
+void FrictionOnSlip::add(const Row& row, const DragCell& cell, int c, int i, double* push) const {
+  if (!on) return;
+  double sum = 0, pull[most_materials];
+  for (int k = 0; k < cell.count; ++k) {
+    pull[k] = 0;
+    for (int d = 0; d < axes.count; ++d) {
+      const In t = stress[static_cast<std::size_t>(d)];
+      const int q = cell.index[k] * components + c;
+      const double l = row.step().dt / row.step().spacing[axes.direction[d]];
+      pull[k] += l * (row(t, q, d, 1)[i] - row(t, q)[i]);
+    }
+    sum += pull[k];
+  }
+  for (int k = 0; k < cell.count; ++k) push[k] += pull[k] - cell.M[k] / cell.total * sum;
+}
+
+}  // namespace sluice::ice::mixture
