@@ -13,6 +13,7 @@ namespace {
 constexpr double allowed_drift = 1e-13;  // measured 3.4e-14 in 1,080 coarse steps on three levels
 // Corrections at an interface may leave the bounds of the values around. Measured: 0.
 constexpr double allowed_excess = 1e-9;
+constexpr double allowed_wave = 1e-11;
 
 std::vector<double> history(const CaseRun& run, const std::string& label) {
   std::ifstream file(run.archive() / (label + ".dat"));
@@ -43,6 +44,46 @@ TEST(Scalars, OnLevelsKeepTheAmountTheBoundsAndUniformity) {
   EXPECT_GE(low, -allowed_excess);
   EXPECT_LE(high, 1 + allowed_excess);
   EXPECT_LE(farthest_on_levels(run, "scalar-uniform", 0, 0.3), 1e-15);
+}
+
+// Gases of one pressure and temperature on levels that follow them: no wave starts.
+TEST(Scalars, OfAMixtureRaiseNoWavesOnLevels) {
+  const CaseRun run("amr_helium");
+  EXPECT_GE(regrids(run), 50);
+  EXPECT_EQ(most_cells(run).size(), 3u);
+  for (const auto& [label, value] : {std::pair{"press_CC", 1.0}, std::pair{"temp_CC", 1.0}}) {
+    const double farthest = farthest_on_levels(run, label, 0, value);
+    record(label, farthest);
+    EXPECT_LE(farthest, allowed_wave);
+  }
+  const std::vector<double> amount = history(run, "totalSum_scalar-f");
+  const auto [least, most] = std::minmax_element(amount.begin(), amount.end());
+  record("drift", (*most - *least) / *least);
+  EXPECT_LE((*most - *least) / *least, allowed_drift);
+}
+
+// Where streams mix what models add to the energy is what has been given, and what the energy grows
+// by: from a table on one level, and of a flame sheet on levels that move.
+TEST(Scalars, CountTheHeatOfMixing) {
+  for (const auto& [deck, levels] :
+       {std::pair{"mixing_table", std::size_t{1}}, std::pair{"amr_flame_sheet", std::size_t{2}}}) {
+    const CaseRun run(deck, {"Time/maxTime=0.2"});
+    EXPECT_EQ(most_cells(run).size(), levels);
+    const std::vector<double> given = history(run, "totalSum_cumulativeEnergyReleased"),
+                              added = history(run, "TotalModelEng_src"),
+                              internal = history(run, "TotalIntEng"),
+                              kinetic = history(run, "KineticEnergy");
+    const double energy = internal.back() + kinetic.back();
+    EXPECT_GT(given.back() - given.front(), 1e-3 * energy);
+    record(deck, given.back());
+    EXPECT_NEAR(given.back() - given.front(), added.back() - added.front(), allowed_drift * energy);
+    EXPECT_NEAR(energy - (internal.front() + kinetic.front()), added.back() - added.front(),
+                allowed_drift * energy);
+    for (const LevelCell& c : level_cells(run, "scalar-f")) {
+      EXPECT_GE(c.value, -allowed_excess);
+      EXPECT_LE(c.value, 1 + allowed_excess);
+    }
+  }
 }
 
 // Water and air, on levels: to the bit nothing of a scalar is where its material is not.

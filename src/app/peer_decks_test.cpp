@@ -42,6 +42,7 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/MPMICE/rieman_mpmAIG.ups", "label 'leftpartition' is already that of"},
     {"inputs/MPMICE/rieman_reflected.ups", "label 'Right_MPM_Wall' is already that of"},
     {"inputs/MPMICE/sym_grain_void_ice.ups", "label 'grain' is already that of"},
+    {"inputs/Models/HePlume.ups", "there is no variable 'sum_scalar_f'"},
     {"inputs/Models/imp2DJet_flamesheet.ups", "second <delt_init> in <Time>"},
     {"inputs/Models/massx.ups", "second <delt_init> in <Time>"},
     {"inputs/UintahRelease/MPM/WSphereIntoSteel.axi.ups", "does not exist"},

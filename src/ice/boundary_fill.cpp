@@ -12,7 +12,7 @@ namespace sluice::ice {
 BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials,
                            const StateSlots& slots, int level, const FlowConditions& conditions,
                            std::span<const models::TransportedScalar> scalars,
-                           const models::BinaryGas* binary)
+                           const models::MixedGas* mixed)
     : slots_(slots),
       level_(&scene.grid.levels[static_cast<std::size_t>(level)]),
       scalars_(scalars) {
@@ -22,7 +22,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
     setting_.rubs.push_back(material.viscous());
   }
   if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
-  setting_.binary = binary;
+  setting_.mixed = mixed;
   setting_.directions = slots.directions;
   setting_.gravity = scene.constants.gravity;
   setting_.level = level_;
@@ -93,7 +93,7 @@ BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
   for (int c = 0; c < state.info(momentum).components; ++c)
     v.momentum.push_back(state.view(momentum, c, box));
   for (const models::TransportedScalar& s : scalars_)
-    if (setting_.binary != nullptr && s.name == setting_.binary->scalar)
+    if (setting_.mixed != nullptr && s.name == setting_.mixed->fraction)
       v.composition = state.view(state.find(s.state(), s.material), 0, box);
   return v;
 }
@@ -152,9 +152,13 @@ void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghost
     const IntVec3 source = source_cell(ghost, d, is_plus(side), mirrored, level_->domain);
     const double distance = std::abs(ghost[d] - source[d]) * level_->spacing[d];
     for (std::size_t k = 0; k < views.size(); ++k) {
+      const scalars::GhostRule& rule = scalar_rules_[n][r][k];
+      if (rule.kind == scalars::GhostRule::Kind::of_fraction) {
+        views[k].scalar(ghost) = setting_.mixed->heat(views[k - 1].scalar(ghost));
+        continue;
+      }
       const bool there = setting_.fluids.size() == 1 || views[k].mass(ghost) > 0.0;
-      scalars::fill(scalar_rules_[n][r][k], views[k].scalar, there, ghost, source, mirrored,
-                    distance);
+      scalars::fill(rule, views[k].scalar, there, ghost, source, mirrored, distance);
     }
   });
 }

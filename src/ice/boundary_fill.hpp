@@ -49,7 +49,7 @@ class BoundaryFill {
   BoundaryFill(const Scene& scene, std::span<const IceMaterial> materials, const StateSlots& slots,
                int level = 0, const FlowConditions& conditions = {},
                std::span<const models::TransportedScalar> scalars = {},
-               const models::BinaryGas* binary = nullptr);
+               const models::MixedGas* mixed = nullptr);
   BoundaryFill(const Scene& scene, const IceMaterial& material, const StateSlots& slots,
                int level = 0, const FlowConditions& conditions = {})
       : BoundaryFill(scene, std::span(&material, 1), slots, level, conditions) {}

@@ -7,7 +7,7 @@
 #include "ice/mixture/quantities.hpp"
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
-#include "ice/scalars/binary_gas.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
@@ -48,8 +48,8 @@ void declare_of_one(QuantityList& q) {
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
   VariableId p, T, c;
-  if (o.binary != nullptr) {
-    const scalars::BinaryQuantities b = scalars::declare_binary_quantities(q, rho, E);
+  if (o.mixed != nullptr) {
+    const scalars::MixedQuantities b = scalars::declare_mixed_quantities(q, rho, E);
     p = b.pressure;
     T = b.temperature;
     c = b.sound_speed;
@@ -71,8 +71,8 @@ void declare_of_one(QuantityList& q) {
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
-  constant(l.thermal_conductivity, o.conductivity);
-  if (o.binary == nullptr) {
+  if (o.mixed == nullptr) {
+    constant(l.thermal_conductivity, o.conductivity);
     constant(l.gamma, fluid.gamma);
     constant(l.specific_heat, fluid.specific_heat);
   }

@@ -65,6 +65,12 @@ Effect conduction(const IceScene& ice) {
     e.on = true;
     e.reason += fmt::format(", convective exchange of materials {} and {}", x->fluid, x->solid);
   }
+  for (const models::TransportedScalar& s : ice.models.scalars) {
+    if (!ice.models.mixed || s.name != ice.models.mixed->fraction || s.diffusivity == 0) continue;
+    if (!e.on) e.line = s.diffusivity_where;
+    e.on = true;
+    e.reason += fmt::format(", enthalpy carried by what spreads of {}", s.name);
+  }
   if (!ice.turbulence) return e;
   if (!e.on) e.line = ice.turbulence->where;
   e.on = true;
@@ -149,6 +155,9 @@ Effect sources(const IceScene& ice) {
     name(fmt::format("{} held at given values in a region", material(f.material)), true, f.where);
   for (const models::AddedHeat& h : ice.added_heat)
     name(fmt::format("{:g} W/kg to {}", h.power, material(h.material)), h.power != 0, h.where);
+  if (ice.models.mixed && !ice.models.mixed->released.empty())
+    name(fmt::format("{} gives heat where it mixes", material(ice.models.mixed->material)), true,
+         ice.models.mixed->where);
   if (reason.empty())
     reason = ice.models.where.line > 0 ? "no <Model> adds anything" : "no <Models>, no <ADD_HEAT>";
   else if (on)

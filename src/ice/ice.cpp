@@ -13,6 +13,8 @@
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/refine/criteria.hpp"
+#include "ice/scalars/heat_release.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/tracers/tracers.hpp"
@@ -26,7 +28,7 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
   std::vector<TransportModels> all;
   for (const IceMaterial& m : ice.materials)
     all.push_back({m.viscosity_models.sutherland, sponge_cells(m.viscosity_models, level),
-                   ice.turbulence, ice.wall_shear});
+                   ice.turbulence, ice.wall_shear, ice.models.mixed && m.viscosity > 0});
   return all;
 }
 
@@ -72,18 +74,14 @@ SchemeOptions make_options(const Scene& scene, const IceScene& ice) {
   o.conductivity = m.conductivity;
   o.transports = transport_models(ice, level);
   o.transport = o.transports.front();
-  o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
-  o.conducting = o.conducting || ice.turbulence || o.convective;
-  o.conductivity_varies = ice.turbulence.has_value();
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
   o.cfl = ice.cfl;
   o.scalars = ice.models.scalars;
-  if (ice.models.binary) {
-    o.binary = &*ice.models.binary;
-    o.fluid = ideal_gas(o.binary->highest_gamma(), m.fluid.specific_heat);
-    o.fluids = {o.fluid};
-  }
+  o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
+  o.conducting = o.conducting || ice.turbulence || o.convective;
+  o.conductivity_varies = ice.turbulence.has_value();
+  if (ice.models.mixed) scalars::take_mixed_gas(*ice.models.mixed, o);
   o.domain = level.domain;
   o.periodic = level.periodic;
   const bool summed = o.force_on || (o.gravity_on && scene.grid.levels.size() > 1);
@@ -95,19 +93,23 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
                                                  const SchemeOptions& o) {
   const bool matches = matches_fluxes(scene, ice);
   std::unique_ptr<TransferOperators> flow;
+  std::vector<std::size_t> by_volume;  // views of scalars
   const std::size_t materials = o.fluids.size();
   const auto components = static_cast<std::size_t>(o.components);
   const std::size_t views = components + (materials == 1 ? 2 : 3 * materials) +
                             (o.own_velocities ? materials * components : 0);
+  for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
+    if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
   if (materials == 1)
-    flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid);
+    flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid, by_volume);
   else
     flow = std::make_unique<MixtureTransfer>(o.fluids, o.components, matches, o.own_velocities);
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
   for (const models::TransportedScalar& s : ice.models.scalars)
     mass.push_back(static_cast<std::size_t>(s.material));
-  return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views);
+  return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views,
+                                                   std::move(by_volume));
 }
 
 }  // namespace
@@ -116,7 +118,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 // in the file of its name under conservative/; when it is absent is said there in its first line.
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   SchemeVariables v = declare_conservative_variables(list, o);
-  scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_new, 1), {}});
+  scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
   // task                    reads                              writes
   add_primitives(list, v, o, effect_flow);      // state                    u, p, c
   add_slopes(list, v, o, effect_second_order);  // u, p                     su, sp, P, UT
@@ -129,6 +131,7 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
   scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
+  scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes       sums
   add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp                    sums
@@ -222,7 +225,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions, ice_.models.scalars,
-                                                       options_.binary));
+                                                       options_.mixed));
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, scene.grid, boundary_,

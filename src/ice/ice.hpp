@@ -67,7 +67,7 @@ class Ice : public Component {
   void initialise_material(Warehouse& state) const;  // one
   void initialise_materials(Warehouse& state) const;
   void initialise_scalars(Warehouse& state) const;
-  double binary_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
+  double mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
 
   const Scene* scene_;
   IceScene ice_;

@@ -37,10 +37,14 @@ bool is_label(const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
+bool is_scalar(const std::string& name) {
+  return name.rfind("scalar-", 0) == 0 || name == models::cumulative_energy;
+}
+
 // "scalar-f" for each scalar of the deck's models.
 std::vector<std::string> scalar_variables(const DeckNode& root) {
   std::vector<std::string> names = models::save_labels(root);
-  std::erase_if(names, [](const std::string& name) { return name.rfind("scalar-", 0) != 0; });
+  std::erase_if(names, [](const std::string& name) { return !is_scalar(name); });
   return names;
 }
 
@@ -53,7 +57,7 @@ void check_label(const DeckNode& face, const DeckNode& condition,
                  std::vector<Fault>& faults) {
   const auto label = condition.attribute("label");
   if (!label || is_label(*label) || is_listed(scalars, *label)) return;
-  if (all_models_built && label->rfind("scalar-", 0) == 0) {
+  if (all_models_built && is_scalar(*label)) {
     // Decks keep such conditions when their model is taken out.
     faults.push_back({Severity::warning, condition.where,
                       fmt::format("no model of the deck has the scalar of {} on {}: no effect",
@@ -61,8 +65,7 @@ void check_label(const DeckNode& face, const DeckNode& condition,
                       suggest_name(*label, scalars)});
     return;
   }
-  const bool of_models =
-      label->rfind("scalar-", 0) == 0 || *label == "cumulativeEnergyReleased" || *label == "Phi";
+  const bool of_models = is_scalar(*label) || *label == "Phi";
   if (of_models) {
     fault(faults, condition,
           fmt::format("boundary variable {} on {} is known to the format, but not built yet",
@@ -195,6 +198,7 @@ std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
       missing.push_back(fmt::format("{} (material {})", label, fmt::join(without, ", ")));
   }
   for (const std::string& scalar : scalars) {
+    if (scalar == models::cumulative_energy) continue;  // scalars/ghosts.hpp
     bool found = false;
     for (int m = 0; m < std::max(materials, 1); ++m)
       found = found || has("Symmetric", m) || has(scalar, m);

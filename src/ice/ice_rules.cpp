@@ -256,32 +256,31 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
 
 namespace {
 
+bool mixes_gas(const DeckNode& model) {
+  return models::mixes_gas(model.attribute("type").value_or(""));
+}
+
 // What a gas whose properties follow from a scalar goes without so far.
-void check_binary_gas(const DeckNode& root, const DeckNode& model, std::vector<Fault>& faults) {
+void check_mixed_gas(const DeckNode& root, const DeckNode& model, std::vector<Fault>& faults) {
   const auto materials = ice_materials(root);
   if (materials.empty()) return;
   const DeckNode& material = *materials.front();
+  const std::string name = model.attribute("type").value_or("");
   for (const DeckNode* other : root.child("Models")->all("Model"))
-    if (other != &model && other->attribute("type") == "BinaryProperties" &&
-        other->where.line > model.where.line)
-      fault(faults, *other, "a gas is one mixture: there are two models <BinaryProperties>");
+    if (other != &model && mixes_gas(*other) && other->where.line > model.where.line)
+      fault(faults, *other,
+            fmt::format("a gas is one mixture: there are the models <{}> and <{}>", name,
+                        other->attribute("type").value_or("")));
   const DeckNode* law = material.child("EOS");
   if (law != nullptr && law->attribute("type") != "ideal_gas")
-    fault(faults, *law, "<BinaryProperties> needs <EOS type=\"ideal_gas\">");
-  if (const DeckNode* heat = material.child("SpecificHeatModel"))
-    not_built(faults, *heat, "<SpecificHeatModel> with <BinaryProperties>", "remove it");
-  if (real_of(&material, "thermal_conductivity").value_or(0) > 0)
-    not_built(faults, *material.child("thermal_conductivity"),
-              "heat conduction with <BinaryProperties>", "write 0");
-  if (const DeckNode* models = material.child("dynamicViscosityModels"))
-    not_built(faults, *models, "a viscosity that varies, with <BinaryProperties>,", "remove it");
-  if (const DeckNode* turbulence = root.find("CFD/ICE/turbulence"))
-    not_built(faults, *turbulence, "<turbulence> with <BinaryProperties>", "remove it");
-  const DeckNode* grid = root.child("Grid");
-  if (root.child("AMR") != nullptr || (grid != nullptr && grid->all("Level").size() > 1))
-    not_built(faults, model, "<BinaryProperties> on several levels", "use one level");
-  if (const DeckNode* slip = root.find("Grid/BoundaryConditions/microSlip"))
-    not_built(faults, *slip, "<microSlip> with <BinaryProperties>", "remove it");
+    fault(faults, *law, fmt::format("<{}> needs <EOS type=\"ideal_gas\">", name));
+  const auto refuse = [&](const DeckNode* node, const char* what, const char* advice) {
+    if (node != nullptr) not_built(faults, *node, fmt::format("{} with <{}>", what, name), advice);
+  };
+  refuse(material.child("SpecificHeatModel"), "<SpecificHeatModel>", "remove it");
+  refuse(material.child("dynamicViscosityModels"), "<dynamicViscosityModels>", "remove it");
+  refuse(root.find("CFD/ICE/turbulence"), "<turbulence>", "remove it");
+  refuse(root.find("Grid/BoundaryConditions/microSlip"), "<microSlip>", "remove it");
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* start = root.find("CFD/ICE/customInitialization");
@@ -289,8 +288,8 @@ void check_binary_gas(const DeckNode& root, const DeckNode& model, std::vector<F
   const bool hydrostatic =
       gravity && !(*gravity == Vec3{}) && (balanced == nullptr || balanced->text != "false");
   if (start != nullptr && !hydrostatic && start->child("formula") == nullptr)
-    not_built(faults, *start, "<customInitialization> by name with <BinaryProperties>",
-              "write a <formula> with pressure, or gravity with a hydrostatic start");
+    refuse(start, "<customInitialization> by name",
+           "write a <formula> with pressure, or gravity with a hydrostatic start");
 }
 
 }  // namespace
@@ -303,8 +302,8 @@ void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* scheme = root.find("CFD/ICE/scheme");
   const bool classic = scheme != nullptr && scheme->text == "classic";
   for (const DeckNode* model : models->all("Model")) {
-    const bool mixes = model->attribute("type") == "BinaryProperties";
-    if (mixes) check_binary_gas(root, *model, faults);
+    const bool mixes = mixes_gas(*model);
+    if (mixes) check_mixed_gas(root, *model, faults);
     if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
       not_built(faults, *model, "a transported scalar with <scheme> classic", "remove <scheme>");
   }
@@ -350,14 +349,13 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* models = root.child("Models");
   const auto list = models == nullptr ? std::vector<const DeckNode*>{} : models->all("Model");
   // Whose pressure follows from a scalar too.
-  const bool binary = std::any_of(list.begin(), list.end(), [](const DeckNode* model) {
-    return model->attribute("type") == "BinaryProperties";
-  });
+  const bool mixed = std::any_of(list.begin(), list.end(),
+                                 [](const DeckNode* model) { return mixes_gas(*model); });
   for (const DeckNode* material : ice_materials(root)) {
     const std::optional<ice::Fluid> fluid = ice::readable_fluid(*material);
     for (const DeckNode* object : material->all("geom_object")) {
       if (fluid) {
-        if (!binary) check_pressure(*fluid, *object, faults);
+        if (!mixed) check_pressure(*fluid, *object, faults);
         check_start(*fluid, *object, faults);
       }
       const auto share = real_of(object, "volumeFraction");

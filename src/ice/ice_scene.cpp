@@ -140,6 +140,34 @@ void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
   }
 }
 
+// What a model of a mixed gas leaves to the material, and what the material gets from it: its
+// coefficients are then the largest of the mixture's.
+void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
+  if (!s.models.mixed) return;
+  models::MixedGas& gas = *s.models.mixed;
+  IceMaterial& m = s.materials[static_cast<std::size_t>(gas.material)];
+  gas.change_nodes([&](models::MixedGas::Node& node) {
+    if (!gas.own_heat_capacity) {
+      node.cv = m.fluid.specific_heat;
+      node.R = (m.fluid.gamma - 1.0) * m.fluid.specific_heat;
+    }
+    if (!gas.own_viscosity) node.viscosity = m.viscosity;
+    if (!gas.own_conductivity) node.conductivity = m.conductivity;
+  });
+  m.viscosity = gas.most(&models::MixedGas::Node::viscosity);
+  m.conductivity = gas.most(&models::MixedGas::Node::conductivity);
+  const double ox = gas.oxidizer_temperature, fuel = gas.fuel_temperature;
+  for (const GeomObject& object : m.objects) {
+    const double T = object.value("temperature");
+    if (ox == 0 || T == ox || T == fuel) continue;
+    add_warning(faults, gas.where,
+                fmt::format("<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' "
+                            "starts at {:g} K: the heat given is the same, temperatures differ "
+                            "by as much",
+                            gas.type, ox, fuel, m.name, T));
+  }
+}
+
 // What materials with velocities of their own cannot do yet.
 void check_own_velocities(const IceScene& s, std::vector<Fault>& faults) {
   if (s.one_velocity() || !s.exchange.slip || !s.exchange.slip->use_slip_coefficients) return;
@@ -184,6 +212,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, names, geometry, faults);
+  complete_mixed_gas(s, faults);
   check_fixed_values(s, faults);
   for (const models::TransportedScalar& scalar : s.models.scalars)
     if (scalar.refine_above >= 0)

@@ -11,6 +11,7 @@
 #include "ice/labels.hpp"
 #include "ice/read_fluid.hpp"
 #include "ice/transport/read_settings.hpp"
+#include "models/adiabatic_table.hpp"
 #include "models/models.hpp"
 
 namespace sluice {
@@ -290,6 +291,7 @@ void add_ice_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rewrites.emplace_back(models::move_parameters);
   schema.rewrites.emplace_back(models::rename_scalar_totals);
+  schema.rewrites.emplace_back(models::locate_tables);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
   schema.rules.emplace_back(check_ice_fluids);

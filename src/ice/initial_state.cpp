@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/scene/formula.hpp"
@@ -219,12 +220,25 @@ PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
   return fill;
 }
 
+// The densities that a model gives its gases apart.
+void apply_mixture(const models::ModelList& models, const Level& level, PrimitiveFill& fill) {
+  if (!models.mixed->start_density) return;
+  const auto fraction =
+      std::find_if(models.scalars.begin(), models.scalars.end(),
+                   [&](const auto& s) { return s.name == models.mixed->fraction; });
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    fill.density[fill.offset(c)] =
+        models.mixed->density_at_start(fraction->at_start(level.centre(c)));
+  });
+}
+
 PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& constants,
                               const IceMaterial& material, const Level& coarsest,
                               const Level& level, const IndexBox& cells) {
   PrimitiveFill fill;
   size_fill(cells_to_fill(scene, constants, level, cells), fill);
   apply_objects(material, level, fill);
+  if (scene.models.mixed) apply_mixture(scene.models, level, fill);
   apply_starts(scene, constants, material, coarsest, level, fill);
   if (is_hydrostatic(scene, constants))
     apply_hydrostatics(constants, material, coarsest, level, fill);

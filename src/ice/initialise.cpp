@@ -11,7 +11,7 @@
 #include "ice/labels.hpp"
 #include "ice/material_fill.hpp"
 #include "ice/mixture/equilibrate.hpp"
-#include "ice/scalars/binary_gas.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -60,9 +60,9 @@ void Ice::initialise_material(Warehouse& state) const {
     for_each_cell(cells, [&](IntVec3 cell) {
       state.view(mass, 0, b)(cell) = fill.density[n];
       state.view(energy, 0, b)(cell) =
-          options_.binary != nullptr ? binary_energy(state.level().centre(cell), fill, n)
-                                     : m.fluid.energy_from_pressure(
-                                           fill.density[n], fill.pressure[n], fill.temperature[n]);
+          options_.mixed != nullptr ? mixed_energy(state.level().centre(cell), fill, n)
+                                    : m.fluid.energy_from_pressure(
+                                          fill.density[n], fill.pressure[n], fill.temperature[n]);
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum, c, b)(cell) =
             fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
@@ -73,9 +73,9 @@ void Ice::initialise_material(Warehouse& state) const {
 
 // What holds beside the density: the pressure where it is that of the weight or of a formula, the
 // temperature otherwise.
-double Ice::binary_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
-  const models::TransportedScalar& scalar = scalars::binary_scalar(options_);
-  const Fluid fluid = scalars::fluid_of(*options_.binary, scalar.at_start(centre));
+double Ice::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
+  const Fluid fluid =
+      scalars::fluid_of(*options_.mixed, scalars::fraction_of(options_).at_start(centre));
   if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
     return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
   return fluid.energy_from_temperature(fill.density[n], fill.temperature[n]);
@@ -131,15 +131,19 @@ void Ice::initialise_materials(Warehouse& state) const {
   }
 }
 
-// At cell centres; where there is nothing of the material there is no scalar. As above, only what
-// differs is written.
+// At cell centres; where there is nothing of the material there is no scalar. A mixture has given
+// its heat of mixing at the start: the deck says its state. As above, only what differs is written.
 void Ice::initialise_scalars(Warehouse& state) const {
+  const auto at_start = [&](const models::TransportedScalar& s, Vec3 x) {
+    if (!s.plain_name) return s.at_start(x);
+    return options_.mixed->heat(scalars::fraction_of(options_).at_start(x));
+  };
   for (const models::TransportedScalar& s : ice_.models.scalars)
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
       const RealView value = state.view(state.find(s.state(), s.material), 0, b);
       const RealView mass = state.view(state.find(labels().mass, s.material), 0, b);
       for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-        const double start = mass(cell) > 0.0 ? s.at_start(state.level().centre(cell)) : 0.0;
+        const double start = mass(cell) > 0.0 ? at_start(s, state.level().centre(cell)) : 0.0;
         if (value(cell) != start) value(cell) = start;
       });
     }

@@ -2,7 +2,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
-#include "ice/scalars/binary_gas.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/transport/outputs.hpp"
 
@@ -34,15 +34,15 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
     });
     return;
   }
-  if (o.binary != nullptr) {
-    const models::TransportedScalar& scalar = scalars::binary_scalar(o);
+  if (o.mixed != nullptr) {
+    const models::TransportedScalar& scalar = scalars::fraction_of(o);
     const In before = task.read(v.pressure), energy = task.read(v.energy_new);
     const In f = task.read(list.new_state(scalar.state(), scalar.material, 1));
     const Out change = task.write(list.output(labels().pressure_change, 0));
-    task.kernel([=, gas = *o.binary](const Row& row) {
+    task.kernel([=, gas = o.mixed](const Row& row) {
       const double *old_p = row(before), *E = row(energy), *x = row(f);
       double* to = row(change);
-      for (int i = 0; i < row.count(); ++i) to[i] = (gas.gamma(x[i]) - 1.0) * E[i] - old_p[i];
+      for (int i = 0; i < row.count(); ++i) to[i] = gas->at(x[i]).ratio() * E[i] - old_p[i];
     });
     return;
   }

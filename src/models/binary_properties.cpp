@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
+#include <utility>
+
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/material_name.hpp"
@@ -11,36 +15,49 @@
 namespace sluice::models {
 namespace {
 
-constexpr const char* of_transport[] = {"thermalCond_A", "thermalCond_B", "dynamic_viscosity_A",
-                                        "dynamic_viscosity_B"};
+// Of gas A and of gas B.
+using TagPair = std::array<const char*, 2>;
+constexpr TagPair heat_capacities = {"cv_A", "cv_B"}, gas_constants = {"R_A", "R_B"},
+                  densities = {"rho_A", "rho_B"},
+                  conductivities = {"thermalCond_A", "thermalCond_B"},
+                  viscosities = {"dynamic_viscosity_A", "dynamic_viscosity_B"};
+
+// Both, or nothing where the deck has neither.
+std::optional<std::array<double, 2>> both_of(const DeckNode& constants, const TagPair& tags) {
+  if (constants.child(tags[0]) == nullptr) return std::nullopt;
+  return std::array{constants.real(tags[0]), constants.real(tags[1])};
+}
 
 TagSpec constants() {
   const auto needed = [](const char* name, const char* doc) {
     return tag(name, doc).once().real().above(0).unit("energy/(mass temperature)");
   };
-  TagSpec c =
-      tag("constants", "of the scalar and of both gases")
-          .once()
-          .with_children(
-              {tag("diffusivity", "coefficient D of the flux rho D grad f")
-                   .real()
-                   .at_least(0)
-                   .by_default("0")
-                   .unit("length^2/time"),
-               tag("AMR_Refinement_Criteria", "cells with a larger gradient of f are flagged")
-                   .real()
-                   .at_least(0)
-                   .unit("1/length"),
-               needed("cv_A", "specific heat at constant volume where f is 0"),
-               needed("cv_B", "specific heat at constant volume where f is 1"),
-               needed("R_A", "gas constant where f is 0"),
-               needed("R_B", "gas constant where f is 1"),
-               tag("rho_A", "accepted without effect: geometry objects say the density at start")
-                   .real()
-                   .above(0)
-                   .unit("density"),
-               tag("rho_B", "accepted without effect, as rho_A").real().above(0).unit("density")});
-  for (const char* name : of_transport) c = c.child(tag(name, "must be 0").real().at_least(0));
+  TagSpec c = tag("constants", "of the scalar and of both gases")
+                  .once()
+                  .with_children({tag("diffusivity", "coefficient D of the flux rho D grad f")
+                                      .real()
+                                      .at_least(0)
+                                      .by_default("0")
+                                      .unit("length^2/time"),
+                                  tag("AMR_Refinement_Criteria",
+                                      "cells with a larger gradient of f are flagged")
+                                      .real()
+                                      .at_least(0)
+                                      .unit("1/length"),
+                                  needed("cv_A", "specific heat at constant volume where f is 0"),
+                                  needed("cv_B", "specific heat at constant volume where f is 1"),
+                                  needed("R_A", "gas constant where f is 0"),
+                                  needed("R_B", "gas constant where f is 1")});
+  const auto pair = [&](const TagPair& tags, const char* doc, const char* unit) {
+    for (std::size_t k = 0; k < 2; ++k)
+      c = c.child(tag(tags[k], fmt::format(fmt::runtime(doc), k)).real().at_least(0).unit(unit));
+  };
+  pair(densities, "density at the start where f is {}; absent: that of the geometry objects",
+       "density");
+  pair(conductivities, "heat conductivity where f is {}; absent: that of the material",
+       "power/(length temperature)");
+  pair(viscosities, "dynamic viscosity where f is {}; absent: that of the material",
+       "pressure time");
   return c;
 }
 
@@ -59,48 +76,88 @@ TagSpec binary_properties_tag() {
                     constants(), scalar_region_tag()})});
 }
 
+void refuse_several_materials(const DeckNode& parameters, const std::vector<std::string>& materials,
+                              std::vector<Fault>& faults) {
+  if (materials.size() < 2) return;
+  add_error(faults, parameters.where,
+            fmt::format("<{}> with several materials is known to the format, but not built yet",
+                        parameters.name),
+            "keep the gas alone");
+  faults.back().not_built = true;
+}
+
 void check_binary_properties(const DeckNode& parameters, const std::vector<std::string>& materials,
                              std::vector<Fault>& faults) {
   check_material(parameters, "material", materials, faults);
-  const auto not_built = [&](const DeckNode& node, const std::string& what, const char* advice) {
-    add_error(faults, node.where, what + " is known to the format, but not built yet", advice);
-    faults.back().not_built = true;
-  };
-  if (materials.size() > 1) not_built(parameters, "<BinaryProperties> with several materials", "");
+  refuse_several_materials(parameters, materials, faults);
   const DeckNode* scalar = parameters.child("scalar");
   if (scalar == nullptr) return;
   for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
   const DeckNode* constants = scalar->child("constants");
-  for (const char* name : of_transport)
-    if (real_of(constants, name).value_or(0) > 0)
-      not_built(*constants->child(name), fmt::format("<{}> above 0", name), "write 0");
+  if (constants == nullptr) return;
+  for (const TagPair& tags : {densities, conductivities, viscosities})
+    for (std::size_t k = 0; k < 2; ++k)
+      if (constants->child(tags[k]) != nullptr && constants->child(tags[1 - k]) == nullptr)
+        add_error(
+            faults, constants->child(tags[k])->where,
+            fmt::format("<{}> needs <{}>: one for each of the two gases", tags[k], tags[1 - k]));
+  for (const char* name : densities)
+    if (real_of(constants, name).value_or(1) == 0)
+      add_error(faults, constants->child(name)->where, fmt::format("<{}> must be above 0", name));
 }
 
-BinaryGas read_binary_properties(const DeckNode& parameters,
-                                 const std::vector<std::string>& materials) {
+MixedGas read_binary_properties(const DeckNode& parameters,
+                                const std::vector<std::string>& materials) {
   const DeckNode& scalar = *parameters.child("scalar");
   const DeckNode& constants = *scalar.child("constants");
-  BinaryGas gas;
-  gas.scalar = scalar.attribute("name").value_or("");
+  MixedGas gas;
+  gas.type = parameters.name;
+  gas.fraction = scalar.attribute("name").value_or("");
   gas.material = read_material(parameters, "material", materials);
-  gas.cv_A = constants.real("cv_A");
-  gas.cv_B = constants.real("cv_B");
-  gas.R_A = constants.real("R_A");
-  gas.R_B = constants.real("R_B");
+  gas.own_heat_capacity = true;
+  gas.start_density = both_of(constants, densities);
+  const auto mu = both_of(constants, viscosities), k = both_of(constants, conductivities);
+  gas.own_viscosity = mu.has_value();
+  gas.own_conductivity = k.has_value();
+  std::vector<MixedGas::Node> nodes(2);
+  for (std::size_t n = 0; n < 2; ++n) {
+    nodes[n].f = static_cast<double>(n);
+    nodes[n].cv = constants.real(heat_capacities[n]);
+    nodes[n].R = constants.real(gas_constants[n]);
+    if (mu) nodes[n].viscosity = (*mu)[n];
+    if (k) nodes[n].conductivity = (*k)[n];
+  }
+  gas.set_nodes(std::move(nodes));
   gas.where = parameters.where;
   return gas;
 }
 
-TransportedScalar read_binary_scalar(const DeckNode& parameters,
-                                     const std::vector<std::string>& materials,
-                                     const GeometryReader& geometry, std::vector<Fault>& faults) {
-  const DeckNode& scalar = *parameters.child("scalar");
-  TransportedScalar s;
-  s.material = read_material(parameters, "material", materials);
-  s.by_volume = true;
-  read_scalar_constants(scalar, s);
-  s.start = read_scalar_regions(scalar, geometry, faults);
-  return s;
+std::vector<TransportedScalar> read_mixture_scalars(const MixedGas& gas, const DeckNode& scalar,
+                                                    const char* constants,
+                                                    const GeometryReader& geometry,
+                                                    std::vector<Fault>& faults) {
+  TransportedScalar f;
+  f.material = gas.material;
+  f.by_volume = true;
+  read_scalar_constants(scalar, f, constants);
+  f.start = read_scalar_regions(scalar, geometry, faults);
+  if (gas.released.empty()) return {f};
+  TransportedScalar q;
+  q.name = gas.released;
+  q.plain_name = q.by_volume = true;
+  q.material = gas.material;
+  q.diffusivity = f.diffusivity;
+  q.where = gas.where;
+  return {f, q};
+}
+
+std::vector<std::string> mixing_labels(const DeckNode& parameters) {
+  std::vector<std::string> labels = scalar_labels(parameters);
+  TransportedScalar q;
+  q.name = cumulative_energy;
+  q.plain_name = true;
+  for (const std::string& label : labels_of(q)) labels.push_back(label);
+  return labels;
 }
 
 }  // namespace sluice::models

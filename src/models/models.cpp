@@ -7,6 +7,9 @@
 #include <set>
 
 #include "framework/scene/deck_values.hpp"
+#include "models/adiabatic_table.hpp"
+#include "models/binary_properties.hpp"
+#include "models/flame_sheet.hpp"
 #include "models/material_name.hpp"
 
 namespace sluice::models {
@@ -28,7 +31,16 @@ struct Entry {
   void (*read)(const DeckNode& parameters, const Reading& to);
   // Names of variables that it brings; null: none.
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
+  bool mixes = false;  // the gas
 };
+
+// A mixed gas and its scalars; `constants`: the element with <diffusivity>.
+void add_gas(const DeckNode& parameters, const char* constants, MixedGas gas, const Reading& to) {
+  for (TransportedScalar& s :
+       read_mixture_scalars(gas, *parameters.child("scalar"), constants, to.geometry, to.faults))
+    to.list.scalars.push_back(std::move(s));
+  to.list.mixed = std::move(gas);
+}
 
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries = {
@@ -49,11 +61,20 @@ const std::vector<Entry>& table() {
        scalar_labels},
       {"BinaryProperties", binary_properties_tag(), check_binary_properties,
        [](const DeckNode& parameters, const Reading& to) {
-         to.list.binary = read_binary_properties(parameters, to.materials);
-         to.list.scalars.push_back(
-             read_binary_scalar(parameters, to.materials, to.geometry, to.faults));
+         add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
        },
-       scalar_labels},
+       scalar_labels, true},
+      {"AdiabaticTable", adiabatic_table_tag(), check_adiabatic_table,
+       [](const DeckNode& parameters, const Reading& to) {
+         add_gas(parameters, "constants", read_adiabatic_table(parameters, to.materials, to.faults),
+                 to);
+       },
+       mixing_labels, true},
+      {"flameSheet_rxn", flame_sheet_tag(), check_flame_sheet,
+       [](const DeckNode& parameters, const Reading& to) {
+         add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials), to);
+       },
+       mixing_labels, true},
       {"TracerParticles", tracer_particles_tag(), check_tracer_particles,
        [](const DeckNode& parameters, const Reading& to) {
          to.list.tracers.push_back(
@@ -110,6 +131,11 @@ void for_each_model(const DeckNode& root, F&& f) {
 }
 
 }  // namespace
+
+bool mixes_gas(const std::string& type) {
+  const Entry* entry = find(type);
+  return entry != nullptr && entry->mixes;
+}
 
 TagSpec models_tag() {
   std::vector<std::string> types;

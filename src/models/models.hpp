@@ -9,9 +9,9 @@
 
 #include "framework/deck/schema.hpp"
 #include "framework/scene/geometry_reader.hpp"
-#include "models/binary_properties.hpp"
 #include "models/fixed_values.hpp"
 #include "models/mass_exchange.hpp"
+#include "models/mixed_gas.hpp"
 #include "models/passive_scalar.hpp"
 #include "models/tracer_particles.hpp"
 
@@ -22,13 +22,16 @@ struct ModelList {
   std::vector<MassExchange> mass_exchanges;  // in the order in which they act
   std::vector<FixedValues> fixed_values;
   std::vector<TransportedScalar> scalars;
-  std::optional<BinaryGas> binary;  // of the gas of a run with one material
+  std::optional<MixedGas> mixed;  // of the gas of a run with one material
   std::vector<TracerParticles> tracers;
   Location where;  // of <Models>
 
   // Does any of them change masses, momenta or energies.
   bool any_source() const { return !mass_exchanges.empty() || !fixed_values.empty(); }
 };
+
+// Whether a type of model makes the gas a mixture.
+bool mixes_gas(const std::string& type);
 
 TagSpec models_tag();
 // Old decks write the parameters of "Test" beside its element, not in it: moved, with a warning.

@@ -200,11 +200,11 @@ void check_passive_scalar(const DeckNode& parameters, const std::vector<std::str
     for (const DeckNode* object : sources->all("geom_object")) check_source(*object, faults);
 }
 
-void read_scalar_constants(const DeckNode& scalar, TransportedScalar& s) {
+void read_scalar_constants(const DeckNode& scalar, TransportedScalar& s, const char* element) {
   s.where = scalar.where;
   s.name = scalar.attribute("name").value_or("");
   s.totalled = is_true(scalar, "test_conservation");
-  const DeckNode* constants = scalar.child("constants");
+  const DeckNode* constants = scalar.child(element);
   if (constants == nullptr) return;
   s.diffusivity = real_or(*constants, "diffusivity", 0);
   if (const DeckNode* d = constants->child("diffusivity")) s.diffusivity_where = d->where;
@@ -235,9 +235,9 @@ TransportedScalar read_passive_scalar(const DeckNode& parameters,
 
 std::vector<std::string> scalar_labels(const DeckNode& parameters) {
   const DeckNode* scalar = parameters.child("scalar");
-  const std::string name = scalar == nullptr ? "" : scalar->attribute("name").value_or("");
-  if (name.empty()) return {};
-  return {"scalar-" + name, "mag_grad_scalar-" + name, "totalSum_scalar-" + name};
+  TransportedScalar named;
+  named.name = scalar == nullptr ? "" : scalar->attribute("name").value_or("");
+  return named.name.empty() ? std::vector<std::string>{} : labels_of(named);
 }
 
 void rename_scalar_totals(DeckNode& root, std::vector<Fault>& faults) {

@@ -24,7 +24,8 @@ void check_scalar_region(const DeckNode& object, std::vector<Fault>& faults);
 std::vector<ScalarRegion> read_scalar_regions(const DeckNode& parent,
                                               const GeometryReader& geometry,
                                               std::vector<Fault>& faults);
-void read_scalar_constants(const DeckNode& scalar, TransportedScalar& s);
+void read_scalar_constants(const DeckNode& scalar, TransportedScalar& s,
+                           const char* element = "constants");
 std::vector<std::string> scalar_labels(const DeckNode& parameters);
 
 // Old decks save the total of a scalar as sum_scalar-NAME: renamed, with a warning, unless an

@@ -58,24 +58,36 @@ void TransportedScalar::declare_labels() const {
   total();
 }
 
+std::vector<std::string> labels_of(const TransportedScalar& s) {
+  const std::string name = s.variable();
+  return {name, "mag_grad_" + name, "totalSum_" + name};
+}
+
 Label TransportedScalar::state() const {
-  return declare_label({"state.scalar-" + name, ValueType::real, Centring::cell, "1",
-                        "State: the scalar " + name + ", an amount per mass of its material."});
+  return declare_label(
+      {"state." + variable(), ValueType::real, Centring::cell, plain_name ? "J/kg" : "1",
+       plain_name ? "State: the heat of mixing released so far, per mass."
+                  : "State: the scalar " + name + ", an amount per mass of its material."});
 }
 
 Label TransportedScalar::value() const {
-  return declare_label({"scalar-" + name, ValueType::real, Centring::cell, "1",
-                        "The transported scalar " + name + ", an amount per mass."});
+  return declare_label({variable(), ValueType::real, Centring::cell, plain_name ? "J/kg" : "1",
+                        plain_name ? "The heat of mixing that this mass has released so far."
+                                   : "The transported scalar " + name + ", an amount per mass."});
 }
 
 Label TransportedScalar::gradient() const {
-  return declare_label({"mag_grad_scalar-" + name, ValueType::real, Centring::cell, "1/m",
-                        "Magnitude of the gradient of the scalar " + name + "."});
+  return declare_label({"mag_grad_" + variable(), ValueType::real, Centring::cell,
+                        plain_name ? "J/(kg m)" : "1/m",
+                        plain_name ? "Magnitude of the gradient of the released heat of mixing."
+                                   : "Magnitude of the gradient of the scalar " + name + "."});
 }
 
 Label TransportedScalar::total() const {
-  return declare_label({"totalSum_scalar-" + name, ValueType::real, Centring::reduction, "kg",
-                        "Sum of the scalar " + name + " times mass over the domain."});
+  return declare_label(
+      {"totalSum_" + variable(), ValueType::real, Centring::reduction, plain_name ? "J" : "kg",
+       plain_name ? "The heat of mixing that the mass in the domain has released so far."
+                  : "Sum of the scalar " + name + " times mass over the domain."});
 }
 
 }  // namespace sluice::models

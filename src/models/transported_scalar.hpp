@@ -40,8 +40,12 @@ struct ScalarSource {
   double rate = 0, most = std::numeric_limits<double>::infinity();
 };
 
+// The scalar that counts the heat of mixing (mixed_gas.hpp), J/kg.
+inline constexpr const char* cumulative_energy = "cumulativeEnergyReleased";
+
 struct TransportedScalar {
   std::string name;
+  bool plain_name = false;  // its variable is called so, not scalar-NAME: the energy above
   int material = 0;
   double diffusivity = 0;                  // m^2/s
   double constant_rate = 0, own_rate = 0;  // r0, r1: 1/s
@@ -60,10 +64,14 @@ struct TransportedScalar {
   double at_start(Vec3 point) const;
   // Labels; those of outputs must be declared before anybody looks for them by name.
   void declare_labels() const;
+  std::string variable() const { return plain_name ? name : "scalar-" + name; }
   Label state() const;     // of the conserved state: q itself
   Label value() const;     // scalar-NAME
   Label gradient() const;  // mag_grad_scalar-NAME
   Label total() const;     // totalSum_scalar-NAME
 };
+
+// Names of what a deck can save of it.
+std::vector<std::string> labels_of(const TransportedScalar& scalar);
 
 }  // namespace sluice::models

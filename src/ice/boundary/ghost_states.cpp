@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ice/scalars/mixed_gas.hpp"
+
 namespace sluice::ice {
 
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
@@ -103,9 +105,8 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
 }
 
 const Fluid& GhostStates::fluid_of(IntVec3 cell, Fluid& room, std::size_t material) const {
-  if (setting_.binary == nullptr) return setting_.fluids[material];
-  const double f = v_.composition(cell);
-  return room = ideal_gas(setting_.binary->gamma(f), setting_.binary->specific_heat(f));
+  if (setting_.mixed == nullptr) return setting_.fluids[material];
+  return room = scalars::fluid_of(*setting_.mixed, v_.composition(cell));
 }
 
 void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {

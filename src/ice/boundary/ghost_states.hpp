@@ -7,7 +7,7 @@
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/waves.hpp"
-#include "models/binary_properties.hpp"
+#include "models/mixed_gas.hpp"
 
 namespace sluice::ice {
 
@@ -28,10 +28,10 @@ struct SlipCell;
 
 // What holds on all sides.
 struct BoundarySetting {
-  std::vector<Fluid> fluids;                  // by material
-  const models::BinaryGas* binary = nullptr;  // of the one gas, where it is a mixture
-  std::vector<bool> rubs;                     // by material: it has a viscosity
-  std::vector<int> directions;                // of the momentum components
+  std::vector<Fluid> fluids;                // by material
+  const models::MixedGas* mixed = nullptr;  // of the one gas, where it is a mixture
+  std::vector<bool> rubs;                   // by material: it has a viscosity
+  std::vector<int> directions;              // of the momentum components
   Vec3 gravity{};
   bool viscous = false;
   double viscosity = 0;  // of one material, Pa s

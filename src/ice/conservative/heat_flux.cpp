@@ -3,12 +3,15 @@
 //   q = -k dT/dn,   dT/dn from the two cells of the face, k one number or their harmonic mean
 // On a wall with a temperature of its own dT/dn is taken over half a cell; a wall with a given
 // gradient has that, one without either lets no heat through. Of rarefied gas that slips the
-// temperature on the wall is that of the gas there. Absent without conduction.
+// temperature on the wall is that of the gas there. A gas that is a mixture has k and cv of its
+// fraction, and what spreads of it carries enthalpy: scalars/mixed_heat.cpp. Absent without
+// conduction.
 #include "ice/boundary/wall_slip.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/face_mean.hpp"
 #include "ice/conservative/heat_flux_rows.hpp"
 #include "ice/conservative/variables.hpp"
+#include "ice/scalars/mixed_heat.hpp"
 #include "ice/wall_faces.hpp"
 
 namespace sluice::ice {
@@ -17,6 +20,7 @@ namespace {
 struct Handles {
   In temperature, conductivity;
   In rho, energy, pressure, velocity, viscosity;  // slip alone
+  scalars::SpreadingHandles spreading;            // a mixed gas alone
   Out flux;
 };
 
@@ -77,16 +81,29 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   });
 }
 
+void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("temperature", effect);
+  const In rho = task.read(v.rho), energy = task.read(v.energy);
+  const Out temperature = task.write(v.temperature);
+  if (o.mixed != nullptr) {
+    const In f = task.read(scalars::old_fraction(list, o));
+    task.kernel([=, gas = o.mixed](const Row& row) {
+      scalars::mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(energy),
+                                     row(temperature));
+    });
+    return;
+  }
+  task.kernel([=, fluid = o.fluid](const Row& row) {
+    temperature_row(fluid, row.count(), row(rho), row(energy), row(temperature));
+  });
+}
+
 }  // namespace
 
 void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   if (!o.conducting) return;
-  TaskBuilder cells = list.task("temperature", effect);
-  const In rho = cells.read(v.rho), energy = cells.read(v.energy);
-  const Out temperature = cells.write(v.temperature);
-  cells.kernel([=, fluid = o.fluid](const Row& row) {
-    temperature_row(fluid, row.count(), row(rho), row(energy), row(temperature));
-  });
+  add_temperature(list, v, o, effect);
+  if (o.mixed != nullptr) scalars::add_conductivity(list, v, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
@@ -102,12 +119,15 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
       h.velocity = task.read(v.velocity, both);
       if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
     }
+    if (o.mixed != nullptr) h.spreading = scalars::read_spreading(task, list, v, o, axis);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)
         flux_row<true>(row, h, o, axis);
       else
         flux_row<false>(row, h, o, axis);
+      if (o.mixed != nullptr)
+        scalars::add_carried_enthalpy(row, h.spreading, h.temperature, o, axis, row(h.flux));
     });
   }
 }

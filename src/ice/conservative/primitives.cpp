@@ -1,10 +1,9 @@
 // Step 1: velocity, pressure and sound speed of the old state, ghosts included.
-#include <algorithm>
 #include <cmath>
 
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/primitives_rows.hpp"
-#include "ice/scalars/binary_gas.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
 
@@ -46,15 +45,11 @@ void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOption
   const Out sound = task.write(v.sound), inverse = task.write(v.inverse_rho);
   const Fluid fluid = o.fluid;
   const int components = o.components;
-  if (o.binary != nullptr) {
-    const auto of_gas = std::find_if(
-        v.scalars.each.begin(), v.scalars.each.end(), [&](const ScalarVariables::Each& e) {
-          return o.scalars[static_cast<std::size_t>(e.index)].name == o.binary->scalar;
-        });
-    const In f = task.read(of_gas->old);
-    task.kernel([=, gas = *o.binary](const Row& row) {
-      scalars::binary_primitive_row(gas, row.count(), row(f), row(rho), row(energy), row(inverse),
-                                    row(pressure), row(sound));
+  if (o.mixed != nullptr) {
+    const In f = task.read(scalars::old_fraction(list, o));
+    task.kernel([=, gas = o.mixed](const Row& row) {
+      scalars::mixed_primitive_row(*gas, row.count(), row(f), row(rho), row(energy), row(inverse),
+                                   row(pressure), row(sound));
       velocity_rows(row, momentum, velocity, row(inverse), components);
     });
     return;

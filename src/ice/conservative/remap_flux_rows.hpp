@@ -21,7 +21,6 @@ struct RemapFluxHandles {
   In rho, energy, velocity, inverse_rho, face_velocity, mask;
   In inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, base, energy_scale;
   Out flux;
-  bool even = false;
 };
 
 // The four old values around a face: two on either side.
@@ -47,9 +46,8 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
   return upwind_slope(chosen(left, high, low), middle, nu, B);
 }
 
-// Even: density is bounded as energy is: what is linear in both stays so. Known when the loop
-// is compiled: a choice in it costs its vectors or its registers.
-template <int D, int C, bool Second, bool Masked, bool Scaled, bool Even = false>
+// The bound is known when the loop is compiled: a choice in it costs its vectors or its registers.
+template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Bound>
 void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.whole_vectors();
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
@@ -110,7 +108,7 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
       const double iN = chosen(left, iNb[i], iNa[i]);
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, Even ? 2.0 : 2.0 * iN);
+      rs += weight * donor_slope(R, i, left, nu, Bound == DensityBound::sharp ? 2.0 * iN : 2.0);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
       if constexpr (Scaled)
@@ -138,17 +136,15 @@ void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   }
 }
 
-template <int D, int C, bool Scaled>
+template <int D, int C, bool Scaled, DensityBound Bound = DensityBound::sharp>
 void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
                  const SchemeOptions& o) {
   if (!o.second_order)
-    flux_row<D, C, false, false, Scaled>(row, h, axis, l);
+    flux_row<D, C, false, false, Scaled, Bound>(row, h, axis, l);
   else if (o.masked)
-    h.even ? flux_row<D, C, true, true, Scaled, true>(row, h, axis, l)
-           : flux_row<D, C, true, true, Scaled>(row, h, axis, l);
+    flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
   else
-    h.even ? flux_row<D, C, true, false, Scaled, true>(row, h, axis, l)
-           : flux_row<D, C, true, false, Scaled>(row, h, axis, l);
+    flux_row<D, C, true, false, Scaled, Bound>(row, h, axis, l);
 }
 
 // Everything but the flux itself.
@@ -159,7 +155,6 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   const Stencil four = Stencil::along(direction, 2, 1);
   const auto face = static_cast<std::size_t>(axis);
   RemapFluxHandles h;
-  h.even = o.binary != nullptr;
   if (o.second_order) {
     h.rho = task.read(v.rho, four);
     h.energy = task.read(v.energy, four);

@@ -18,6 +18,8 @@ void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOpti
         const double l = row.step().dt / row.step().spacing[direction];
         if (scaled)
           flux_row_of<D, C, true>(row, h, axis, l, o);
+        else if (o.density_bound == DensityBound::as_energy)
+          flux_row_of<D, C, false, DensityBound::as_energy>(row, h, axis, l, o);
         else
           flux_row_of<D, C, false>(row, h, axis, l, o);
       });

@@ -121,23 +121,34 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
                       {row(h.energy_star), fault_energy}}});
 }
 
+// What the checks and rates of the new state read.
+inline UpdateHandles read_end_of_step(TaskBuilder& task, const SchemeVariables& v,
+                                      const SchemeOptions& o) {
+  UpdateHandles h;
+  h.energy_star = task.read(v.energy_star);
+  h.inverse_J = task.read(v.inverse_J);
+  read_transport(task, v, o, h.next);
+  if (!o.conservative_time_step) return h;
+  h.next.sound = task.read(v.sound, Stencil::box(1));
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    h.next.face_velocity[a] =
+        task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  return h;
+}
+
 // All that is read; what is written belongs to the caller.
 inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
                                  const SchemeOptions& o) {
-  UpdateHandles h;
+  UpdateHandles h = read_end_of_step(task, v, o);
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
   h.velocity_L = task.read(v.velocity_L);
-  h.energy_star = task.read(v.energy_star);
-  h.inverse_J = task.read(v.inverse_J);
-  read_transport(task, v, o, h.next);
-  if (o.conservative_time_step) h.next.sound = task.read(v.sound, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.flux[a] = task.read(v.flux[a], both);
-    if (o.conservative_time_step) h.next.face_velocity[a] = task.read(v.face_velocity[a], both);
+    h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   return h;
 }
@@ -145,9 +156,9 @@ inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
 inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
                                     const SchemeOptions& o) {
   UpdateHandles h = read_update(task, v, o);
-  h.next.rho = task.write(v.rho_new);
-  h.next.momentum = task.write(v.momentum_new);
-  h.next.energy = task.write(v.energy_new);
+  h.next.rho = task.write(v.rho_remap);
+  h.next.momentum = task.write(v.momentum_remap);
+  h.next.energy = task.write(v.energy_remap);
   if (o.conducting && !constant_heat_capacity(o.fluid))
     h.next.heat_capacity = task.write(v.heat_capacity);
   if (o.fluid.ideal() != nullptr) return h;

@@ -49,6 +49,10 @@ SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o)
   v.rho_new = list.new_state(l.mass, o.material, 1);
   v.momentum_new = list.new_state(l.momentum, 0, C);
   v.energy_new = list.new_state(l.energy, o.material, 1);
+  v.rho_remap = o.releases_heat ? list.temporary("mass after the remap") : v.rho_new;
+  v.momentum_remap =
+      o.releases_heat ? list.temporary("momentum after the remap", C) : v.momentum_new;
+  v.energy_remap = o.releases_heat ? list.temporary("energy after the remap") : v.energy_new;
   declare_step_temporaries(list, o, v);
   return v;
 }

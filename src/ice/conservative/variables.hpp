@@ -16,7 +16,7 @@
 #include "ice/transport/settings.hpp"
 
 namespace sluice::models {
-struct BinaryGas;
+class MixedGas;
 struct TransportedScalar;
 }  // namespace sluice::models
 
@@ -31,6 +31,11 @@ namespace sluice::ice {
 
 class BoundaryFill;
 class Sources;
+
+// What bounds the density on a face: sharp keeps contacts in slow flow two to three cells wide; as
+// energy keeps what is linear in both linear, so that gases of one pressure and temperature raise
+// no waves where they mix.
+enum class DensityBound { sharp, as_energy };
 
 struct SchemeOptions {
   Axes axes;
@@ -67,9 +72,13 @@ struct SchemeOptions {
   bool conservative_time_step = false;      // Scheme_for_delT_calc
   double cfl = 0.4;
   std::span<const models::TransportedScalar> scalars;  // of all materials
-  const models::BinaryGas* binary = nullptr;           // of the one gas, where it is a mixture
-  const Level* level = nullptr;                        // that this graph is for
-  IndexBox domain;                                     // cells of the physical domain
+  // Of the one gas, where its properties follow from a scalar: scalars/mixed_gas.hpp. `fluid` then
+  // has its highest gamma and lowest specific heat.
+  const models::MixedGas* mixed = nullptr;
+  bool releases_heat = false;  // by mixing
+  DensityBound density_bound = DensityBound::sharp;
+  const Level* level = nullptr;  // that this graph is for
+  IndexBox domain;               // cells of the physical domain
   std::array<bool, 3> periodic{};
   const BoundaryFill* boundary = nullptr;  // knows the walls
   // With several levels: which cells count in sums, where fluxes are recorded.
@@ -106,7 +115,9 @@ struct ScalarVariables {
     int carrier = 0;    // component of `carrier`
   };
   std::vector<Each> each;
-  std::vector<int> materials;  // of the components of `carrier`
+  std::vector<int> materials;         // of the components of `carrier`
+  VariableId fraction;                // of a mixed gas: the new f
+  VariableId released, released_new;  // what it had released before this step's end, and after it
   bool diffusive = false;
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
@@ -117,6 +128,8 @@ struct SchemeVariables {
   // State: mass, momentum and internal energy per volume.
   VariableId rho, momentum, energy, mask;        // old
   VariableId rho_new, momentum_new, energy_new;  // new
+  // What the remap leaves: the new state, but where mixing then releases heat.
+  VariableId rho_remap, momentum_remap, energy_remap;
   // Primitives of the old state.
   VariableId velocity, pressure, sound, inverse_rho;
   // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse

@@ -14,6 +14,11 @@
 // more than half of E, w is made smaller.
 // Laws whose energy may have any sign: E stands for (p + pi)/G, how far the energy is from where
 // the law ends (closure_rows.hpp). A coarse cell with a fine one outside of the law stays constant.
+//
+// Scalars f that are carried by volume: the amount rho (f - f0) has such a polynomial too, f0 that
+// of the coarse cell, and all terms are scaled alike, so that no fine cell lies beyond the values
+// around. At one pressure and temperature density, energy and amount are linear in each other: so
+// are their limited terms, and the fine cells have that pressure and temperature.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +74,8 @@ struct Basis {
   double most[terms];
 };
 
-template <int D, int C, int Order>
+// S: scalars that are carried by volume.
+template <int D, int C, int Order, int S>
 class Prolonger {
   static constexpr int width = D == 3 ? 16 : 64;
   static constexpr int quantities = C + 2, energy = C + 1;
@@ -77,13 +83,14 @@ class Prolonger {
 
  public:
   Prolonger(std::span<const Prolongation> regions, const TransferGeometry& geometry,
-            const Children& children, const Fluid& fluid)
+            const Children& children, const Fluid& fluid, const std::size_t* by_volume)
       : fluid_(fluid),
         ideal_(fluid.ideal() != nullptr),
         regions_(regions),
         ratio_(geometry.ratio),
         children_(children),
-        basis_(children) {}
+        basis_(children),
+        by_volume_(by_volume) {}
 
   void run() {
     const auto run_batch = [&](const Batch<width>& batch) { run(batch); };
@@ -100,7 +107,8 @@ class Prolonger {
   void run(const Batch<width>& batch) {
     const int n = batch.padded();
     find_sources(batch);
-    for (int q = 0; q < quantities; ++q) find_terms(q, batch);
+    for (int s = 0; s < S; ++s) find_range(s, batch);
+    for (int q = 0; q < quantities + S; ++q) find_terms(q, batch);
     if (!ideal_) set_energy_aside(n);
     keep_positive(n);
     take_kinetic_energy(n);
@@ -126,17 +134,46 @@ class Prolonger {
     }
   }
 
-  // The coarse cells of a batch, shifted along two axes.
+  std::size_t view(int q) const {
+    return q < quantities ? static_cast<std::size_t>(q) : by_volume_[q - quantities];
+  }
+  // The coarse cells of a batch, shifted along two axes; of a scalar its amount.
   void gather(int q, const Batch<width>& batch, int axis, int shift, int other, int move,
               double* to) const {
+    gather_view(view(q), batch, axis, shift, other, move, to);
+    if (q < quantities) return;
+    double mass[width];
+    gather_view(0, batch, axis, shift, other, move, mass);
+    const double* f0 = scalar_[q - quantities];
+    for (int i = 0; i < batch.padded(); ++i) to[i] = mass[i] * (to[i] - f0[i]);
+  }
+  void gather_view(std::size_t view, const Batch<width>& batch, int axis, int shift, int other,
+                   int move, double* to) const {
     const Source* s = sources_;
     for (const LinePart& line : batch.parts()) {
-      const double* from = (*s->views)[static_cast<std::size_t>(q)].data + s->first +
-                           shift * s->stride[axis] + move * s->stride[other];
+      const double* from =
+          (*s->views)[view].data + s->first + shift * s->stride[axis] + move * s->stride[other];
       copy_strided(from, s->step, line.count, to + line.place);
       ++s;
     }
     batch.repeat_last(to);
+  }
+
+  // The scalar of the coarse cells, and its lowest and highest value around.
+  void find_range(int s, const Batch<width>& batch) {
+    const int n = batch.padded();
+    double around[width];
+    gather_view(by_volume_[s], batch, 0, 0, 0, 0, scalar_[s]);
+    std::copy(scalar_[s], scalar_[s] + n, lowest_[s]);
+    std::copy(scalar_[s], scalar_[s] + n, highest_[s]);
+    for (int a = 0; a < D; ++a)
+      for (const int shift : {-1, 1}) {
+        gather_view(by_volume_[s], batch, a, shift, a, 0, around);
+        for (int i = 0; i < n; ++i) {
+          lowest_[s][i] = smaller(lowest_[s][i], around[i]);
+          highest_[s][i] = larger(highest_[s][i], around[i]);
+        }
+      }
   }
 
   // With a call for every slope this takes thrice as long.
@@ -217,8 +254,31 @@ class Prolonger {
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) term_[q][k][i] *= factor[i];
   }
+  // For all terms: no child has more or less of a scalar than the cells around.
+  void keep_between(int s, int n, double* __restrict factor) const {
+    for (int child = 0; child < children_.count(); ++child) {
+      const double* f = basis_.value[child];
+      for (int i = 0; i < n; ++i) {
+        const double rho = centre_[0][i], change = deviation(term_[0], f, i);
+        const double amount = deviation(term_[quantities + s], f, i);
+        const double above = highest_[s][i] - scalar_[s][i], below = scalar_[s][i] - lowest_[s][i];
+        const double up = amount - above * change, down = -amount - below * change;
+        if (up > above * rho) factor[i] = smaller(factor[i], above * rho / up);
+        if (down > below * rho) factor[i] = smaller(factor[i], below * rho / down);
+      }
+    }
+  }
   void keep_positive(int n) {
     double factor[width];
+    if constexpr (S > 0) {
+      double of_energy[width];
+      find_factor(0, n, factor);
+      find_factor(energy, n, of_energy);
+      for (int i = 0; i < n; ++i) factor[i] = smaller(factor[i], of_energy[i]);
+      for (int s = 0; s < S; ++s) keep_between(s, n, factor);
+      for (int q = 0; q < quantities + S; ++q) scale(q, n, factor);
+      return;
+    }
     find_factor(0, n, factor);
     for (int q = 0; q <= C; ++q) scale(q, n, factor);
     find_factor(energy, n, factor);
@@ -307,6 +367,14 @@ class Prolonger {
     return w;
   }
 
+  // f0 + amount/rho; of round-off alone beyond the values around.
+  void fine_scalar(int s, const double* f, int n, double* value) const {
+    for (int i = 0; i < n; ++i) {
+      const double rho = centre_[0][i] + deviation(term_[0], f, i);
+      const double x = scalar_[s][i] + deviation(term_[quantities + s], f, i) / rho;
+      value[i] = larger(smaller(x, highest_[s][i]), lowest_[s][i]);
+    }
+  }
   // One fine cell of each coarse cell, where it is asked for.
   void emit(int child, const Batch<width>& batch) const {
     std::array<Wanted, width> lines;
@@ -318,7 +386,7 @@ class Prolonger {
     if (count == 0) return;
     const double* f = basis_.value[child];
     const int n = batch.padded();
-    for (int q = 0; q < quantities; ++q) {
+    for (int q = 0; q < quantities + S; ++q) {
       double value[width];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) value[i] = centre_[q][i] + deviation(term_[q], f, i);
@@ -326,9 +394,10 @@ class Prolonger {
         for (int i = 0; i < n; ++i) value[i] *= rest_[i];
       if (q == energy && !ideal_)
         for (int i = 0; i < n; ++i) value[i] = fine_energy(f, i);
+      if (q >= quantities) fine_scalar(q - quantities, f, n, value);
       for (std::size_t k = 0; k < count; ++k) {
         const Wanted& w = lines[k];
-        double* __restrict to = (*w.views)[static_cast<std::size_t>(q)].data + w.first;
+        double* __restrict to = (*w.views)[view(q)].data + w.first;
         const double* __restrict from = value + w.place;
         for (int i = 0; i < w.count; ++i) to[i * w.step] = from[i];
       }
@@ -343,8 +412,10 @@ class Prolonger {
   Functions basis_;
   Batch<width> batch_;
   Source sources_[width];
-  double centre_[quantities][width];
-  double term_[quantities][Functions::terms][width];
+  const std::size_t* by_volume_;
+  double centre_[quantities + S][width];
+  double term_[quantities + S][Functions::terms][width];
+  double scalar_[S + 1][width], lowest_[S + 1][width], highest_[S + 1][width];
   double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
   double rest_[width];                    // share of the internal energy that stays
   double energy_[width];                  // of the coarse cells; not of an ideal gas
@@ -370,12 +441,12 @@ void copy_to_children(const RealView& coarse, const RealView& fine, const IndexB
   });
 }
 
-template <int Order>
+template <int Order, int S>
 void prolong_regions(std::span<const Prolongation> regions, const TransferGeometry& geometry,
-                     int components, const Fluid& fluid) {
+                     int components, const Fluid& fluid, const std::size_t* by_volume) {
   const Children children(geometry);
   dispatch(children.axes().count, components, [&]<int D, int C>() {
-    Prolonger<D, C, Order>(regions, geometry, children, fluid).run();
+    Prolonger<D, C, Order, S>(regions, geometry, children, fluid, by_volume).run();
   });
 }
 
@@ -383,8 +454,15 @@ void prolong_regions(std::span<const Prolongation> regions, const TransferGeomet
 
 void IceTransfer::prolong_all(std::span<const Prolongation> regions,
                               const TransferGeometry& geometry, int order) const {
-  if (order == 2) return prolong_regions<2>(regions, geometry, components_, fluid_);
-  if (order == 1) return prolong_regions<1>(regions, geometry, components_, fluid_);
+  const auto with = [&]<int S>() {
+    if (order == 2)
+      prolong_regions<2, S>(regions, geometry, components_, fluid_, by_volume_.data());
+    else
+      prolong_regions<1, S>(regions, geometry, components_, fluid_, by_volume_.data());
+  };
+  if (order > 0 && by_volume_.size() == 2) return with.template operator()<2>();
+  if (order > 0 && by_volume_.size() == 1) return with.template operator()<1>();
+  if (order > 0) return with.template operator()<0>();
   for (const Prolongation& r : regions)
     for (std::size_t q = 0; q < r.coarse->size() && !r.cells.empty(); ++q)
       copy_to_children((*r.coarse)[q], (*r.fine)[q], r.cells, geometry);

@@ -166,7 +166,7 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   }
   for (const ScalarVariables::Each& e : v.scalars.each)
     h.by_volume.push_back(o.scalars[static_cast<std::size_t>(e.index)].by_volume ? 1 : 0);
-  if (o.binary != nullptr) {
+  if (o.mixed != nullptr) {
     h.rho_L = task.read(v.rho_L);
     h.velocity_slope = task.read(v.velocity_slope);
   }

@@ -12,7 +12,7 @@ std::vector<GhostRule> make_rules(const BoundaryRegion& region,
   std::vector<GhostRule> rules;
   for (const models::TransportedScalar& s : scalars) {
     GhostRule rule;
-    if (const Condition* c = region.find("scalar-" + s.name, s.material)) {
+    if (const Condition* c = region.find(s.variable(), s.material)) {
       if (c->kind == ConditionKind::dirichlet) {
         rule = {GhostRule::Kind::fixed, c->value};
       } else if (c->kind == ConditionKind::neumann) {
@@ -23,6 +23,8 @@ std::vector<GhostRule> make_rules(const BoundaryRegion& region,
             "symmetry and LODI",
             to_string(c->where), c->kind_name, c->variable));
       }
+    } else if (s.plain_name && rules.back().kind != GhostRule::Kind::copy) {
+      rule.kind = GhostRule::Kind::of_fraction;  // which stands before it
     }
     rules.push_back(rule);
   }

@@ -5,7 +5,9 @@
 //   Neumann     the nearest cell of the domain minus the gradient along the inward normal times the
 //               distance (0: a copy)
 //   others      (symmetry, LODI, none) a copy, or the mirrored cell where the flow is mirrored
-// A ghost that holds nothing of the material holds nothing of the scalar.
+// The released heat of a mixed gas needs no condition: where its fraction is given, what lies
+// outside has given all the heat of that fraction. A ghost that holds nothing of the material holds
+// nothing of the scalar.
 #pragma once
 #include <span>
 
@@ -16,7 +18,7 @@
 namespace sluice::ice::scalars {
 
 struct GhostRule {
-  enum class Kind { copy, fixed, gradient };
+  enum class Kind { copy, fixed, gradient, of_fraction };
   Kind kind = Kind::copy;
   double value = 0;
 };

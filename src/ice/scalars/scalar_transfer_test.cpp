@@ -115,6 +115,46 @@ TEST_P(ScalarLevels, CorrectionsAddTheAmountThatPassed) {
   }
 }
 
+// Gases of one pressure, temperature and velocity, of any fractions: the fine cells have them too,
+// mass times fraction is kept, and no fraction lies beyond those around.
+TEST_P(ScalarLevels, KeepPressureAndTemperatureOfAMixture) {
+  constexpr double R_A = 1, R_B = 7.25, cv_A = 2.5, cv_B = 10.9, u[3] = {0.5, -2, 3};
+  const auto R = [&](double f) { return R_A + f * (R_B - R_A); };
+  const auto cv = [&](double f) { return cv_A + f * (cv_B - cv_A); };
+  for_each_cell(coarse_.gas.box(), [&](IntVec3 cell) {
+    const double f = coarse_.q(cell), rho = 1 / R(f);
+    coarse_.gas.fill(rho, u, rho * cv(f), cell);
+  });
+  const auto view = static_cast<std::size_t>(case_.components) + 2;
+  const std::vector<std::size_t> by_volume{view};
+  const scalars::ScalarTransfer t(
+      std::make_unique<IceTransfer>(case_.components, false, true, Fluid{}, by_volume), {0}, view,
+      by_volume);
+  for (const int order : {1, 2}) {
+    t.prolong(coarse_.views, fine_.views, fine_cells_, case_.geometry(), order);
+    for_each_cell(cells_, [&](IntVec3 cell) {
+      double amount = 0, low = coarse_.q(cell), high = low;
+      for (int d = 0; d < 3; ++d)
+        for (const int shift : {-1, 1}) {
+          IntVec3 other = cell;
+          other[d] += case_.active[static_cast<std::size_t>(d)] ? shift : 0;
+          low = std::min(low, coarse_.q(other));
+          high = std::max(high, coarse_.q(other));
+        }
+      for_each_cell(children_of(cell, case_), [&](IntVec3 child) {
+        const double f = fine_.q(child), rho = fine_.gas.rho(child);
+        EXPECT_NEAR(rho * R(f), 1, 2e-14);
+        EXPECT_NEAR(fine_.gas.energy(child) / (rho * cv(f)), 1, 2e-14);
+        EXPECT_GE(f, low);
+        EXPECT_LE(f, high);
+        amount += rho * f;
+      });
+      amount /= static_cast<double>(children_of(cell, case_).volume());
+      EXPECT_NEAR(amount, coarse_.gas.rho(cell) * coarse_.q(cell), 1e-15);
+    });
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ScalarLevels, testing::ValuesIn(transfer_cases()));
 
 TEST(ScalarGhosts, FollowTheConditionsOfTheDeck) {

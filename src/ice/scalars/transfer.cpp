@@ -1,5 +1,6 @@
 // Scalars where levels meet.
 //
+// Scalars that are carried by volume are prolonged with the flow (refine/prolong.cpp), others so:
 //   prolong    q_f = q + a (s.x_f - w),  s = L3 of the coarse values, w = <rho_f s.x_f>/<rho_f>,
 //              a the largest share that keeps all fine cells between the coarse ones around
 //   restrict   q = r + <M_f (q_f - r)>/M,  r = <q_f>: uniform scalars keep their bits
@@ -121,9 +122,15 @@ void ScalarTransfer::prolong(const StateViews& coarse, const StateViews& fine,
 void ScalarTransfer::prolong_whole_cells(const StateViews& coarse, const StateViews& fine,
                                          const IndexBox& parents, const TransferGeometry& geometry,
                                          int order) const {
-  flow_->prolong(of_flow(coarse), of_flow(fine), refine(parents, geometry.ratio), geometry, order);
+  const IndexBox cells = refine(parents, geometry.ratio);
+  if (by_volume_.empty())
+    flow_->prolong(of_flow(coarse), of_flow(fine), cells, geometry, order);
+  else
+    flow_->prolong(coarse, fine, cells, geometry, order);
   const Children children(geometry);
   for (std::size_t s = 0; s < mass_.size(); ++s) {
+    const auto own = std::find(by_volume_.begin(), by_volume_.end(), views_ + s);
+    if (own != by_volume_.end()) continue;
     const RealView &q = coarse[views_ + s], &M = coarse[mass_[s]];
     const RealView &fine_q = fine[views_ + s], &fine_M = fine[mass_[s]];
     for_each_cell(parents, [&](IntVec3 parent) {

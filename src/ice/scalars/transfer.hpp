@@ -12,10 +12,14 @@ namespace sluice::ice::scalars {
 
 class ScalarTransfer final : public TransferOperators {
  public:
-  // `mass`: the view of the mass that each scalar goes with; `views`: how many the flow has.
+  // `mass`: the view of the mass that each scalar goes with; `views`: how many the flow has;
+  // `by_volume`: views of scalars that the flow's operators prolong themselves.
   ScalarTransfer(std::unique_ptr<TransferOperators> flow, std::vector<std::size_t> mass,
-                 std::size_t views)
-      : flow_(std::move(flow)), mass_(std::move(mass)), views_(views) {}
+                 std::size_t views, std::vector<std::size_t> by_volume = {})
+      : flow_(std::move(flow)),
+        mass_(std::move(mass)),
+        views_(views),
+        by_volume_(std::move(by_volume)) {}
 
   // A limited linear function in each coarse cell, between the values around it; the mean of mass
   // times scalar is that of the coarse cell.
@@ -42,6 +46,7 @@ class ScalarTransfer final : public TransferOperators {
   std::unique_ptr<TransferOperators> flow_;
   std::vector<std::size_t> mass_;
   std::size_t views_;
+  std::vector<std::size_t> by_volume_;
 };
 
 }  // namespace sluice::ice::scalars

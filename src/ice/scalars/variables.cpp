@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "models/mixed_gas.hpp"
+
 namespace sluice::ice::scalars {
 
 void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v,
@@ -18,6 +20,11 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
     e.index = static_cast<int>(n);
     e.old = list.old_state(scalar.state(), scalar.material, 1);
     e.now = list.new_state(scalar.state(), scalar.material, 1);
+    if (o.mixed != nullptr && scalar.name == o.mixed->fraction) s.fraction = e.now;
+    if (o.releases_heat && scalar.plain_name) {
+      s.released_new = e.now;
+      s.released = e.now = list.temporary("heat of mixing before this step's");
+    }
     e.mass = masses.old[m];
     e.mass_new = masses.now[m];
     if (o.mixture) e.volume = masses.volume[m];

@@ -67,8 +67,11 @@ struct TransportModels {
   std::vector<Sponge> sponges;
   std::optional<Turbulence> turbulence;
   std::vector<WallShear> wall_shear;
+  bool by_fraction = false;  // that of a mixed gas
 
-  bool molecular_varies() const { return sutherland.has_value() || !sponges.empty(); }
+  bool molecular_varies() const {
+    return sutherland.has_value() || !sponges.empty() || by_fraction;
+  }
 };
 
 // The cells of a level, ghosts included, whose centres lie in a sponge.

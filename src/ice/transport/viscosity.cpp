@@ -6,6 +6,7 @@
 
 #include "ice/closure_rows.hpp"
 #include "ice/limiters.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -96,6 +97,14 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   TaskBuilder task = t.list.task(t.name + "molecular viscosity", t.effect);
   const In rho = task.read(state.rho), E = task.read(state.energy);
   const Out out = task.write(viscosity);
+  if (t.options.transport.by_fraction) {
+    const In f = task.read(scalars::old_fraction(t.list, t.options));
+    task.kernel([=, gas = t.options.mixed](const Row& row) {
+      scalars::property_row(*gas, &models::MixedGas::Node::viscosity, row.count(), row(f),
+                            row(out));
+    });
+    return;
+  }
   const SchemeOptions& o = t.options;
   task.kernel([=, law = MolecularViscosity{o.fluid, o.transport, o.viscosity, o.axes.direction[0]}](
                   const Row& row) { law(row, row(rho), row(E), row(out)); });

@@ -1,5 +1,5 @@
 // A gas whose properties follow from a scalar.
-#include "ice/scalars/binary_gas.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,9 @@ namespace {
 // Helium in air, in units in which air has R = 1.
 constexpr double cv_A = 2.5, R_A = 1, cv_B = 10.9, R_B = 7.25;
 
-models::BinaryGas two_gases() {
-  models::BinaryGas gas;
-  gas.cv_A = cv_A;
-  gas.cv_B = cv_B;
-  gas.R_A = R_A;
-  gas.R_B = R_B;
+models::MixedGas two_gases() {
+  models::MixedGas gas;
+  gas.set_nodes({{0, cv_A, R_A}, {1, cv_B, R_B}});
   return gas;
 }
 
@@ -34,7 +31,7 @@ double pressure(ScalarRun& run, IntVec3 c) {
 }
 
 TEST(BinaryGas, MixesByMass) {
-  const models::BinaryGas gas = two_gases();
+  const models::MixedGas gas = two_gases();
   EXPECT_DOUBLE_EQ(gas.gamma(0), 1.4);
   EXPECT_DOUBLE_EQ(gas.gamma(1), 1 + R_B / cv_B);
   // Half of the volume each, at one pressure and temperature: the energies add up.

@@ -1,0 +1,15 @@
+// The end of a step of a gas that gives heat where it mixes (models/mixed_gas.hpp).
+//
+//   E' = E + rho' (Q(f') - q),  q' = Q(f')
+// after the remap and the transport of f and q: q is what the mass has given so far, so that heat
+// is counted once however often its mass is mixed anew, and over a closed domain the heat given is
+// the change of sum rho' Q(f'). It counts as a source (sources/sources.hpp); other sources act
+// before it. Absent where no heat is given: then the update ends the step.
+#pragma once
+#include "ice/conservative/variables.hpp"
+
+namespace sluice::ice::scalars {
+
+void add_heat_release(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice::scalars

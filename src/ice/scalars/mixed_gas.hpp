@@ -1,0 +1,44 @@
+// One gas whose properties follow from a scalar (models/mixed_gas.hpp), in the step.
+//
+// The step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each cell; bounds and
+// rates take the largest gamma and the lowest specific heat of all. What is carried is bounded
+// alike, so that where pressure, temperature and velocity are uniform, density, energy and rho f
+// are linear in each other on every face and stay so: no waves start where the gases meet.
+#pragma once
+#include "ice/conservative/variables.hpp"
+#include "models/mixed_gas.hpp"
+
+namespace sluice::ice {
+class QuantityList;
+}
+
+namespace sluice::ice::scalars {
+
+inline Fluid fluid_of(const models::MixedGas& gas, double f) {
+  return ideal_gas(gas.gamma(f), gas.specific_heat(f));
+}
+
+// Sets what the gas changes in the options of a scene; `o` has the scalars and coefficients of the
+// deck.
+void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o);
+
+// The scalar f among those of the scene, and its old state.
+const models::TransportedScalar& fraction_of(const SchemeOptions& o);
+VariableId old_fraction(TaskList& list, const SchemeOptions& o);
+
+// p and c of the old state.
+void mixed_primitive_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
+                         const double* E, double* w, double* p, double* c);
+// T = E/(rho cv).
+void mixed_temperature_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
+                           const double* E, double* T);
+void property_row(const models::MixedGas& gas, double models::MixedGas::Node::*property, int n,
+                  const double* f, double* values);
+
+// Labels that follow from f.
+struct MixedQuantities {
+  VariableId pressure, temperature, sound_speed;
+};
+MixedQuantities declare_mixed_quantities(QuantityList& q, VariableId rho, VariableId E);
+
+}  // namespace sluice::ice::scalars

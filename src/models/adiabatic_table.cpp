@@ -1,0 +1,170 @@
+// Model "AdiabaticTable": how a deck says it, and what its table means.
+#include "models/adiabatic_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "framework/deck/rule_tools.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "models/binary_properties.hpp"
+#include "models/material_name.hpp"
+#include "models/passive_scalar.hpp"
+
+namespace sluice::models {
+namespace {
+
+TagSpec named_value(const char* name, const char* doc) {
+  return tag(name, doc).multiple().attribute(attribute("name", "of the column").once().text());
+}
+
+TagSpec table_tag() {
+  return tag("table", "the table")
+      .once()
+      .attribute(attribute("name", "its name").once().text())
+      .attribute(attribute("type", "its format").once().words({"Arches"}))
+      .with_children(
+          {tag("filename", "file of the table, as seen from the working folder or the deck's")
+               .once()
+               .text(),
+           named_value("defaultValue", "value of a further axis of the table").real(),
+           named_value("constantValue", "a column of one value").real(),
+           named_value("derivedValue",
+                       "a column from others: [column], {mixture_fraction}, numbers, + - * / ( )")
+               .text()});
+}
+
+TagSpec constants_tag() {
+  return tag("constants", "of the mixture fraction")
+      .with_children(
+          {tag("diffusivity", "coefficient D of the flux rho D grad f")
+               .real()
+               .at_least(0)
+               .by_default("0")
+               .unit("length^2/time"),
+           tag("AMR_Refinement_Criteria", "cells with a larger gradient of f are flagged")
+               .real()
+               .at_least(0)
+               .unit("1/length")});
+}
+
+void refuse(const DeckNode& node, const std::string& what, const char* advice,
+            std::vector<Fault>& faults) {
+  add_error(faults, node.where, what + " is known to the format, but not built yet", advice);
+  faults.back().not_built = true;
+}
+
+PropertyTable::Additions read_additions(const DeckNode& table) {
+  PropertyTable::Additions additions;
+  const auto numbers = [&](const char* name, std::map<std::string, double>& to) {
+    for (const DeckNode* node : table.all(name))
+      to[node->attribute("name").value_or("")] = parse_real(node->text).value.value_or(0);
+  };
+  numbers("defaultValue", additions.defaults);
+  numbers("constantValue", additions.constants);
+  for (const DeckNode* node : table.all("derivedValue"))
+    additions.derived[node->attribute("name").value_or("")] = node->text;
+  return additions;
+}
+
+}  // namespace
+
+void locate_tables(DeckNode& root, std::vector<Fault>&) {
+  namespace fs = std::filesystem;
+  DeckNode* models = root.child("Models");
+  if (models == nullptr) return;
+  for (const auto& model : models->children) {
+    DeckNode* node = model.get();
+    for (const char* name : {"AdiabaticTable", "table", "filename"})
+      node = node == nullptr ? nullptr : node->child(name);
+    if (node == nullptr || node->text.empty()) continue;
+    const fs::path beside = fs::path(node->where.file).parent_path() / node->text;
+    std::error_code ignored;
+    if (fs::exists(node->text, ignored))
+      node->text = fs::absolute(node->text).string();
+    else if (fs::exists(beside, ignored))
+      node->text = fs::absolute(beside).string();
+  }
+}
+
+std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table) {
+  const auto gamma = table.column("gamma"), cv = table.column("heat_capac_Cv"),
+             mu = table.column("viscosity"), k = table.column("thermal_conductivity"),
+             T = table.column("Temp"), T_r = table.column("reference_Temp"),
+             gamma_r = table.column("reference_gamma"),
+             cv_r = table.column("reference_heat_capac_Cv");
+  std::vector<MixedGas::Node> nodes(table.fractions().size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    MixedGas::Node& node = nodes[n];
+    node.f = table.fractions()[n];
+    node.cv = cv[n];
+    node.R = (gamma[n] - 1.0) * cv[n];
+    node.viscosity = mu[n];
+    node.conductivity = k[n];
+    node.heat = T[n] * (gamma[n] * cv[n]) - T_r[n] * (gamma_r[n] * cv_r[n]);
+    if (!(node.cv > 0 && node.R > 0 && mu[n] >= 0 && k[n] >= 0 && std::isfinite(node.heat)))
+      throw InputError(fmt::format(
+          "property table, mixture fraction {:g}: heat_capac_Cv {:g} must be above 0, gamma {:g} "
+          "above 1, viscosity {:g} and thermal_conductivity {:g} at least 0, Temp {:g} finite",
+          node.f, cv[n], gamma[n], mu[n], k[n], T[n]));
+  }
+  return nodes;
+}
+
+TagSpec adiabatic_table_tag() {
+  return tag("AdiabaticTable",
+             "an ideal gas with properties and heat of mixing from a table over mixture fraction")
+      .with_children(
+          {tag("material", "name of the material").once().text(), table_tag(),
+           tag("scalar", "the mixture fraction")
+               .once()
+               .attribute(
+                   attribute("name", "its name; variables are called scalar-NAME").once().text())
+               .with_children(
+                   {tag("test_conservation", "its total is written").boolean().by_default("false"),
+                    tag("doTableTest", "must be false").boolean().by_default("false"),
+                    constants_tag(), scalar_region_tag()}),
+           tag("varianceScale", "must be 0: the table is taken at the default of its second axis")
+               .real()
+               .at_least(0)
+               .by_default("0"),
+           tag("varianceMax", "without effect where varianceScale is 0").real().at_least(0),
+           tag("tableValue", "further columns to save").multiple().text()});
+}
+
+void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
+                           std::vector<Fault>& faults) {
+  check_material(parameters, "material", materials, faults);
+  refuse_several_materials(parameters, materials, faults);
+  if (real_of(&parameters, "varianceScale").value_or(0) > 0)
+    refuse(*parameters.child("varianceScale"), "<varianceScale> above 0", "write 0", faults);
+  if (const DeckNode* value = parameters.child("tableValue"))
+    refuse(*value, "<tableValue>", "remove it", faults);
+  const DeckNode* scalar = parameters.child("scalar");
+  if (scalar == nullptr) return;
+  const DeckNode* test = scalar->child("doTableTest");
+  if (test != nullptr && test->text == "true")
+    refuse(*test, "<doTableTest> true", "write false", faults);
+  for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
+}
+
+MixedGas read_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
+                              std::vector<Fault>& faults) {
+  MixedGas gas;
+  gas.type = parameters.name;
+  gas.fraction = parameters.child("scalar")->attribute("name").value_or("");
+  gas.released = cumulative_energy;
+  gas.material = read_material(parameters, "material", materials);
+  gas.own_heat_capacity = gas.own_viscosity = gas.own_conductivity = true;
+  gas.where = parameters.where;
+  gas.set_nodes({{0}, {1}});
+  const DeckNode& table = *parameters.child("table");
+  const DeckNode& filename = *table.child("filename");
+  collect(faults, filename.where, [&] {
+    gas.set_nodes(adiabatic_nodes(PropertyTable(filename.text, read_additions(table))));
+  });
+  return gas;
+}
+
+}  // namespace sluice::models
