@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Decks, EveryCheckpoint,
                          testing::Values("amr_shock_tube", "amr_periodic_shocks", "amr_explosion",
                                          "amr_explosion_lockstep", "amr_explosion_greedy",
                                          "amr_water_square", "amr_water_cylinder",
-                                         "amr_water_cylinder_greedy", "amr_drops"),
+                                         "amr_water_cylinder_greedy"),
                          [](const auto& test) { return std::string(test.param); });
 
 // A run of many ranks goes on on one.

@@ -146,7 +146,8 @@ TEST_P(Drops, KeepMassesMomentumAndEnergy) {
     const CaseRun run("amr_drops", overrides);
     EXPECT_LE(drift_per_thousand(run), allowed_drift) << K;
     EXPECT_LE(run.events(), 1) << K << run.record().at("events").dump();
-    for (const LevelCell& cell : level_cells(run, "press_CC")) ASSERT_GT(cell.value, 0) << K;
+    // The water bears tension: its pressure may be negative, its temperature may not.
+    for (const LevelCell& cell : level_cells(run, "temp_CC")) ASSERT_GE(cell.value, 0) << K;
   }
 }
 

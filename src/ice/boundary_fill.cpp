@@ -339,17 +339,4 @@ void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team, double time) c
   });
 }
 
-void BoundaryFill::copy_outward(Warehouse& state, Label label, int material) const {
-  const int slot = state.find(label, material);
-  const int width = state.info(slot).ghosts;
-  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
-    for (Side side : all_sides) {
-      if (regions_[static_cast<std::size_t>(side)] == nullptr) continue;
-      const RealView v = state.view(slot, 0, box);
-      for_each_cell(ghost_region(state, box, width, side), [&](IntVec3 ghost) {
-        v(ghost) = v(source_cell(ghost, direction_of(side), is_plus(side), false, level_->domain));
-      });
-    }
-}
-
 }  // namespace sluice::ice

@@ -57,8 +57,6 @@ class BoundaryFill {
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
   // only, whatever the boxes and threads.
   void fill(Warehouse& state, const ThreadTeam& team, double time = 0) const;
-  // The same for one slot that is simply copied outward (masks).
-  void copy_outward(Warehouse& state, Label label, int material) const;
 
   // Walls let nothing pass: the face solver sets u_f = 0 there, whatever the ghosts hold.
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }

@@ -302,7 +302,6 @@ Label Ice::mask_label() const {
 void Ice::fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const {
   const BoundaryFill& boundary = *boundary_[static_cast<std::size_t>(state.level().index)];
   boundary.fill(state, team, time);
-  if (state.find(labels().mask, 0) >= 0) boundary.copy_outward(state, labels().mask, 0);
 }
 
 void Ice::declare_step(TaskList& list, const StepVariant& variant) const {

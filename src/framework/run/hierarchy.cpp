@@ -132,7 +132,7 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope) {
     if (l == 0) result_.control = a.control;
     if (a.faults == 0) break;
     if (masked == 0) result_.unsound = solver.unsound_start();
-    if (result_.unsound || masked == masked_attempts || solver.mask_faults(scope.time) == 0) {
+    if (result_.unsound || masked == masked_attempts || solver.mask_faults() == 0) {
       result_.first_fault = a.first_fault;
       result_.faults = a.faults;
       return Verdict::reject;

@@ -295,7 +295,7 @@ TEST(Kinds, ARedoneStepChoosesAgain) {
       }
       for (int tries = 0; r->attempt(dt).faults > 0 && tries < 3; ++tries) {
         redone += r == &run;
-        r->solver.mask_faults(0);
+        r->solver.mask_faults();
       }
       EXPECT_EQ(r->solver.attempt_result().faults, 0);
       r->solver.advance();

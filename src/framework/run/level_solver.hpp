@@ -99,8 +99,9 @@ class LevelSolver {
   void reject();
   // Redo: slopes vanish in the cells that the last attempt found inadmissible (and in those found
   // before, within the same step); where all of them were masked, in the cells next to those
-  // masked. The number of cells masked now, over all ranks.
-  std::int64_t mask_faults(double time);
+  // masked (of a single level; of several a smaller step is tried). The number of cells masked
+  // now, over all ranks.
+  std::int64_t mask_faults();
 
   // The lowest cell whose state at the start of the step is not a finite number, over all ranks:
   // no smaller step can help it.
@@ -133,6 +134,7 @@ class LevelSolver {
   Variant& diagnostics(const std::vector<Label>& wanted);
   bool chooses_kinds() const;
   std::int64_t widen_masks(int slot);
+  void spread_masks(int slot);
   std::unique_ptr<Variant> make_variant(bool masked, bool diagnostic,
                                         const std::vector<Label>& wanted);
   SweepGraph graph_of(const TaskList& list, const std::vector<Label>& wanted) const;

@@ -46,7 +46,7 @@ std::optional<UnsoundCell> LevelSolver::unsound_start() {
   return UnsoundCell{lowest, state_.info(lowest.kind).label};
 }
 
-std::int64_t LevelSolver::mask_faults(double time) {
+std::int64_t LevelSolver::mask_faults() {
   add_state_slot({component_->mask_label(), 0, 1, 0});
   const int slot = state_.find(component_->mask_label(), 0);
   if (!masked_)
@@ -70,13 +70,28 @@ std::int64_t LevelSolver::mask_faults(double time) {
   };
   now = over_ranks(now);
   halo_->run(state_, {slot}, team_.get());
-  if (now == 0 && attempt_.faults > 0) {
+  if (now == 0 && attempt_.faults > 0 && !options_.joined) {
     now = over_ranks(widen_masks(slot));
     halo_->run(state_, {slot}, team_.get());
   }
-  component_->fill_boundary(state_, time, *team_);
+  spread_masks(slot);
   masked_ = true;
   return now;
+}
+
+// Outside the domain as in its nearest cell.
+void LevelSolver::spread_masks(int slot) {
+  const IndexBox& domain = level_.domain;
+  for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
+    const RealView mask = state_.view(slot, 0, b);
+    for_each_cell(mask.box, [&](IntVec3 c) {
+      IntVec3 inside = c;
+      for (int d = 0; d < 3; ++d)
+        if (!level_.periodic[static_cast<std::size_t>(d)])
+          inside[d] = std::clamp(c[d], domain.lower[d], domain.upper[d] - 1);
+      if (inside != c) mask(c) = mask(inside);
+    });
+  }
 }
 
 // By one cell along each direction: what flows into a cell has the slopes of its neighbours.

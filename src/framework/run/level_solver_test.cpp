@@ -104,13 +104,13 @@ TEST_F(LevelSolverTest, MasksHoldForTheStepAndAreForgottenAfterIt) {
   Tube tube(2, {}, 1.6);
   const std::int64_t faults = tube.attempt(dt).faults;
   ASSERT_GT(faults, 0);
-  EXPECT_EQ(tube.solver.mask_faults(0), faults);
+  EXPECT_EQ(tube.solver.mask_faults(), faults);
   EXPECT_EQ(tube.attempt(dt).faults, 0);
-  EXPECT_EQ(tube.solver.mask_faults(0), 0);  // nothing left to mask
+  EXPECT_EQ(tube.solver.mask_faults(), 0);  // nothing left to mask
   Tube other(2, {}, 1.6);
   other.attempt(dt);
-  other.solver.mask_faults(0);
-  EXPECT_GT(other.solver.mask_faults(0), 0);  // the same cells again: their neighbours
+  other.solver.mask_faults();
+  EXPECT_GT(other.solver.mask_faults(), 0);  // the same cells again: their neighbours
   tube.solver.advance();
   tube.solver.accept();
   tube.solver.fill_ghosts(dt);
@@ -152,7 +152,7 @@ TEST_F(LevelSolverOnRanks, AgreeOnFaultsMasksAndSums) {
   EXPECT_EQ(a.faults, 40);
   EXPECT_EQ(a.first_fault.cell, (IntVec3{0, 0, 0}));
   EXPECT_EQ(a.first_fault.value, 3);
-  EXPECT_EQ(tube.solver.mask_faults(0), 40);
+  EXPECT_EQ(tube.solver.mask_faults(), 40);
   EXPECT_EQ(tube.attempt(dt).faults, 0);
   const double inflow = 0.5 * 0.125 * (MockComponent::start(0) - MockComponent::start(39));
   EXPECT_EQ(tube.solver.attempt_result().sums, std::vector<double>{inflow});

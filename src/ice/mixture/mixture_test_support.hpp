@@ -100,7 +100,7 @@ class MixtureBox {
         }
         last_fault_ = a.first_fault;
         ++rejected_;
-        if (redo < 2) solver_->mask_faults(time_);
+        if (redo < 2) solver_->mask_faults();
       }
       solver_->reject();
     }

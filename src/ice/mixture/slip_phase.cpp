@@ -2,10 +2,11 @@
 //
 //   w_L = E w + R,   w_half = E w + R/2 of half a step,   drift = w_half - sum V_m w_half
 // E: half a step of drag; R: what dm_m = -(V_m - M_m/rho) l (p_f+ - p_f-) gives under drag in a
-// whole step. Work defect: W - (S - S_L), S = sum M_m |w_m|^2/2: what pressure does on the slip and
-// drag takes from it is in it, so that total energy is kept and a drag without limit heats nothing.
-// A driving force f is a pressure gradient: dp - dt f in place of dp, and what it works on the slip,
-// dt f . sum V_m w_half, is added and counted.
+// whole step. Work defect: W - (S - S_L), S = sum M_m |w_m|^2/2: what pressure does on the slip
+// and drag takes from it is in it, so that total energy is kept and a drag without limit heats
+// nothing.
+// A driving force f is a pressure gradient: dp - dt f in place of dp, and what it works on the
+// slip, dt f . sum V_m w_half, is added and counted.
 #include <cmath>
 
 #include "ice/limiters.hpp"

@@ -3,8 +3,8 @@
 //   t_m = (mu_m/mu) t + tau_m,   tau_m the stress of w_m = u_m - u with mu_m,   t' = t + sum tau_m
 // t: the stress of the mixture's motion (conservative/viscous_stress.cpp), mu_m: harmonic mean of
 // V_m mu_m of both cells, mu: that of the mixture. What is no material's own, of eddies and between
-// fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace with
-// little mass takes the friction that it can bear in a step. Absent without friction.
+// fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace
+// with little mass takes the friction that it can bear in a step. Absent without friction.
 #include <algorithm>
 #include <string>
 

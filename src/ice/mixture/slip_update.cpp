@@ -6,8 +6,8 @@
 //   q_m = sum_d [F_m- (U_m- - v_m) - F_m+ (U_m+ - v_m)],   a_m = M_m' w_mL + q_m
 //   S_m' = a_m - (M_m'/rho') sum a_n
 // then half a step of drag about what pressure holds against it, w'' = R + E (w' - R), R the answer
-// to dm_m = -(V_m' - M_m'/rho') [l (p_f+ - p_f-) - dt f] in a whole step. Heat is what the kinetic energy
-// has lost, in the frame of v, to the materials by mass:
+// to dm_m = -(V_m' - M_m'/rho') [l (p_f+ - p_f-) - dt f] in a whole step. Heat is what the kinetic
+// energy has lost, in the frame of v, to the materials by mass:
 //   k = sum_m { sum_d [F_m- |U_m- - v_m|^2 - F_m+ |U_m+ - v_m|^2]/2 + w_mL q_m + M_m' w_mL^2/2 }
 //       - |sum a_m|^2/(2 rho') - sum_m M_m' w_m''^2/2
 // (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of

@@ -6,10 +6,11 @@
 // total energy right: by mass, as the dissipation of a step. A material of which nothing is left
 // leaves its energy to r. With velocities of their own, dP_m what passes with the material, u the
 // mixture's velocity, w_m = S_m/M_m and a cell that had the material,
-//   w_m' = w_m + (dP_m - (u + w_m) dM_m)/max(M_m', M_m/2),   S_m' = M_m' (w_m' - sum M_n' w_n'/rho')
+//   w_m' = w_m + (dP_m - (u + w_m) dM_m)/max(M_m', M_m/2)
+//   S_m' = M_m' (w_m' - sum M_n' w_n'/rho')
 // what is left of a material takes no velocity from what went. One that comes new brings its own,
-// up to its sound speed; traces move with the mixture (drag.hpp). The kinetic energy of slip is part
-// of the total energy.
+// up to its sound speed; traces move with the mixture (drag.hpp). The kinetic energy of slip is
+// part of the total energy.
 #include <cmath>
 
 #include "ice/limiters.hpp"
@@ -122,12 +123,13 @@ class MixtureCorrector {
   // Is what is left of a material nothing but the round-off of what came and went.
   bool nothing_left(std::size_t m) const {
     const Part &s = part_[m], &d = change_[m], &n = now_[m];
-    if (n.M == 0.0 || std::fabs(n.V) < mixture::least_volume) return true;
+    if (n.M == 0.0) return true;
     if (!(std::fabs(n.V) <= round_off)) return false;
     const double density =
         std::fmax(s.V > 0.0 ? s.M / s.V : 0.0, d.V != 0.0 ? std::fabs(d.M / d.V) : 0.0);
     if (!(std::fabs(n.M) <= round_off * density)) return false;
-    return !(n.M > 0.0 && n.V > 0.0 && fluids_[m].admissible(n.M / n.V, n.E / n.V));
+    return std::fabs(n.V) < mixture::least_volume ||
+           !(n.M > 0.0 && n.V > 0.0 && fluids_[m].admissible(n.M / n.V, n.E / n.V));
   }
 
   bool try_share(double share) {
@@ -137,7 +139,8 @@ class MixtureCorrector {
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part &s = part_[m], &d = change_[m];
       now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
-      if (now_[m].M < least_kept_by_corrections * s.M) keep_state(m);
+      const bool little = now_[m].M < least_kept_by_corrections * s.M;
+      if (little && !nothing_left(m)) keep_state(m);
       if (nothing_left(m))
         now_[m] = {};
       else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))

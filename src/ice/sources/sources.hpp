@@ -12,8 +12,8 @@
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass
 // Where each material has a velocity of its own, u_m = u + S_m/M_m is that of the momentum above:
-// what passes in an exchange mixes with the receiver, whose heat the loss of kinetic energy becomes;
-// the material of `fixed` mixes with none.
+// what passes in an exchange mixes with the receiver, whose heat the loss of kinetic energy
+// becomes; the material of `fixed` mixes with none.
 #pragma once
 #include <array>
 #include <vector>
