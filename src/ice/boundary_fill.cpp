@@ -59,6 +59,12 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
   rules_[n].push_back(mixtures_[n].back().common);
 }
 
+int BoundaryFill::wave_directions() const {
+  int directions = 0;
+  for (std::size_t d = 0; d < 3; ++d) directions += has_waves_[2 * d] || has_waves_[2 * d + 1];
+  return directions;
+}
+
 Vec3 BoundaryFill::wall_velocity(Side side, IntVec3 cell) const {
   const GhostRule& here = rule(side, cell);
   return here.velocity_kind == GhostRule::Velocity::wall ? here.velocity : Vec3{};

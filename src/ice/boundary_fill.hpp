@@ -69,6 +69,7 @@ class BoundaryFill {
   const FlowConditions& conditions() const { return setting_.conditions; }
   // Open faces (LODI).
   bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
+  int wave_directions() const;  // with open faces
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
 
  private:

@@ -253,10 +253,12 @@ SchemeOptions Ice::at_level(int level) const {
 // One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
 // each.
 std::vector<SlotInfo> Ice::state_slots() const {
-  // LODI and slip each look one cell aside from the ghosts that they fill (LODI into those of
-  // slip), the dynamic model filters twice. Materials with velocities of their own: what flows out
-  // of a donor follows from faces of its neighbours, and interfaces are looked for around cells.
-  const int aside = (ice_.conditions.lodi ? 1 : 0) + (ice_.conditions.slip ? 1 : 0);
+  // LODI and slip each look one cell aside from the ghosts that they fill: slip into cells, LODI
+  // into ghosts of slip and of LODI in other directions, and again where those meet. The dynamic
+  // model filters twice. Materials with velocities of their own: what flows out of a donor follows
+  // from faces of its neighbours, and interfaces are looked for around cells.
+  const int waves = boundary_.front()->wave_directions();
+  const int aside = waves + std::max(waves - 1, 0) + (ice_.conditions.slip ? 1 : 0);
   const bool twice = (ice_.turbulence && ice_.turbulence->dynamic) || options_.own_velocities;
   const int ghosts =
       (options_.classic ? classic_ghost_layers(options_) : 3) + aside + (twice ? 2 : 0);

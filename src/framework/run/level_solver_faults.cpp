@@ -70,7 +70,7 @@ std::int64_t LevelSolver::mask_faults() {
   };
   now = over_ranks(now);
   halo_->run(state_, {slot}, team_.get());
-  if (now == 0 && attempt_.faults > 0 && !options_.joined) {
+  if (now == 0 && attempt_.faults > 0) {
     now = over_ranks(widen_masks(slot));
     halo_->run(state_, {slot}, team_.get());
   }
