@@ -108,6 +108,9 @@ std::vector<Entry> of_materials() {
     return "MaterialProperties/exchange_properties/exchange_coefficients/momentum=" +
            std::string(list);
   };
+  const auto along = [](const char* tag, const char* value) {  // a surface
+    return fmt::format("MaterialProperties/exchange_properties/Model/{}={}", tag, value);
+  };
   const auto velocity = [](const char* material, const char* object, const char* u) {
     return "MaterialProperties/ICE/material[" + std::string(material) + "]/geom_object[" + object +
            "]/velocity=" + u;
@@ -186,6 +189,12 @@ std::vector<Entry> of_materials() {
        {cells("[20,20,1]"), with_heat("[1e8]"), of_material(1, rubs, "2"),
         of_material(1, conducts, "6e3"), of_material(2, rubs, "0.1"),
         of_material(2, conducts, "200")}},
+      {"amr_water_cylinder_slip",
+       "amr_water_cylinder",
+       {cells("[20,20,1]"), with_heat("[1e8]"), with_drag("[1e5]"), of_material(1, rubs, "2"),
+        of_material(2, rubs, "0.1"), of_material(2, conducts, "200"), along("@type", "slip"),
+        along("fluidMatlIndex", "1"), along("solidMatlIndex", "0"),
+        along("momentum_accommodation_coeff", "0.3"), along("thermal_accommodation_coeff", "0.4")}},
       {"amr_water_cylinder_greedy", "amr_water_cylinder", {cells("[20,20,1]"), greedy}},
       {"amr_water_cylinder_three_levels",
        "amr_water_cylinder",

@@ -130,6 +130,54 @@ TEST(Layers, GasSlipsAlongALayer) {
   EXPECT_LE(temperature, allowed);
 }
 
+// The same where each has a velocity of its own, on a grid whose faces (n = 16) or centres (n = 10,
+// 30) the surface lies on: error by the plate's velocity, and how the step of the velocity inside
+// the cell of the surface compares with the exact one.
+struct Slipping {
+  double error = 0, step = 1;
+};
+Slipping slip_by_itself(int n, double accommodation) {
+  const std::string exchange = "MaterialProperties/exchange_properties/";
+  const CaseRun run(
+      "layers_slip",
+      {resolution(1, n), "Time/maxTime=100", exchange + "exchange_coefficients/momentum=[9e9]",
+       exchange + "Model/momentum_accommodation_coeff=" + std::to_string(accommodation)});
+  EXPECT_EQ(run.events(), 0);
+  const double h = std::sqrt(2 / pi) * accommodation / (2 - accommodation);
+  const double stress = 1e-5 / (.25 / .2 + 1 / h + .75 / .05);
+  const CellValues wall = run.field("vel_CC", 0, "last", 0),
+                   gas = run.field("vel_CC", 0, "last", 1);
+  Slipping result;
+  for (int j = 0; j < n; ++j) {
+    const double y = gas.centre(0, j).y;
+    if (std::fabs(y - .25) < .1 / n) {
+      result.step = (gas.at(0, j) - wall.at(0, j)) / (stress / h);
+      continue;
+    }
+    const double exact = y < .25 ? stress * y / .2 : 1e-5 - stress * (1 - y) / .05;
+    const double found = (y < .25 ? wall : gas).at(0, j);
+    result.error = std::fmax(result.error, std::fabs(found - exact) / 1e-5);
+  }
+  return result;
+}
+
+TEST(Layers, GasWithAVelocityOfItsOwnSlips) {
+  // Next to none, Maxwell's slip of half of the molecules and of all.
+  for (const double a : {1e-6, .5, 1.}) {
+    const double sharp = slip_by_itself(16, a).error;
+    record("sharp", sharp);
+    EXPECT_LE(sharp, 1e-4) << a;
+    const Slipping coarse = slip_by_itself(10, a), fine = slip_by_itself(30, a);
+    std::printf("a %g: on a face %.1e, in a cell %.1e %.1e, step %.4f %.4f\n", a, sharp,
+                coarse.error, fine.error, coarse.step, fine.step);
+    EXPECT_LE(fine.error, .02) << a;
+    EXPECT_NEAR(fine.step, 1, .025) << a;
+    if (a < .1) continue;  // neither has a stress
+    record("order", std::log((1 - coarse.step) / (1 - fine.step)) / std::log(3.));
+    EXPECT_GE(std::log((1 - coarse.step) / (1 - fine.step)) / std::log(3.), .95) << a;
+  }
+}
+
 // An interface inside a cell: the mean viscosity of the cell is not that of two layers in series.
 TEST(Layers, AnInterfaceInsideACellIsOfFirstOrder) {
   constexpr double first_order = 0.95;

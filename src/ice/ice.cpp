@@ -178,15 +178,15 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   const SchemeVariables &v = m.common, &volume = m.slip.common;
   constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
-  mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
-  mixture::add_slip_motion(list, m, o, slip);                  // state      u_m, u, c of volume
-  add_slopes(list, volume, o, effect_second_order);            // u, p       su, sp, P, UT
-  add_faces(list, volume, o, effect_flow);                     // slopes     u_f, p_f
-  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m        where gas slips
-  mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
-  mixture::add_slip_stress(list, m, o, effect_viscosity);      // u_m        t of each
-  mixture::add_slip_phase(list, m, o, slip);                   // p_f        w_mL, drift, work
-  mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
+  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  mixture::add_surface(list, m, o, slip);                     // V_m        where gas slips
+  mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
+  add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
+  add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
+  mixture::add_friction(list, m, o);                          // V_m, T_m, u  mu, t_f
+  mixture::add_slip_stress(list, m, o, effect_viscosity);     // u_m        t of each
+  mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
+  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
   mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow

@@ -168,19 +168,6 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   }
 }
 
-// What materials with velocities of their own cannot do yet.
-void check_own_velocities(const IceScene& s, std::vector<Fault>& faults) {
-  if (s.one_velocity() || !s.exchange.slip || !s.exchange.slip->use_slip_coefficients) return;
-  const ExchangeSettings& x = s.exchange;
-  add_error(faults, x.written ? x.momentum_where : s.materials[1].where,
-            fmt::format("materials with velocities of their own (a momentum coefficient below "
-                        "{:g}) with <Model type=\"slip\"> along a surface are not built yet",
-                        one_velocity_coefficient),
-            fmt::format("coefficients of {:g} and more move all materials together",
-                        one_velocity_coefficient));
-  faults.back().not_built = true;
-}
-
 }  // namespace
 
 bool IceScene::one_velocity() const {
@@ -221,7 +208,6 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
   warn_of_flat_vortices(deck, scene, s, faults);
-  check_own_velocities(s, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

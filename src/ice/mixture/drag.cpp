@@ -1,9 +1,11 @@
 // Drag of two materials by the exponential, of more by pair_relaxation.hpp.
 #include "ice/mixture/drag.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ice/mixture/pair_relaxation.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -32,6 +34,32 @@ double falling(double x, double a, double b) {
   return x <= a ? 1.0 : x < b ? (b - x) / (b - a) : 0.0;
 }
 
+// `act`(`along`, values) on what is along the surface, direction by direction, and on what is across
+// it; on each direction as it is where there is none.
+template <class Act>
+void split(const DragCell& cell, int directions, ByMaterial* w, Act act) {
+  if (!(cell.surface > 0.0)) {
+    for (int c = 0; c < directions; ++c) act(false, w[c]);
+    return;
+  }
+  double across[most_materials];
+  for (int k = 0; k < cell.count; ++k) {
+    across[k] = 0;
+    for (int c = 0; c < directions; ++c) across[k] += cell.normal[c] * w[c][k];
+  }
+  for (int c = 0; c < directions; ++c) {
+    for (int k = 0; k < cell.count; ++k) w[c][k] -= cell.normal[c] * across[k];
+    act(true, w[c]);
+  }
+  act(false, across);
+  for (int c = 0; c < directions; ++c)
+    for (int k = 0; k < cell.count; ++k) w[c][k] += cell.normal[c] * across[k];
+}
+
+bool is_zero(const DragCell& cell, const double* values) {
+  return std::all_of(values, values + cell.count, [](double x) { return x == 0.0; });
+}
+
 }  // namespace
 
 double freedom(double volume) {
@@ -44,19 +72,23 @@ double binding(const DragCell& cell, int i, double courant) {
   return strength(1.0 - freedom(cell.V[i])) + (share > 0.0 ? share * courant / lightness : 0.0);
 }
 
-double Drag::pair(const DragCell& cell, int i, int j, double dt, double part) const {
-  const double K =
-      K_.materials() > 0 ? K_.between(cell.index[i], cell.index[j], cell.M[i], cell.M[j]) : 0.0;
-  const double lock = cell.lock + cell.bind[i] + cell.bind[j];
-  return part * (dt * K * (cell.V[i] * cell.V[j]) + lock * (cell.M[i] * cell.M[j] / cell.total));
+double Drag::pair(const DragCell& cell, int i, int j, double dt, double part, bool along) const {
+  const int a = cell.index[i], b = cell.index[j];
+  const double K = K_.materials() > 0 ? K_.between(a, b, cell.M[i], cell.M[j]) : 0.0;
+  const bool slides = along && slip_ && slip_->between(a, b);
+  const double lock = (slides ? 0.0 : cell.lock) + cell.bind[i] + cell.bind[j];
+  const double VV = cell.V[i] * cell.V[j];
+  const double impulse =
+      slides ? dt * through_surface(K * VV, cell.surface, cell.passes) : dt * K * VV;
+  return part * (impulse + lock * (cell.M[i] * cell.M[j] / cell.total));
 }
 
-void Drag::relax(const DragCell& cell, double dt, double part, const double* w, const double* push,
-                 double* after) const {
+void Drag::relax(const DragCell& cell, double dt, double part, bool along, const double* w,
+                 const double* push, double* after) const {
   const int n = cell.count;
   double k[most_materials * most_materials], gain[most_materials];
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : pair(cell, i, j, dt, part);
+    for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : pair(cell, i, j, dt, part, along);
   relax_pairs(n, cell.M, w, k, gain, push);
   double rest = 0;
   for (int i = 0; i < n; ++i) {
@@ -67,28 +99,40 @@ void Drag::relax(const DragCell& cell, double dt, double part, const double* w, 
   for (int i = 0; i < n; ++i) after[i] -= rest;
 }
 
-void Drag::decay(const DragCell& cell, double dt, double part, double* w) const {
-  const int n = cell.count;
-  bool any = false;
-  for (int i = 0; i < n; ++i) any = any || w[i] != 0.0;
-  if (!any) return;
-  if (n > 2) return relax(cell, dt, part, w, nullptr, w);
-  const double k = pair(cell, 0, 1, dt, part);
+void Drag::decay_one(const DragCell& cell, double dt, double part, bool along, double* w) const {
+  if (is_zero(cell, w)) return;
+  if (cell.count > 2) return relax(cell, dt, part, along, w, nullptr, w);
+  const double k = pair(cell, 0, 1, dt, part, along);
   const double D = (w[0] - w[1]) * std::exp(-k * (1.0 / cell.M[0] + 1.0 / cell.M[1]));
   w[0] = D * (cell.M[1] / cell.total);
   w[1] = -D * (cell.M[0] / cell.total);
 }
 
-void Drag::respond(const DragCell& cell, double dt, double part, const double* push,
-                   double* w) const {
-  const int n = cell.count;
-  for (int i = 0; i < n; ++i) w[i] = 0.0;
-  if (n > 2) return relax(cell, dt, part, w, push, w);
-  const double z = pair(cell, 0, 1, dt, part) * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
+void Drag::respond_one(const DragCell& cell, double dt, double part, bool along, const double* push,
+                       double* w) const {
+  double given[most_materials];  // `push` and `w` may be one
+  std::copy_n(push, cell.count, given);
+  std::fill_n(w, cell.count, 0.0);
+  if (is_zero(cell, given)) return;
+  if (cell.count > 2) return relax(cell, dt, part, along, w, given, w);
+  const double z = pair(cell, 0, 1, dt, part, along) * (1.0 / cell.M[0] + 1.0 / cell.M[1]);
   const double share = z > 0.0 ? -std::expm1(-z) / z : 1.0;
-  const double D = (push[0] / cell.M[0] - push[1] / cell.M[1]) * share;
+  const double D = (given[0] / cell.M[0] - given[1] / cell.M[1]) * share;
   w[0] = D * (cell.M[1] / cell.total);
   w[1] = -D * (cell.M[0] / cell.total);
+}
+
+void Drag::decay(const DragCell& cell, double dt, double part, int directions,
+                 ByMaterial* w) const {
+  split(cell, directions, w,
+        [&](bool along, double* one) { decay_one(cell, dt, part, along, one); });
+}
+
+void Drag::respond(const DragCell& cell, double dt, double part, int directions,
+                   const ByMaterial* push, ByMaterial* w) const {
+  for (int c = 0; c < directions; ++c) std::copy_n(push[c], cell.count, w[c]);
+  split(cell, directions, w,
+        [&](bool along, double* one) { respond_one(cell, dt, part, along, one, one); });
 }
 
 // (M + A) w = (M/total - V) dp, A from the virtual mass of each pair; momentum M w.

@@ -26,7 +26,8 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
 
 // Velocities of each material, and how the volume moves (1).
 void add_slip_motion(TaskList&, const Variables&, const SchemeOptions&, int effect);
-// Friction of each material on itself joins that of the mixture.
+// Friction of each material on itself joins that of the mixture; where gas touches a surface it
+// slips.
 void add_slip_stress(TaskList&, Variables&, const SchemeOptions&, int effect);
 // Drag and pressure over the Lagrangian phase (2).
 void add_slip_phase(TaskList&, const Variables&, const SchemeOptions&, int effect);
@@ -39,8 +40,17 @@ void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effe
 // What a driving force works on the slip, summed; absent without one.
 void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
-// What friction pushes apart: momentum by material, sum 0.
 struct DragCell;
+// What interfaces and surfaces do to drag.
+struct Bonds {
+  In lock, surface;
+  int axes = 1;
+  bool slips = false;  // a gas along a surface
+  void put(const Row& row, int i, DragCell& cell) const;
+};
+Bonds read_bonds(TaskBuilder&, const Variables&, const SchemeOptions&);
+
+// What friction pushes apart: momentum by material, sum 0.
 struct FrictionOnSlip {
   bool on = false;
   Axes axes;

@@ -13,6 +13,7 @@
 #include "ice/limiters.hpp"
 #include "ice/mixture/drag.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -52,7 +53,8 @@ void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
 
 struct Handles {
   std::vector<In> mass, volume, slip;
-  In presence, lock, rho, inverse_rho, velocity, sound;
+  Bonds bonds;
+  In presence, rho, inverse_rho, velocity, sound;
   Out own, rho_e, inverse_rho_e, volume_velocity, sound_e;
 };
 
@@ -89,9 +91,9 @@ class MixedCells {
     for (int i = 0; i < row_.count(); ++i) {
       DragCell cell;
       find_present(materials, mass_, volume_, i, cell);
-      cell.lock = row_(h_.lock)[i];
+      h_.bonds.put(row_, i, cell);
       for (int k = 0; k < cell.count; ++k) cell.bind[k] = binding(cell, k, courant(cell, k, i));
-      for (int c = 0; c < components_; ++c) velocities(cell, materials, dt, c, i);
+      velocities(cell, materials, dt, i);
       double push[most_materials], w[most_materials];
       drag_.push(cell, -1.0, push);
       drag_.respond(cell, dt, 0.5, push, w);
@@ -115,19 +117,23 @@ class MixedCells {
     }
     return most;
   }
-  void velocities(const DragCell& cell, int materials, double dt, int c, int i) {
-    const double u = row_(h_.velocity, c)[i];
-    double w[most_materials];
-    for (int m = 0; m < materials; ++m) row_(h_.own, m * components_ + c)[i] = u;
-    for (int k = 0; k < cell.count; ++k) {
-      const int m = cell.index[k];
-      w[k] = row_(h_.slip[static_cast<std::size_t>(m)], c)[i] / cell.M[k];
-      row_(h_.own, m * components_ + c)[i] = u + w[k];
+  void velocities(const DragCell& cell, int materials, double dt, int i) {
+    double w[3][most_materials];
+    for (int c = 0; c < components_; ++c) {
+      const double u = row_(h_.velocity, c)[i];
+      for (int m = 0; m < materials; ++m) row_(h_.own, m * components_ + c)[i] = u;
+      for (int k = 0; k < cell.count; ++k) {
+        const int m = cell.index[k];
+        w[c][k] = row_(h_.slip[static_cast<std::size_t>(m)], c)[i] / cell.M[k];
+        row_(h_.own, m * components_ + c)[i] = u + w[c][k];
+      }
     }
-    drag_.decay(cell, dt, 0.5, w);
-    double mean = 0;
-    for (int k = 0; k < cell.count; ++k) mean += cell.V[k] * w[k];
-    row_(h_.volume_velocity, c)[i] = u + mean;
+    drag_.decay(cell, dt, 0.5, components_, w);
+    for (int c = 0; c < components_; ++c) {
+      double mean = 0;
+      for (int k = 0; k < cell.count; ++k) mean += cell.V[k] * w[c][k];
+      row_(h_.volume_velocity, c)[i] = row_(h_.velocity, c)[i] + mean;
+    }
   }
 
   const Row& row_;
@@ -139,6 +145,23 @@ class MixedCells {
 };
 
 }  // namespace
+
+Bonds read_bonds(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+  Bonds b;
+  b.axes = o.axes.count;
+  b.slips = o.slip_exchange.has_value();
+  b.lock = task.read(v.slip.lock);
+  if (b.slips) b.surface = task.read(v.surface);
+  return b;
+}
+
+void Bonds::put(const Row& row, int i, DragCell& cell) const {
+  cell.lock = row(lock)[i];
+  if (!slips) return;
+  cell.surface = row(surface, SurfaceParts::share)[i];
+  cell.passes = row(surface, SurfaceParts::momentum)[i];
+  for (int a = 0; a < axes; ++a) cell.normal[a] = row(surface, SurfaceParts::normal + a)[i];
+}
 
 void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v) {
   const int M = static_cast<int>(o.fluids.size()), C = o.components, D = o.axes.count;
@@ -181,7 +204,7 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
     h.slip.push_back(task.read(v.slip.slip[m]));
   }
   h.presence = task.read(v.presence);
-  h.lock = task.read(v.slip.lock);
+  h.bonds = read_bonds(task, v, o);
   h.rho = task.read(v.common.rho);
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.velocity = task.read(v.common.velocity);
@@ -191,7 +214,8 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.inverse_rho_e = task.write(v.slip.common.inverse_rho);
   h.volume_velocity = task.write(v.slip.common.velocity);
   h.sound_e = task.write(v.slip.common.sound);
-  task.kernel([=, drag = Drag(o.drag), axes = o.axes, components = o.components](const Row& row) {
+  task.kernel([=, drag = Drag(o.drag, o.slip_exchange), axes = o.axes,
+               components = o.components](const Row& row) {
     for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
       if (is_single(presence))

@@ -18,7 +18,8 @@ namespace {
 
 struct Handles {
   std::vector<In> mass, volume, slip;
-  In presence, lock, lagrangian;
+  Bonds bonds;
+  In presence, lagrangian;
   std::array<In, 3> face_pressure;
   Out velocity_L, drift, kick, work, force_work;
   bool force_on = false;
@@ -70,7 +71,7 @@ class Cells {
     const double dt = row_.step().dt;
     DragCell cell;
     find_present(materials_, mass_, volume_, i, cell);
-    cell.lock = row_(h_.lock)[i];
+    h_.bonds.put(row_, i, cell);
     for (int k = 0; k < cell.count; ++k) {
       double courant = 0;
       for (int a = 0; a < axes_; ++a) {
@@ -79,29 +80,29 @@ class Cells {
       }
       cell.bind[k] = binding(cell, k, courant);
     }
+    double w[3][most_materials], push[3][most_materials];
+    double R[3][most_materials], half[3][most_materials];
     double before = 0, after = 0, carried_before = 0, carried_after = 0, driven = 0;
     for (int c = 0; c < components_; ++c) {
-      double w[most_materials], R[most_materials] = {}, half[most_materials] = {};
       for (int k = 0; k < cell.count; ++k)
-        w[k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
-      (c < axes_ ? before : carried_before) += Drag::energy(cell, w);
-      drag_.decay(cell, dt, 0.5, w);
-      const bool along = c < axes_;
-      const double pressed = (along ? l_[c] * (high_[c][i] - low_[c][i]) : 0.0) - force_[c];
-      if (along || pressed != 0.0 || h_.friction.on) {
-        double push[most_materials];
-        drag_.push(cell, pressed, push);
-        h_.friction.add(row_, cell, c, i, push);
-        drag_.respond(cell, dt, 1.0, push, R);
-        for (int k = 0; k < cell.count; ++k) push[k] *= 0.5;
-        drag_.respond(cell, dt, 0.5, push, half);
-        for (int k = 0; k < cell.count; ++k) half[k] += w[k];
-        if (along) write_drift(cell, c, half, R, i);
-        for (int k = 0; k < cell.count; ++k) driven += force_[c] * (cell.V[k] * half[k]);
-      }
-      for (int k = 0; k < cell.count; ++k) w[k] += R[k];
-      (c < axes_ ? after : carried_after) += Drag::energy(cell, w);
-      write(h_.velocity_L, cell, components_, c, w, i);
+        w[c][k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
+      (c < axes_ ? before : carried_before) += Drag::energy(cell, w[c]);
+      const double pressed = (c < axes_ ? l_[c] * (high_[c][i] - low_[c][i]) : 0.0) - force_[c];
+      drag_.push(cell, pressed, push[c]);
+      h_.friction.add(row_, cell, c, i, push[c]);
+    }
+    drag_.decay(cell, dt, 0.5, components_, w);
+    drag_.respond(cell, dt, 1.0, components_, push, R);
+    for (int c = 0; c < components_; ++c)
+      for (int k = 0; k < cell.count; ++k) push[c][k] *= 0.5;
+    drag_.respond(cell, dt, 0.5, components_, push, half);
+    for (int c = 0; c < components_; ++c) {
+      for (int k = 0; k < cell.count; ++k) half[c][k] += w[c][k];
+      if (c < axes_) write_drift(cell, c, half[c], R[c], i);
+      for (int k = 0; k < cell.count; ++k) driven += force_[c] * (cell.V[k] * half[c][k]);
+      for (int k = 0; k < cell.count; ++k) w[c][k] += R[c][k];
+      (c < axes_ ? after : carried_after) += Drag::energy(cell, w[c]);
+      write(h_.velocity_L, cell, components_, c, w[c], i);
     }
     before += carried_before;
     after += carried_after;
@@ -142,7 +143,7 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
     h.slip.push_back(task.read(v.slip.slip[m]));
   }
   h.presence = task.read(v.presence);
-  h.lock = task.read(v.slip.lock);
+  h.bonds = read_bonds(task, v, o);
   h.lagrangian = task.read(v.common.lagrangian_mixture);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -156,7 +157,7 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.friction = read_friction(task, v, o);
   h.force_on = o.force_on;
   if (o.force_on) h.force_work = task.write(v.slip.force_work);
-  task.kernel([=, drag = Drag(o.drag)](const Row& row) {
+  task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
     for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
       Cells cells(part, h, drag, o);

@@ -5,20 +5,24 @@
 // V_m mu_m of both cells, mu: that of the mixture. What is no material's own, of eddies and between
 // fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace
 // with little mass takes the friction that it can bear in a step. Absent without friction.
+// Where a gas slips along a surface (surface.hpp), friction and slip act one after the other in what
+// touches it, t_c (mu - sum mu_m)/mu; what of it cells take is theirs (drag.hpp).
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ice/conservative/face_mean.hpp"
 #include "ice/limiters.hpp"
 #include "ice/mixture/drag.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
 struct Handles {
   std::vector<In> mass, volume;
-  In pure, own, velocity, viscosity, own_viscosity, stress;
+  In pure, own, velocity, viscosity, own_viscosity, stress, surface;
   Out total, each;
 };
 
@@ -67,9 +71,38 @@ class Faces {
     return 2.0 * normal - (2.0 / 3.0) * (normal + divergence);
   }
 
+  // Of the friction along the face.
+  double left_by_slip(double mu, int i) const {
+    double own = 0;
+    for (int m = 0; m < materials_; ++m)
+      own += harmonic_mean(viscosity(m, -1, i), viscosity(m, 0, i));
+    const double rest = 1.0 - own / mu;
+    if (!(rest > 0.0)) return 1.0;
+    FaceOfSurface at_face;
+    for (const int side : {0, 1}) {
+      const auto share = [&](int m) {
+        return at(h_.volume[static_cast<std::size_t>(m)], 0, side - 1, i);
+      };
+      at_face.gas[side] = share(o_.slip_exchange->fluid);
+      at_face.solid[side] = share(o_.slip_exchange->solid);
+      at_face.transfer[side] = at(h_.surface, SurfaceParts::momentum_per_area, side - 1, i);
+    }
+    double touches = 0;
+    for (int m = 0; m < materials_; ++m) {
+      const In V = h_.volume[static_cast<std::size_t>(m)];
+      touches += 0.5 * std::fabs(at(V, 0, 0, i) - at(V, 0, -1, i));
+    }
+    const double surface = smaller(at_face.contact(), touches);
+    if (!(surface > 0.0)) return 1.0;
+    const double passes = at_face.left_to_face() * at_face.passes(1.0 / inverse_[axis_], mu);
+    return 1.0 - rest * (surface / touches) * (1.0 - passes);
+  }
+
   void face(int i) const {
     const double mu = harmonic_mean(at(h_.viscosity, 0, -1, i), at(h_.viscosity, 0, 0, i));
-    for (int c = 0; c < C; ++c) row_(h_.total, c)[i] = row_(h_.stress, c)[i];
+    const double left = o_.slip_exchange ? left_by_slip(mu, i) : 1.0;
+    for (int c = 0; c < C; ++c)
+      row_(h_.total, c)[i] = row_(h_.stress, c)[i] * (c == axis_ ? 1.0 : left);
     for (int m = 0; m < materials_; ++m) {
       const auto k = static_cast<std::size_t>(m);
       const double borne = bearable_ * smaller(at(h_.mass[k], 0, -1, i), at(h_.mass[k], 0, 0, i));
@@ -115,6 +148,7 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
     h.viscosity = task.read(v.common.viscosity, both);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
     h.stress = task.read(v.common.stress[a]);
+    if (o.slip_exchange) h.surface = task.read(v.surface, both);
     v.common.stress[a] =
         list.temporary(std::string("sum of ") + names[axis], o.components, direction);
     v.slip.stress[a] =

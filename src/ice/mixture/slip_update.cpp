@@ -24,7 +24,8 @@ namespace sluice::ice::mixture {
 namespace {
 
 struct Handles : UpdateState {
-  In velocity_L, lock;
+  In velocity_L;
+  Bonds bonds;
   std::array<In, 3> velocity, face_pressure;  // of each material; of the mixture
   FrictionOnSlip friction;
 };
@@ -144,7 +145,7 @@ class Cells {
           (row_(h_.common.momentum, c)[i] - row_(h_.common.impulse, c)[i]) + passed[c];
     DragCell present;
     present.total = rho;
-    present.lock = row_(h_.lock)[i];
+    h_.bonds.put(row_, i, present);
     for (int m = 0; m < materials_; ++m) {
       if (M[m] == 0.0) continue;
       present.index[present.count] = m;
@@ -195,19 +196,20 @@ class Cells {
     if (cell.count < 2) return 0.0;  // its momentum in the frame of v is the mixture's
     bind(cell, a);
     double kept = 0, carried = 0;
+    double w[C][most_materials], R[C][most_materials], total[C] = {};
+    respond(cell, i, R);
     for (int c = 0; c < C; ++c) {
-      double w[most_materials], R[most_materials] = {}, total = 0;
-      for (int n = 0; n < cell.count; ++n) total += a[cell.index[n]][c];
+      for (int n = 0; n < cell.count; ++n) total[c] += a[cell.index[n]][c];
       for (int n = 0; n < cell.count; ++n)
-        w[n] = a[cell.index[n]][c] / cell.M[n] - total / cell.total;
-      if (c < D || force_[c] != 0.0 || h_.friction.on) respond(cell, c, i, R);
-      for (int n = 0; n < cell.count; ++n) w[n] -= R[n];
-      drag_.decay(cell, row_.step().dt, 0.5, w);
+        w[c][n] = a[cell.index[n]][c] / cell.M[n] - total[c] / cell.total - R[c][n];
+    }
+    drag_.decay(cell, row_.step().dt, 0.5, C, w);
+    for (int c = 0; c < C; ++c) {
       for (int n = 0; n < cell.count; ++n) {
-        w[n] += R[n];
-        row_(h_.slip_new[static_cast<std::size_t>(cell.index[n])], c)[i] = cell.M[n] * w[n];
+        w[c][n] += R[c][n];
+        row_(h_.slip_new[static_cast<std::size_t>(cell.index[n])], c)[i] = cell.M[n] * w[c][n];
       }
-      (c < D ? kept : carried) += Drag::energy(cell, w);
+      (c < D ? kept : carried) += Drag::energy(cell, w[c]);
     }
     return kept + carried;
   }
@@ -223,16 +225,18 @@ class Cells {
       cell.bind[n] = binding(cell, n, courant);
     }
   }
-  void respond(const DragCell& cell, int c, int i, double* R) const {
-    double pressed = -force_[c];
-    if (c < D) {
-      const In pressure = h_.face_pressure[static_cast<std::size_t>(c)];
-      pressed += l_[c] * (row_(pressure, 0, c, 1)[i] - row_(pressure)[i]);
+  void respond(const DragCell& cell, int i, ByMaterial* R) const {
+    double push[C][most_materials];
+    for (int c = 0; c < C; ++c) {
+      double pressed = -force_[c];
+      if (c < D) {
+        const In pressure = h_.face_pressure[static_cast<std::size_t>(c)];
+        pressed += l_[c] * (row_(pressure, 0, c, 1)[i] - row_(pressure)[i]);
+      }
+      drag_.push(cell, pressed, push[c]);
+      h_.friction.add(row_, cell, c, i, push[c]);
     }
-    double push[most_materials];
-    drag_.push(cell, pressed, push);
-    h_.friction.add(row_, cell, c, i, push);
-    drag_.respond(cell, row_.step().dt, 1.0, push, R);
+    drag_.respond(cell, row_.step().dt, 1.0, C, push, R);
   }
 
   void close(double* M, double* V, double* E, double rho, int i) const {
@@ -304,7 +308,7 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
   declare_update(task, v, o, h);
   h.velocity_L = task.read(v.slip.velocity_L);
-  h.lock = task.read(v.slip.lock);
+  h.bonds = read_bonds(task, v, o);
   h.friction = read_friction(task, v, o);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -323,7 +327,8 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
-                 drag = Drag(o.drag), diffusion = DiffusionRates(o)](const Row& row) {
+                 drag = Drag(o.drag, o.slip_exchange),
+                 diffusion = DiffusionRates(o)](const Row& row) {
       for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         const Cells<D, C> cells(part, h, o, drag, closure);

@@ -16,16 +16,6 @@ namespace {
 
 constexpr double loose = 0.25, tight = 0.75;  // jumps of V_s: no surface; nothing else
 
-// What two neighbours hold of gas and solid.
-struct Pair {
-  double gas[2], solid[2];
-
-  double contact() const {
-    const double g = gas[0] - gas[1], s = solid[0] - solid[1];
-    return g * s < 0.0 ? smaller(std::fabs(g), std::fabs(s)) : 0.0;
-  }
-};
-
 struct Handles {
   In pure, gas, solid, mass, energy;
   Out surface;
@@ -95,6 +85,14 @@ class SurfaceCells {
 
 }  // namespace
 
+double FaceOfSurface::contact() const {
+  const double g = gas[0] - gas[1], s = solid[0] - solid[1];
+  return g * s < 0.0 ? smaller(std::fabs(g), std::fabs(s)) : 0.0;
+}
+double FaceOfSurface::left_to_face() const {
+  return 1.0 - larger(shared_part(gas[0], solid[0]), shared_part(gas[1], solid[1]));
+}
+
 void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   if (!o.slip_exchange) return;
   TaskBuilder task = list.task("surface along which gas slips", effect);
@@ -138,13 +136,13 @@ void add_slip_of_friction(TaskList& list, const Variables& v, const SchemeOption
         std::copy_n(t, row.count(), to);
         if (c == axis) continue;
         for (int i = 0; i < row.count(); ++i) {
-          const Pair pair{{low(gas)[i], row(gas)[i]}, {low(solid)[i], row(solid)[i]}};
-          const double s = pair.contact();
+          const FaceOfSurface face{{low(gas)[i], row(gas)[i]},
+                                   {low(solid)[i], row(solid)[i]},
+                                   {low(surface, transfer)[i], row(surface, transfer)[i]}};
+          const double s = face.contact();
           if (!(s > 0.0)) continue;
-          const double h =
-              pair.gas[0] > pair.gas[1] ? low(surface, transfer)[i] : row(surface, transfer)[i];
           const double mu = harmonic_mean(low(viscosity)[i], row(viscosity)[i]);
-          to[i] = t[i] * ((1.0 - s) + s * (h * dx) / (h * dx + mu));
+          to[i] = t[i] * ((1.0 - s) + s * face.passes(dx, mu));
         }
       }
     });

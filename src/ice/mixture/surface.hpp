@@ -36,8 +36,23 @@ inline double shared_part(double gas, double solid) {
   return 4.0 * gas * solid;
 }
 
+// The contact of gas and solid at a face between two cells.
+struct FaceOfSurface {
+  double gas[2], solid[2];  // shares of the cells
+  double transfer[2];       // momentum_per_area
+
+  double contact() const;       // share of the face
+  double left_to_face() const;  // of that contact, by what the cells hold of the surface
+  // Of the friction without slip, with spacing dx and viscosity mu: 1/(1 + mu/(h dx)).
+  double passes(double dx, double mu) const {
+    const double h = gas[0] > gas[1] ? transfer[0] : transfer[1];
+    return h * dx / (h * dx + mu);
+  }
+};
+
 void add_surface(TaskList&, const Variables&, const SchemeOptions&, int effect);
-// The stress along faces where gas touches the solid: friction and slip one after the other.
+// The stress along faces where gas touches the solid and all move with one velocity: friction and
+// slip one after the other.
 // `raw`: the stress without slip, by axis.
 void add_slip_of_friction(TaskList&, const Variables&, const SchemeOptions&,
                           const std::array<VariableId, 3>& raw, int effect);

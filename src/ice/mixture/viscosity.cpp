@@ -133,7 +133,9 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
 void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
   if (!o.viscous) return;
   add_viscosity(list, v, o, effect_viscosity, effect_turbulence);
-  if (!o.slip_exchange) return add_viscous_stress(list, v.common, o, effect_viscosity);
+  // With velocities of their own slip follows later: slip_stress.cpp.
+  if (!o.slip_exchange || o.own_velocities)
+    return add_viscous_stress(list, v.common, o, effect_viscosity);
   SchemeVariables raw = v.common;
   for (int a = 0; a < o.axes.count; ++a)
     raw.stress[static_cast<std::size_t>(a)] = list.temporary(
