@@ -32,27 +32,6 @@ TEST(EquationOfState, IsVisitedOutsideALoop) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(p[i], 3.4 * (E[i] + 1.2e6 * rho[i]) - 4.4 * 6e8, 1e-6);
 }
 
-// One of each, with parameters of real materials.
-std::vector<EquationOfState> one_of_each() {
-  return {
-      air,
-      stiff_water,
-      hard_spheres,
-      attracting_gas,
-      tnt,
-      tnt_isentrope,
-      steep_solid,
-      BirchMurnaghan{{.n = 5.0, .K = 7e-11, .rho0 = 2e3, .specific_heat = 900.0}},
-      copper,
-      propellant,
-      aluminium,
-      ThomsenHartkaWater{},
-      KnaussSeaWater{{}},
-      warm_air(),
-      fitted_gas(),
-  };
-}
-
 // No number, however absurd, hangs a search; what is admissible has a pressure, c and temperature.
 TEST(EquationOfState, AnswersToAnyNumber) {
   constexpr double infinity = std::numeric_limits<double>::infinity(),

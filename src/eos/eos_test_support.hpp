@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "eos/component_heat.hpp"
 #include "eos/eos.hpp"
@@ -80,6 +81,27 @@ inline PerfectGas<Nasa7Heat> warm_air() {
 inline PerfectGas<PolynomialHeat> fitted_gas() {
   const double fit[] = {1e5, -4e5, 1400.0};
   return {.gas_constant = 300.0, .heat = polynomial_heat(fit, 2, 350.0, 5e3)};
+}
+
+// One of each, with parameters of real materials.
+inline std::vector<EquationOfState> one_of_each() {
+  return {
+      air,
+      stiff_water,
+      hard_spheres,
+      attracting_gas,
+      tnt,
+      tnt_isentrope,
+      steep_solid,
+      BirchMurnaghan{{.n = 5.0, .K = 7e-11, .rho0 = 2e3, .specific_heat = 900.0}},
+      copper,
+      propellant,
+      aluminium,
+      ThomsenHartkaWater{},
+      KnaussSeaWater{{}},
+      warm_air(),
+      fitted_gas(),
+  };
 }
 
 // df/dx by differences of fourth order.

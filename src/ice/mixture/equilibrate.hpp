@@ -4,17 +4,14 @@
 // at that pressure and ends at it:
 //   E_m' = E_m - q (V_m' - V_m),   p_m(M_m/V_m', E_m'/V_m') = q
 // The volumes sum to one, so the work sums to zero: total energy is kept, and both entropies rise,
-// T ds_m = (p_m - q) dV_m >= 0. For laws p = G (rho e) + F with constant G and F = -gamma pi
-//   V' = G (E + q V)/(q + gamma pi + G q), falling and convex in q;
-// For ideal gases alone q = sum g_m E_m/(1 - sum g_m V_m), g = G/(1 + G). Other laws find V' by a
-// bracketed Newton iteration, which begins where the slope at the pressure before says. q by a
-// hyperbolic Newton step in q + pi_min,
-//   x <- x/(1 + f/(f' x)),   f = sum V' - 1,
-// bracketed, with the geometric mean of the bracket where it leaves it. The largest material takes
-// the rest of volume and energy: both are exact to the round-off of the sums. Materials that are at
-// one pressure already (to a few units of the last place of their moduli) are left alone. Where no
-// pressure suits all (a solid that knows no tension, beside a liquid under tension), traces keep
-// their density and the others fill the rest.
+// T ds_m = (p_m - q) dV_m >= 0. For laws p = G (rho e) - gamma pi, with g = G/(1 + G),
+//   V' = g V + g (E - pi V)/(q + pi), falling and convex in q:
+// for ideal gases alone q = sum g_m E_m/(1 - sum g_m V_m), and a pair solves a quadratic. How q is
+// found for others: equilibrate_search.cpp. The largest material takes the rest of volume and
+// energy: both are exact to the round-off of the sums. Materials that are at one pressure already
+// (to a few units of the last place of their moduli) are left alone. Where no pressure suits all (a
+// solid that knows no tension, beside a liquid under tension), traces keep their density and the
+// others fill the rest.
 #pragma once
 #include <vector>
 
@@ -50,37 +47,47 @@ class Equilibration {
  private:
   struct Linear {  // p = G (E - q M)/V - gamma pi
     bool is = false;
-    double G = 0, gamma_pi = 0, pi = 0, q = 0;
+    double G = 0, g = 0, gamma_pi = 0, pi = 0, q = 0;
+
+    // (p + pi) V/gamma: what its volume goes by beside g V.
+    double thermal(double M, double V, double E) const { return g * (E - q * M - pi * V); }
   };
-  struct Branch {  // V'(q) and its slope
-    double volume, slope;
+  struct Stiffness {
+    double pressure, modulus;
   };
   struct Present {
     int index[most_materials];
     int count = 0;
-    int largest = -1, weakest = -1;     // by volume; by the tension that it bears
-    double stiffest = 0;                // pi, Pa
-    double volume = 1.0;                // that they fill together
-    double start[most_materials] = {};  // by material: where the search for its volume begins
-    bool linear = true, ideal = true;   // all laws
+    int largest = -1, weakest = -1;    // by volume; by the tension that it bears
+    double stiffest = 0;               // pi, Pa
+    double volume = 1.0;               // that they fill together
+    Stiffness before[most_materials];  // by material
+    double relaxed[most_materials];    // by material: what is not linear has this volume at q
+    bool linear = true, ideal = true;  // all laws
   };
+  struct Balance;
+
   // Who is there, at which mean pressure; true: pressures differ.
   bool survey(const Cell& cell, Present& in, Result& result) const;
+  Stiffness stiffness(int m, double M, double V, double E) const;
   double modulus(int m, double rho, double p) const;
-  double pressure(int m, double M, double V, double E) const;
   bool mend(const Cell& cell) const;
-  // `start`: about the volume that is sought.
-  Branch branch(int m, double q, double M, double V, double E, double start) const;
-  Branch general_branch(const Fluid& fluid, double q, double M, double V, double E,
-                        double start) const;
   bool is_weaker(int m, int n, const Cell& cell) const;
   // Without the materials of which there is a trace; false: there are none, or only one.
   bool leave_traces_out(const Cell& cell, Present& in) const;
-  // From the start q; false: there is none.
-  bool find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const;
   double relax(const Cell& cell, const Present& in, double q, int rest) const;
   void find_modulus(const Cell& cell, const Present& in, Result& result) const;
   void fill_cavity(const Cell& cell, const Present& in, double q) const;
+
+  // --- equilibrate_search.cpp ---
+  // From the start q; false: there is none.
+  bool find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const;
+  Balance balance(const Cell& cell, const Present& in) const;
+  bool search_together(const Cell& cell, Present& in, const Balance& b, double& x,
+                       int& iterations) const;
+  bool search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x,
+                         int& iterations) const;
+  const Fluid& fluid(int m) const { return fluids_[static_cast<std::size_t>(m)]; }
 
   std::vector<Fluid> fluids_;
   std::vector<Linear> linear_;
