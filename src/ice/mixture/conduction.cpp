@@ -38,7 +38,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
     // The end of the step asks for it where a material may have come in.
     for (int m = 0; turbulent && m < static_cast<int>(o.fluids.size()); ++m)
       std::fill_n(row(conductivity, m), row.count(), 0.0);
-    for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
+    for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
         if (!o.conducts(m)) return;
@@ -104,8 +104,7 @@ class FaceHeat {
                   o.convective) {}
 
   void run(const Row& row) const {
-    const double* a = row(h_.presence, 0, axis_, -1);
-    const double* b = row(h_.presence);
+    const RunRow a = runs_of(row, h_.presence, axis_, -1), b = runs_of(row, h_.presence);
     for_each_face_run(a, b, row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       if (set > 0.0 && is_single(set))
@@ -132,7 +131,7 @@ class FaceHeat {
       heat_flux_row(n, k(m), Ta, Tb, 1.0 / dx(row), q);
     else
       std::fill_n(q, n, 0.0);
-    const double *pure_a = row(h_.pure, 0, axis_, -1), *pure_b = row(h_.pure);
+    const RunRow pure_a = runs_of(row, h_.pure, axis_, -1), pure_b = runs_of(row, h_.pure);
     for_each_face_run(pure_a, pure_b, n, [&](int first, int count, double alone) {
       if (alone >= 0.0) return;
       const Row part = row.part(first, count);

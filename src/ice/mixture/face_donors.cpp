@@ -11,25 +11,19 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   const Stencil six = Stencil::along(direction, 3, 2);
   MaterialHandles h;
-  for (const VariableId id : v.mass) h.mass.push_back(task.read(id, both));
+  for (const VariableId id : v.mass) h.mass.push_back(task.read(id, four));
+  for (const VariableId id : v.energy) h.energy.push_back(task.read(id, four));
   for (const VariableId id : v.volume) h.volume.push_back(task.read(id, six));
   h.presence = task.read(v.presence, six);
-  h.pure = task.read(v.pure, four);
-  h.density = task.read(v.density, four);
-  h.specific_energy = task.read(v.specific_energy, four);
-  h.mixture_density = task.read(v.common.rho, four);
-  h.mixture_energy = task.read(v.common.energy, four);
+  h.pure = task.read(v.pure, both);
+  h.density = task.read(v.density, both);
+  h.specific_energy = task.read(v.specific_energy, both);
   h.energy_L = task.read(v.energy_L, both);
-  h.mixture_energy_star = task.read(v.common.energy_star, both);
   h.specific_energy_L = task.read(v.specific_energy_L, both);
-  h.mixture_energy_L = task.read(v.common.energy_L, both);
   h.scale = task.read(v.energy_scale, both);
-  h.mixture_scale = task.read(v.common.energy_scale, both);
   h.lagrangian = task.read(v.common.lagrangian_mixture, both);
-  if (o.second_order && o.axes.count > 1) {
+  if (o.second_order && o.axes.count > 1)
     h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
-    h.mixture_base = task.read(v.common.base[static_cast<std::size_t>(axis)], both);
-  }
   return h;
 }
 
@@ -52,7 +46,6 @@ MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
   J_ = cells(materials.lagrangian, 0);
   outlet_ = cells(materials.lagrangian, 2);
   if (options.masked) mask_ = cells(common.mask);
-  for (int s = 0; s < 4; ++s) pure_[s] = row(materials.pure, 0, axis, s - 2);
   for (int s = 0; s < 6; ++s) presence_[s] = row(materials.presence, 0, axis, s - 3);
 }
 
@@ -62,22 +55,22 @@ void MaterialFaces::bind(int m) {
   MaterialFaceRows& k = rows_[m];
   const auto at = static_cast<std::size_t>(m);
   for (int s = 0; s < 6; ++s) k.V[s] = row_(h_.volume[at], 0, axis_, s - 3);
-  for (int s = 0; s < 2; ++s) k.M[s] = row_(h_.mass[at], 0, axis_, s - 1);
-  const auto look_up = [&](Sought* to, int shift, int cells, In own, int c, In mixture,
-                           int mixture_c) {
-    for (int s = 0; s < cells; ++s)
-      to[s] = {row_(own, c, axis_, shift + s), row_(mixture, mixture_c, axis_, shift + s)};
+  for (int s = 0; s < 4; ++s) {
+    k.M[s] = row_(h_.mass[at], 0, axis_, s - 2);
+    k.E[s] = row_(h_.energy[at], 0, axis_, s - 2);
+  }
+  const auto look_up = [&](const double** to, In in, int c) {
+    for (int s = 0; s < 2; ++s) to[s] = row_(in, c, axis_, s - 1);
   };
-  look_up(k.r, -2, 4, h_.density, m, h_.mixture_density, 0);
-  look_up(k.e, -2, 4, h_.specific_energy, m, h_.mixture_energy, 0);
-  look_up(k.energy_L, -1, 2, h_.energy_L, m, h_.mixture_energy_star, 0);
-  look_up(k.eps_L, -1, 2, h_.specific_energy_L, m, h_.mixture_energy_L, 0);
-  look_up(k.scale, -1, 2, h_.scale, m, h_.mixture_scale, 0);
+  look_up(k.r, h_.density, m);
+  look_up(k.e, h_.specific_energy, m);
+  look_up(k.energy_L, h_.energy_L, m);
+  look_up(k.eps_L, h_.specific_energy_L, m);
+  look_up(k.scale, h_.scale, m);
   if (based_) {
-    // Alone, its fraction is one here and around, and so is what it offers.
-    look_up(k.base_V, -1, 2, h_.base, component(m, of_volume), h_.volume[at], 0);
-    look_up(k.base_r, -1, 2, h_.base, component(m, of_mass), h_.mixture_base, 0);
-    look_up(k.base_e, -1, 2, h_.base, component(m, of_energy), h_.mixture_base, 1);
+    look_up(k.base_V, h_.base, component(m, of_volume));
+    look_up(k.base_r, h_.base, component(m, of_mass));
+    look_up(k.base_e, h_.base, component(m, of_energy));
   }
   k.FV = row_(flux_, component(m, of_volume));
   k.FM = row_(flux_, component(m, of_mass));

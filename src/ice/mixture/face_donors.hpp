@@ -2,8 +2,7 @@
 //
 // Values of the low cell (a) and the high cell (b) of each face; the donor is the upwind one. The
 // numbered steps are those of remap_fluxes.cpp. Only the materials present around the faces take
-// part. Cells of pure neighbourhood keep no arrays of their own by material: there the mixture's
-// are the material's.
+// part.
 #pragma once
 #include "ice/conservative/remap_flux_rows.hpp"
 #include "ice/mixture/runs.hpp"
@@ -27,29 +26,21 @@ inline Pair pair_of(const Row& row, In in, int component, int axis) {
 }
 
 struct MaterialHandles {
-  std::vector<In> mass, volume;  // old state
+  std::vector<In> mass, volume, energy;  // old state
   In presence, pure;
-  In density, specific_energy;  // old, per own volume
+  In density, specific_energy;  // old, per own volume, next to faces
   In energy_L, specific_energy_L, scale, lagrangian, base;
-  // The same of the mixture, for cells of pure neighbourhood.
-  In mixture_density, mixture_energy, mixture_energy_star, mixture_energy_L, mixture_scale;
-  In mixture_base;
 };
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
                                int axis);
 
-// A quantity of one material in cells next to a row of faces.
-struct Sought {
-  const double *own, *mixture;
-};
-
 // The rows of one material, looked up once for all faces of a row.
 struct MaterialFaceRows {
-  const double* V[6];  // volume fraction of the cells from the third below to the third above
-  const double* M[2];  // mass of the low and the high cell
-  Sought r[4], e[4];   // density and energy per own volume, two cells on either side
-  Sought energy_L[2], eps_L[2], scale[2];
-  Sought base_V[2], base_r[2], base_e[2];
+  const double* V[6];         // volume fraction of cells -3 .. 2
+  const double *M[4], *E[4];  // state of cells -2 .. 1
+  const double *r[2], *e[2];  // density and energy per own volume, cells -1 and 0
+  const double *energy_L[2], *eps_L[2], *scale[2];
+  const double *base_V[2], *base_r[2], *base_e[2];
   double *FV, *FM, *FE;
 };
 
@@ -84,7 +75,6 @@ class MaterialFaces {
   double l_;
   std::uint64_t bound_ = 0;  // materials whose rows were looked up
   const double* uf_;
-  const double* pure_[4];  // two cells on either side
   const double* presence_[6];
   Pair iJ_, N_, iN_, mask_{}, J_, outlet_;
   MaterialFaceRows rows_[most_materials];

@@ -39,12 +39,6 @@ class FaceShares {
  public:
   FaceShares(const MaterialFaces& faces, int first, int count, std::uint64_t set)
       : faces_(faces), n_(count), first_(first) {
-    for (int s = 0; s < 4; ++s) {
-      pure_[s] = faces.pure_[s] + first;
-      int pure = 0;
-      for (int i = 0; i < size(); ++i) pure |= int{pure_[s][i] >= 0.0};
-      any_pure_ = any_pure_ || pure != 0;
-    }
     for_each_of(set, [&](int m) { bind(materials_[count_++], m); });
   }
 
@@ -69,7 +63,7 @@ class FaceShares {
   }
 
  private:
-  static constexpr int rows_each = 20;
+  static constexpr int rows_each = 4;
 
   int size() const {
     if constexpr (Lanes > 0) return Lanes;
@@ -87,33 +81,43 @@ class FaceShares {
 
   Pair cells(const Pair& row) const { return row.from(first_); }
 
-  // The row of a material beside the face, cell `shift` + 2 of four; where the neighbourhood is
-  // pure that of the mixture, or nothing.
-  const double* pick(Sought q, int m, int shift) {
-    if (!any_pure_) return q.own + first_;
-    double* to = work_[used_++];
-    pick_row(size(), pure_[shift + 2], m, q.own + first_, q.mixture + first_, to);
-    return to;
-  }
-  Pair two(const Sought* q, int m) { return {pick(q[0], m, -1), pick(q[1], m, 0)}; }
-  Around four(const Sought* q, int m) {
-    if (!Second) return {nullptr, pick(q[1], m, -1), pick(q[2], m, 0), nullptr};
-    return {pick(q[0], m, -2), pick(q[1], m, -1), pick(q[2], m, 0), pick(q[3], m, 1)};
+  Pair two(const double* const* q) const { return {q[0] + first_, q[1] + first_}; }
+
+  // Density and energy per own volume of the cell `s` - 2, from the state: not kept so far away.
+  void per_volume(const MaterialFaceRows& x, int s, const double*& density, const double*& energy) {
+    const double* __restrict V = x.V[s + 1] + first_;
+    const double* __restrict M = x.M[s] + first_;
+    const double* __restrict E = x.E[s] + first_;
+    double* __restrict r = work_[used_++];
+    double* __restrict e = work_[used_++];
+    const int n = size();
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const double inverse = V[i] > 0.0 ? 1.0 / V[i] : 0.0;
+      r[i] = M[i] * inverse;
+      e[i] = E[i] * inverse;
+    }
+    density = r;
+    energy = e;
   }
 
   void bind(Material& k, int m) {
     const MaterialFaceRows& x = faces_.rows_[m];
     for (int s = 0; s < 6; ++s) k.V[s] = x.V[s] + first_;
-    for (int s = 0; s < 2; ++s) k.M[s] = x.M[s] + first_;
-    k.r = four(x.r, m);
-    k.e = four(x.e, m);
-    k.energy_L = two(x.energy_L, m);
-    k.eps_L = two(x.eps_L, m);
-    k.scale = two(x.scale, m);
+    for (int s = 0; s < 2; ++s) k.M[s] = x.M[s + 1] + first_;
+    k.r = {nullptr, x.r[0] + first_, x.r[1] + first_, nullptr};
+    k.e = {nullptr, x.e[0] + first_, x.e[1] + first_, nullptr};
+    if constexpr (Second) {
+      per_volume(x, 0, k.r.mm, k.e.mm);
+      per_volume(x, 3, k.r.pp, k.e.pp);
+    }
+    k.energy_L = two(x.energy_L);
+    k.eps_L = two(x.eps_L);
+    k.scale = two(x.scale);
     if (faces_.based_) {
-      k.base_V = two(x.base_V, m);
-      k.base_r = two(x.base_r, m);
-      k.base_e = two(x.base_e, m);
+      k.base_V = two(x.base_V);
+      k.base_r = two(x.base_r);
+      k.base_e = two(x.base_e);
     }
     k.FV = x.FV + first_;
     k.FM = x.FM + first_;
@@ -299,8 +303,6 @@ class FaceShares {
   const MaterialFaces& faces_;
   int n_, first_, count_ = 0, used_ = 0;
   int takes_all_ = 0;  // some face does
-  bool any_pure_ = false;
-  const double* pure_[4];
   Material materials_[most_materials];
   using Work = double[Lanes > 0 ? Lanes : MaterialFaces::most_faces];
   Work sum_, room_;  // then by how much shares shrink, and which part of what is left they take

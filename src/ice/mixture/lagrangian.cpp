@@ -17,23 +17,45 @@ namespace {
 
 struct Handles {
   StateReads state;
-  In pure, presence, pressure, inverse_rho, inverse_J, lagrangian, work, density, heat;
-  In mixture_density_L, mixture_energy_L;
+  In pure, near, presence, pressure, inverse_rho, inverse_J, lagrangian, work, density, heat;
+  In mixture_density_L, mixture_energy_L, mixture_energy_star;
   int work_component = 1;
   Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
 
+// The scale of a material, zero where it is absent.
+void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
+  double* scale = row(h.scale, m);
+  if (fluid.ideal() != nullptr) {
+    std::copy_n(row(h.specific_energy_L, m), row.count(), scale);
+    return;
+  }
+  for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
+    if ((as_set(presence) >> m & 1) != 0)
+      energy_scale_row(fluid, count, row(h.scratch) + first, row(h.specific_energy_L, m) + first,
+                       scale + first);
+    else
+      std::fill_n(scale + first, count, 0.0);
+  });
+}
+
+// `set`: of the materials in these cells. In those of pure neighbourhood the mixture's values are
+// the material's.
 void share_cells(const Row& row, const Handles& h, std::uint64_t set,
                  const std::vector<Fluid>& fluids, bool heated) {
   const int n = row.count();
+  const double* __restrict pure = row(h.pure);
   const double* __restrict p = row(h.pressure);
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict iJ = row(h.inverse_J);
   const double* __restrict J = row(h.lagrangian, 0);
   const double* __restrict W = row(h.work, h.work_component);
-  double* __restrict total = row(h.mixture_scale);
-  double* __restrict rho_L = row(h.scratch);
-  for (int i = 0; i < n; ++i) total[i] = 0.0;
+  const double* __restrict E_star = row(h.mixture_energy_star);
+  const double* __restrict E_of_mixture = row(h.mixture_energy_L);
+  double* __restrict of_mixture = row(h.mixture_scale);
+  double* __restrict rho_L = row(h.scratch, 0);
+  double* __restrict total = row(h.scratch, 1);
+  std::fill_n(total, n, 0.0);
   for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
     double* __restrict E_L = row(h.energy_L, m);
     double* __restrict eps = row(h.specific_energy_L, m);
@@ -56,17 +78,23 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
       const double* __restrict Q = row(h.heat, m);
       for (int i = 0; i < n; ++i) E_L[i] += Q[i];
     }
+    const double which = m;
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      eps[i] = E_L[i] * iJ[i] / V[i];
+      const bool mixed = pure[i] < 0.0, alone = pure[i] == which, absent = V[i] == 0.0;
+      const double E_own = absent ? 0.0 : E_L[i], per_volume = E_own * iJ[i] / V[i];
+      const double E_alone = alone ? E_star[i] : 0.0, eps_alone = alone ? E_of_mixture[i] : 0.0;
+      const double eps_own = absent ? 0.0 : per_volume;
+      E_L[i] = mixed ? E_own : E_alone;
+      eps[i] = mixed ? eps_own : eps_alone;
       rho_L[i] = r[i] * iJ[i];
     }
-    if (fluids[k].ideal() != nullptr)
-      std::copy_n(eps, n, scale);
-    else
-      energy_scale_row(fluids[k], n, rho_L, eps, scale);
+    find_scale(row, h, m, fluids[k]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
   }
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) of_mixture[i] = pure[i] < 0.0 ? total[i] : of_mixture[i];
 }
 
 // Where one material is alone all around, its scale is the mixture's; an ideal gas has its energy.
@@ -89,8 +117,10 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.state = read_state(task, v);
   h.presence = task.read(v.presence);
   h.pure = task.read(v.pure);
+  h.near = task.read(v.near);
   h.mixture_density_L = task.read(v.common.rho_L);
   h.mixture_energy_L = task.read(v.common.energy_L);
+  h.mixture_energy_star = task.read(v.common.energy_star);
   h.pressure = task.read(v.common.pressure);
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.inverse_J = task.read(v.common.inverse_J);
@@ -104,15 +134,22 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.specific_energy_L = task.write(v.specific_energy_L);
   h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
-  h.scratch = task.write(list.temporary("Lagrangian density of a material"));
+  h.scratch = task.write(list.temporary("Lagrangian density of a material, sum of scales", 2));
   const std::vector<Fluid> fluids = o.fluids;
+  const bool gases = std::all_of(fluids.begin(), fluids.end(),
+                                 [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   task.kernel([=](const Row& row) {
-    for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
-      const Row part = row.part(first, count);
-      if (pure >= 0.0) return alone(part, h, fluids[static_cast<std::size_t>(pure)]);
-      for_each_run(part(h.presence), count, [&](int begin, int some, double presence) {
-        share_cells(part.part(begin, some), h, as_set(presence), fluids, heated);
-      });
+    for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
+      if (pure >= 0.0) alone(row.part(first, count), h, fluids[static_cast<std::size_t>(pure)]);
+    });
+    for_each_run(runs_of(row, h.near), row.count(), [&](int first, int count, double near) {
+      if (near == 0.0) return;
+      // Nobody reads what is computed for cells further away; laws may search for a root there.
+      const Row part = row.part(first, gases ? whole_vectors(count, row.count() - first) : count);
+      std::uint64_t set = 0;
+      for_each_run(runs_of(part, h.presence), part.count(),
+                   [&](int, int, double presence) { set |= as_set(presence); });
+      share_cells(part, h, set, fluids, heated);
     });
   });
 }

@@ -32,6 +32,7 @@ void add_presence(TaskList& list, const Variables& v, int effect) {
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) set[i] = (m == 0 ? 0.0 : set[i]) + (M[i] != 0.0 ? bit : 0.0);
     }
+    find_runs(set, n, row(presence, 1));
   });
 }
 
@@ -42,22 +43,36 @@ void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& 
   const Out pure = task.write(v.pure);
   const int axes = o.axes.count;
   task.kernel([=](const Row& row) {
-    const int n = row.count();
-    const double* __restrict here = row(presence);
-    double* __restrict key = row(pure);
-    for (int i = 0; i < n; ++i) key[i] = here[i];
+    RunRow around[9];  // from the cell before the row on
+    int rows = 0;
     for (int dk = axes > 2 ? -1 : 0; dk <= (axes > 2 ? 1 : 0); ++dk)
-      for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj) {
-        const double* __restrict other = row.at_offset(presence, 0, {0, dj, dk});
-#pragma GCC ivdep
-        for (int i = 0; i < n; ++i) {
-          const int same = int{other[i - 1] == here[i]} & int{other[i] == here[i]} &
-                           int{other[i + 1] == here[i]};
-          key[i] = same != 0 ? key[i] : 0.0;
-        }
-      }
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) key[i] = single_of(key[i]);
+      for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj)
+        around[rows++] = {row.at_offset(presence, 0, {-1, dj, dk}),
+                          row.at_offset(presence, 1, {-1, dj, dk})};
+    write_pure(around, rows, row.count(), row(pure), row(pure, 1));
+  });
+}
+
+// Cells of unlike neighbourhood, and those that share a face with one.
+void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("cells near several materials", effect);
+  std::array<In, 3> pure;
+  for (int axis = 0; axis < o.axes.count; ++axis)
+    pure[static_cast<std::size_t>(axis)] =
+        task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 1));
+  const Out near = task.write(v.near);
+  const int axes = o.axes.count;
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    double* key = row(near);
+    std::fill_n(key, n, 0.0);
+    for (int axis = 0; axis < axes; ++axis)
+      for (int shift = -1; shift <= 1; ++shift)
+        for_each_run(runs_of(row, pure[static_cast<std::size_t>(axis)], axis, shift), n,
+                     [&](int first, int count, double alone) {
+                       if (alone < 0.0) std::fill_n(key + first, count, 1.0);
+                     });
+    find_runs(key, n, row(near, 1));
   });
 }
 
@@ -199,16 +214,16 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
   }
 }
 
-// Density and energy of each material per its own volume; in a step not where the neighbourhood is
-// pure, where those of the mixture do.
+// Density and energy of each material per its own volume; in a step only near several materials,
+// elsewhere those of the mixture do.
 void add_material_values(TaskList& list, const Variables& v, int effect, bool everywhere) {
   TaskBuilder task = list.task("values of each material", effect);
-  const In pure = task.read(everywhere ? v.presence : v.pure);
+  const In where = task.read(everywhere ? v.presence : v.near);
   const StateReads state = read_state(task, v);
   const Out density = task.write(v.density), specific_energy = task.write(v.specific_energy);
   task.kernel([=](const Row& row) {
-    for_each_run(row(pure), row.count(), [&](int first, int count, double alone) {
-      if (!everywhere && alone >= 0.0) return;
+    for_each_run(runs_of(row, where), row.count(), [&](int first, int count, double near) {
+      if (!everywhere && near == 0.0) return;
       const Row part = row.part(first, count);
       for (std::size_t m = 0; m < state.mass.size(); ++m) {
         const double* __restrict M = part(state.mass[m]);
@@ -247,7 +262,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   const bool gases = std::all_of(fluids.begin(), fluids.end(),
                                  [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   task.kernel([=](const Row& row) {
-    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+    for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
       const int m = first_of(presence);
       if (is_single(presence))
@@ -265,6 +280,7 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
                     bool everywhere) {
   add_presence(list, v, effect);
   add_neighbourhood(list, v, o, effect);
+  add_near(list, v, o, effect);
   add_mixture_values(list, v, o, effect);
   add_material_values(list, v, effect, everywhere);
 }

@@ -18,9 +18,8 @@ namespace {
 
 struct Handles {
   RemapBaseHandles common;
-  std::vector<In> volume;
-  In pure, density, specific_energy, inverse_J, specific_energy_L, scale;
-  In mixture_density, mixture_energy;
+  std::vector<In> volume, mass, energy;  // old state
+  In pure, near, density, specific_energy, inverse_J, specific_energy_L, scale;
   In own_velocity;              // of each material, where it has its own
   int velocity_components = 0;  // of one material in it; 0: all move with the mixture
   std::array<Out, 3> base;      // of each material
@@ -28,8 +27,8 @@ struct Handles {
 
 constexpr double trace = 1e-10;
 
-// What every material offers in cells that are not of pure neighbourhood; rows are looked up once
-// for all of them.
+// What every material offers near several of them; in cells of pure neighbourhood it is what the
+// mixture offers, or nothing. Rows are looked up once for all runs.
 template <int D, bool Masked>
 class MixedBases {
  public:
@@ -38,9 +37,10 @@ class MixedBases {
         p_(row(handles.common.pressure)),
         iJ_(row(handles.inverse_J)),
         mask_(Masked ? row(handles.common.mask) : nullptr),
-        rho_(quantity<D>(row, handles.mixture_density, 0)),
-        energy_(quantity<D>(row, handles.mixture_energy, 0)),
-        pure_(quantity<D>(row, handles.pure, 0)) {
+        pure_(row(handles.pure)) {
+    for (int d = 0; d < D; ++d)
+      for (int q = 0; q < 2; ++q)
+        mixture_[q][d] = row(handles.common.base[static_cast<std::size_t>(d)], q);
     for (int t = 0; t < D; ++t) {
       su_[t] = row(handles.common.velocity_slope, t);
       h_[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
@@ -48,35 +48,23 @@ class MixedBases {
     for (int m = 0; m < materials_; ++m) bind(rows_[m], row, handles, m);
   }
 
-  void run(int first, int count) {
-    for (int done = 0; done < count; done += most_cells) {
-      const int from = first + done, some = std::min(most_cells, count - done);
-      const bool any_pure = has_pure_neighbours(from, some);
-      for (int m = 0; m < materials_; ++m) {
-        Material k = rows_[m].from(from);
-        if (any_pure) {
-          pick(k.r, rho_.template from<D>(from), m, from, some, work_[0]);
-          pick(k.e, energy_.template from<D>(from), m, from, some, work_[1]);
-        }
-        write(k, from, some);
-      }
-    }
+  void run(int first, int count) const {
+    for (int m = 0; m < materials_; ++m) write(rows_[m].from(first), m, first, count);
   }
 
  private:
-  static constexpr int most_cells = 64;
-  using Work = double[2 * D][most_cells];
-
   struct Material {
-    Quantity V, r, e;
-    const double *eps_L, *scale;
+    Quantity V, M, E;
+    const double *r, *e, *eps_L, *scale;
     const double* u[D];  // its own velocity, or that of the mixture
     double* base[3][D];
 
     Material from(int first) const {
       Material k{V.template from<D>(first),
-                 r.template from<D>(first),
-                 e.template from<D>(first),
+                 M.template from<D>(first),
+                 E.template from<D>(first),
+                 r + first,
+                 e + first,
                  eps_L + first,
                  scale + first,
                  {},
@@ -89,9 +77,12 @@ class MixedBases {
   };
 
   static void bind(Material& k, const Row& row, const Handles& handles, int m) {
-    k.V = quantity<D>(row, handles.volume[static_cast<std::size_t>(m)], 0);
-    k.r = quantity<D>(row, handles.density, m);
-    k.e = quantity<D>(row, handles.specific_energy, m);
+    const auto number = static_cast<std::size_t>(m);
+    k.V = quantity<D>(row, handles.volume[number], 0);
+    k.M = quantity<D>(row, handles.mass[number], 0);
+    k.E = quantity<D>(row, handles.energy[number], 0);
+    k.r = row(handles.density, m);
+    k.e = row(handles.specific_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
     k.scale = row(handles.scale, m);
     for (int t = 0; t < D; ++t)
@@ -103,31 +94,14 @@ class MixedBases {
         k.base[q][d] = row(handles.base[static_cast<std::size_t>(d)], component(m, q));
   }
 
-  bool has_pure_neighbours(int first, int n) const {
-    int pure = 0;
-    for (int t = 0; t < D; ++t)
-      for (const double* key : {pure_.minus[t], pure_.plus[t]})
-        for (int i = first; i < first + n; ++i) pure |= int{key[i] >= 0.0};
-    return pure != 0;
-  }
-
-  // Neighbours of pure neighbourhood have the values of the mixture.
-  void pick(Quantity& own, const Quantity& mixture, int m, int first, int n, Work& work) const {
-    for (int t = 0; t < D; ++t) {
-      double *low = work[2 * t], *high = work[2 * t + 1];
-      pick_row(n, pure_.minus[t] + first, m, own.minus[t], mixture.minus[t], low);
-      pick_row(n, pure_.plus[t] + first, m, own.plus[t], mixture.plus[t], high);
-      own.minus[t] = low;
-      own.plus[t] = high;
-    }
-  }
-
-  static double slope(const Quantity& q, int t, int i) {
-    return central_slope(q.centre[i] - q.minus[t][i], q.plus[t][i] - q.centre[i]);
-  }
-
-  void write(const Material& material, int first, int n) const {
+  void write(const Material& material, int m, int first, int n) const {
     const Material k = material;
+    const double which = m, *pure = pure_ + first;
+    const double *mixture_r[D], *mixture_e[D];
+    for (int d = 0; d < D; ++d) {
+      mixture_r[d] = mixture_[0][d] + first;
+      mixture_e[d] = mixture_[1][d] + first;
+    }
     const double *iJ = iJ_ + first, *p = p_ + first, *mask = Masked ? mask_ + first : nullptr;
     const double *u[D], *su[D];
     double h[D];
@@ -138,17 +112,24 @@ class MixedBases {
     }
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double V = k.V.centre[i], r = k.r.centre[i], e = k.e.centre[i];
+      const double V = k.V.centre[i], r = k.r[i], e = k.e[i];
       double dV[D], dr[D], de[D];
 #pragma GCC unroll 3
       for (int t = 0; t < D; ++t) {
-        const bool full = smaller(smaller(k.V.minus[t][i], V), k.V.plus[t][i]) > trace;
+        const double V_low = k.V.minus[t][i], V_high = k.V.plus[t][i];
+        // From the state: per own volume they are kept no further away.
+        const double per_low = V_low > 0.0 ? 1.0 / V_low : 0.0;
+        const double per_high = V_high > 0.0 ? 1.0 / V_high : 0.0;
+        const double r_low = k.M.minus[t][i] * per_low, r_high = k.M.plus[t][i] * per_high;
+        const double e_low = k.E.minus[t][i] * per_low, e_high = k.E.plus[t][i] * per_high;
+        const bool full = smaller(smaller(V_low, V), V_high) > trace;
         const double hu = h[t] * u[t][i], slopes = full ? hu : 0.0;
-        dV[t] = hu * slope(k.V, t, i);
-        dr[t] = slopes * slope(k.r, t, i) - h[t] * r * su[t][i];
-        de[t] = slopes * slope(k.e, t, i) - h[t] * (e + p[i]) * su[t][i];
+        dV[t] = hu * central_slope(V - V_low, V_high - V);
+        dr[t] = slopes * central_slope(r - r_low, r_high - r) - h[t] * r * su[t][i];
+        de[t] = slopes * central_slope(e - e_low, e_high - e) - h[t] * (e + p[i]) * su[t][i];
       }
-      const double m = Masked ? mask[i] : 1.0, here = V > 0.0 ? m : 0.0;
+      const double weight = Masked ? mask[i] : 1.0, here = V > 0.0 ? weight : 0.0;
+      const bool mixed = pure[i] < 0.0, alone = pure[i] == which;
       const double rho_L = r * iJ[i], eps_L = k.eps_L[i], floor = eps_L - 0.9 * k.scale[i];
 #pragma GCC unroll 3
       for (int d = 0; d < D; ++d) {
@@ -159,36 +140,37 @@ class MixedBases {
           by_r += t == d ? 0.0 : dr[t];
           by_e += t == d ? 0.0 : de[t];
         }
-        k.base[of_volume][d][i] = V - m * by_V;
-        k.base[of_mass][d][i] = larger(rho_L - here * by_r, 0.1 * rho_L);
-        k.base[of_energy][d][i] = larger(eps_L - here * by_e, floor);
+        const double own_r = larger(rho_L - here * by_r, 0.1 * rho_L);
+        const double own_e = larger(eps_L - here * by_e, floor);
+        const double r_alone = alone ? mixture_r[d][i] : 0.0;
+        const double e_alone = alone ? mixture_e[d][i] : 0.0;
+        k.base[of_volume][d][i] = V - weight * by_V;
+        k.base[of_mass][d][i] = mixed ? own_r : r_alone;
+        k.base[of_energy][d][i] = mixed ? own_e : e_alone;
       }
     }
   }
 
   int materials_;
   const double *p_, *iJ_, *mask_;
-  Quantity rho_, energy_, pure_;
+  const double *pure_, *mixture_[2][D];
   const double* su_[D];
   double h_[D];
   Material rows_[most_materials];
-  Work work_[2];
 };
 
 template <int D, int C, bool Masked>
 void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
-  const auto runs = [&](auto&& f) { for_each_run(row(h.pure), row.count(), f); };
+  const auto runs = [&](auto&& f) { for_each_run(runs_of(row, h.pure), row.count(), f); };
   const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
-  const auto bases_of = [&](int first, int count, int of) {
+  for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
     base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
-  };
-  for_each_pure_piece(runs, scaled, bases_of);
+  });
   std::optional<MixedBases<D, Masked>> mixed;
-  runs([&](int first, int count, double pure) {
-    if (pure >= 0) return;
-    bases_of(first, count, 1);
+  for_each_run(runs_of(row, h.near), row.count(), [&](int first, int count, double near) {
+    if (near == 0.0) return;
     if (!mixed) mixed.emplace(row, h, o.axes);
-    // Nobody reads what is computed for cells of pure neighbourhood.
+    // Nobody reads what is computed for cells further away.
     mixed->run(first, whole_vectors(count, row.count() - first));
   });
 }
@@ -200,12 +182,13 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   TaskBuilder task = list.task("remap bases", effect);
   Handles h;
   h.common = declare_remap_bases(task, v.common, o);
-  h.pure = task.read(v.pure, Stencil::box(1));
-  h.mixture_density = task.read(v.common.rho, Stencil::box(1));
-  h.mixture_energy = task.read(v.common.energy, Stencil::box(1));
+  h.pure = task.read(v.pure);
+  h.near = task.read(v.near);
   for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
-  h.density = task.read(v.density, Stencil::box(1));
-  h.specific_energy = task.read(v.specific_energy, Stencil::box(1));
+  for (const VariableId mass : v.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
+  for (const VariableId energy : v.energy) h.energy.push_back(task.read(energy, Stencil::box(1)));
+  h.density = task.read(v.density);
+  h.specific_energy = task.read(v.specific_energy);
   if (o.own_velocities) {
     h.own_velocity = task.read(v.slip.velocity);
     h.velocity_components = o.components;

@@ -187,7 +187,7 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
         const auto runs = [&](auto&& f) {
-          for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(), f);
+          for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
         };
         const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
         for_each_pure_piece(runs, scaled, [&](int first, int count, int of) {

@@ -3,49 +3,104 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+
+#include "framework/task/row.hpp"
 
 namespace sluice::ice::mixture {
 
-// Where the run that starts at `begin` ends: the first i with key(i) != key(begin), or n. Many at a
+// Where the run that starts at `begin` ends: the first i with key[i] != key[begin], or n. Many at a
 // time, for most runs are long.
-template <class Key>
-int end_of_run(Key key, int begin, int n) {
+inline int end_of_run(const double* key, int begin, int n) {
   constexpr int stride = 32;
-  const double k = key(begin);
+  const double k = key[begin];
   int end = begin + 1;
   for (; end + stride <= n; end += stride) {
     std::int64_t others = 0;
-    for (int i = end; i < end + stride; ++i) others += key(i) != k ? 1 : 0;
+    for (int i = end; i < end + stride; ++i) others += key[i] != k ? 1 : 0;
     if (others != 0) break;
   }
-  while (end < n && key(end) == k) ++end;
+  while (end < n && key[end] == k) ++end;
   return end;
 }
 
-// Calls f(first, count, key) for every run of equal keys.
-template <class Key, class F>
-void for_each_run_of(Key key, int n, F&& f) {
+// A row of keys, and of each cell how many of its run are left, itself included: found once, where
+// the keys are written, for all tasks that go by them.
+struct RunRow {
+  const double *key, *left;
+
+  int end(int i, int n) const {
+    const int end = i + static_cast<int>(left[i]);
+    return end < n ? end : n;
+  }
+  // The same across runs that follow each other with one key, as they may where rows were written
+  // in parts.
+  int reach(int i, int n) const {
+    int reached = end(i, n);
+    while (reached < n && key[reached] == key[i]) reached = end(reached, n);
+    return reached;
+  }
+};
+
+// A variable of two components: keys and what is left of their runs.
+inline RunRow runs_of(const Row& row, In keys, int axis = 0, int shift = 0) {
+  return {row(keys, 0, axis, shift), row(keys, 1, axis, shift)};
+}
+
+inline void find_runs(const double* key, int n, double* left) {
   for (int begin = 0; begin < n;) {
     const int end = end_of_run(key, begin, n);
-    f(begin, end - begin, key(begin));
+    for (int i = begin; i < end; ++i) left[i] = end - i;
     begin = end;
   }
 }
 
+// Writes keys run by run; one that goes on with the key of the last joins it.
+class RunWriter {
+ public:
+  RunWriter(double* key, double* left) : key_(key), left_(left) {}
+  void add(int count, double key) {
+    if (key != run_key_) close();
+    run_key_ = key;
+    end_ += count;
+  }
+  void close() {
+    for (int i = begin_; i < end_; ++i) {
+      key_[i] = run_key_;
+      left_[i] = end_ - i;
+    }
+    begin_ = end_;
+  }
+
+ private:
+  double *key_, *left_;
+  double run_key_ = 0.0;
+  int begin_ = 0, end_ = 0;
+};
+
+// Calls f(first, count, key) for every run of equal keys.
 template <class F>
-void for_each_run(const double* key, int n, F&& f) {
-  for_each_run_of([key](int i) { return key[i]; }, n, std::forward<F>(f));
+void for_each_run(RunRow row, int n, F&& f) {
+  for (int begin = 0; begin < n;) {
+    const int end = row.end(begin, n);
+    f(begin, end - begin, row.key[begin]);
+    begin = end;
+  }
 }
 
 // The same for faces between cells with keys a (low side) and b: -1 where they differ.
 template <class F>
-void for_each_face_run(const double* a, const double* b, int n, F&& f) {
-  const auto key = [a, b](int i) {
-    const double low = a[i], high = b[i];
-    return low == high ? low : -1.0;
-  };
-  for_each_run_of(key, n, std::forward<F>(f));
+void for_each_face_run(RunRow a, RunRow b, int n, F&& f) {
+  const auto key = [&](int i) { return a.key[i] == b.key[i] ? a.key[i] : -1.0; };
+  for (int begin = 0; begin < n;) {
+    const double here = key(begin);
+    int end = begin;
+    do {
+      const int end_a = a.end(end, n), end_b = b.end(end, n);
+      end = end_a < end_b ? end_a : end_b;
+    } while (end < n && key(end) == here);
+    f(begin, end - begin, here);
+    begin = end;
+  }
 }
 
 // Rows of one material over runs that hold one (key >= 0), but in one piece across those that do
@@ -69,6 +124,23 @@ void for_each_pure_piece(Runs runs, Kind kind, One&& one) {
     of = here;
   });
   if (end > begin) one(begin, end - begin, of);
+}
+
+// Parts of a row that cover it, each with the rows of the materials that are alone in it; what is
+// mixed goes with those before.
+template <class Runs, class Kind, class One>
+void for_each_piece(Runs runs, int n, Kind kind, One&& one) {
+  int begin = 0, of = -1;
+  runs([&](int first, int, double key) {
+    if (key < 0.0) return;
+    const int here = kind(static_cast<std::size_t>(key));
+    if (of >= 0 && here != of) {
+      one(begin, first - begin, of);
+      begin = first;
+    }
+    of = here;
+  });
+  one(begin, n - begin, of < 0 ? 0 : of);
 }
 
 // More than `count` elements that whole_vectors may add.
@@ -121,6 +193,21 @@ inline double single_of(double presence) {
   const std::int64_t material = (bits >> digits) - bias;
   return static_cast<double>(beyond == 0 && bits != 0 ? material : -1);
 }
+// Materials of cells that hold the same one alone in all of them and in both cells aside; -1
+// elsewhere. `around`: the rows of presence around a row, from the cell before it on.
+inline void write_pure(const RunRow* around, int rows, int n, double* pure, double* left) {
+  RunWriter runs(pure, left);
+  for (int i = 0; i < n;) {
+    const double set = around[0].key[i];
+    int end = n + 2;  // of the cells from i - 1 on that hold the same in all rows
+    for (int r = 0; r < rows; ++r) end = around[r].key[i] == set ? around[r].reach(i, end) : i;
+    const int count = end - i > 2 ? end - i - 2 : 1;
+    runs.add(count, end - i > 2 ? single_of(set) : -1.0);
+    i += count;
+  }
+  runs.close();
+}
+
 template <class F>
 void for_each_of(std::uint64_t set, F&& f) {
   for (; set != 0; set &= set - 1) f(std::countr_zero(set));

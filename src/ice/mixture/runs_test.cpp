@@ -21,12 +21,24 @@ std::vector<double> keys_of(unsigned seed, int n) {
   return keys;
 }
 
+// What is left of runs, found in two parts of the row: runs may end where the first does.
+struct Runs {
+  explicit Runs(const std::vector<double>& k, int part = 0) : keys(k), left(k.size()) {
+    find_runs(keys.data(), part, left.data());
+    find_runs(keys.data() + part, static_cast<int>(k.size()) - part, left.data() + part);
+  }
+  RunRow row() const { return {keys.data(), left.data()}; }
+
+  std::vector<double> keys, left;
+};
+
 TEST(Runs, CoverTheRowAndEndWhereTheKeyChanges) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const int n = 1 + static_cast<int>(seed) * 3 % 301;
     const std::vector<double> keys = keys_of(seed, n);
     int next = 0;
-    for_each_run(keys.data(), n, [&](int first, int count, double key) {
+    const Runs runs(keys);
+    for_each_run(runs.row(), n, [&](int first, int count, double key) {
       ASSERT_EQ(first, next);
       ASSERT_GT(count, 0);
       for (int i = first; i < first + count; ++i) ASSERT_EQ(keys[static_cast<std::size_t>(i)], key);
@@ -44,7 +56,8 @@ TEST(Runs, FacesBetweenUnlikeKeysAreMixed) {
     const int n = 150;
     const std::vector<double> a = keys_of(seed, n), b = keys_of(seed + 1000, n);
     int next = 0;
-    for_each_face_run(a.data(), b.data(), n, [&](int first, int count, double key) {
+    const Runs low(a, 20), high(b, 77);
+    for_each_face_run(low.row(), high.row(), n, [&](int first, int count, double key) {
       for (int i = first; i < first + count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         EXPECT_EQ(key, a[k] == b[k] ? a[k] : -1.0);
@@ -61,9 +74,10 @@ TEST(Runs, PiecesHoldAllThatIsPure) {
     for (unsigned seed = 0; seed < 200; ++seed) {
       const int n = 200;
       const std::vector<double> keys = keys_of(seed, n);
+      const Runs runs(keys);
       const auto kind = [&](std::size_t m) { return alike ? 7 : static_cast<int>(m); };
       std::vector<int> met(static_cast<std::size_t>(n), 0);
-      for_each_pure_piece([&](auto&& f) { for_each_run(keys.data(), n, f); }, kind,
+      for_each_pure_piece([&](auto&& f) { for_each_run(runs.row(), n, f); }, kind,
                           [&](int first, int count, int of) {
                             for (int i = first; i < first + count; ++i) {
                               const auto k = static_cast<std::size_t>(i);
@@ -80,6 +94,56 @@ TEST(Runs, PiecesHoldAllThatIsPure) {
           EXPECT_EQ(met[k], 1);
         }
     }
+}
+
+// The same, but all cells lie in a piece.
+TEST(Runs, PiecesCoverTheRow) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const int n = 200;
+    const Runs runs(keys_of(seed, n));
+    int next = 0, kind = -1;
+    for_each_piece([&](auto&& f) { for_each_run(runs.row(), n, f); }, n,
+                   [](std::size_t m) { return static_cast<int>(m); },
+                   [&](int first, int count, int of) {
+                     ASSERT_EQ(first, next);
+                     ASSERT_NE(of, kind);
+                     for (int i = first; i < first + count; ++i) {
+                       const double key = runs.keys[static_cast<std::size_t>(i)];
+                       EXPECT_TRUE(key < 0 || key == of);
+                     }
+                     next = first + count;
+                     kind = of;
+                   });
+    EXPECT_EQ(next, n);
+  }
+}
+
+TEST(Runs, NeighbourhoodsArePureWhereAllRowsHoldOneMaterialAllAround) {
+  std::mt19937 random(5);
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const int n = 120, rows = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 3 : 9;
+    std::vector<Runs> around;
+    std::vector<RunRow> views;
+    std::vector<double> sets = keys_of(seed, n + 2);
+    for (double& set : sets) set += 2.0;  // 1, 2, or both
+    for (int r = 0; r < rows; ++r) {
+      std::vector<double> own = sets;
+      if (random() % 4 == 0) own[random() % own.size()] = 3.0;
+      around.emplace_back(own, static_cast<int>(random() % own.size()));
+    }
+    for (const Runs& r : around) views.push_back(r.row());
+    std::vector<double> pure(n), left(n);
+    write_pure(views.data(), rows, n, pure.data(), left.data());
+    const Runs expected(pure);
+    EXPECT_EQ(left, expected.left);
+    for (std::size_t i = 0; i < pure.size(); ++i) {
+      double key = single_of(sets[i + 1]);
+      for (const Runs& r : around)
+        for (std::size_t c = i; c < i + 3; ++c)
+          if (r.keys[c] != around[0].keys[i + 1] || single_of(r.keys[c]) < 0) key = -1.0;
+      EXPECT_EQ(pure[i], key);
+    }
+  }
 }
 
 TEST(Runs, SetsOfOneTellTheirMaterial) {

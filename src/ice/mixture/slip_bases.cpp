@@ -66,7 +66,7 @@ void add_slip_bases(TaskList& list, const Variables& v, const SchemeOptions& o, 
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
-        for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+        for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
           if (pure >= 0.0) return;
           const Row part = row.part(first, count);
           for (int m = 0; m < materials; ++m) bases<D, C>(part, h, o, m);

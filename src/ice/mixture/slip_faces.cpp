@@ -93,7 +93,7 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
     h.face_velocity = task.read(v.common.face_velocity[a]);
     h.own = task.write(v.slip.face_velocity[a]);
     task.kernel([=, axes = o.axes.count](const Row& row) {
-      for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
+      for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                         [&](int first, int count, double pure) {
                           if (pure < 0.0) mixed_faces(row.part(first, count), h, axis, axes);
                         });
@@ -155,7 +155,7 @@ void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.outflow = task.write(v.slip.outflow);
   const int materials = static_cast<int>(v.mass.size());
   task.kernel([=](const Row& row) {
-    for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+    for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       if (pure < 0.0) count_outflow(row.part(first, count), h, o, materials);
     });
   });

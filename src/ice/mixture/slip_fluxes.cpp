@@ -68,12 +68,6 @@ class Faces {
 
  private:
   double cell(In in, int c, int shift, int i) const { return row_(in, c, axis_, shift)[i]; }
-  // Of a material; where the neighbourhood is pure the mixture's, or nothing.
-  double own(In in, int c, In mixture, int mixture_c, int m, int shift, int i) const {
-    const double pure = cell(h_.pure, 0, shift, i);
-    if (pure < 0.0) return cell(in, c, shift, i);
-    return pure == m ? cell(mixture, mixture_c, shift, i) : 0.0;
-  }
   double volume(int m, int shift, int i) const {
     return cell(h_.materials.volume[static_cast<std::size_t>(m)], 0, shift, i);
   }
@@ -193,7 +187,7 @@ class Faces {
   double theta(const Passing& k, int i) const {
     const int m = k.index;
     const bool left = k.donor == 0;
-    double value = based_ ? base_of_volume(k, i) : k.V;
+    double value = based_ ? cell(h_.materials.base, component(m, of_volume), k.donor, i) : k.V;
     if (o_.second_order) {
       const double V[6] = {volume(m, -3, i), volume(m, -2, i), volume(m, -1, i),
                            volume(m, 0, i),  volume(m, 1, i),  volume(m, 2, i)};
@@ -206,11 +200,6 @@ class Faces {
       value += sign(k) * larger(1.0 - nu, 0.0) * mask(k.donor, i) * slope;
     }
     return smaller(larger(value, 0.0), k.cap);
-  }
-  double base_of_volume(const Passing& k, int i) const {
-    const double pure = cell(h_.pure, 0, k.donor, i);
-    if (pure >= 0.0) return pure == k.index ? 1.0 : 0.0;
-    return cell(h_.materials.base, component(k.index, of_volume), k.donor, i);
   }
 
   void keep_trace_together(Passing& k, int i) const {
@@ -231,18 +220,17 @@ class Faces {
     const int m = k.index, at = k.donor;
     const MaterialHandles& x = h_.materials;
     const double iJ = cell(h_.common.inverse_J, 0, at, i);
-    const double rho_L = own(x.density, m, x.mixture_density, 0, m, at, i) * iJ;
-    const double e_L = own(x.specific_energy_L, m, x.mixture_energy_L, 0, m, at, i);
-    const double sc = own(x.scale, m, x.mixture_scale, 0, m, at, i);
-    double rho = based_ ? own(x.base, component(m, of_mass), x.mixture_base, 0, m, at, i) : rho_L;
-    double eps = based_ ? own(x.base, component(m, of_energy), x.mixture_base, 1, m, at, i) : e_L;
+    const double rho_L = cell(x.density, m, at, i) * iJ;
+    const double e_L = cell(x.specific_energy_L, m, at, i), sc = cell(x.scale, m, at, i);
+    double rho = based_ ? cell(x.base, component(m, of_mass), at, i) : rho_L;
+    double eps = based_ ? cell(x.base, component(m, of_energy), at, i) : e_L;
     const bool full = o_.second_order && volume(m, -1, i) > trace && volume(m, 0, i) > trace &&
                       volume(m, at == 0 ? 1 : -2, i) > trace;
     if (full) {
       const double nu = std::fabs(k.flow) * iJ;
       const double weight = sign(k) * larger(1.0 - nu, 0.0) * iJ * mask(at, i);
-      rho += weight * slope(x.density, m, x.mixture_density, m, at, nu, 2.0 * k.iN, i);
-      eps += weight * slope(x.specific_energy, m, x.mixture_energy, m, at, nu, 2.0, i);
+      rho += weight * slope(x.mass, m, at, nu, 2.0 * k.iN, i);
+      eps += weight * slope(x.energy, m, at, nu, 2.0, i);
     }
     const double share = k.H / k.flow;
     const double phi = k.N * share / k.V;
@@ -254,14 +242,18 @@ class Faces {
     eps = smaller(larger(eps, e_L - (one ? 0.9 : q) * sc),
                   e_L + (one ? (0.75 + 0.25 * N) * k.iN - 1.0 : q) * sc);
     k.FM = k.all ? std::copysign(k.M, k.H) : k.H * rho;
-    const double energy_L = own(x.energy_L, m, x.mixture_energy_star, 0, m, at, i);
+    const double energy_L = cell(x.energy_L, m, at, i);
     const double FE = k.all ? std::copysign(1.0, k.H) * energy_L : k.H * eps;
     row_(h_.flux, component(m, of_volume))[i] = k.H;
     row_(h_.flux, component(m, of_mass))[i] = k.FM;
     row_(h_.flux, component(m, of_energy))[i] = FE + k.FM * carry_velocity(k, rho_L, sc, i);
   }
-  double slope(In in, int c, In mixture, int m, int at, double nu, double B, int i) const {
-    const auto value = [&](int shift) { return own(in, c, mixture, 0, m, shift, i); };
+  // Of what a material has per own volume.
+  double slope(const std::vector<In>& state, int m, int at, double nu, double B, int i) const {
+    const auto value = [&](int shift) {
+      const double V = volume(m, shift, i);
+      return V > 0.0 ? cell(state[static_cast<std::size_t>(m)], 0, shift, i) * (1.0 / V) : 0.0;
+    };
     const double middle = value(0) - value(-1);
     return upwind_slope(at == 0 ? value(1) - value(0) : value(-1) - value(-2), middle, nu, B);
   }
@@ -324,7 +316,7 @@ void add_slip_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o,
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
-        for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
+        for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                           [&](int first, int count, double pure) {
                             const Row part = row.part(first, count);
                             if (pure < 0) return Faces<D, C>(part, h, o, axis).run();

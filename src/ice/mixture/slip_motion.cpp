@@ -216,7 +216,7 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.sound_e = task.write(v.slip.common.sound);
   task.kernel([=, drag = Drag(o.drag, o.slip_exchange), axes = o.axes,
                components = o.components](const Row& row) {
-    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+    for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
       if (is_single(presence))
         alone(part, h, components);

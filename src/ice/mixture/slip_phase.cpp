@@ -158,7 +158,7 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.force_on = o.force_on;
   if (o.force_on) h.force_work = task.write(v.slip.force_work);
   task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
-    for_each_run(row(h.presence), row.count(), [&](int first, int count, double presence) {
+    for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
       const Row part = row.part(first, count);
       Cells cells(part, h, drag, o);
       if (is_single(presence))

@@ -157,7 +157,7 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
     h.each = task.write(v.slip.stress[a]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
-        for_each_face_run(row(h.pure, 0, axis, -1), row(h.pure), row.count(),
+        for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                           [&](int first, int count, double pure) {
                             const Row part = row.part(first, count);
                             if (pure < 0.0) return Faces<D, C>(part, h, o, axis).run();

@@ -329,7 +329,7 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
     task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
                  drag = Drag(o.drag, o.slip_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
-      for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+      for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         const Cells<D, C> cells(part, h, o, drag, closure);
         if (pure < 0.0) return cells.run();

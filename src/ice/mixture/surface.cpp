@@ -106,7 +106,7 @@ void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int
   h.energy = task.read(v.energy[gas]);
   h.surface = task.write(v.surface);
   task.kernel([=](const Row& row) {
-    for_each_run(row(h.pure), row.count(), [&](int first, int count, double alone) {
+    for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double alone) {
       if (alone < 0.0) return SurfaceCells(row, h, o).run(first, count);
       for (int part = 0; part < SurfaceParts::count(o.axes.count); ++part)
         std::fill_n(row(h.surface, part) + first, count, 0.0);

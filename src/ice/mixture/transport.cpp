@@ -92,10 +92,10 @@ void heat_rows(const Row& row, const Handles& h, const SchemeOptions& o, std::ui
 
 template <int D>
 void heat_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
-  for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+  for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
     if (pure >= 0.0) return;  // the mixture's own energy has it
     const Row part = row.part(first, count);
-    for_each_run(part(h.presence), count, [&](int begin, int some, double presence) {
+    for_each_run(runs_of(part, h.presence), count, [&](int begin, int some, double presence) {
       heat_rows<D>(part.part(begin, some), h, o, as_set(presence));
     });
   });

@@ -256,7 +256,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
                              IdealRelaxation(o.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       std::optional<MixedCells<D, C>> mixed;
-      for_each_run(row(h.pure), row.count(), [&](int first, int count, double pure) {
+      for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
         const auto m = static_cast<std::size_t>(std::max(pure, 0.0));
         const bool done = pure >= 0.0 && !pure_cells<D, C>(row.part(first, count), h,
                                                            of_material[m], static_cast<int>(m));

@@ -49,8 +49,9 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
     v.volume_new.push_back(list.new_state(l.volume, m, 1));
     v.energy_new.push_back(list.new_state(l.energy, m, 1));
   }
-  v.presence = list.temporary("presence");
-  v.pure = list.temporary("pure neighbourhood");
+  v.presence = list.temporary("presence", 2);
+  v.pure = list.temporary("pure neighbourhood", 2);
+  v.near = list.temporary("near several materials", 2);
   v.density = list.temporary("density of each material", M);
   v.specific_energy = list.temporary("energy per volume of each material", M);
   v.energy_L = list.temporary("Lagrangian energy of each material", M);

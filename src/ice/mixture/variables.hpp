@@ -34,11 +34,13 @@ struct Variables {
   SchemeVariables common;  // of the mixture: rho, energy, p, faces, Lagrangian phase, total fluxes
   // State, by material.
   std::vector<VariableId> mass, volume, energy, mass_new, volume_new, energy_new;
+  // Keys of cells; their second component is what is left of the run (runs.hpp).
   VariableId presence;  // bit set of the materials in a cell, as a number
   VariableId pure;      // the material that is alone in a cell and all around it; -1: none
-  // By material, but only in cells whose neighbourhood is not pure: density and energy per its own
-  // volume (old; 0 where absent); after the Lagrangian phase energy per cell and per own volume,
-  // and the energy scale (p + pi)/G.
+  VariableId near;      // 1 where that is none, and in cells that share a face with such; else 0
+  // By material, but only in cells that are near: density and energy per its own volume (old; 0
+  // where absent); after the Lagrangian phase energy per cell and per own volume, and the energy
+  // scale (p + pi)/G. In cells of pure neighbourhood these are the mixture's, or zero.
   VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
   // By axis, 3 components a material: what volume, density and energy offer to the remap, in the
   // same cells.

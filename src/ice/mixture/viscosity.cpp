@@ -110,7 +110,7 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
   task.kernel([=](const Row& row) {
     for (int m = 0; m < static_cast<int>(laws.size()); ++m)
       std::fill_n(row(viscosity, m), row.count(), 0.0);
-    for_each_run(row(presence), row.count(), [&](int first, int count, double set) {
+    for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
         const auto n = static_cast<std::size_t>(m);
