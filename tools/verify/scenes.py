@@ -37,6 +37,7 @@ DECK = """<?xml version="1.0" encoding="UTF-8"?>
       {periodic}
     </Level>
   </Grid>
+{levels}
   <DataArchiver><filebase>scene.uda</filebase><outputInterval>0</outputInterval></DataArchiver>
   <CFD><cfl>{cfl}</cfl><ICE><advection type="SecondOrder"/></ICE></CFD>
   <PhysicalConstants>
@@ -114,6 +115,32 @@ def side(name, kind):
     return f'<Face side="{name}">{open_side}</Face>'
 
 
+def levels_of(draw, cells):
+    """How many levels, and their tag: refined where pressure or density vary much."""
+    levels = draw.choice([1, 1, 2, 2, 3])
+    if levels == 1:
+        return 1, ""
+    planar = cells[1] > 1
+    ratio = draw.choice([2, 2, 4]) if levels == 2 else 2
+    across = f"{ratio},{ratio},1" if planar else f"{ratio},1,1"
+    tile = draw.choice([4, 8])
+    tiles = f"{tile},{tile},1" if planar else f"{tile},1,1"
+    lists = ["[[" + "],[".join([one] * (levels - 1)) + "]]" for one in (across, tiles)]
+    wide = "[1,1,0]" if planar else "[1,0,0]"
+    return levels, (
+        f"<AMR><useLockStep>{draw.choice(['true', 'false'])}</useLockStep>"
+        f"<ICE><orderOfInterpolation>{draw.choice([0, 1, 2])}</orderOfInterpolation>"
+        '<Refinement_Criteria_Thresholds><Variable name="press_CC" value="1e6" matl="0"/>'
+        '<Variable name="rho_CC" value="20" matl="0"/></Refinement_Criteria_Thresholds></ICE>'
+        f'<Regridder type="Tiled"><max_levels>{levels}</max_levels>'
+        f"<cell_refinement_ratio>{lists[0]}</cell_refinement_ratio>"
+        f"<min_patch_size>{lists[1]}</min_patch_size>"
+        f"<max_timestep_interval>{draw.choice([0, 1, 5])}</max_timestep_interval>"
+        f"<cell_stability_dilation>{wide}</cell_stability_dilation>"
+        f"<cell_regrid_dilation>{wide}</cell_regrid_dilation>"
+        "</Regridder></AMR>")
+
+
 def scene(seed):
     """The deck of a seed, and what it is in words."""
     draw = random.Random(seed)
@@ -138,14 +165,15 @@ def scene(seed):
                "</exchange_coefficients></exchange_properties>" if pairs else ""
     sides = [] if kind == "periodic" else [side(s, kind) for s in ("x-", "x+", "y-", "y+")]
     sides += [side(s, "closed") for s in ("z-", "z+")]
-    text = DECK.format(seed=seed, sides="\n".join(sides), cells=cells, cfl=cfl,
+    levels, refined = levels_of(draw, cells)
+    text = DECK.format(seed=seed, levels=refined, sides="\n".join(sides), cells=cells, cfl=cfl,
                        periodic="<periodic>[1,1,0]</periodic>" if kind == "periodic" else "",
                        materials="\n".join(texts), exchange=exchange)
     if count == 1:
         text = text.replace('id="all"', 'id="0"')
     names = "+".join("liquid" if m.stiff else "gas" for m in materials)
     words = (f"{names}, {kind}, {cells[0]} x {cells[1]}, drag {drag:g}, heat {heat:g}, "
-             f"mu {viscosity}, k {conductivity}")
+             f"mu {viscosity}, k {conductivity}, levels {levels}")
     return text, words
 
 

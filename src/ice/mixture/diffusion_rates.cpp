@@ -5,6 +5,15 @@
 #include "ice/mixture/contacts.hpp"
 
 namespace sluice::ice::mixture {
+namespace {
+
+// The vapour of a torn liquid fills much and weighs nothing: it takes what it can bear, too.
+bool limits_the_step(double mass, double volume, double total_mass) {
+  return volume >= 1.0 ||
+         (volume >= least_limiting_share && mass >= least_limiting_mass * total_mass);
+}
+
+}  // namespace
 
 DiffusionRates::DiffusionRates(const SchemeOptions& o)
     : fluids_(o.fluids),
@@ -33,9 +42,10 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
     }
     if (viscosity_varies_) mu = s.viscosity[i];
     most = larger(most, twice * mu / rho);
-    for (std::size_t m = 0; own_velocities_ && m < fluids_.size(); ++m)
-      if (const double V = s.volume[m][i]; V >= least_limiting_share)
-        most = larger(most, twice * viscosities_[m] * V / s.mass[m][i]);
+    for (std::size_t m = 0; own_velocities_ && m < fluids_.size(); ++m) {
+      const double V = s.volume[m][i], M = s.mass[m][i];
+      if (limits_the_step(M, V, rho)) most = larger(most, twice * viscosities_[m] * V / M);
+    }
   }
   const auto total_mass = [&](int i) {
     double sum = 0;
@@ -47,8 +57,7 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
     for (int i = 0; i < n; ++i) {
       const double k = conductivity_varies_ ? s.conductivity[m][i] : conductivities_[m];
       const double V = s.volume[m][i];
-      if (!(V >= least_limiting_share)) continue;
-      if (V < 1.0 && s.mass[m][i] < least_limiting_mass * total_mass(i)) continue;
+      if (!limits_the_step(s.mass[m][i], V, total_mass(i))) continue;
       const double rho = s.mass[m][i] / V;
       const double cv = constant_heat_capacity(fluids_[m])
                             ? fluids_[m].specific_heat
