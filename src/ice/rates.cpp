@@ -6,6 +6,7 @@
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/drag.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/step_bounds.hpp"
@@ -30,31 +31,35 @@ class CellStates {
 
   struct State {
     double rho = 0, modulus = 0;
-    double inertia = 0;  // what sound moves between free materials: 1/sum V_m^2/M_m
   };
-  // How much faster than the mixture a material may be along component c.
-  double slip(IntVec3 cell, int c) const {
-    double most = 0;
-    for (std::size_t m = 0; m < slip_.size(); ++m)
-      if (const double M = mass_[m](cell); M > 0)
-        most = std::max(most, std::fabs(state_.view(slip_[m], c, box_)(cell)) / M);
-    return most;
-  }
   State at(IntVec3 cell) const {
     if (fluids_.size() == 1) {
       const double rho = mass_[0](cell);
-      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell))), rho};
+      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell)))};
     }
     double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
-    double rho = 0, inverse = 0;
+    double rho = 0;
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
       M[m] = mass_[m](cell);
       V[m] = volume_[m](cell);
       E[m] = energy_[m](cell);
       rho += M[m];
-      if (M[m] > 0) inverse += V[m] * V[m] / M[m];
     }
-    return {rho, equilibration_.look({M, V, E}).modulus, slip_.empty() ? rho : 1.0 / inverse};
+    return {rho, equilibration_.look({M, V, E}).modulus};
+  }
+  // Those that share the cell and have velocities of their own.
+  mixture::DragCell sharing(IntVec3 cell) const {
+    mixture::DragCell present;
+    if (slip_.empty()) return present;
+    const mixture::MaterialRows s = materials(cell);
+    mixture::find_present(static_cast<int>(fluids_.size()), s.mass, s.volume, 0, present);
+    if (present.count < 2) present.count = 0;
+    return present;
+  }
+  // How much faster than the mixture material n of those is along component c.
+  double slip(const mixture::DragCell& present, int n, IntVec3 cell, int c) const {
+    const auto m = static_cast<std::size_t>(present.index[n]);
+    return state_.view(slip_[m], c, box_)(cell) / present.M[n];
   }
   double temperature(IntVec3 cell) const {
     return fluids_.front().temperature(mass_[0](cell), energy_[0](cell));
@@ -172,56 +177,91 @@ class Diffusion {
   bool with_eddies_ = false;
 };
 
+// Adds what a velocity along each axis and sound make of the rates of one cell.
+class Waves {
+ public:
+  Waves(const SchemeOptions& o, const Level& level, Reductions& rates) : o_(o), rates_(rates) {
+    double dx_g = 0;
+    for (int a = 0; a < o.axes.count; ++a) {
+      const int d = o.axes.direction[a];
+      dx_[a] = level.spacing[d];
+      dx_g += dx_[a] * std::fabs(o.gravity[d]);
+    }
+    gravity_speed_ = std::sqrt(dx_g);
+  }
+
+  // The deck's conservative rule is about the mixture alone.
+  void add_mixture(const double* velocity, double c) const {
+    if (o_.conservative_time_step) {
+      double outflow = 0;
+      const double margin = o_.sound_speed_knob * c + gravity_speed_;
+      for (int a = 0; a < o_.axes.count; ++a) {
+        const double u = std::fabs(velocity[a]);
+        outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx_[a];
+      }
+      rates_.maximum(StepSlots::deck_rate, ordered_bits(outflow));
+    }
+    add(velocity, c);
+  }
+  void add(const double* velocity, double c) const {
+    double deck = 0, flow = 0, sound = 0, sum = 0;
+    for (int a = 0; a < o_.axes.count; ++a) {
+      const double u = std::fabs(velocity[a]), dx = dx_[a];
+      deck = std::max(deck, (u + o_.sound_speed_knob * c) / dx);
+      flow += u / dx;
+      sound = std::max(sound, (u + c) / dx);
+      sum += (u + c) / dx;
+    }
+    sound = std::max(sound, sound_sum_share(o_) * sum);
+    if (!o_.conservative_time_step) rates_.maximum(StepSlots::deck_rate, ordered_bits(deck));
+    rates_.maximum(StepSlots::flow_rate, ordered_bits(flow));
+    rates_.maximum(StepSlots::sound_rate, ordered_bits(sound));
+  }
+
+ private:
+  const SchemeOptions& o_;
+  Reductions& rates_;
+  double dx_[3] = {1, 1, 1}, gravity_speed_ = 0;
+};
+
 }  // namespace
 
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   const int momentum = state.find(labels().momentum, 0);
-  double dx_g = 0;
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const int d = options_.axes.direction[a];
-    dx_g += state.level().spacing[d] * std::fabs(options_.gravity[d]);
-  }
-  const double gravity_speed = std::sqrt(dx_g);
+  const Vec3 spacing = state.level().spacing;
+  const Waves waves(options_, state.level(), rates);
+  const mixture::Drag drag(options_.drag);
   const mixture::DiffusionRates of_mixtures(options_);
+  double inverse_dx2 = 0;
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const double dx = spacing[options_.axes.direction[a]];
+    inverse_dx2 += 1.0 / (dx * dx);
+  }
   if (diffusive())
     rates.maximum(StepSlots::diffusion_rate,
-                  ordered_bits(scalars::diffusion_rate(options_, state.level().spacing)));
+                  ordered_bits(scalars::diffusion_rate(options_, spacing)));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const CellStates states(state, options_.fluids, b, options_.own_velocities);
     const Diffusion diffusion(state, at_level(state.level().index), b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-      const auto [rho, modulus, inertia] = states.at(cell);
-      const double c = std::sqrt(modulus / inertia);
-      double deck = 0, outflow = 0, flow = 0, sound = 0, sum = 0;
-      for (int a = 0; a < options_.axes.count; ++a) {
-        const double dx = state.level().spacing[options_.axes.direction[a]];
-        const double u = std::fabs(state.view(momentum, a, b)(cell)) / rho + states.slip(cell, a);
-        const double margin = options_.sound_speed_knob * c + gravity_speed;
-        outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx;
-        const double deck_rate = (u + options_.sound_speed_knob * c) / dx;
-        deck = std::max(deck, deck_rate);
-        flow += u / dx;
-        sound = std::max(sound, (u + c) / dx);
-        sum += (u + c) / dx;
+      const auto [rho, modulus] = states.at(cell);
+      double velocity[3] = {}, own[3] = {};
+      for (int a = 0; a < options_.axes.count; ++a)
+        velocity[a] = state.view(momentum, a, b)(cell) / rho;
+      waves.add_mixture(velocity, std::sqrt(modulus / rho));
+      const mixture::DragCell present = states.sharing(cell);
+      for (int n = 0; n < present.count; ++n) {
+        for (int a = 0; a < options_.axes.count; ++a)
+          own[a] = velocity[a] + states.slip(present, n, cell, a);
+        waves.add(own, std::sqrt(modulus * drag.inverse_inertia(present)));
       }
-      sound = std::max(sound, sound_sum_share(options_) * sum);
-      const double rate = options_.conservative_time_step ? outflow : deck;
-      rates.maximum(StepSlots::deck_rate, ordered_bits(rate));
-      rates.maximum(StepSlots::flow_rate, ordered_bits(flow));
-      rates.maximum(StepSlots::sound_rate, ordered_bits(sound));
       if (!options_.viscous && !options_.conducting) return;
-      double inverse_dx2 = 0;
-      for (int a = 0; a < options_.axes.count; ++a) {
-        const double dx = state.level().spacing[options_.axes.direction[a]];
-        inverse_dx2 += 1.0 / (dx * dx);
-      }
-      if (of_mixtures.on() && material_count() > 1) {
-        const double most = diffusion.rate(states, of_mixtures, cell);
-        rates.maximum(StepSlots::diffusion_rate, ordered_bits(most));
-        return;
-      }
-      const double coefficient = diffusion.coefficient(states, cell);
-      rates.maximum(StepSlots::diffusion_rate, ordered_bits(2.0 * inverse_dx2 * coefficient / rho));
+      double rate = 0;
+      if (of_mixtures.on() && material_count() > 1)
+        rate = diffusion.rate(states, of_mixtures, cell);
+      else
+        rate = 2.0 * inverse_dx2 * diffusion.coefficient(states, cell) / rho;
+      rates.maximum(StepSlots::diffusion_rate, ordered_bits(rate));
     });
   }
 }

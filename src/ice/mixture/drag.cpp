@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/limiters.hpp"
 #include "ice/mixture/pair_relaxation.hpp"
 #include "ice/mixture/surface.hpp"
 
@@ -153,6 +154,16 @@ void Drag::push(const DragCell& cell, double dp, double* momentum) const {
   solve_pairs(n, cell.M, k, momentum);
   for (int i = 0; i < n; ++i) rest += momentum[i] *= cell.M[i];
   for (int i = 0; i < n; ++i) momentum[i] -= rest * (cell.M[i] / cell.total);
+}
+
+// sum V_m u_m of a pressure impulse of -1, u_m = 1/rho + w_m.
+double Drag::inverse_inertia(const DragCell& cell) const {
+  const double together = 1.0 / cell.total;
+  if (cell.count < 2) return together;
+  double given[most_materials], sum = together;
+  push(cell, -1.0, given);
+  for (int n = 0; n < cell.count; ++n) sum += cell.V[n] * (given[n] / cell.M[n]);
+  return larger(sum, together);
 }
 
 double Drag::energy(const DragCell& cell, const double* w) {

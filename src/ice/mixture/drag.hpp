@@ -65,6 +65,9 @@ class Drag {
   }
   // What a pressure impulse dp along a direction pushes apart: momentum by material, sum 0.
   void push(const DragCell& cell, double dp, double* momentum) const;
+  // 1/inertia of what sound moves where nothing but pressure binds the materials: no less than that
+  // of the mixture.
+  double inverse_inertia(const DragCell& cell) const;
   // Kinetic energy of the velocities relative to the mixture.
   static double energy(const DragCell& cell, const double* w);
 

@@ -75,15 +75,17 @@ class MixtureBox {
   int run(double time) {
     int steps = 0;
     while (time_ < time) {
-      const double allowed = ice_->step_limit(rates_).dt;
+      const double allowed = limit().dt;
       step(time_ + allowed > time ? time - time_ : allowed);
       ++steps;
     }
     return steps;
   }
   void steps(int count) {
-    for (int n = 0; n < count; ++n) step(ice_->step_limit(rates_).dt);
+    for (int n = 0; n < count; ++n) step(limit().dt);
   }
+  // Of the next step.
+  StepLimit limit() const { return ice_->step_limit(rates_); }
   // Tries again with masked slopes, then with half the step, as a run does.
   void step(double dt) {
     for (int halvings = 0; halvings < 20; ++halvings, dt *= 0.5) {

@@ -273,10 +273,7 @@ class Cells {
     if (cell.count < 2) return;
     const RateConstants x = rate_constants(o_, row_.step());
     for (int n = 0; n < cell.count; ++n) cell.V[n] = V[cell.index[n]];
-    double given[most_materials], inverse_inertia = 1.0 / cell.total;
-    drag_.push(cell, -1.0, given);
-    for (int n = 0; n < cell.count; ++n) inverse_inertia += cell.V[n] * (given[n] / cell.M[n]);
-    const double sound = std::sqrt(row_(h_.end, 1)[i] * larger(inverse_inertia, 1.0 / cell.total));
+    const double sound = std::sqrt(row_(h_.end, 1)[i] * drag_.inverse_inertia(cell));
     for (int n = 0; n < cell.count; ++n) {
       const Out slip = h_.slip_new[static_cast<std::size_t>(cell.index[n])];
       double deck = 0, flow = 0, fastest = 0, sum = 0;
