@@ -1,7 +1,9 @@
-// Models of friction and exchange in mixtures on levels that move: what is kept.
+// Models of friction and exchange in mixtures on levels that move: what is kept, and that like
+// gases are one gas.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "verification/amr_case.hpp"
 
@@ -39,6 +41,37 @@ Overrides slip() {
           exchange("Model/thermal_accommodation_coeff", "0.4")};
 }
 
+Overrides turbulence(const char* model) {
+  return {std::string("CFD/ICE/turbulence/@model=") + model,
+          "CFD/ICE/turbulence/model_constant=0.3"};
+}
+// Of both materials.
+Overrides viscosity_model(const std::vector<std::pair<const char*, const char*>>& tags) {
+  Overrides all;
+  for (const int m : {1, 2})
+    for (const auto& [tag, value] : tags)
+      all.push_back(material(m, std::string("dynamicViscosityModels/Model/") + tag, value));
+  return all;
+}
+// mu = a sqrt(T)/(1 + b/T)
+Overrides sutherland(const char* a, const char* b) {
+  return viscosity_model({{"@name", "Sutherland"}, {"a", a}, {"b", b}});
+}
+Overrides sponge(const char* viscosity) {
+  return viscosity_model({{"@name", "SpongeLayer"},
+                          {"maxDynamicViscosity", viscosity},
+                          {"box/min", "[0.2,0.5,-9]"},
+                          {"box/max", "[0.6,0.9,9]"}});
+}
+Overrides rough_wall() {
+  return {"CFD/ICE/wallShearStress/@model=logLawModel", "CFD/ICE/wallShearStress/domainFace=y-",
+          "CFD/ICE/wallShearStress/roughnessConstant=0.001"};
+}
+Overrides film() {
+  return {exchange("do_convective_heat_transfer", "true"), exchange("convective_fluid", "1"),
+          exchange("convective_solid", "0")};
+}
+
 struct Case {
   const char* name;
   const char* deck;
@@ -66,6 +99,19 @@ TEST_P(ModelsOnLevels, KeepMassesMomentumAndEnergy) {
 }
 
 const Case cases[] = {
+    {"Smagorinsky", "amr_water_cylinder", both(rubbing(), turbulence("Smagorinsky"))},
+    {"Germano", "amr_water_cylinder", both(rubbing(), turbulence("Germano"))},
+    {"GermanoFree", "amr_water_cylinder",
+     both(rubbing(), both(turbulence("Germano"), {drag("10")}))},
+    {"Sutherland", "amr_water_cylinder", both(rubbing(), sutherland("0.02", "100"))},
+    {"SutherlandFree", "amr_water_cylinder",
+     both(rubbing(), both(sutherland("0.02", "100"), {drag("0")}))},
+    {"Sponge", "amr_water_cylinder", both(rubbing(), sponge("20"))},
+    {"SpongeFree", "amr_water_cylinder", both(rubbing(), both(sponge("20"), {drag("0")}))},
+    {"Film", "amr_water_cylinder", both(rubbing(), film())},
+    {"FilmFree", "amr_water_cylinder", both(rubbing(), both(film(), {drag("1e3")}))},
+    {"WallLaw", "amr_like_gases", both(turbulence("Smagorinsky"), rough_wall())},
+    {"WallLawFree", "amr_like_gases", both(rough_wall(), {drag("0"), "Time/maxTime=0.2"})},
     {"SlipOfOne", "amr_water_cylinder", both(rubbing(), slip())},
     {"SlipOfFree", "amr_water_cylinder", both(rubbing(), both(slip(), {drag("0")}))},
     {"SlipOfDragged", "amr_water_cylinder", both(rubbing(), both(slip(), {drag("1e6")}))},
@@ -74,6 +120,67 @@ const Case cases[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, ModelsOnLevels, testing::ValuesIn(cases),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+// Like gases: what stands for a mixture stands for one gas.
+double distance(const std::vector<LevelCell>& a, const std::vector<LevelCell>& b) {
+  double most = a.size() == b.size() ? 0 : INFINITY;
+  for (std::size_t n = 0; n < a.size() && most < INFINITY; ++n)
+    most = std::fmax(most, a[n].level == b[n].level && a[n].cell == b[n].cell
+                               ? std::fabs(a[n].value - b[n].value)
+                               : INFINITY);
+  return most;
+}
+
+struct Model {
+  const char* name;
+  Overrides overrides;
+};
+class LikeGasesOnLevels : public testing::TestWithParam<Model> {};
+
+TEST_P(LikeGasesOnLevels, AreOneGas) {
+  constexpr double round_off = 1e-12, acts = 1e-4;
+  Overrides one_gas;
+  for (const int m : {1, 2})
+    for (const int object : {1, 2})
+      one_gas.push_back(material(m, "geom_object[" + std::to_string(object) + "]/volumeFraction",
+                                 m == 1 ? "1" : "0"));
+  // Mixtures copy coarse values where a level begins: so does the one gas.
+  const Overrides copied = {"AMR/ICE/orderOfInterpolation=0", "Time/maxTime=0.25"};
+  const auto run_with = [&](const Overrides& more) {
+    return CaseRun("amr_like_gases", both(copied, more));
+  };
+  const CaseRun one = run_with(both(GetParam().overrides, one_gas)), plain = run_with(one_gas);
+  EXPECT_GT(regrids(one), 0);
+  const CellValues with = one.field("vel_CC"), without = plain.field("vel_CC");
+  double effect = 0;
+  for (std::size_t n = 0; n < with.values.size(); ++n)
+    effect = std::fmax(effect, std::fabs(with.values[n] - without.values[n]));
+  EXPECT_GT(effect, acts);
+  for (const char* K : {"1e15", "1e4", "0"}) {
+    const CaseRun two = run_with(both(GetParam().overrides, {drag(K)}));
+    double worst = 0;
+    for (const int m : {0, 1})
+      for (const auto& [variable, component] :
+           {std::pair{"vel_CC", 0}, {"vel_CC", 1}, {"temp_CC", 0}})
+        worst = std::fmax(worst, distance(level_cells(one, variable, component),
+                                          level_cells(two, variable, component, "last", m)));
+    std::printf("%s, K = %s: %.1e, effect %.1e\n", GetParam().name, K, worst, effect);
+    record(std::string("distance_") + K, worst);
+    EXPECT_LE(worst, round_off) << K;
+  }
+}
+
+const Model models[] = {
+    {"Smagorinsky", turbulence("Smagorinsky")},
+    {"Germano", turbulence("Germano")},
+    {"Sutherland", sutherland("0.003", "1")},
+    {"Sponge", sponge("0.02")},
+    {"WallLaw", both(turbulence("Smagorinsky"), rough_wall())},
+    {"All", both(both(turbulence("Germano"), sutherland("0.0003", "1")), rough_wall())},
+};
+
+INSTANTIATE_TEST_SUITE_P(With, LikeGasesOnLevels, testing::ValuesIn(models),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -259,9 +259,10 @@ std::vector<SlotInfo> Ice::state_slots() const {
   // from faces of its neighbours, and interfaces are looked for around cells.
   const int waves = boundary_.front()->wave_directions();
   const int aside = waves + std::max(waves - 1, 0) + (ice_.conditions.slip ? 1 : 0);
-  const bool twice = (ice_.turbulence && ice_.turbulence->dynamic) || options_.own_velocities;
-  const int ghosts =
-      (options_.classic ? classic_ghost_layers(options_) : 3) + aside + (twice ? 2 : 0);
+  // Their friction follows what the dynamic model has filtered.
+  const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
+  const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
+  const int ghosts = (options_.classic ? classic_ghost_layers(options_) : 3) + aside + around;
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});

@@ -35,8 +35,8 @@ double falling(double x, double a, double b) {
   return x <= a ? 1.0 : x < b ? (b - x) / (b - a) : 0.0;
 }
 
-// `act`(`along`, values) on what is along the surface, direction by direction, and on what is across
-// it; on each direction as it is where there is none.
+// `act`(`along`, values) on what is along the surface, direction by direction, and on what is
+// across it; on each direction as it is where there is none.
 template <class Act>
 void split(const DragCell& cell, int directions, ByMaterial* w, Act act) {
   if (!(cell.surface > 0.0)) {

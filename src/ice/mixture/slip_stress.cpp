@@ -5,8 +5,8 @@
 // V_m mu_m of both cells, mu: that of the mixture. What is no material's own, of eddies and between
 // fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace
 // with little mass takes the friction that it can bear in a step. Absent without friction.
-// Where a gas slips along a surface (surface.hpp), friction and slip act one after the other in what
-// touches it, t_c (mu - sum mu_m)/mu; what of it cells take is theirs (drag.hpp).
+// Where a gas slips along a surface (surface.hpp), friction and slip act one after the other in
+// what touches it, t_c (mu - sum mu_m)/mu; what of it cells take is theirs (drag.hpp).
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -165,8 +165,8 @@ Transport slipping(double accommodation) {
   };
   return t;
 }
-// A drop of water with an edge that cells share, air that blows along it and behind a shock, a heavy
-// gas above.
+// A drop of water with an edge that cells share, air that blows along it and behind a shock, a
+// heavy gas above.
 std::function<MixtureCell(Vec3)> windy(double way) {
   return [way](Vec3 x) {
     const double s = way * x.x, r = std::hypot(s - .05, x.y + .1);
