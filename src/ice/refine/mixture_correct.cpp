@@ -4,8 +4,9 @@
 //   E' = E + dE + p (W - V') + r M'/rho'
 // with p the cell's pressure (what a volume given or taken at the face works) and r what makes the
 // total energy right: by mass, as the dissipation of a step. A material of which nothing is left
-// leaves its energy to r. With velocities of their own, dP_m what passes with the material, u the
-// mixture's velocity, w_m = S_m/M_m and a cell that had the material,
+// leaves its energy to r; one that V + dV would press tenfold keeps its density. With velocities of
+// their own, dP_m what passes with the material, u the mixture's velocity, w_m = S_m/M_m and a cell
+// that had the material,
 //   w_m' = w_m + (dP_m - (u + w_m) dM_m)/max(M_m', M_m/2)
 //   S_m' = M_m' (w_m' - sum M_n' w_n'/rho')
 // what is left of a material takes no velocity from what went. One that comes new brings its own,
@@ -141,6 +142,7 @@ class MixtureCorrector {
       now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
       const bool little = now_[m].M < least_kept_by_corrections * s.M;
       if (little && !nothing_left(m)) keep_state(m);
+      keep_density(m);
       if (nothing_left(m))
         now_[m] = {};
       else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))
@@ -183,6 +185,14 @@ class MixtureCorrector {
     const double share = now_[m].M / part_[m].M;
     now_[m].V = share * part_[m].V;
     now_[m].E = share * part_[m].E;
+  }
+
+  // What came as vapour of a cavity and was crushed since has less volume than what goes back:
+  // volumes follow masses where their difference would press a material tenfold.
+  void keep_density(std::size_t m) {
+    if (!(part_[m].M > 0.0 && now_[m].M > 0.0)) return;
+    const double whole = part_[m].V * (now_[m].M / part_[m].M);
+    if (now_[m].V < least_kept_by_corrections * whole) now_[m].V = whole;
   }
 
   // Slip in the frame of the mixture before.
