@@ -213,6 +213,7 @@ inline void read_transport(TaskBuilder& task, const SchemeVariables& v, const Sc
 
 template <int D>
 void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
+  if (!row.step().rates) return;
   const RateConstants x = rate_constants(o, row.step());
   if (const eos::IdealGas* gas = o.fluid.ideal()) {
     rate_row<D>(row, h, x, [gas = *gas, r = row(h.rho), E = row(h.energy)](int i) {
@@ -230,6 +231,7 @@ void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) 
 template <int D>
 void rates_of_mixture(const Row& row, const RateHandles& h, const SchemeOptions& o,
                       const double* modulus) {
+  if (!row.step().rates) return;
   const RateConstants x = rate_constants(o, row.step());
   rate_row<D>(row, h, x, [modulus](int i) { return modulus[i]; });
   other_rates_of_row<D>(row, h, o, x);

@@ -122,13 +122,14 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope) {
   const auto n = static_cast<std::size_t>(l);
   LevelSolver& solver = level(l);
   if (joints_[n] != nullptr) joints_[n]->fluxes.clear();
-  bool last = true;
+  bool last = true;  // substep of the coarse step: its outputs and rates are asked for
   for (const StepScope* s = &scope; s != nullptr; s = s->coarser)
     last = last && s->substep + 1 == s->substeps;
   const std::vector<Label> none;
   const RunControl* control = l == 0 ? control_ : nullptr;
   for (int masked = 0;; ++masked) {
-    const StepAttempt& a = solver.attempt(scope.time, scope.dt, last ? *wanted_ : none, control);
+    const StepAttempt& a =
+        solver.attempt(scope.time, scope.dt, last ? *wanted_ : none, control, last);
     if (l == 0) result_.control = a.control;
     if (a.faults == 0) break;
     if (masked == 0) result_.unsound = solver.unsound_start();
@@ -148,7 +149,7 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope) {
   }
   const StepAttempt& a = solver.attempt_result();
   for (std::size_t s = 0; s < a.sums.size(); ++s) result_.sums[s] += a.sums[s];
-  maxima_[n] = a.maxima;
+  if (last) maxima_[n] = a.maxima;
   solver.advance();
   ends_[n] = scope.time + scope.dt;
   if (l > 0) {

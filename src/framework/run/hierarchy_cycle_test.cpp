@@ -160,6 +160,25 @@ TEST_F(Cycle, TheStepIsTheLeastOverLevelsTimesTheirSubsteps) {
   }
 }
 
+// The others would be measured in vain.
+TEST_F(Cycle, RatesAreMeasuredInTheLastSubstepOnly) {
+  Wishes w;
+  std::array<int, 3> asked{};
+  w.rate = [&](int l) {
+    ++asked[static_cast<std::size_t>(l)];
+    return 1.0;
+  };
+  LevelRun run(nested({2, 4}), w);
+  asked = {};
+  ASSERT_TRUE(run.attempt(0.125));
+  const std::array<int, 3> once = asked;
+  for (int l = 0; l < 3; ++l) {  // once a row
+    int rows = 0;
+    for (const GridBox& b : run.hierarchy.level(l).level().boxes) rows += b.cells.size().y;
+    EXPECT_EQ(once[static_cast<std::size_t>(l)], rows) << l;
+  }
+}
+
 TEST_F(Cycle, LabelsOfAStepAreThoseOfTheLastSubstep) {
   Wishes w;
   const Label stamp = mock_labels().stamp;

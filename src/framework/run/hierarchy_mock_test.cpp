@@ -179,7 +179,7 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
       if (coverage == nullptr || !coverage->is_covered(row.box(), cell))
         row.reductions().sum(0).add(gain * volume);
     }
-    row.reductions().maximum(0, ordered_bits(rate_on(step.level)));
+    if (step.rates) row.reductions().maximum(0, ordered_bits(rate_on(step.level)));
   });
 }
 

@@ -239,14 +239,14 @@ void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>
 }
 
 const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vector<Label>& wanted,
-                                        const RunControl* control) {
+                                        const RunControl* control, bool rates) {
   std::vector<Label> stored = options_.force_all ? step_labels_ : wanted;
   std::sort(stored.begin(), stored.end());
   if (advanced_ == 1 && options_.substeps > 1 && !start_kept_) {
     next_.swap(start_);
     start_kept_ = true;
   }
-  const StepConstants step{time, dt, level_.spacing, level_.index};
+  const StepConstants step{time, dt, level_.spacing, level_.index, rates || options_.force_all};
   last_ = variant(masked_, stored).executor->run(step);
   reduce(last_, control);
   return attempt_;

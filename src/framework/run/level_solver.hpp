@@ -84,9 +84,9 @@ class LevelSolver {
     state_.forget();
   }
   // One attempt at a step from the current state; ghosts must be filled. Step labels in `wanted`
-  // are stored in outputs().
+  // are stored in outputs(). Without `rates` the maxima mean nothing.
   const StepAttempt& attempt(double time, double dt, const std::vector<Label>& wanted,
-                             const RunControl* control);
+                             const RunControl* control, bool rates = true);
   const StepAttempt& attempt_result() const { return attempt_; }
   // The last attempt becomes the current state; masks are forgotten.
   void advance();

@@ -206,14 +206,24 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
   }
 }
 
-// In two dimensions what the pieces before lack lies at the two ends of the row.
+// The widest piece first: of boxes that tiles leave it mostly holds what the others want. In two
+// dimensions what it lacks lies at the two ends of the row.
 void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last, int plane,
                            Row& row) {
-  Window done = window(task, first);
-  choose(task, first, row);
-  run_plane(task, done, plane, row);
-  for (std::size_t n = first + 1; n < last; ++n) {
+  const auto width = [&](std::size_t n) {
+    return window(task, n).high[0] - window(task, n).low[0];
+  };
+  std::size_t widest = first;
+  for (std::size_t n = first + 1; n < last; ++n)
+    if (width(n) > width(widest)) widest = n;
+  Window done = window(task, widest);
+  choose(task, widest, row);
+  run_plane(task, done, plane, row, true);  // what it leaves beyond is computed after it
+  for (std::size_t n = first; n < last; ++n) {
+    if (n == widest) continue;
     Window part = window(task, n);
+    if (plan_->axes.count < 3 && part.low[0] >= done.low[0] && part.high[0] <= done.high[0])
+      continue;
     choose(task, n, row);
     if (plan_->axes.count == 3) {
       run_plane(task, part, plane, row);

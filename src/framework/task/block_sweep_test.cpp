@@ -196,6 +196,35 @@ TEST(BlockSweep, AStackComputesSharedPlanesOnce) {
   EXPECT_EQ(executor.blocks_run(), 4);
 }
 
+// Where a narrow box lies below a wide one, the wide one's rows hold what the narrow one wants.
+TEST(BlockSweep, AStackOfUnequalBoxesComputesTheWidestRows) {
+  Level level = level_of({24, 12, 1});
+  level.boxes = {{{{8, 0, 0}, {16, 6, 1}}, 0, 0}, {{{4, 6, 0}, {20, 12, 1}}, 0, 1}};
+  TaskList list;
+  const VariableId old = list.old_state(test_label(1), 0, 1),
+                   now = list.new_state(test_label(1), 0, 1);
+  const VariableId slope = list.temporary("slope");
+  std::vector<int> counts;
+  TaskBuilder slopes = list.task("slopes", 0);
+  slopes.read(old);
+  slopes.write(slope);
+  slopes.kernel([&counts](const Row& row) { counts.push_back(row.count()); });
+  TaskBuilder update = list.task("update", 0);
+  update.read(slope, Stencil::along(1, 1, 1));
+  update.write(now);
+  update.kernel([](const Row&) {});
+  Warehouse before(level, 0), after(level, 0);
+  before.add({test_label(1), 0, 1, 1});
+  after.add({test_label(1), 0, 1, 0});
+  SweepExecutor executor(list, plan_sweep(list, {0, 1}, axes_of(level)), level, {});
+  executor.bind(before, after, nullptr);
+  executor.run({});
+  // Rows -1 to 4 of the low box, 5 to 12 of the high one.
+  std::vector<int> expected(6, 8);
+  expected.insert(expected.end(), 8, 16);
+  EXPECT_EQ(counts, expected);
+}
+
 // A kernel is told where its row lies, on which level and in which step.
 TEST(BlockSweep, RowsKnowTheirPlace) {
   const Level level = level_of({4, 3, 2}, {1, 1, 1}, {10, 20, 30});

@@ -10,11 +10,16 @@ namespace sluice {
 IntVec3 default_block(const Level& level) {
   // Measured best: long rows, and as few recomputed ghosts as the cache allows. By active axes.
   constexpr int extents[3][3] = {{512, 1, 1}, {256, 64, 1}, {128, 48, 128}};
+  constexpr int flat_row = 448;  // of a finer level: its boxes are low, and hardly any part sleeps
   IntVec3 b = level.domain.size();
   int axis = 0;
   for (int d = 0; d < 3; ++d)
     if (level.active[static_cast<std::size_t>(d)])
       b[d] = std::min(b[d], extents[level.active_count() - 1][axis++]);
+  if (level.index > 0 && level.active_count() == 2) {
+    const int d = level.active[0] ? 0 : 1;
+    b[d] = std::min(level.domain.size()[d], flat_row);
+  }
   return b;
 }
 

@@ -65,6 +65,18 @@ TEST(PlaceBlocks, TheDefaultFitsTheLevel) {
   }
 }
 
+// Boxes of a finer level are low and wide: their rows are kept whole where the cache allows.
+TEST(PlaceBlocks, RowsOfFinerLevelsAreLonger) {
+  Level level = level_of({1024, 1024, 1});
+  EXPECT_EQ(default_block(level).x, 256);
+  level.index = 1;
+  EXPECT_GT(default_block(level).x, 256);
+  Level three = level_of({256, 256, 256});
+  const IntVec3 block = default_block(three);
+  three.index = 1;
+  EXPECT_EQ(default_block(three), block);
+}
+
 // Diffusion with an upwind part; keeps uniform states as they are. Reduces the largest value, the
 // sum of what crosses the low x boundary, and a fault wherever a value exceeds 2.5.
 struct Diffusion {

@@ -103,6 +103,7 @@ void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o) {
 }
 
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion) {
+  if (!row.step().rates) return;
   MaterialRows state;
   for (std::size_t m = 0; m < h.state.size(); ++m) {
     state.mass[m] = row(h.state[m].mass_new);
