@@ -1,6 +1,6 @@
 // Scalars where levels meet.
 //
-// Scalars that are carried by volume are prolonged with the flow (refine/prolong.cpp), others so:
+// Scalars that are carried by volume are prolonged with the flow (refine/prolonger.hpp), others so:
 //   prolong    q_f = q + a (s.x_f - w),  s = L3 of the coarse values, w = <rho_f s.x_f>/<rho_f>,
 //              a the largest share that keeps all fine cells between the coarse ones around
 //   restrict   q = r + <M_f (q_f - r)>/M,  r = <q_f>: uniform scalars keep their bits
