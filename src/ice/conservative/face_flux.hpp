@@ -81,41 +81,79 @@ inline CarriedApart carried_apart(const Row& row, const FaceFluxHandles& h, cons
   return sum;
 }
 
-// The low (shift 0) or high (shift 1) face of cell i of the row.
+// The low (shift 0) or high (shift 1) faces of the cells of a row. What is the same for all of them
+// is found once.
+class FaceFluxRows {
+ public:
+  FaceFluxRows(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+               int shift)
+      : row_(&row),
+        h_(&h),
+        o_(&o),
+        axis_(axis),
+        shift_(shift),
+        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {
+    const auto faces = [&](In in, int c = 0) { return row(in, c, axis, shift); };
+    mass_ = faces(h.flux, 0);
+    energy_ = faces(h.flux, 1);
+    velocity_ = faces(h.face_velocity);
+    pressure_ = faces(h.face_pressure);
+    if (o.conducting) heat_ = faces(h.heat_flux);
+    for (int c = 0; c < o.components; ++c) {
+      carried_[c] = faces(h.flux, 2 + c);
+      if (o.viscous) stress_[c] = faces(h.stress, c);
+    }
+  }
+
+  // Of cell i.
+  FaceFlux operator()(int i) const {
+    const SchemeOptions& o = *o_;
+    const double F = mass_[i], pf = pressure_[i];
+    FaceFlux flux;
+    flux.mass = F;
+    double FU2 = 0, friction = 0;
+    const bool apart =
+        o.own_velocities && o.mixture && alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
+    for (int c = 0; c < o.components; ++c) {
+      // The flux holds U, or F U in the classic form.
+      const double carried = carried_[c][i];
+      double FU = o.classic ? carried : F * carried;
+      const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
+      if (apart) {
+        const CarriedApart sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
+        FU = sum.momentum;
+        FU2 += sum.square;
+      } else {
+        FU2 += FU * U;
+      }
+      double impulse = c == axis_ ? l_ * pf : 0.0;
+      if (o.viscous) {
+        const double t = stress_[c][i];
+        impulse -= l_ * t;
+        friction += l_ * t * rubbed_velocity(*row_, *h_, o, axis_, shift_, i, c);
+      }
+      flux.impulse[c] = impulse;
+      flux.momentum[c] = FU + impulse;
+    }
+    flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
+    if (o.conducting) flux.energy += l_ * heat_[i];
+    return flux;
+  }
+
+ private:
+  const Row* row_;
+  const FaceFluxHandles* h_;
+  const SchemeOptions* o_;
+  int axis_, shift_;
+  double l_;
+  const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr;
+  const double *carried_[3] = {}, *stress_[3] = {};
+};
+
+// Of one face.
 inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                           int axis, int shift, int i) {
-  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
-  auto face = [&](In in, int c = 0) { return row(in, c, axis, shift)[i]; };
-  const double F = face(h.flux, 0), G = face(h.flux, 1);
-  const double uf = face(h.face_velocity), pf = face(h.face_pressure);
-  FaceFlux flux;
-  flux.mass = F;
-  double FU2 = 0, friction = 0;
-  const bool apart = o.own_velocities && o.mixture && alone_at_face(row, h, o, axis, shift, i) < 0;
-  for (int c = 0; c < o.components; ++c) {
-    // The flux holds U, or F U in the classic form.
-    const double carried = face(h.flux, 2 + c);
-    double FU = o.classic ? carried : F * carried;
-    const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
-    if (apart) {
-      const CarriedApart sum = carried_apart(row, h, o, axis, shift, i, c);
-      FU = sum.momentum;
-      FU2 += sum.square;
-    } else {
-      FU2 += FU * U;
-    }
-    double impulse = c == axis ? l * pf : 0.0;
-    if (o.viscous) {
-      const double t = face(h.stress, c);
-      impulse -= l * t;
-      friction += l * t * rubbed_velocity(row, h, o, axis, shift, i, c);
-    }
-    flux.impulse[c] = impulse;
-    flux.momentum[c] = FU + impulse;
-  }
-  flux.energy = l * pf * uf + 0.5 * FU2 + G - friction;
-  if (o.conducting) flux.energy += l * face(h.heat_flux);
-  return flux;
+  return FaceFluxRows(row, h, o, axis, shift)(i);
 }
 
 // What passes of one material, per volume of a cell: volume, mass, energy (with its share of the

@@ -4,6 +4,9 @@
 // mass of each, momentum, the energy and the volume of each, total energy. Then of each scalar its
 // amount, mass times value and what spreads. Classic form: what it balances itself, mass, momentum
 // and the internal energy that is advected. Absent with one level.
+#include <array>
+#include <optional>
+
 #include "framework/refine/face_table.hpp"
 #include "ice/conservative/face_flux.hpp"
 
@@ -44,16 +47,17 @@ double scalar_flux(const Row& row, const ScalarHandles& h, std::size_t scalar, i
   return h.spread.index < 0 ? carried : carried + face(h.spread, place);
 }
 
-void record_segment(const Row& row, const FaceFluxHandles& h, const ScalarHandles& scalars,
-                    const SchemeOptions& o, int axis, const FaceTable::Segment& s,
-                    FaceTable& table) {
+// `rows`: of the faces of the segment, `next` cells on.
+void record_segment(const Row& row, const FaceFluxRows& rows, int next, const FaceFluxHandles& h,
+                    const ScalarHandles& scalars, const SchemeOptions& o, int axis,
+                    const FaceTable::Segment& s, FaceTable& table) {
   const int start = s.first - row.cell()[o.axes.direction[0]];
   const int shift = s.high ? 1 : 0;
   const int materials = static_cast<int>(o.fluids.size());
   const auto value = [&](int q, int n) -> double& { return table.values(q)[s.slot + n]; };
   for (int n = 0; n < s.count; ++n) {
     const int i = start + n;
-    const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
+    const FaceFlux flux = rows(i + next);
     const int momentum = materials, energies = momentum + o.components;
     const int apart = o.own_velocities ? materials * o.components : 0;
     const int amounts = energies + (materials == 1 ? 1 : 2 * materials + 1 + apart);
@@ -84,6 +88,7 @@ void record_segment(const Row& row, const FaceFluxHandles& h, const ScalarHandle
 void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& scalars,
                 const SchemeOptions& o, int axis, FaceTable* table) {
   if (table == nullptr || table->empty()) return;
+  std::array<std::optional<FaceFluxRows>, 2> rows;  // low and high ones
   for (const FaceTable::Segment& s : table->segments(row.box(), axis, row.cell())) {
     // A row is the part of a box's row that one block holds.
     const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
@@ -91,7 +96,12 @@ void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& s
     here.first = s.first > low ? s.first : low;
     here.count = (s.first + s.count < high ? s.first + s.count : high) - here.first;
     here.slot += here.first - s.first;
-    if (here.count > 0) record_segment(row, h, scalars, o, axis, here, *table);
+    if (here.count <= 0) continue;
+    // Along the row the high face of a cell is the low one of the next.
+    const int shift = s.high ? 1 : 0, next = axis == 0 ? shift : 0;
+    auto& faces = rows[static_cast<std::size_t>(shift - next)];
+    if (!faces) faces.emplace(row, h, o, axis, shift - next);
+    record_segment(row, *faces, next, h, scalars, o, axis, here, *table);
   }
 }
 

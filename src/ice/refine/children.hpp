@@ -17,8 +17,11 @@ namespace sluice::ice {
 // to[i] = from[i * step].
 inline void copy_strided(const double* __restrict from, std::ptrdiff_t step, int n,
                          double* __restrict to) {
-  if (step == 2)  // known when it is compiled: vectors are loaded and sorted
+  // Known when it is compiled: vectors are loaded and sorted.
+  if (step == 2)
     for (int i = 0; i < n; ++i) to[i] = from[2 * i];
+  else if (step == 4)
+    for (int i = 0; i < n; ++i) to[i] = from[4 * i];
   else
     for (int i = 0; i < n; ++i) to[i] = from[i * step];
 }
@@ -64,23 +67,35 @@ class Children {
     }
   }
 
-  // rows[0] = mean of the rows of all children, over n cells; the other rows are lost.
+  // rows[0] = mean of the values of all children, over n cells; the other rows are lost. `values`
+  // may be `rows`.
   template <int Width>
-  void mean(double (*rows)[Width], int n) const {
+  void mean(const double (*values)[Width], double (*rows)[Width], int n) const {
+    const auto part = [&](int child, bool summed) -> const double* {
+      return summed ? rows[child] : values[child];
+    };
     for (int s = 0; s < sums_; ++s) {
-      double* __restrict to = rows[sum_[static_cast<std::size_t>(s)].to];
-      const double* __restrict from = rows[sum_[static_cast<std::size_t>(s)].from];
+      const Sum& sum = sum_[static_cast<std::size_t>(s)];
+      const double *a = part(sum.to, sum.to_is_sum), *b = part(sum.from, sum.from_is_sum);
+      double* to = rows[sum.to];
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) to[i] += from[i];
+      for (int i = 0; i < n; ++i) to[i] = a[i] + b[i];
     }
     const double share = 1.0 / count();
+    const double* all = part(0, sums_ > 0);
     double* to = rows[0];
-    for (int i = 0; i < n; ++i) to[i] *= share;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) to[i] = all[i] * share;
+  }
+  template <int Width>
+  void mean(double (*rows)[Width], int n) const {
+    mean(rows, rows, n);
   }
 
  private:
   struct Sum {
     std::uint8_t to, from;
+    bool to_is_sum, from_is_sum;  // of an earlier one; else of children
   };
   int child(const std::array<int, 3>& place) const {
     return place[0] + ratio_[0] * (place[1] + ratio_[1] * place[2]);

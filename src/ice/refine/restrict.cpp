@@ -26,9 +26,7 @@ class Restrictor {
     double mean[quantities][width];
     for (int q = 0; q < quantities; ++q) {
       gather(q, batch);
-      for (int child = 0; child < children_.count(); ++child)
-        std::copy_n(values_[q][child], n, rows_[child]);
-      children_.mean(rows_, n);
+      children_.mean(values_[q], rows_, n);
       std::copy_n(rows_[0], n, mean[q]);
     }
     add_heat(mean, n);
