@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "ice/diagnostics.hpp"
@@ -72,11 +73,11 @@ void check_variable(const DeckNode& node, std::string_view attribute, int count,
   if (!listed(usable_variables(), *name))
     faults.push_back(refusal(node, *name));
   else if (count < 2 && constant(*name))
-    faults.push_back({Severity::warning, node.where,
-                      fmt::format("<{}>: {} is the same in all cells of this deck; the criterion "
-                                  "never asks for a finer level",
-                                  node.name, *name),
-                      "remove it"});
+    add_warning(faults, node.where,
+                fmt::format("<{}>: {} is the same in all cells of this deck; the criterion "
+                            "never asks for a finer level",
+                            node.name, *name),
+                "remove it");
 }
 
 void check_material(const DeckNode& node, int count, std::vector<Fault>& faults) {
@@ -84,10 +85,10 @@ void check_material(const DeckNode& node, int count, std::vector<Fault>& faults)
   if (text == "all" || count == 0) return;
   const auto index = parse_integer(text);
   if (index && *index.value >= 0 && *index.value < count) return;
-  faults.push_back({Severity::error, node.where,
-                    fmt::format("<{}>: there is no material {}: the deck has {}, counted from 0",
-                                node.name, text, count),
-                    "write an index or all"});
+  add_error(faults, node.where,
+            fmt::format("<{}>: there is no material {}: the deck has {}, counted from 0", node.name,
+                        text, count),
+            "write an index or all");
 }
 
 }  // namespace

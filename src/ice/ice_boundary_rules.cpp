@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "ice/ice_schema.hpp"
@@ -19,11 +20,6 @@ const std::vector<std::string> labels = {"Pressure", "Density",     "Temperature
 constexpr std::array<const char*, 4> needed = {"Pressure", "Velocity", "Temperature", "Density"};
 constexpr std::array<const char*, 6> shape_names = {"side",    "circle",    "annulus",
                                                     "ellipse", "rectangle", "rectangulus"};
-
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
 
 // "side x-", "circle y+": how a face is called in messages.
 std::string face_name(const DeckNode& face) {
@@ -59,39 +55,38 @@ void check_label(const DeckNode& face, const DeckNode& condition,
   if (!label || is_label(*label) || is_listed(scalars, *label)) return;
   if (all_models_built && is_scalar(*label)) {
     // Decks keep such conditions when their model is taken out.
-    faults.push_back({Severity::warning, condition.where,
-                      fmt::format("no model of the deck has the scalar of {} on {}: no effect",
-                                  in_quotes(*label), face_name(face)),
-                      suggest_name(*label, scalars)});
+    add_warning(faults, condition.where,
+                fmt::format("no model of the deck has the scalar of {} on {}: no effect",
+                            in_quotes(*label), face_name(face)),
+                suggest_name(*label, scalars));
     return;
   }
   const bool of_models = is_scalar(*label) || *label == "Phi";
   if (of_models) {
-    fault(faults, condition,
-          fmt::format("boundary variable {} on {} is known to the format, but not built yet",
-                      in_quotes(*label), face_name(face)));
-    faults.back().not_built = true;
+    add_not_built(faults, condition.where,
+                  fmt::format("boundary variable {} on {}", in_quotes(*label), face_name(face)));
     return;
   }
-  fault(faults, condition,
-        fmt::format("there is no boundary variable {} on {}", in_quotes(*label), face_name(face)),
-        suggest_name(*label, labels));
+  add_error(
+      faults, condition.where,
+      fmt::format("there is no boundary variable {} on {}", in_quotes(*label), face_name(face)),
+      suggest_name(*label, labels));
 }
 
 void check_kind(const DeckNode& face, const DeckNode& condition, std::vector<Fault>& faults) {
   const std::string label = condition.attribute("label").value_or("");
   const std::string kind = condition.attribute("var").value_or("");
   if (kind == "computeFromDensity" && label != "SpecificVol") {
-    fault(faults, condition,
-          fmt::format("computeFromDensity on {} is for SpecificVol only, not for {}",
-                      face_name(face), label));
+    add_error(faults, condition.where,
+              fmt::format("computeFromDensity on {} is for SpecificVol only, not for {}",
+                          face_name(face), label));
   }
   const bool symmetric_label = label == "Symmetric";
   const bool built = kind == "symmetry" || kind == "Dirichlet" || kind == "Neumann";
   if (built && symmetric_label != (kind == "symmetry")) {
-    fault(faults, condition,
-          fmt::format("label {} with var {} on {}: Symmetric and symmetry belong together", label,
-                      kind, face_name(face)));
+    add_error(faults, condition.where,
+              fmt::format("label {} with var {} on {}: Symmetric and symmetry belong together",
+                          label, kind, face_name(face)));
   }
 }
 
@@ -110,27 +105,27 @@ void check_value(const DeckNode& face, const DeckNode& condition,
   const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
   const DeckNode& where = tag != nullptr ? *tag : condition;
   if (!text || text->empty()) {
-    fault(faults, condition,
-          fmt::format("{} {} on {} needs a <value>", kind, label, face_name(face)));
+    add_error(faults, condition.where,
+              fmt::format("{} {} on {} needs a <value>", kind, label, face_name(face)));
     return;
   }
   if (label == "Velocity") {
     const auto vector = parse_vector(*text);
     if (!vector) {
-      fault(faults, where,
-            fmt::format("{} {} on {}: {}", kind, label, face_name(face), vector.problem),
-            "a velocity is a vector, as [0.0, 0.0, 0.0]");
+      add_error(faults, where.where,
+                fmt::format("{} {} on {}: {}", kind, label, face_name(face), vector.problem),
+                "a velocity is a vector, as [0.0, 0.0, 0.0]");
     }
     return;
   }
   const auto number = parse_real(*text);
   if (!number) {
-    fault(faults, where,
-          fmt::format("{} {} on {}: {}", kind, label, face_name(face), number.problem));
+    add_error(faults, where.where,
+              fmt::format("{} {} on {}: {}", kind, label, face_name(face), number.problem));
   } else if (kind == "Dirichlet" && must_be_positive(label) && *number.value <= 0) {
-    fault(faults, where,
-          fmt::format("Dirichlet {} on {} is {}; it must be greater than 0", label, face_name(face),
-                      *number.value));
+    add_error(faults, where.where,
+              fmt::format("Dirichlet {} on {} is {}; it must be greater than 0", label,
+                          face_name(face), *number.value));
   }
 }
 
@@ -139,17 +134,17 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
   const auto id = condition.attribute("id");
   const auto ids = condition.attribute("ids");
   if (!id && !ids && !has_default) {
-    fault(faults, condition,
-          fmt::format("<BCType> on {} does not say for which material", face_name(face)),
-          "add id=\"0\" or id=\"all\", or <DefaultMaterial> in <BoundaryConditions>");
+    add_error(faults, condition.where,
+              fmt::format("<BCType> on {} does not say for which material", face_name(face)),
+              "add id=\"0\" or id=\"all\", or <DefaultMaterial> in <BoundaryConditions>");
   }
   std::vector<int> indices;
   if (id && *id != "all") {
     const auto index = parse_integer(*id);
     if (!index) {
-      fault(faults, condition,
-            fmt::format("id {} on {} is neither a material index nor all", in_quotes(*id),
-                        face_name(face)));
+      add_error(faults, condition.where,
+                fmt::format("id {} on {} is neither a material index nor all", in_quotes(*id),
+                            face_name(face)));
       return;
     }
     indices.push_back(*index.value);
@@ -160,9 +155,9 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
   }
   for (const int index : indices) {
     if (index >= 0 && index < materials) continue;
-    fault(faults, condition,
-          fmt::format("there is no material {} (on {}): the deck has {}, counted from 0", index,
-                      face_name(face), materials));
+    add_error(faults, condition.where,
+              fmt::format("there is no material {} (on {}): the deck has {}, counted from 0", index,
+                          face_name(face), materials));
   }
 }
 
@@ -249,18 +244,19 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
       }
     }
     if (whole.empty()) {
-      fault(faults, conditions == nullptr ? *grid : *conditions,
-            fmt::format("side {} has no boundary conditions", side_names[s]),
-            fmt::format("add <Face side=\"{}\"> with Pressure, Velocity, Temperature, Density, or "
-                        "with Symmetric, or make {} periodic",
-                        side_names[s], direction_names[s / 2]));
+      add_error(
+          faults, (conditions == nullptr ? *grid : *conditions).where,
+          fmt::format("side {} has no boundary conditions", side_names[s]),
+          fmt::format("add <Face side=\"{}\"> with Pressure, Velocity, Temperature, Density, or "
+                      "with Symmetric, or make {} periodic",
+                      side_names[s], direction_names[s / 2]));
       continue;
     }
     const std::string missing = missing_on(whole, materials, scalars);
     if (!missing.empty()) {
-      fault(faults, *whole.front(),
-            fmt::format("side {} has no condition for {}", side_names[s], missing),
-            "every variable needs one, unless Symmetric stands for all");
+      add_error(faults, whole.front()->where,
+                fmt::format("side {} has no condition for {}", side_names[s], missing),
+                "every variable needs one, unless Symmetric stands for all");
     }
   }
   if (conditions == nullptr) return;
@@ -268,8 +264,9 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
     if (face->attribute("side")) continue;
     const std::string missing = missing_on({face}, materials, scalars);
     if (!missing.empty()) {
-      fault(faults, *face, fmt::format("{} has no condition for {}", face_name(*face), missing),
-            "every variable needs one, unless Symmetric stands for all");
+      add_error(faults, face->where,
+                fmt::format("{} has no condition for {}", face_name(*face), missing),
+                "every variable needs one, unless Symmetric stands for all");
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
@@ -20,27 +21,6 @@ namespace {
 // Relative difference from which a written pressure counts as contradicting the state.
 constexpr double pressure_tolerance = 1e-3;
 
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
-
-void not_built(std::vector<Fault>& faults, const DeckNode& node, const std::string& what,
-               std::string suggestion = {}) {
-  fault(faults, node, what + " is known to the format, but not built yet", std::move(suggestion));
-  faults.back().not_built = true;
-}
-
-void warn(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-          std::string suggestion = {}) {
-  faults.push_back({Severity::warning, node.where, std::move(message), std::move(suggestion)});
-}
-
-bool is_true(const DeckNode* parent, std::string_view name) {
-  const DeckNode* child = parent == nullptr ? nullptr : parent->child(name);
-  return child != nullptr && child->text == "true";
-}
-
 std::vector<std::string> material_names(const DeckNode& root) {
   std::vector<std::string> names;
   for (const DeckNode* material : ice_materials(root)) {
@@ -56,20 +36,20 @@ void check_surrounding(const DeckNode& root, const std::vector<const DeckNode*>&
   for (const DeckNode* material : materials)
     if (is_true(material, "isSurroundingMatl")) marked.push_back(material);
   if (marked.size() > 1)
-    fault(faults, *marked[1]->child("isSurroundingMatl"),
-          fmt::format("<isSurroundingMatl> is true for {} materials; it may be for one",
-                      marked.size()),
-          "write false for the others");
+    add_error(faults, marked[1]->child("isSurroundingMatl")->where,
+              fmt::format("<isSurroundingMatl> is true for {} materials; it may be for one",
+                          marked.size()),
+              "write false for the others");
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
   const bool off = balanced != nullptr && balanced->text == "false";
   if (materials.size() < 2 || !marked.empty() || !gravity || *gravity == Vec3{} || off) return;
-  fault(faults, *root.find("PhysicalConstants/gravity"),
-        "<gravity> is not zero, and no material says that its weight makes the hydrostatic "
-        "pressure",
-        "write <isSurroundingMatl>true</isSurroundingMatl> in one material, or "
-        "<applyHydrostaticPressure>false</applyHydrostaticPressure>");
+  add_error(faults, root.find("PhysicalConstants/gravity")->where,
+            "<gravity> is not zero, and no material says that its weight makes the hydrostatic "
+            "pressure",
+            "write <isSurroundingMatl>true</isSurroundingMatl> in one material, or "
+            "<applyHydrostaticPressure>false</applyHydrostaticPressure>");
 }
 
 // Materials named by index in <save> and <analyze>.
@@ -80,9 +60,10 @@ void check_material_indices(const DeckNode& root, int count, std::vector<Fault>&
     if (!set) return;
     for (const IndexInterval& interval : *set.value) {
       if (interval.low >= 0 && interval.high < count) continue;
-      fault(faults, node,
-            fmt::format("<{} {}>: there is no material {}: the deck has {}, counted from 0",
-                        node.name, name, interval.low < 0 ? interval.low : interval.high, count));
+      add_error(
+          faults, node.where,
+          fmt::format("<{} {}>: there is no material {}: the deck has {}, counted from 0",
+                      node.name, name, interval.low < 0 ? interval.low : interval.high, count));
     }
   };
   if (const DeckNode* archiver = root.child("DataArchiver")) {
@@ -110,10 +91,11 @@ void check_saved_levels(const DeckNode& root, std::vector<Fault>& faults) {
     for (const IndexInterval& interval : *set.value) {
       if (interval.low >= -count && interval.high < count) continue;
       const int missing = interval.high < count ? interval.low : interval.high;
-      warn(faults, *save,
-           fmt::format("<save levels>: there is no level {}: the deck has {}, counted from 0",
-                       missing, count),
-           "remove levels to save on all");
+      add_warning(
+          faults, save->where,
+          fmt::format("<save levels>: there is no level {}: the deck has {}, counted from 0",
+                      missing, count),
+          "remove levels to save on all");
     }
   }
 }
@@ -136,11 +118,12 @@ void check_pressure(const ice::Fluid& fluid, const DeckNode& object, std::vector
         "pressure = (gamma - 1) density specific_heat temperature; for {:.6g} "
         "write temperature {:.6g}",
         *pressure, *temperature * *pressure / used);
-  warn(faults, *object.child("pressure"),
-       fmt::format("<pressure> {:.6g} contradicts density and temperature, which give {:.6g}; it "
-                   "is not used",
-                   *pressure, used),
-       advice);
+  add_warning(
+      faults, object.child("pressure")->where,
+      fmt::format("<pressure> {:.6g} contradicts density and temperature, which give {:.6g}; it "
+                  "is not used",
+                  *pressure, used),
+      advice);
 }
 
 // The law leaves no such state: temperature below its cold curve, density beyond its pole.
@@ -150,8 +133,8 @@ void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fa
   if (!density || !temperature || !(*density > 0) || !(*temperature > 0)) return;
   const double rho_e = fluid.energy_from_temperature(*density, *temperature);
   if (fluid.admissible(*density, rho_e)) return;
-  fault(
-      faults, object,
+  add_error(
+      faults, object.where,
       fmt::format("the equation of state has no state with density {:g} and temperature {:g}: "
                   "pressure {:g} (must be above {:g}), sound speed squared must be above 0",
                   *density, *temperature, fluid.pressure(*density, rho_e), fluid.lowest_pressure()),
@@ -182,8 +165,8 @@ void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults) {
       };
       std::erase_if(eos->children, foreign);
       if (dropped.empty()) continue;
-      warn(
-          faults, *eos,
+      add_warning(
+          faults, eos->where,
           fmt::format("{} belong to other equations of state than {}; dropped", dropped, law->type),
           "remove them");
     }
@@ -194,26 +177,28 @@ void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   if (root.find("CFD/ICE") == nullptr) {
     const DeckNode* fluid = root.child("CFD");
-    fault(faults, fluid == nullptr ? root : *fluid, "an ice deck needs the block <CFD><ICE>",
-          "see sluice help CFD/ICE");
+    add_error(faults, (fluid == nullptr ? root : *fluid).where,
+              "an ice deck needs the block <CFD><ICE>", "see sluice help CFD/ICE");
   }
   if (ice_materials(root).empty()) {
     const DeckNode* properties = root.child("MaterialProperties");
-    fault(faults, properties == nullptr ? root : *properties,
-          "an ice deck needs a material in <MaterialProperties><ICE>",
-          "see sluice help MaterialProperties/ICE/material");
+    add_error(faults, (properties == nullptr ? root : *properties).where,
+              "an ice deck needs a material in <MaterialProperties><ICE>",
+              "see sluice help MaterialProperties/ICE/material");
   }
   const DeckNode* constants = root.child("PhysicalConstants");
   if (constants == nullptr) {
-    fault(faults, root, "an ice deck needs <PhysicalConstants> with gravity and reference_pressure",
-          "see sluice help PhysicalConstants");
+    add_error(faults, root.where,
+              "an ice deck needs <PhysicalConstants> with gravity and reference_pressure",
+              "see sluice help PhysicalConstants");
   } else if (constants->child("reference_pressure") == nullptr) {
-    fault(faults, *constants, "an ice deck needs <reference_pressure> in <PhysicalConstants>");
+    add_error(faults, constants->where,
+              "an ice deck needs <reference_pressure> in <PhysicalConstants>");
   }
   const DeckNode* ice = root.find("CFD/ICE");
   if (is_true(ice, "ClampSpecificVolume")) {
-    warn(faults, *ice->child("ClampSpecificVolume"),
-         "<ClampSpecificVolume> has no effect: there are no clamps", "remove it");
+    add_warning(faults, ice->child("ClampSpecificVolume")->where,
+                "<ClampSpecificVolume> has no effect: there are no clamps", "remove it");
   }
 }
 
@@ -223,15 +208,16 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   check_surrounding(root, materials, faults);
   constexpr std::size_t most = ice::mixture::most_materials;
   if (materials.size() > most)
-    fault(faults, *materials[most],
-          fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
-          "join materials of the same law");
+    add_error(faults, materials[most]->where,
+              fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
+              "join materials of the same law");
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
-      warn(faults, *work,
-           "<includeFlowWork> false has no effect: the work of the pressure is part of the energy",
-           "remove it");
+      add_warning(
+          faults, work->where,
+          "<includeFlowWork> false has no effect: the work of the pressure is part of the energy",
+          "remove it");
     }
   }
   check_material_indices(root, static_cast<int>(materials.size()), faults);
@@ -243,13 +229,14 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   for (const DeckNode* module : analysis->all("Module")) {
     const DeckNode* name = module->child("material");
     if (name != nullptr && std::find(names.begin(), names.end(), name->text) == names.end()) {
-      fault(faults, *name, fmt::format("there is no material {}", in_quotes(name->text)),
-            suggest_name(name->text, names));
+      add_error(faults, name->where, fmt::format("there is no material {}", in_quotes(name->text)),
+                suggest_name(name->text, names));
     }
     const auto index = integer_of(module, "materialIndex");
     if (index && *index >= count) {
-      fault(faults, *module->child("materialIndex"),
-            fmt::format("there is no material {}: the deck has {}, counted from 0", *index, count));
+      add_error(
+          faults, module->child("materialIndex")->where,
+          fmt::format("there is no material {}: the deck has {}, counted from 0", *index, count));
     }
   }
 }
@@ -268,14 +255,15 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model, std::vector<Fa
   const std::string name = model.attribute("type").value_or("");
   for (const DeckNode* other : root.child("Models")->all("Model"))
     if (other != &model && mixes_gas(*other) && other->where.line > model.where.line)
-      fault(faults, *other,
-            fmt::format("a gas is one mixture: there are the models <{}> and <{}>", name,
-                        other->attribute("type").value_or("")));
+      add_error(faults, other->where,
+                fmt::format("a gas is one mixture: there are the models <{}> and <{}>", name,
+                            other->attribute("type").value_or("")));
   const DeckNode* law = material.child("EOS");
   if (law != nullptr && law->attribute("type") != "ideal_gas")
-    fault(faults, *law, fmt::format("<{}> needs <EOS type=\"ideal_gas\">", name));
+    add_error(faults, law->where, fmt::format("<{}> needs <EOS type=\"ideal_gas\">", name));
   const auto refuse = [&](const DeckNode* node, const char* what, const char* advice) {
-    if (node != nullptr) not_built(faults, *node, fmt::format("{} with <{}>", what, name), advice);
+    if (node != nullptr)
+      add_not_built(faults, node->where, fmt::format("{} with <{}>", what, name), advice);
   };
   refuse(material.child("SpecificHeatModel"), "<SpecificHeatModel>", "remove it");
   refuse(material.child("dynamicViscosityModels"), "<dynamicViscosityModels>", "remove it");
@@ -305,7 +293,8 @@ void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
     const bool mixes = mixes_gas(*model);
     if (mixes) check_mixed_gas(root, *model, faults);
     if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
-      not_built(faults, *model, "a transported scalar with <scheme> classic", "remove <scheme>");
+      add_not_built(faults, model->where, "a transported scalar with <scheme> classic",
+                    "remove <scheme>");
   }
 }
 
@@ -314,29 +303,30 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* scheme = root.find("CFD/ICE/scheme");
   const bool classic = scheme != nullptr && scheme->text == "classic";
   if (classic && ice_materials(root).size() > 1)
-    fault(faults, *scheme,
-          fmt::format("<scheme> classic is for one material; this deck has {}",
-                      ice_materials(root).size()),
-          "remove <scheme>");
+    add_error(faults, scheme->where,
+              fmt::format("<scheme> classic is for one material; this deck has {}",
+                          ice_materials(root).size()),
+              "remove <scheme>");
   for (const DeckNode* material : ice_materials(root)) {
     const ice::Fluid fluid = ice::read_fluid(*material, faults);
     const DeckNode* eos = material->child("EOS");
     const auto conductivity = real_of(material, "thermal_conductivity");
     if (classic && conductivity && *conductivity > 0)
-      fault(
-          faults, *material->child("thermal_conductivity"),
+      add_error(
+          faults, material->child("thermal_conductivity")->where,
           fmt::format("<scheme> classic conducts no heat; this deck has a thermal_conductivity of "
                       "{:g}",
                       *conductivity),
           "remove <scheme>, or write 0");
     if (!classic || eos == nullptr || fluid.ideal() != nullptr) continue;
-    fault(faults, *scheme,
-          fmt::format(
-              "<scheme> classic is for one ideal gas with constant specific heat; this "
-              "deck has {}{}",
-              eos->attribute("type").value_or("none"),
-              material->child("SpecificHeatModel") != nullptr ? " with <SpecificHeatModel>" : ""),
-          "remove <scheme>");
+    add_error(
+        faults, scheme->where,
+        fmt::format(
+            "<scheme> classic is for one ideal gas with constant specific heat; this "
+            "deck has {}{}",
+            eos->attribute("type").value_or("none"),
+            material->child("SpecificHeatModel") != nullptr ? " with <SpecificHeatModel>" : ""),
+        "remove <scheme>");
   }
 }
 
@@ -344,8 +334,9 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const DeckNode* density = root.find("CFD/ICE/customInitialization/formula/density");
   if (density != nullptr && ice_materials(root).size() > 1)
-    fault(faults, *density, "a formula cannot say which of several materials has this <density>",
-          "give densities in the geometry objects");
+    add_error(faults, density->where,
+              "a formula cannot say which of several materials has this <density>",
+              "give densities in the geometry objects");
   const DeckNode* models = root.child("Models");
   const auto list = models == nullptr ? std::vector<const DeckNode*>{} : models->all("Model");
   // Whose pressure follows from a scalar too.
@@ -360,14 +351,14 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
       }
       const auto share = real_of(object, "volumeFraction");
       if (share && *share != 1 && ice_materials(root).size() == 1)
-        warn(faults, *object->child("volumeFraction"),
-             "<volumeFraction> has no effect: one material fills its cells", "remove it");
+        add_warning(faults, object->child("volumeFraction")->where,
+                    "<volumeFraction> has no effect: one material fills its cells", "remove it");
       const bool has_piece =
           std::any_of(object->children.begin(), object->children.end(),
                       [](const auto& child) { return is_geometry_piece(child->name); });
       if (!has_piece) {
-        fault(faults, *object, "<geom_object> has no geometry piece",
-              "add a <box>, <sphere>, ...; see sluice help geom_object");
+        add_error(faults, object->where, "<geom_object> has no geometry piece",
+                  "add a <box>, <sphere>, ...; see sluice help geom_object");
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "ice/ice_schema.hpp"
@@ -28,24 +29,19 @@ const std::array<SpecialKind, 6>& special_kinds() {
   return all;
 }
 
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
-
 // The flow of a manufactured solution goes on at the boundary.
 void check_exact_flow(const DeckNode& root, const DeckNode& condition, const std::string& label,
                       std::vector<Fault>& faults) {
   if (label != "Pressure" && label != "Velocity" && label != "Temperature")
-    fault(faults, condition,
-          fmt::format("MMS_1 is for Pressure, Velocity, Temperature, not for {}", label));
+    add_error(faults, condition.where,
+              fmt::format("MMS_1 is for Pressure, Velocity, Temperature, not for {}", label));
   const DeckNode* exact = root.find("CFD/ICE/customInitialization/manufacturedSolution");
   if (exact == nullptr || exact->attribute("type") != "mms_1")
-    fault(faults, condition,
-          fmt::format("MMS_1 of {} needs <manufacturedSolution type=\"mms_1\"> in "
-                      "<customInitialization>",
-                      label),
-          "see sluice help CFD/ICE/customInitialization/manufacturedSolution");
+    add_error(faults, condition.where,
+              fmt::format("MMS_1 of {} needs <manufacturedSolution type=\"mms_1\"> in "
+                          "<customInitialization>",
+                          label),
+              "see sluice help CFD/ICE/customInitialization/manufacturedSolution");
 }
 
 void check_special(const DeckNode& root, const DeckNode& conditions, const DeckNode& condition,
@@ -53,28 +49,30 @@ void check_special(const DeckNode& root, const DeckNode& conditions, const DeckN
   const std::string kind = condition.attribute("var").value_or("");
   const std::string label = condition.attribute("label").value_or("");
   if (kind == "FreeSlipWall" && label != "Velocity")
-    fault(faults, condition, fmt::format("FreeSlipWall is for Velocity only, not for {}", label));
+    add_error(faults, condition.where,
+              fmt::format("FreeSlipWall is for Velocity only, not for {}", label));
   if (kind == "MMS_1") check_exact_flow(root, condition, label, faults);
   for (const SpecialKind& special : special_kinds()) {
     if (kind != special.kind) continue;
     if (std::find(special.labels.begin(), special.labels.end(), label) == special.labels.end())
-      fault(faults, condition,
-            fmt::format("{} is for {}, not for {}", kind, fmt::join(special.labels, ", "), label));
+      add_error(
+          faults, condition.where,
+          fmt::format("{} is for {}, not for {}", kind, fmt::join(special.labels, ", "), label));
     if (conditions.child(special.block) == nullptr)
-      fault(faults, condition,
-            fmt::format("{} of {} needs the block <{}> in <BoundaryConditions>", kind, label,
-                        special.block),
-            fmt::format("see sluice help Grid/BoundaryConditions/{}", special.block));
+      add_error(faults, condition.where,
+                fmt::format("{} of {} needs the block <{}> in <BoundaryConditions>", kind, label,
+                            special.block),
+                fmt::format("see sluice help Grid/BoundaryConditions/{}", special.block));
     const DeckNode* profile = conditions.child("inletVelocity");
     if (profile == nullptr || special.block != "inletVelocity") continue;
     const char* wanted = kind == "powerLawProfile" ? "exponent" : "roughness";
     if (profile->child(wanted) == nullptr)
-      fault(faults, *profile, fmt::format("a {} needs <{}>", kind, wanted));
+      add_error(faults, profile->where, fmt::format("a {} needs <{}>", kind, wanted));
     const DeckNode* tag = condition.child("value");
     const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
     if (!text || !parse_vector(*text))
-      fault(faults, tag != nullptr ? *tag : condition,
-            fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", kind));
+      add_error(faults, (tag != nullptr ? *tag : condition).where,
+                fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", kind));
   }
 }
 
@@ -90,9 +88,9 @@ void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults) {
   if (lodi == nullptr) return;
   const DeckNode *velocity = lodi->child("vel_infinity"), *rho = lodi->child("rho_infinity");
   if ((velocity == nullptr) == (rho == nullptr)) return;
-  fault(faults, velocity != nullptr ? *velocity : *rho,
-        "<LODI>: vel_infinity and rho_infinity belong together; one of them is missing",
-        "give both, or none");
+  add_error(faults, (velocity != nullptr ? *velocity : *rho).where,
+            "<LODI>: vel_infinity and rho_infinity belong together; one of them is missing",
+            "give both, or none");
 }
 
 }  // namespace sluice

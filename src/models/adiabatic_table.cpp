@@ -8,9 +8,8 @@
 
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/binary_properties.hpp"
-#include "models/material_name.hpp"
-#include "models/passive_scalar.hpp"
+#include "models/mixture_scalar.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice::models {
 namespace {
@@ -33,26 +32,6 @@ TagSpec table_tag() {
            named_value("derivedValue",
                        "a column from others: [column], {mixture_fraction}, numbers, + - * / ( )")
                .text()});
-}
-
-TagSpec constants_tag() {
-  return tag("constants", "of the mixture fraction")
-      .with_children(
-          {tag("diffusivity", "coefficient D of the flux rho D grad f")
-               .real()
-               .at_least(0)
-               .by_default("0")
-               .unit("length^2/time"),
-           tag("AMR_Refinement_Criteria", "cells with a larger gradient of f are flagged")
-               .real()
-               .at_least(0)
-               .unit("1/length")});
-}
-
-void refuse(const DeckNode& node, const std::string& what, const char* advice,
-            std::vector<Fault>& faults) {
-  add_error(faults, node.where, what + " is known to the format, but not built yet", advice);
-  faults.back().not_built = true;
 }
 
 PropertyTable::Additions read_additions(const DeckNode& table) {
@@ -113,19 +92,16 @@ std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table) {
 }
 
 TagSpec adiabatic_table_tag() {
+  const TagSpec test = tag("doTableTest", "must be false").boolean().by_default("false");
+  const TagSpec constants =
+      tag("constants", "of the mixture fraction").with_children(diffusion_tags());
+  std::vector<TagSpec> of_mixture = mixture_tags("the mixture fraction", {test, constants});
+  of_mixture.insert(of_mixture.begin() + 1, table_tag());
   return tag("AdiabaticTable",
              "an ideal gas with properties and heat of mixing from a table over mixture fraction")
+      .with_children(of_mixture)
       .with_children(
-          {tag("material", "name of the material").once().text(), table_tag(),
-           tag("scalar", "the mixture fraction")
-               .once()
-               .attribute(
-                   attribute("name", "its name; variables are called scalar-NAME").once().text())
-               .with_children(
-                   {tag("test_conservation", "its total is written").boolean().by_default("false"),
-                    tag("doTableTest", "must be false").boolean().by_default("false"),
-                    constants_tag(), scalar_region_tag()}),
-           tag("varianceScale", "must be 0: the table is taken at the default of its second axis")
+          {tag("varianceScale", "must be 0: the table is taken at the default of its second axis")
                .real()
                .at_least(0)
                .by_default("0"),
@@ -135,29 +111,21 @@ TagSpec adiabatic_table_tag() {
 
 void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
                            std::vector<Fault>& faults) {
-  check_material(parameters, "material", materials, faults);
-  refuse_several_materials(parameters, materials, faults);
+  const DeckNode* scalar = check_mixture(parameters, materials, faults);
   if (real_of(&parameters, "varianceScale").value_or(0) > 0)
-    refuse(*parameters.child("varianceScale"), "<varianceScale> above 0", "write 0", faults);
+    add_not_built(faults, parameters.child("varianceScale")->where, "<varianceScale> above 0",
+                  "write 0");
   if (const DeckNode* value = parameters.child("tableValue"))
-    refuse(*value, "<tableValue>", "remove it", faults);
-  const DeckNode* scalar = parameters.child("scalar");
-  if (scalar == nullptr) return;
-  const DeckNode* test = scalar->child("doTableTest");
-  if (test != nullptr && test->text == "true")
-    refuse(*test, "<doTableTest> true", "write false", faults);
-  for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
+    add_not_built(faults, value->where, "<tableValue>", "remove it");
+  if (is_true(scalar, "doTableTest"))
+    add_not_built(faults, scalar->child("doTableTest")->where, "<doTableTest> true", "write false");
 }
 
 MixedGas read_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
                               std::vector<Fault>& faults) {
-  MixedGas gas;
-  gas.type = parameters.name;
-  gas.fraction = parameters.child("scalar")->attribute("name").value_or("");
+  MixedGas gas = read_mixture(parameters, materials);
   gas.released = cumulative_energy;
-  gas.material = read_material(parameters, "material", materials);
   gas.own_heat_capacity = gas.own_viscosity = gas.own_conductivity = true;
-  gas.where = parameters.where;
   gas.set_nodes({{0}, {1}});
   const DeckNode& table = *parameters.child("table");
   const DeckNode& filename = *table.child("filename");

@@ -9,8 +9,7 @@
 
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/material_name.hpp"
-#include "models/passive_scalar.hpp"
+#include "models/mixture_scalar.hpp"
 
 namespace sluice::models {
 namespace {
@@ -34,17 +33,8 @@ TagSpec constants() {
   };
   TagSpec c = tag("constants", "of the scalar and of both gases")
                   .once()
-                  .with_children({tag("diffusivity", "coefficient D of the flux rho D grad f")
-                                      .real()
-                                      .at_least(0)
-                                      .by_default("0")
-                                      .unit("length^2/time"),
-                                  tag("AMR_Refinement_Criteria",
-                                      "cells with a larger gradient of f are flagged")
-                                      .real()
-                                      .at_least(0)
-                                      .unit("1/length"),
-                                  needed("cv_A", "specific heat at constant volume where f is 0"),
+                  .with_children(diffusion_tags())
+                  .with_children({needed("cv_A", "specific heat at constant volume where f is 0"),
                                   needed("cv_B", "specific heat at constant volume where f is 1"),
                                   needed("R_A", "gas constant where f is 0"),
                                   needed("R_B", "gas constant where f is 1")});
@@ -65,35 +55,13 @@ TagSpec constants() {
 
 TagSpec binary_properties_tag() {
   return tag("BinaryProperties", "an ideal gas that is a mixture of two, by mass fraction")
-      .with_children(
-          {tag("material", "name of the material").once().text(),
-           tag("scalar", "the mass fraction of gas B")
-               .once()
-               .attribute(
-                   attribute("name", "its name; variables are called scalar-NAME").once().text())
-               .with_children(
-                   {tag("test_conservation", "its total is written").boolean().by_default("false"),
-                    constants(), scalar_region_tag()})});
-}
-
-void refuse_several_materials(const DeckNode& parameters, const std::vector<std::string>& materials,
-                              std::vector<Fault>& faults) {
-  if (materials.size() < 2) return;
-  add_error(faults, parameters.where,
-            fmt::format("<{}> with several materials is known to the format, but not built yet",
-                        parameters.name),
-            "keep the gas alone");
-  faults.back().not_built = true;
+      .with_children(mixture_tags("the mass fraction of gas B", {constants()}));
 }
 
 void check_binary_properties(const DeckNode& parameters, const std::vector<std::string>& materials,
                              std::vector<Fault>& faults) {
-  check_material(parameters, "material", materials, faults);
-  refuse_several_materials(parameters, materials, faults);
-  const DeckNode* scalar = parameters.child("scalar");
-  if (scalar == nullptr) return;
-  for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
-  const DeckNode* constants = scalar->child("constants");
+  const DeckNode* scalar = check_mixture(parameters, materials, faults);
+  const DeckNode* constants = scalar == nullptr ? nullptr : scalar->child("constants");
   if (constants == nullptr) return;
   for (const TagPair& tags : {densities, conductivities, viscosities})
     for (std::size_t k = 0; k < 2; ++k)
@@ -108,12 +76,8 @@ void check_binary_properties(const DeckNode& parameters, const std::vector<std::
 
 MixedGas read_binary_properties(const DeckNode& parameters,
                                 const std::vector<std::string>& materials) {
-  const DeckNode& scalar = *parameters.child("scalar");
-  const DeckNode& constants = *scalar.child("constants");
-  MixedGas gas;
-  gas.type = parameters.name;
-  gas.fraction = scalar.attribute("name").value_or("");
-  gas.material = read_material(parameters, "material", materials);
+  const DeckNode& constants = *parameters.child("scalar")->child("constants");
+  MixedGas gas = read_mixture(parameters, materials);
   gas.own_heat_capacity = true;
   gas.start_density = both_of(constants, densities);
   const auto mu = both_of(constants, viscosities), k = both_of(constants, conductivities);
@@ -128,36 +92,7 @@ MixedGas read_binary_properties(const DeckNode& parameters,
     if (k) nodes[n].conductivity = (*k)[n];
   }
   gas.set_nodes(std::move(nodes));
-  gas.where = parameters.where;
   return gas;
-}
-
-std::vector<TransportedScalar> read_mixture_scalars(const MixedGas& gas, const DeckNode& scalar,
-                                                    const char* constants,
-                                                    const GeometryReader& geometry,
-                                                    std::vector<Fault>& faults) {
-  TransportedScalar f;
-  f.material = gas.material;
-  f.by_volume = true;
-  read_scalar_constants(scalar, f, constants);
-  f.start = read_scalar_regions(scalar, geometry, faults);
-  if (gas.released.empty()) return {f};
-  TransportedScalar q;
-  q.name = gas.released;
-  q.plain_name = q.by_volume = true;
-  q.material = gas.material;
-  q.diffusivity = f.diffusivity;
-  q.where = gas.where;
-  return {f, q};
-}
-
-std::vector<std::string> mixing_labels(const DeckNode& parameters) {
-  std::vector<std::string> labels = scalar_labels(parameters);
-  TransportedScalar q;
-  q.name = cumulative_energy;
-  q.plain_name = true;
-  for (const std::string& label : labels_of(q)) labels.push_back(label);
-  return labels;
 }
 
 }  // namespace sluice::models

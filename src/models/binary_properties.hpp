@@ -8,7 +8,6 @@
 
 #include "framework/deck/schema.hpp"
 #include "models/mixed_gas.hpp"
-#include "models/transported_scalar.hpp"
 
 namespace sluice::models {
 
@@ -17,17 +16,5 @@ void check_binary_properties(const DeckNode& parameters, const std::vector<std::
                              std::vector<Fault>& faults);
 MixedGas read_binary_properties(const DeckNode& parameters,
                                 const std::vector<std::string>& materials);
-
-// Of any model of a mixed gas.
-void refuse_several_materials(const DeckNode& parameters, const std::vector<std::string>& materials,
-                              std::vector<Fault>& faults);
-// The scalars of the gas: f and, where it has a heat of mixing, q. `constants`: the element with
-// <diffusivity>.
-std::vector<TransportedScalar> read_mixture_scalars(const MixedGas& gas, const DeckNode& scalar,
-                                                    const char* constants,
-                                                    const GeometryReader& geometry,
-                                                    std::vector<Fault>& faults);
-// Labels of a model with heat of mixing.
-std::vector<std::string> mixing_labels(const DeckNode& parameters);
 
 }  // namespace sluice::models

@@ -3,9 +3,8 @@
 
 #include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/binary_properties.hpp"
-#include "models/material_name.hpp"
-#include "models/passive_scalar.hpp"
+#include "models/mixture_scalar.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice::models {
 
@@ -43,25 +42,13 @@ TagSpec flame_sheet_tag() {
                    .at_least(0)
                    .unit("length^2/time")});
   return tag("flameSheet_rxn", "fuel and oxidizer that burn at once where they mix")
-      .with_children(
-          {tag("material", "name of the material").once().text(),
-           tag("scalar", "the mass fraction of the fuel stream")
-               .once()
-               .attribute(
-                   attribute("name", "its name; variables are called scalar-NAME").once().text())
-               .with_children(
-                   {tag("test_conservation", "its total is written").boolean().by_default("false"),
-                    constants, scalar_region_tag()})});
+      .with_children(mixture_tags("the mass fraction of the fuel stream", {constants}));
 }
 
 void check_flame_sheet(const DeckNode& parameters, const std::vector<std::string>& materials,
                        std::vector<Fault>& faults) {
-  check_material(parameters, "material", materials, faults);
-  refuse_several_materials(parameters, materials, faults);
-  const DeckNode* scalar = parameters.child("scalar");
-  if (scalar == nullptr) return;
-  for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
-  const DeckNode* constants = scalar->child("reaction_constants");
+  const DeckNode* scalar = check_mixture(parameters, materials, faults);
+  const DeckNode* constants = scalar == nullptr ? nullptr : scalar->child("reaction_constants");
   if (real_of(constants, "f_stoichometric").value_or(0) == 1)
     add_error(faults, constants->child("f_stoichometric")->where,
               "<f_stoichometric> is 1: there would be no fuel to spare anywhere",
@@ -69,18 +56,13 @@ void check_flame_sheet(const DeckNode& parameters, const std::vector<std::string
 }
 
 MixedGas read_flame_sheet(const DeckNode& parameters, const std::vector<std::string>& materials) {
-  const DeckNode& scalar = *parameters.child("scalar");
-  const DeckNode& constants = *scalar.child("reaction_constants");
-  MixedGas gas;
-  gas.type = parameters.name;
-  gas.fraction = scalar.attribute("name").value_or("");
+  const DeckNode& constants = *parameters.child("scalar")->child("reaction_constants");
+  MixedGas gas = read_mixture(parameters, materials);
   gas.released = cumulative_energy;
-  gas.material = read_material(parameters, "material", materials);
   gas.oxidizer_temperature = constants.real("oxidizer_temp_infinity");
   gas.fuel_temperature = constants.real("initial_fuel_temp");
   gas.set_nodes(
       flame_sheet_nodes(constants.real("f_stoichometric"), constants.real("delta_H_combustion")));
-  gas.where = parameters.where;
   return gas;
 }
 

@@ -11,6 +11,7 @@
 #include "models/binary_properties.hpp"
 #include "models/flame_sheet.hpp"
 #include "models/material_name.hpp"
+#include "models/mixture_scalar.hpp"
 
 namespace sluice::models {
 namespace {

@@ -113,11 +113,6 @@ bool has_piece(const DeckNode& object) {
                      [](const auto& child) { return is_geometry_piece(child->name); });
 }
 
-bool is_true(const DeckNode& node, const char* child) {
-  const DeckNode* found = node.child(child);
-  return found != nullptr && found->text == "true";
-}
-
 }  // namespace
 
 void check_scalar_region(const DeckNode& object, std::vector<Fault>& faults) {
@@ -126,7 +121,7 @@ void check_scalar_region(const DeckNode& object, std::vector<Fault>& faults) {
               "add a <box>, <sphere>, ...; see sluice help geom_object");
   const ProfileTag* chosen = nullptr;
   for (const ProfileTag& p : profiles) {
-    if (!is_true(object, p.name)) continue;
+    if (!is_true(&object, p.name)) continue;
     const DeckNode& here = *object.child(p.name);
     if (chosen != nullptr)
       add_error(faults, here.where,
@@ -157,7 +152,7 @@ ScalarRegion read_region(const DeckNode& object, const GeometryReader& geometry,
   r.piece = geometry.object(object, faults).piece;
   r.value = object.real("scalar");
   for (const ProfileTag& p : profiles)
-    if (is_true(object, p.name)) {
+    if (is_true(&object, p.name)) {
       r.profile = p.profile;
       r.weight = vector_or(object, p.weight, {});
     }
@@ -188,12 +183,9 @@ void check_passive_scalar(const DeckNode& parameters, const std::vector<std::str
               fmt::format("<{}> needs <material>: there are several", parameters.name));
   const DeckNode* scalar = parameters.child("scalar");
   if (scalar == nullptr) return;
-  if (is_true(*scalar, "reinitializeDomain")) {
-    add_error(faults, scalar->child("reinitializeDomain")->where,
-              "<reinitializeDomain> true is known to the format, but not built yet",
-              "start a new run");
-    faults.back().not_built = true;
-  }
+  if (is_true(scalar, "reinitializeDomain"))
+    add_not_built(faults, scalar->child("reinitializeDomain")->where, "<reinitializeDomain> true",
+                  "start a new run");
   if (const DeckNode* start = scalar->child("initialization"))
     for (const DeckNode* object : start->all("geom_object")) check_scalar_region(*object, faults);
   if (const DeckNode* sources = scalar->child("interiorSources"))
@@ -203,7 +195,7 @@ void check_passive_scalar(const DeckNode& parameters, const std::vector<std::str
 void read_scalar_constants(const DeckNode& scalar, TransportedScalar& s, const char* element) {
   s.where = scalar.where;
   s.name = scalar.attribute("name").value_or("");
-  s.totalled = is_true(scalar, "test_conservation");
+  s.totalled = is_true(&scalar, "test_conservation");
   const DeckNode* constants = scalar.child(element);
   if (constants == nullptr) return;
   s.diffusivity = real_or(*constants, "diffusivity", 0);

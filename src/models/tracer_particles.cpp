@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/deck/framework_schema.hpp"
+#include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/exponential_decay.hpp"
 #include "models/material_name.hpp"
@@ -42,12 +43,9 @@ std::vector<TracerRegion> read_regions(const DeckNode* regions, const char* numb
 }
 
 void refuse_if_true(const DeckNode& parameters, const char* child, std::vector<Fault>& faults) {
-  const DeckNode* node = parameters.child(child);
-  if (node == nullptr || node->text != "true") return;
-  add_error(faults, node->where,
-            fmt::format("<{}> true is known to the format, but not built yet", child),
-            "start a new run");
-  faults.back().not_built = true;
+  if (!is_true(&parameters, child)) return;
+  add_not_built(faults, parameters.child(child)->where, fmt::format("<{}> true", child),
+                "start a new run");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What the modules of DataAnalysis must have beyond single tags: places, times, weights.
 #include <fmt/format.h>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -9,19 +10,15 @@ namespace {
 
 using Faults = std::vector<Fault>;
 
-void refuse(Faults& faults, const DeckNode& node, std::string message, std::string advice = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(advice)});
-}
-
 void check_times(const DeckNode& module, const std::string& name, Faults& faults) {
   const bool every_step =
       name == "statistics" || name == "turbulentFluxes" || name == "vorticity" || name.empty();
   if (!every_step && module.child("samplingFrequency") == nullptr)
-    refuse(faults, module, "<Module> needs <samplingFrequency>: samples per unit of time");
+    add_error(faults, module.where, "<Module> needs <samplingFrequency>: samples per unit of time");
   const auto start = real_of(&module, "timeStart"), stop = real_of(&module, "timeStop");
   if (start && stop && *start > *stop)
-    refuse(
-        faults, module,
+    add_error(
+        faults, module.where,
         fmt::format("timeStart {:g} lies after timeStop {:g}: nothing is sampled", *start, *stop));
 }
 
@@ -31,11 +28,11 @@ void check_plane(const DeckNode& plane, Faults& faults) {
   int flat = 0;
   for (int d = 0; d < 3; ++d) flat += (*start)[d] == (*end)[d] ? 1 : 0;
   if (flat != 1)
-    refuse(faults, plane,
-           fmt::format("startingPt and endingPt agree in {} coordinates; the corners of a plane "
-                       "along the axes agree in exactly one",
-                       flat),
-           "for a line use lineExtract");
+    add_error(faults, plane.where,
+              fmt::format("startingPt and endingPt agree in {} coordinates; the corners of a plane "
+                          "along the axes agree in exactly one",
+                          flat),
+              "for a line use lineExtract");
 }
 
 void check_box(const DeckNode& box, Faults& faults) {
@@ -43,9 +40,9 @@ void check_box(const DeckNode& box, Faults& faults) {
   if (!low || !high) return;
   for (int d = 0; d < 3; ++d)
     if (!((*low)[d] < (*high)[d]))
-      refuse(faults, box,
-             fmt::format("<box>: min {:g} is not below max {:g} in direction {}", (*low)[d],
-                         (*high)[d], direction_names[d]));
+      add_error(faults, box.where,
+                fmt::format("<box>: min {:g} is not below max {:g} in direction {}", (*low)[d],
+                            (*high)[d], direction_names[d]));
 }
 
 void check_sides(const DeckNode& volume, Faults& faults) {
@@ -54,13 +51,13 @@ void check_sides(const DeckNode& volume, Faults& faults) {
     const std::string side = face->attribute("side").value_or("");
     for (const std::string& other : named)
       if (other == side)
-        refuse(faults, *face, fmt::format("<Face side=\"{}\"> is named twice", side),
-               "once is enough");
+        add_error(faults, face->where, fmt::format("<Face side=\"{}\"> is named twice", side),
+                  "once is enough");
     named.push_back(side);
     if (face->attribute("extents") == "partialFace" &&
         (face->child("startPt") == nullptr || face->child("endPt") == nullptr))
-      refuse(
-          faults, *face,
+      add_error(
+          faults, face->where,
           fmt::format("<Face side=\"{}\">: a partialFace needs <startPt> and <endPt>, its corners",
                       side));
   }
@@ -72,7 +69,7 @@ void check_names(const DeckNode* list, const char* entry, const char* attribute,
   for (const DeckNode* e : list->all(entry)) {
     const std::string name = e->attribute(attribute).value_or("");
     if (name.find('/') != std::string::npos || (!name.empty() && name.front() == '.'))
-      refuse(faults, *e, fmt::format("<{}>: '{}' cannot be a folder's name", entry, name));
+      add_error(faults, e->where, fmt::format("<{}>: '{}' cannot be a folder's name", entry, name));
   }
 }
 
@@ -84,14 +81,14 @@ void check_variables(const DeckNode& module, const std::string& name, Faults& fa
     const auto fluid = v->attribute("fluidVelocityLabel");
     velocity = velocity || (fluid && *fluid != "false");
     if (v->attribute("weighting") == "mass" && module.child("weight") == nullptr)
-      refuse(faults, *v,
-             fmt::format("<analyze label=\"{}\" weighting=\"mass\">: weighted by what?",
-                         v->attribute("label").value_or("")),
-             "name it in the module: <weight label=\"rho_CC\"/>");
+      add_error(faults, v->where,
+                fmt::format("<analyze label=\"{}\" weighting=\"mass\">: weighted by what?",
+                            v->attribute("label").value_or("")),
+                "name it in the module: <weight label=\"rho_CC\"/>");
   }
   if (name == "turbulentFluxes" && !velocity)
-    refuse(faults, module, "turbulentFluxes: which variable is the velocity?",
-           "add fluidVelocityLabel=\"true\" to its <analyze>");
+    add_error(faults, module.where, "turbulentFluxes: which variable is the velocity?",
+              "add fluidVelocityLabel=\"true\" to its <analyze>");
 }
 
 void check_module(const DeckNode& module, Faults& faults) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -30,11 +31,6 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
-
 // The side a face lies on; empty after a fault.
 std::string side_of(const DeckNode& face, const Shape*& shape, std::vector<Fault>& faults) {
   std::vector<std::string> present;
@@ -48,11 +44,12 @@ std::string side_of(const DeckNode& face, const Shape*& shape, std::vector<Fault
   }
   if (present.size() == 1) return side;
   if (present.empty()) {
-    fault(faults, face, "<Face> does not say where it lies",
-          "give one of side, circle, annulus, ellipse, rectangle, rectangulus, as side=\"x-\"");
+    add_error(faults, face.where, "<Face> does not say where it lies",
+              "give one of side, circle, annulus, ellipse, rectangle, rectangulus, as side=\"x-\"");
   } else {
-    fault(faults, face, fmt::format("<Face> has several shapes: {}", fmt::join(present, ", ")),
-          "give each its own <Face>");
+    add_error(faults, face.where,
+              fmt::format("<Face> has several shapes: {}", fmt::join(present, ", ")),
+              "give each its own <Face>");
   }
   return {};
 }
@@ -61,19 +58,22 @@ void check_shape(const DeckNode& face, const Shape& shape, std::vector<Fault>& f
   for (const char* name : shape.points) {
     const auto text = face.attribute(name);
     if (!text) {
-      fault(faults, face, fmt::format("<Face {}> needs the attribute {}", shape.name, name),
-            "a point, as \"0.0 0.5 0.0\"");
+      add_error(faults, face.where,
+                fmt::format("<Face {}> needs the attribute {}", shape.name, name),
+                "a point, as \"0.0 0.5 0.0\"");
       continue;
     }
     const auto numbers = parse_reals(*text);
     if (numbers && numbers.value->size() != 3) {
-      fault(faults, face,
-            fmt::format("<Face {}>: {} is not a point of three numbers", name, in_quotes(*text)));
+      add_error(
+          faults, face.where,
+          fmt::format("<Face {}>: {} is not a point of three numbers", name, in_quotes(*text)));
     }
   }
   for (const char* name : shape.lengths) {
     if (!face.attribute(name)) {
-      fault(faults, face, fmt::format("<Face {}> needs the attribute {}", shape.name, name));
+      add_error(faults, face.where,
+                fmt::format("<Face {}> needs the attribute {}", shape.name, name));
     }
   }
 }
@@ -90,11 +90,11 @@ std::array<bool, 3> periodic_directions(const DeckNode& grid) {
 void check_conditions(const DeckNode& face, std::vector<Fault>& faults) {
   for (const DeckNode* condition : face.all("BCType")) {
     if (condition->attribute("value") && condition->child("value") != nullptr) {
-      fault(faults, *condition, "<BCType> has the attribute value and the tag <value>",
-            "keep one of them");
+      add_error(faults, condition->where, "<BCType> has the attribute value and the tag <value>",
+                "keep one of them");
     }
     if (condition->attribute("id") && condition->attribute("ids")) {
-      fault(faults, *condition, "<BCType> has both id and ids", "keep one of them");
+      add_error(faults, condition->where, "<BCType> has both id and ids", "keep one of them");
     }
   }
 }
@@ -122,16 +122,17 @@ void check_faces(const DeckNode& root, std::vector<Fault>& faults) {
     }
     const auto direction = static_cast<std::size_t>(at - std::begin(side_names)) / 2;
     if (periodic[direction]) {
-      faults.push_back({Severity::warning, face->where,
-                        fmt::format("<Face> on {} has no effect: {} is periodic", side,
-                                    direction_names[direction]),
-                        "remove the face, or set periodic to 0 there"});
+      add_warning(faults, face->where,
+                  fmt::format("<Face> on {} has no effect: {} is periodic", side,
+                              direction_names[direction]),
+                  "remove the face, or set periodic to 0 there");
     }
   }
   for (const auto& [side, face] : pieces) {
     if (whole_sides.count(side) > 0) continue;
-    fault(faults, *face, fmt::format("a piece of side {} has conditions, the rest has none", side),
-          fmt::format("add <Face side=\"{}\">", side));
+    add_error(faults, face->where,
+              fmt::format("a piece of side {} has conditions, the rest has none", side),
+              fmt::format("add <Face side=\"{}\">", side));
   }
 }
 

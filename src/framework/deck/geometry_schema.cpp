@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -164,11 +165,11 @@ TagSpec joined(const std::string& name, const std::string& doc) {
 void check_piece(const DeckNode& node, std::vector<Fault>& faults) {
   const auto pieces = node.children.size();
   if (node.name == "difference" && pieces != 2) {
-    faults.push_back({Severity::error, node.where,
-                      fmt::format("<difference> has {} pieces; it takes exactly two, the second "
-                                  "cut out of the first",
-                                  pieces),
-                      "join several pieces with <union>"});
+    add_error(faults, node.where,
+              fmt::format("<difference> has {} pieces; it takes exactly two, the second "
+                          "cut out of the first",
+                          pieces),
+              "join several pieces with <union>");
   }
   if ((node.name == "union" || node.name == "intersection") && pieces == 0) {
     faults.push_back(
@@ -179,10 +180,10 @@ void check_piece(const DeckNode& node, std::vector<Fault>& faults) {
   if (node.name != "box" || !low || !high) return;
   for (int d = 0; d < 3; ++d) {
     if ((*low)[d] <= (*high)[d]) continue;
-    faults.push_back({Severity::error, node.child("max")->where,
-                      fmt::format("<box> is inverted in {}: min {} is above max {}",
-                                  direction_names[d], (*low)[d], (*high)[d]),
-                      "exchange the two"});
+    add_error(faults, node.child("max")->where,
+              fmt::format("<box> is inverted in {}: min {} is above max {}", direction_names[d],
+                          (*low)[d], (*high)[d]),
+              "exchange the two");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -12,11 +13,6 @@ namespace {
 
 // More cells than this cannot be meant: 40 doubles a cell would take 32 TB.
 constexpr double most_cells = 1e11;
-
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
 
 // Cells per direction of a box, from its resolution or the level's spacing; 0: unknown or faulty.
 std::array<double, 3> cells_of(const DeckNode& level, const DeckNode& box) {
@@ -41,11 +37,11 @@ bool check_corners(const DeckNode& box, std::vector<Fault>& faults) {
   for (int d = 0; d < 3; ++d) {
     if ((*low)[d] < (*high)[d]) continue;
     good = false;
-    fault(faults, *box.child("upper"),
-          fmt::format("the box is {} in {}: lower {}, upper {}",
-                      (*low)[d] == (*high)[d] ? "flat" : "inverted", direction_names[d], (*low)[d],
-                      (*high)[d]),
-          "upper must be greater than lower in every direction; a flat direction has one cell");
+    add_error(faults, box.child("upper")->where,
+              fmt::format("the box is {} in {}: lower {}, upper {}",
+                          (*low)[d] == (*high)[d] ? "flat" : "inverted", direction_names[d],
+                          (*low)[d], (*high)[d]),
+              "upper must be greater than lower in every direction; a flat direction has one cell");
   }
   return good;
 }
@@ -54,13 +50,13 @@ void check_spacing(const DeckNode& level, const DeckNode& box, std::vector<Fault
   const bool spacing = level.child("spacing") != nullptr;
   const bool resolution = box.child("resolution") != nullptr;
   if (spacing && resolution) {
-    fault(faults, *box.child("resolution"),
-          fmt::format("<resolution> contradicts <spacing> of the level at {}",
-                      to_string(level.child("spacing")->where)),
-          "keep one of them");
+    add_error(faults, box.child("resolution")->where,
+              fmt::format("<resolution> contradicts <spacing> of the level at {}",
+                          to_string(level.child("spacing")->where)),
+              "keep one of them");
   } else if (!spacing && !resolution) {
-    fault(faults, box, "<Box> has no <resolution>, and its level no <spacing>",
-          "give the number of cells, as <resolution>[100,1,1]</resolution>");
+    add_error(faults, box.where, "<Box> has no <resolution>, and its level no <spacing>",
+              "give the number of cells, as <resolution>[100,1,1]</resolution>");
   }
 }
 
@@ -71,9 +67,9 @@ void check_patches(const DeckNode& box, const std::array<double, 3>& cells,
   for (int d = 0; d < 3; ++d) {
     const double n = cells[static_cast<std::size_t>(d)];
     if (n < 1 || (*patches)[d] <= n) continue;
-    fault(faults, *box.child("patches"),
-          fmt::format("{} patches in {}, but only {} cell{}", (*patches)[d], direction_names[d], n,
-                      n == 1 ? "" : "s"));
+    add_error(faults, box.child("patches")->where,
+              fmt::format("{} patches in {}, but only {} cell{}", (*patches)[d], direction_names[d],
+                          n, n == 1 ? "" : "s"));
   }
 }
 
@@ -93,8 +89,8 @@ void check_boxes(const DeckNode& root, std::vector<Fault>& faults) {
       const bool zero = corners && (cells[0] < 1 || cells[1] < 1 || cells[2] < 1);
       if (zero && !told && box->child("resolution") == nullptr && vector_of(level, "spacing")) {
         told = true;
-        fault(faults, *level->child("spacing"),
-              "the spacing is larger than the box: there would be no cells");
+        add_error(faults, level->child("spacing")->where,
+                  "the spacing is larger than the box: there would be no cells");
       }
       check_patches(*box, cells, faults);
       total += cells[0] * cells[1] * cells[2];
@@ -102,8 +98,8 @@ void check_boxes(const DeckNode& root, std::vector<Fault>& faults) {
     }
   }
   if (total > most_cells && largest != nullptr) {
-    fault(faults, *largest, fmt::format("the grid would have {:.3g} cells", total),
-          fmt::format("at most {:.0g} are allowed", most_cells));
+    add_error(faults, largest->where, fmt::format("the grid would have {:.3g} cells", total),
+              fmt::format("at most {:.0g} are allowed", most_cells));
   }
 }
 
@@ -118,10 +114,10 @@ void check_periodicity(const DeckNode& root, std::vector<Fault>& faults) {
       if (!extra) continue;
       for (int d = 0; d < 3; ++d) {
         if ((*periodic)[d] == 0 || (*extra)[d] == 0) continue;
-        fault(faults, *box->child("extraCells"),
-              fmt::format("extraCells {} in {}, a periodic direction", (*extra)[d],
-                          direction_names[d]),
-              "a periodic direction has no boundary: write 0 there");
+        add_error(faults, box->child("extraCells")->where,
+                  fmt::format("extraCells {} in {}, a periodic direction", (*extra)[d],
+                              direction_names[d]),
+                  "a periodic direction has no boundary: write 0 there");
       }
     }
   }

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "framework/deck/deck.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/deck/value_text.hpp"
 #include "framework/deck/xml_reader.hpp"
 
@@ -49,7 +50,7 @@ class IncludeResolver {
   }
 
   void fault(const DeckNode& include, std::string message, std::string suggestion = {}) {
-    faults_.push_back({Severity::error, include.where, std::move(message), std::move(suggestion)});
+    add_error(faults_, include.where, std::move(message), std::move(suggestion));
   }
 
   std::optional<fs::path> locate(const DeckNode& include, const std::string& href) {

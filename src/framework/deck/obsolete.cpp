@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/value_text.hpp"
 
@@ -53,7 +54,7 @@ class Updater {
 
  private:
   void warn(const DeckNode& node, std::string message, const char* reason) {
-    faults_.push_back({Severity::warning, node.where, std::move(message), reason});
+    add_warning(faults_, node.where, std::move(message), reason);
   }
 
   // True when the node is to be dropped.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
@@ -96,10 +97,10 @@ void check_filebase(const DeckNode& root, std::vector<Fault>& faults) {
   const bool climbs =
       std::any_of(base.begin(), base.end(), [](const auto& p) { return p == ".."; });
   if (!climbs && !base.is_absolute()) return;
-  faults.push_back({Severity::error, node->where,
-                    fmt::format("<filebase> {} leads out of the folder of the run's archives",
-                                in_quotes(node->text)),
-                    "name the archive alone, as run.uda, and its parent folder with -o"});
+  add_error(faults, node->where,
+            fmt::format("<filebase> {} leads out of the folder of the run's archives",
+                        in_quotes(node->text)),
+            "name the archive alone, as run.uda, and its parent folder with -o");
 }
 
 void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
@@ -112,9 +113,9 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
   }
   const bool last = node->attribute("lastTimestep") == "true";
   if (intervals.empty() && !last) {
-    faults.push_back({Severity::error, node->where, "<checkpoint> has no interval",
-                      "give one of interval, timestepInterval, walltimeInterval, "
-                      "walltimeIntervalHours"});
+    add_error(faults, node->where, "<checkpoint> has no interval",
+              "give one of interval, timestepInterval, walltimeInterval, "
+              "walltimeIntervalHours");
   } else if (intervals.size() > 1) {
     faults.push_back(
         {Severity::error, node->where,
@@ -125,8 +126,8 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
     const std::string start = std::string("walltimeStart") + unit;
     const std::string interval = std::string("walltimeInterval") + unit;
     if (node->attribute(start) && !node->attribute(interval)) {
-      faults.push_back({Severity::error, node->where,
-                        fmt::format("<checkpoint> has {} without {}", start, interval), ""});
+      add_error(faults, node->where, fmt::format("<checkpoint> has {} without {}", start, interval),
+                "");
     }
   }
 }

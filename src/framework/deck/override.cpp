@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema_check.hpp"
@@ -245,7 +246,7 @@ void apply_override(DeckNode& root, const std::string& override_text, const Sche
   try {
     Editor(root, schema, origin).apply(parse_override(override_text));
   } catch (const OverrideFault& fault) {
-    faults.push_back({Severity::error, {origin, 0, 0}, fault.message, fault.suggestion});
+    add_error(faults, {origin, 0, 0}, fault.message, fault.suggestion);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/nearest_name.hpp"
@@ -43,10 +44,10 @@ class LabelResolver {
       const auto [first, fresh] = pieces_.try_emplace(label, child.get());
       if (fresh) continue;
       if (same_piece(*first->second, *child)) {
-        faults_.push_back({Severity::warning, child->where,
-                           fmt::format("label {} repeats the piece at {}, word for word",
-                                       in_quotes(label), to_string(first->second->where)),
-                           "write it empty to repeat the piece"});
+        add_warning(faults_, child->where,
+                    fmt::format("label {} repeats the piece at {}, word for word", in_quotes(label),
+                                to_string(first->second->where)),
+                    "write it empty to repeat the piece");
         continue;
       }
       fault(*child,
@@ -72,7 +73,7 @@ class LabelResolver {
 
  private:
   void fault(const DeckNode& node, std::string message, std::string suggestion) {
-    faults_.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
+    add_error(faults_, node.where, std::move(message), std::move(suggestion));
   }
 
   void fill(DeckNode& reference) {

@@ -1,6 +1,7 @@
 // AMR and LoadBalancer: how levels come about, follow the solution and are dealt out.
 #include <fmt/format.h>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -185,13 +186,12 @@ void check_refinement(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* list = regridder->child("cell_refinement_ratio");
   const DeckNode* simple = regridder->child("simple_refinement_ratio");
   if (list == nullptr && simple == nullptr)
-    faults.push_back({Severity::error, regridder->where,
-                      "<Regridder> has no refinement ratios for its finer levels",
-                      "give them as <cell_refinement_ratio>[[2,2,1]]</cell_refinement_ratio>"});
+    add_error(faults, regridder->where, "<Regridder> has no refinement ratios for its finer levels",
+              "give them as <cell_refinement_ratio>[[2,2,1]]</cell_refinement_ratio>");
   if (regridder->attribute("type") == "Tiled" && regridder->child("min_patch_size") == nullptr)
-    faults.push_back({Severity::error, regridder->where,
-                      "<Regridder> has no <min_patch_size>: the tiles that are refined",
-                      "give it as <min_patch_size>[[8,8,1]]</min_patch_size>"});
+    add_error(faults, regridder->where,
+              "<Regridder> has no <min_patch_size>: the tiles that are refined",
+              "give it as <min_patch_size>[[8,8,1]]</min_patch_size>");
   if (const auto ratio = integer_of(regridder, "simple_refinement_ratio"))
     check_ratio(*simple, *ratio, faults);
   if (const auto ratios =

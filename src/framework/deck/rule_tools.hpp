@@ -29,6 +29,11 @@ inline std::optional<IntVec3> int_vector_of(const DeckNode* parent, std::string_
   return parsed_child<IntVec3>(parent, name, parse_int_vector);
 }
 
+inline bool is_true(const DeckNode* parent, std::string_view name) {
+  const DeckNode* child = parent == nullptr ? nullptr : parent->child(name);
+  return child != nullptr && child->text == "true";
+}
+
 inline constexpr std::string_view direction_names[3] = {"x", "y", "z"};
 inline constexpr std::string_view side_names[6] = {"x-", "x+", "y-", "y+", "z-", "z+"};
 

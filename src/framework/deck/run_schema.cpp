@@ -1,4 +1,5 @@
 // Who runs, for how long, under what constants.
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 
@@ -187,15 +188,14 @@ void check_time(const DeckNode& root, std::vector<Fault>& faults) {
   const auto begin = real_of(time, "initTime");
   const auto end = real_of(time, "maxTime");
   if (begin && end && *end < *begin) {
-    faults.push_back({Severity::error, time->child("maxTime")->where,
-                      "<maxTime> lies before <initTime>: nothing would be computed",
-                      "maxTime must be at least initTime"});
+    add_error(faults, time->child("maxTime")->where,
+              "<maxTime> lies before <initTime>: nothing would be computed",
+              "maxTime must be at least initTime");
   }
   const auto least = real_of(time, "delt_min");
   const auto most = real_of(time, "delt_max");
   if (least && most && *most > 0 && *least > *most) {
-    faults.push_back({Severity::error, time->child("delt_max")->where,
-                      "<delt_max> is smaller than <delt_min>", ""});
+    add_error(faults, time->child("delt_max")->where, "<delt_max> is smaller than <delt_min>", "");
   }
 }
 

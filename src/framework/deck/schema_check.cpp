@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/value_text.hpp"
@@ -50,7 +51,7 @@ class Checker {
 
  private:
   void fault(const DeckNode& node, std::string message, std::string suggestion = {}) {
-    faults_.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
+    add_error(faults_, node.where, std::move(message), std::move(suggestion));
   }
   void not_built(const DeckNode& node, std::string message, std::string suggestion = {}) {
     fault(node, std::move(message), std::move(suggestion));

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {
@@ -216,7 +217,7 @@ XmlTree read_xml_text(std::string_view xml, const std::string& shown_name, ReadB
   xmlCtxtUseOptions(state.context, XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA);
   xmlParseDocument(state.context);
   if (state.context->wellFormed == 0 && state.tree.faults.empty()) {
-    state.tree.faults.push_back({Severity::error, {shown_name, 0, 0}, "XML: not well formed", ""});
+    add_error(state.tree.faults, {shown_name, 0, 0}, "XML: not well formed", "");
     state.stopped = true;
   }
   if (state.stopped) state.tree.root.reset();

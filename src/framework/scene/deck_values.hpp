@@ -3,22 +3,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "framework/base/error.hpp"
 #include "framework/deck/deck.hpp"
+#include "framework/deck/faults.hpp"
 
 namespace sluice {
 
-inline void add_error(std::vector<Fault>& faults, const Location& where, std::string message,
-                      std::string suggestion = {}) {
-  faults.push_back({Severity::error, where, std::move(message), std::move(suggestion)});
-}
-inline void add_warning(std::vector<Fault>& faults, const Location& where, std::string message,
-                        std::string suggestion = {}) {
-  faults.push_back({Severity::warning, where, std::move(message), std::move(suggestion)});
-}
 bool any_error(const std::vector<Fault>& faults);
 
 // Runs f; an InputError that it throws becomes a fault at `where`.

@@ -23,24 +23,20 @@ TagSpec sponge_box() {
                       tag("max", "upper corner").once().vector().unit("length")});
 }
 
-void fault(std::vector<Fault>& faults, const DeckNode& node, std::string message,
-           std::string suggestion = {}) {
-  faults.push_back({Severity::error, node.where, std::move(message), std::move(suggestion)});
-}
-
 void check_models(const DeckNode& models, std::vector<Fault>& faults) {
   int laws = 0;
   for (const DeckNode* model : models.all("Model")) {
     const std::string name = model->attribute("name").value_or("");
     const auto need = [&](const char* child) {
       if (model->child(child) == nullptr)
-        fault(faults, *model, fmt::format("<Model name=\"{}\"> needs <{}>", name, child));
+        add_error(faults, model->where, fmt::format("<Model name=\"{}\"> needs <{}>", name, child));
     };
     if (name == "Sutherland") {
       need("a");
       need("b");
       if (++laws > 1)
-        fault(faults, *model, "there is a Model \"Sutherland\" already", "remove one of them");
+        add_error(faults, model->where, "there is a Model \"Sutherland\" already",
+                  "remove one of them");
     } else if (name == "SpongeLayer") {
       need("maxDynamicViscosity");
       need("box");
@@ -52,8 +48,8 @@ void check_turbulence(const DeckNode& turbulence, std::vector<Fault>& faults) {
   const bool dynamic = turbulence.attribute("model") == "Germano";
   const DeckNode* constant = turbulence.child("model_constant");
   if (!dynamic && constant == nullptr)
-    fault(faults, turbulence, "<turbulence model=\"Smagorinsky\"> needs <model_constant>",
-          "0.1 in shear flow, 0.17 in isotropic turbulence");
+    add_error(faults, turbulence.where, "<turbulence model=\"Smagorinsky\"> needs <model_constant>",
+              "0.1 in shear flow, 0.17 in isotropic turbulence");
   if (dynamic && constant != nullptr)
     add_warning(faults, constant->where,
                 "<model_constant> has no effect: the dynamic model finds it from the flow",
@@ -68,10 +64,10 @@ void check_slip(const DeckNode& root, const DeckNode& model, std::vector<Fault>&
     for (const DeckNode* condition : face->all("BCType")) {
       const std::string kind = condition->attribute("var").value_or("");
       if (kind != "slip" && kind != "creep") continue;
-      fault(faults, *condition,
-            fmt::format("{} needs a constant <dynamic_viscosity>; this deck has <{}>", kind,
-                        model.name),
-            fmt::format("remove <{}>", model.name));
+      add_error(faults, condition->where,
+                fmt::format("{} needs a constant <dynamic_viscosity>; this deck has <{}>", kind,
+                            model.name),
+                fmt::format("remove <{}>", model.name));
     }
 }
 
@@ -218,7 +214,8 @@ void check_transport(const DeckNode& root, std::vector<Fault>& faults) {
   const auto check = [&](const DeckNode& node, const std::string& what) {
     check_slip(root, node, faults);
     if (classic)
-      fault(faults, node, fmt::format("<scheme> classic has no {}", what), "remove <scheme>");
+      add_error(faults, node.where, fmt::format("<scheme> classic has no {}", what),
+                "remove <scheme>");
   };
   for (const DeckNode* material : materials)
     if (const DeckNode* models = material->child("dynamicViscosityModels")) {
@@ -235,10 +232,12 @@ void check_transport(const DeckNode& root, std::vector<Fault>& faults) {
     const DeckNode* face = wall->child("domainFace");
     if (face != nullptr &&
         std::find(names_of_sides.begin(), names_of_sides.end(), face->text) == names_of_sides.end())
-      fault(faults, *face, fmt::format("<domainFace>: there is no side {}", in_quotes(face->text)),
-            "allowed are x-, x+, y-, y+, z- and z+");
+      add_error(faults, face->where,
+                fmt::format("<domainFace>: there is no side {}", in_quotes(face->text)),
+                "allowed are x-, x+, y-, y+, z- and z+");
     if (wall->attribute("model") == "logLawModel" && wall->child("roughnessConstant") == nullptr)
-      fault(faults, *wall, "<wallShearStress model=\"logLawModel\"> needs <roughnessConstant>");
+      add_error(faults, wall->where,
+                "<wallShearStress model=\"logLawModel\"> needs <roughnessConstant>");
   }
 }
 

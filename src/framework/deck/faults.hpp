@@ -1,0 +1,27 @@
+// Collecting what is wrong with a deck.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+
+namespace sluice {
+
+inline void add_error(std::vector<Fault>& faults, const Location& where, std::string message,
+                      std::string suggestion = {}) {
+  faults.push_back({Severity::error, where, std::move(message), std::move(suggestion)});
+}
+inline void add_warning(std::vector<Fault>& faults, const Location& where, std::string message,
+                        std::string suggestion = {}) {
+  faults.push_back({Severity::warning, where, std::move(message), std::move(suggestion)});
+}
+// `what` is a part of the format that is not built.
+inline void add_not_built(std::vector<Fault>& faults, const Location& where,
+                          const std::string& what, std::string suggestion = {}) {
+  add_error(faults, where, what + " is known to the format, but not built yet",
+            std::move(suggestion));
+  faults.back().not_built = true;
+}
+
+}  // namespace sluice
