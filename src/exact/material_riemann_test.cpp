@@ -7,20 +7,13 @@
 #include <cmath>
 
 #include "eos/eos_test_support.hpp"
+#include "exact/material_test_support.hpp"
 #include "exact/riemann.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::exact {
 namespace {
 
-MaterialSide gas(double gamma, double density, double velocity, double pressure) {
-  const eos::IdealGas law{.gamma = gamma, .specific_heat = 1};
-  return {law, state_of_pressure(law, density, velocity, pressure)};
-}
-MaterialSide water(double density, double velocity, double pressure) {
-  const eos::StiffenedGas law{{.gamma = 4.4, .pinf = 6e8, .q = 0, .specific_heat = 1816}};
-  return {law, state_of_pressure(law, density, velocity, pressure)};
-}
 MaterialSide products(double density, double velocity, double pressure) {
   return {eos::tnt, state_of_pressure(eos::tnt, density, velocity, pressure)};
 }

@@ -10,6 +10,7 @@
 #include "framework/geometry/boolean.hpp"
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/round.hpp"
+#include "ice/fluid_test_support.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -56,18 +57,14 @@ IceMaterial material(int index, const char* name, Fluid fluid, std::vector<GeomO
 }
 
 // 1000 kg/m^3 at 1 bar and 300 K.
-constexpr double water_heat = (1e5 + 6e8) / (3.4 * 1000 * 300);
-Fluid water() {
-  return {eos::StiffenedGas{{.gamma = 4.4, .pinf = 6e8, .q = 0, .specific_heat = water_heat}},
-          std::nullopt, 4.4, water_heat};
-}
+const Fluid water = stiffened_gas(4.4, 6e8, (1e5 + 6e8) / (3.4 * 1000 * 300));
 
 // Air with a drop of water in the middle.
 IceScene drop(int res = 4) {
   IceScene scene;
   scene.materials = {
       material(0, "air", ideal_gas(1.4, 717.5), {object(all_but(disc(0.6)), 1.2, 300, res)}),
-      material(1, "water", water(), {object(disc(0.6), 1000, 300, res)})};
+      material(1, "water", water, {object(disc(0.6), 1000, 300, res)})};
   return scene;
 }
 
@@ -153,7 +150,7 @@ TEST(MaterialFill, AnObjectMayGiveAShare) {
   fog.values["volumeFraction"] = 0.1;
   air.values["volumeFraction"] = 0.9;
   scene.materials = {material(0, "air", ideal_gas(1.4, 717.5), {air}),
-                     material(1, "fog", water(), {fog})};
+                     material(1, "fog", water, {fog})};
   const MixtureFill mix = fill(scene);
   EXPECT_EQ(mix.materials[1].volume_fraction[0], 0.1);
   EXPECT_EQ(mix.materials[0].volume_fraction[0], 0.9);
@@ -219,7 +216,7 @@ TEST(MaterialFill, TheSurroundingMaterialMakesThePressure) {
 // A column of one liquid: the discrete balance holds with the density that the pressure makes.
 TEST(MaterialFill, ALiquidInBalanceFollowsItsPressure) {
   IceScene scene;
-  scene.materials = {material(0, "water", water(), {object(box(-9, -9, 9, 9), 1000, 300)})};
+  scene.materials = {material(0, "water", water, {object(box(-9, -9, 9, 9), 1000, 300)})};
   PhysicalConstants constants;
   constants.gravity = {0, -9.81, 0};
   constants.reference_pressure = 1e5;
@@ -247,7 +244,7 @@ TEST(MaterialFill, ADensityOfAnotherPressureIsKeptOrRefused) {
     return fill_primitives(scene, constants, scene.materials[0], level, level,
                            {{4, 0, 0}, {5, 16, 1}});
   };
-  const PrimitiveFill water_column = column(water());
+  const PrimitiveFill water_column = column(water);
   EXPECT_EQ(water_column.density[5], 1300);
   EXPECT_NEAR(water_column.temperature[5], 300 / 1.3, 0.1);
   const eos::Murnaghan solid{{.n = 7.4, .K = 39e-11, .rho0 = 1160, .specific_heat = 1400}};

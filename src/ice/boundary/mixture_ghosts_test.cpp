@@ -6,6 +6,7 @@
 
 #include "framework/base/error.hpp"
 #include "ice/boundary_fill.hpp"
+#include "ice/fluid_test_support.hpp"
 #include "ice/labels.hpp"
 
 namespace sluice::ice {
@@ -31,13 +32,7 @@ Condition velocity(ConditionKind kind, Vec3 value, int material = -1) {
   return c;
 }
 
-Fluid water() {
-  eos::StiffenedGas law;
-  law.gamma = 4.4;
-  law.pinf = 6e8;
-  law.specific_heat = 4180;
-  return {law, std::nullopt, 4.4, 4180};
-}
+const Fluid water = stiffened_gas(4.4, 6e8, 4180);
 
 // Eight cells along x, air to the left, water to the right, three cells of both between them; at
 // 2 m/s and 1e5 Pa. The same region on both ends.
@@ -58,7 +53,7 @@ class TwoMaterials {
       scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
     materials_.resize(2);
     materials_[0].fluid = ideal_gas(1.4, 717.5);
-    materials_[1].fluid = water();
+    materials_[1].fluid = water;
     materials_[1].index = 1;
     const Labels& l = labels();
     state_ = std::make_unique<Warehouse>(scene_.grid.levels.front(), 0);
@@ -160,7 +155,7 @@ TEST(MixtureGhosts, AWallOfGivenTemperatureKeepsWhatTheMaterialsFill) {
 }
 
 std::vector<Condition> inflow(double share, bool with_pressure) {
-  const double air = ideal_gas(1.4, 717.5).density(3e5, 280), liquid = water().density(3e5, 310);
+  const double air = ideal_gas(1.4, 717.5).density(3e5, 280), liquid = water.density(3e5, 310);
   std::vector<Condition> conditions = {given("Density", share * air, 0),
                                        given("Density", (1 - share) * liquid, 1),
                                        given("Temperature", 280, 0), given("Temperature", 310, 1),

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <random>
 
+#include "ice/fluid_test_support.hpp"
+
 namespace sluice::ice::mixture {
 namespace {
 
@@ -18,13 +20,7 @@ PairCoefficients all_pairs(int materials, double H) {
   return pairs;
 }
 
-Fluid water() {
-  eos::StiffenedGas law;
-  law.gamma = 4.4;
-  law.pinf = 6e8;
-  law.specific_heat = 4180;
-  return {law, std::nullopt, 4.4, 4180};
-}
+const Fluid water = stiffened_gas(4.4, 6e8, 4180);
 
 double temperature(const Fluid& fluid, double M, double V, double E) {
   return fluid.temperature(M / V, E / V);
@@ -32,7 +28,7 @@ double temperature(const Fluid& fluid, double M, double V, double E) {
 
 // What a cavity holds: 1e-31 kg of gas at 1e-12 of the liquid's pressure is hotter than any star.
 TEST(HeatExchange, NextToNothingTakesTheTemperatureOfTheLiquid) {
-  const std::vector<Fluid> fluids = {ideal_gas(3, 3000), water()};
+  const std::vector<Fluid> fluids = {ideal_gas(3, 3000), water};
   for (const double mass : {1e-4, 1e-12, 1e-20, 1e-31, 1e-60}) {
     double M[] = {mass, 992}, V[] = {0.008, 0.992};
     double E[] = {1e-6, V[1] * fluids[1].energy_from_temperature(1000, 750)};
@@ -46,7 +42,7 @@ TEST(HeatExchange, NextToNothingTakesTheTemperatureOfTheLiquid) {
 
 // The second-order method for three and more overshoots where the exchange is stiff.
 TEST(HeatExchange, TemperaturesStayBetweenThoseBefore) {
-  const std::vector<Fluid> fluids = {ideal_gas(1.4, 717.5), ideal_gas(1.667, 3000), water()};
+  const std::vector<Fluid> fluids = {ideal_gas(1.4, 717.5), ideal_gas(1.667, 3000), water};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> digits(-12, 4), hot(2, 6);
   for (int n = 0; n < 2000; ++n) {

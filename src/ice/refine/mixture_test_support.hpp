@@ -1,17 +1,10 @@
 // States of several materials in one box, for tests of what happens where levels meet.
 #pragma once
+#include "ice/fluid_test_support.hpp"
 #include "ice/refine/mixture_transfer.hpp"
 #include "ice/refine/transfer_test_support.hpp"
 
 namespace sluice::ice {
-
-inline Fluid stiffened_gas(double gamma, double pinf) {
-  eos::StiffenedGas law;
-  law.gamma = gamma;
-  law.pinf = pinf;
-  law.specific_heat = 1000;
-  return {law, std::nullopt, gamma, 1000};
-}
 
 // Two gases and a liquid.
 inline std::vector<Fluid> three_fluids() {
