@@ -171,10 +171,11 @@ std::string plan_text(const RunPlan& p) {
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
   text += fmt::format("  messages: one halo point of {},{},{} layers a step, ", p.halo.x, p.halo.y,
                       p.halo.z);
-  text += p.ranks == 1 ? "copied within this rank\n"
-                       : fmt::format("{} to {} neighbour rank{}, and one reduction\n",
-                                     human_bytes(static_cast<double>(p.message_bytes)),
-                                     p.neighbour_ranks, p.neighbour_ranks == 1 ? "" : "s");
+  text += p.ranks == 1
+              ? "copied within this rank\n"
+              : fmt::format("{} to {} neighbour rank{}, and one reduction\n",
+                            human_bytes(static_cast<double>(p.messages.bytes)),
+                            p.messages.neighbour_ranks, p.messages.neighbour_ranks == 1 ? "" : "s");
   text += kinds_text(p);
   text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
                       p.quiet_reason,
@@ -200,8 +201,8 @@ std::string plan_json(const RunPlan& p) {
                      {"kind_tasks", p.kind_tasks},
                      {"messages",
                       {{"halo", {p.halo.x, p.halo.y, p.halo.z}},
-                       {"bytes_per_step", p.message_bytes},
-                       {"neighbour_ranks", p.neighbour_ranks}}},
+                       {"bytes_per_step", p.messages.bytes},
+                       {"neighbour_ranks", p.messages.neighbour_ranks}}},
                      {"quiet",
                       {{"allowed", p.quiet_allowed},
                        {"reason", p.quiet_reason},

@@ -5,80 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "app/first_step_limit.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/run/particle_archive.hpp"
-#include "framework/task/block_sweep.hpp"
-#include "framework/task/graph.hpp"
-#include "framework/task/halo.hpp"
 #include "framework/task/sweep_executor.hpp"
 
 namespace sluice {
 namespace {
 
-// A process that has read a deck and opened an archive, without fields; measured.
-constexpr double base_bytes = 21.0 * 1024 * 1024;
-constexpr double base_bytes_with_ranks = 29.0 * 1024 * 1024;
 constexpr double word = sizeof(double);
-// The initial fill keeps six primitives of the largest box, a count and a flag a cell.
-constexpr double fill_bytes_per_cell = 6 * word + 5;
-
-Axes axes_of(const Level& level) {
-  Axes axes;
-  axes.count = 0;
-  for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
-  return axes;
-}
-
-// A graph with some outputs wanted.
-struct Graph {
-  TaskList list;
-  SweepPlan plan;
-};
-
-// The graph of a step of a kind of blocks; -1: the general one, which is right for every block.
-Graph compile_graph(const Component& component, const Level& level, bool diagnostic,
-                    const std::set<Label>& wanted, int kind = -1) {
-  Graph g;
-  StepVariant variant;
-  variant.kind = kind < 0 ? component.step_kinds() - 1 : kind;
-  if (diagnostic)
-    component.declare_diagnostics(g.list, 0);
-  else
-    component.declare_step(g.list, variant);
-  std::vector<VariableId> variables;
-  for (std::size_t n = 0; n < g.list.variables().size(); ++n) {
-    const Variable& v = g.list.variables()[n];
-    if (v.storage == Storage::new_state ||
-        (v.storage == Storage::output && wanted.count(v.label) > 0))
-      variables.push_back({static_cast<int>(n)});
-  }
-  g.plan = compile(g.list, component.effects(), variables, axes_of(level));
-  return g;
-}
-
-std::set<Label> output_labels(const TaskList& list) {
-  std::set<Label> labels;
-  for (const Variable& v : list.variables())
-    if (v.storage == Storage::output) labels.insert(v.label);
-  return labels;
-}
-
-// How many materials have each label among the outputs.
-void count_materials(const TaskList& list, std::map<Label, std::set<int>>& materials) {
-  for (const Variable& v : list.variables())
-    if (v.storage == Storage::output) materials[v.label].insert(v.material);
-}
-
-double state_components(const Component& component) {
-  double n = 0;
-  for (const SlotInfo& s : component.state_slots()) n += s.components;
-  return n;
-}
 
 class Planner {
  public:
@@ -89,21 +26,20 @@ class Planner {
         options_(options) {
     plan_.hierarchy =
         plan_hierarchy(loaded, options.ranks, options.threads, options.most_cells_for_levels);
-    grid_.levels = plan_.hierarchy.grid();
   }
 
   RunPlan plan() {
     describe_grid();
-    const Graph all_step = compile_graph(component_, level_, false, {});
+    const PlannedGraph all_step = plan_step_graph(component_, level_, {});
     step_labels_ = output_labels(all_step.list);
     if (component_.particles() != nullptr)
       particle_labels_ = savable_labels(*component_.particles());
     TaskList diagnostics;
     component_.declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
-    count_materials(all_step.list, materials_of_);
-    count_materials(diagnostics, materials_of_);
-    plain_ = compile_graph(component_, level_, false, stored_always());
+    add_outputs(all_step.list, materials_of_);
+    add_outputs(diagnostics, materials_of_);
+    plain_ = plan_step_graph(component_, level_, stored_always());
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
     describe_effects();
@@ -124,7 +60,7 @@ class Planner {
     plan_.title = scene_.title;
     plan_.component = component_.name();
     plan_.cells = level_.domain.size();
-    plan_.cell_count = grid_.cell_count();
+    plan_.cell_count = Grid{plan_.hierarchy.grid()}.cell_count();
     plan_.boxes = static_cast<int>(level_.boxes.size());
     plan_.ranks = options_.ranks;
     plan_.threads = options_.threads;
@@ -137,7 +73,7 @@ class Planner {
   void describe_kinds() {
     for (int kind = 0; kind < component_.step_kinds(); ++kind)
       plan_.kind_tasks.push_back(static_cast<int>(
-          compile_graph(component_, level_, false, stored_always(), kind).plan.tasks.size()));
+          plan_step_graph(component_, level_, stored_always(), kind).plan.tasks.size()));
   }
 
   void describe_effects() {
@@ -202,14 +138,6 @@ class Planner {
       count += request.materials.contains(m, component_.material_count()) ? 1 : 0;
     return count;
   }
-  // A label that is wanted is kept for every material that has it.
-  double stored_components(Label label) const {
-    const auto found = materials_of_.find(label);
-    const double materials =
-        found == materials_of_.end() ? 1.0 : static_cast<double>(found->second.size());
-    return component_count(label.info().type) * materials;
-  }
-
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
     std::set<Label> counted;
@@ -230,7 +158,7 @@ class Planner {
         const double bytes = label->info().type == ValueType::integer || short_reals ? 4 : word;
         out.materials = saved_materials(r, *label);
         out.bytes_per_cell = bytes * components * out.materials;
-        out.memory_per_cell = word * stored_components(*label);
+        out.memory_per_cell = word * stored_components(materials_of_, *label);
         if (counted.insert(*label).second)
           plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
         (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
@@ -307,122 +235,28 @@ class Planner {
       plan_.estimated_steps = std::min<double>(plan_.estimated_steps, t.max_timesteps);
   }
 
-  // Each level has sweeps of its own.
-  double scratch_bytes(const Graph& g) const {
-    double bytes = 0;
-    for (const Level& level : grid_.levels) {
-      const IntVec3 block = options_.block == IntVec3{} ? default_block(level) : options_.block;
-      IntVec3 largest{1, 1, 1};
-      for (const Block& b : place_blocks(level.boxes, block))
-        largest = max(largest, b.cells.size());
-      const StateBinding none;
-      bytes +=
-          static_cast<double>(BlockSweep(g.list, g.plan, level, none, largest).scratch_bytes());
-    }
-    return options_.threads * bytes;
-  }
-
-  // Bytes of one component over the boxes of a level on a rank, with this many ghost layers.
-  static double array_bytes(const Level& level, int rank, int ghosts) {
-    double cells = 0;
-    for (const GridBox& b : level.boxes)
-      if (b.owner == rank)
-        cells += static_cast<double>(b.cells.grown(level.ghosts(ghosts)).volume());
-    return word * cells;
-  }
-
-  // Under gravity the fill reaches down to the low end of the domain and is cut afterwards.
-  double initial_fill_bytes(const Level& level, const GridBox& box) const {
-    const IndexBox& cells = box.cells;
-    IndexBox filled = cells;
-    for (int d = 0; d < 3; ++d)
-      if (scene_.constants.gravity[d] != 0) filled.lower[d] = level.domain.lower[d];
-    const double whole = fill_bytes_per_cell * static_cast<double>(filled.volume());
-    if (filled == cells) return whole;
-    return std::max(whole, 6 * word * static_cast<double>(filled.volume() + cells.volume()));
-  }
-
   void predict_memory() {
-    PlannedMemory& m = plan_.memory;
-    m.base = options_.ranks > 1 ? base_bytes_with_ranks : base_bytes;
-    m.scratch = scratch_bytes(plain_);
-    std::set<Label> kept = stored_always();
-    kept.insert(stored_.begin(), stored_.end());
     if (plan_.hierarchy.adaptive) computed_.insert(component_.refine_flag());
-    if (kept != stored_always())
-      m.scratch += scratch_bytes(compile_graph(component_, level_, false, kept));
-    if (!computed_.empty())
-      m.scratch += scratch_bytes(compile_graph(component_, level_, true, computed_));
-    kept.insert(computed_.begin(), computed_.end());
-    m.state_doubles_per_cell = state_components(component_);
-    for (Label l : kept) m.output_doubles_per_cell += stored_components(l);
-    const PlannedMemory alike = m;  // on all ranks; the rest depends on their boxes
-    double sum = 0;
-    for (int rank = 0; rank < options_.ranks; ++rank) {
-      PlannedMemory here = alike;
-      add_fields(here, rank, kept);
-      if (options_.ranks > 1) here.messages = 2 * messages_of(rank);  // sent and received
-      sum += here.peak();
-      if (rank == 0 || here.peak() > m.peak()) m = here;
-    }
-    m.all_ranks = sum;
-  }
-
-  void add_fields(PlannedMemory& m, int rank, const std::set<Label>& kept) const {
-    for (const Level& level : grid_.levels) {
-      // Old and new; with substeps also the state at the start of the coarse step.
-      const int copies =
-          plan_.hierarchy.levels[static_cast<std::size_t>(level.index)].substeps > 1 ? 3 : 2;
-      for (const SlotInfo& s : component_.state_slots())
-        m.states += copies * s.components * array_bytes(level, rank, s.ghosts);
-      for (Label l : kept)
-        m.outputs += stored_components(l) *
-                     array_bytes(level, rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
-      for (const GridBox& b : level.boxes)
-        if (b.owner == rank)
-          m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(level, b));
-    }
-  }
-
-  // What a rank sends in a step; the plan keeps that of the one that sends most.
-  double messages_of(int rank) {
-    int width = 0, components = 0;
-    for (const SlotInfo& s : component_.state_slots()) {
-      width = std::max(width, s.ghosts);
-      components += s.components;
-    }
-    double all_levels = 0;
-    for (const Level& level : grid_.levels) {
-      const HaloExchange halo(level, width, rank);
-      const auto bytes = static_cast<std::int64_t>(halo.message_bytes(components));
-      all_levels += static_cast<double>(bytes);
-      if (level.index == 0 && bytes > plan_.message_bytes) {
-        plan_.message_bytes = bytes;
-        plan_.neighbour_ranks = halo.neighbour_ranks();
-      }
-    }
-    return all_levels;
+    plan_.memory =
+        plan_memory({scene_, component_, plan_.hierarchy, options_.ranks, options_.threads,
+                     options_.block, stored_always(), stored_, computed_, materials_of_},
+                    plan_.messages);
   }
 
   const Scene& scene_;
   const Component& component_;
   const Level& level_;  // the coarsest
-  Grid grid_;           // the levels of the start
   PlanOptions options_;
   RunPlan plan_;
-  Graph plain_;
+  PlannedGraph plain_;
   IntVec3 block_{};
   std::set<Label> step_labels_, diagnostic_labels_;
   std::vector<Label> particle_labels_;
-  std::map<Label, std::set<int>> materials_of_;  // by label that can be saved
-  std::set<Label> stored_, computed_;            // of saves and analyses
+  MaterialsOfLabels materials_of_;     // that can be saved
+  std::set<Label> stored_, computed_;  // of saves and analyses
 };
 
 }  // namespace
-
-double PlannedMemory::peak() const {
-  return base + states + std::max(initial_fill, outputs + scratch + messages);
-}
 
 RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options) {
   RunPlan plan = Planner(loaded, options).plan();

@@ -1,10 +1,7 @@
 // What a run will do and cost, found before it from the scene and the compiled graphs alone.
 //
 // Of a run on one level no field is allocated; adaptive levels are found by setting the initial
-// state. The memory that a rank will have resident at its peak is
-//   base + states + max(initial fill, stored outputs + scratch + messages),
-// where a state is all slots of all local boxes with ghosts, outputs live from the first step that
-// stores them, and the initial fill holds the primitives of the largest box while it is set.
+// state.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "app/planned_hierarchy.hpp"
+#include "app/planned_memory.hpp"
 #include "app/scene_loader.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/run/time_control.hpp"
@@ -44,17 +42,6 @@ struct PlannedLimit {
   std::string acts;  // "sets the first step", or empty
 };
 
-// Of the rank that needs most, and the peaks of all ranks added up.
-struct PlannedMemory {
-  double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
-  double all_ranks = 0;  // what run.json tells as peak_memory_bytes
-  double output_doubles_per_cell = 0, state_doubles_per_cell = 0;
-  double peak() const;
-  double field_doubles_per_cell() const {
-    return 2 * state_doubles_per_cell + output_doubles_per_cell;
-  }
-};
-
 struct RunPlan {
   std::string deck, title, component;
   IntVec3 cells;
@@ -67,8 +54,7 @@ struct RunPlan {
   std::vector<int> effect_fields;
   std::vector<int> kind_tasks;  // of a step of each kind of blocks; the last is the general one
   IntVec3 halo{};               // ghost layers that a step reads
-  std::int64_t message_bytes = 0;
-  int neighbour_ranks = 0;  // of the rank that sends most
+  PlannedMessages messages;
   std::vector<PlannedOutput> outputs;
   std::string output_times, checkpoint_times;
   double output_bytes = 0, checkpoint_bytes = 0;  // of one

@@ -1,0 +1,65 @@
+// Declaring and compiling the graphs that a plan counts.
+#include "app/planned_graph.hpp"
+
+namespace sluice {
+namespace {
+
+Axes axes_of(const Level& level) {
+  Axes axes;
+  axes.count = 0;
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
+  return axes;
+}
+
+void compile_wanted(PlannedGraph& g, const Component& component, const Level& level,
+                    const std::set<Label>& wanted) {
+  std::vector<VariableId> variables;
+  for (std::size_t n = 0; n < g.list.variables().size(); ++n) {
+    const Variable& v = g.list.variables()[n];
+    if (v.storage == Storage::new_state ||
+        (v.storage == Storage::output && wanted.count(v.label) > 0))
+      variables.push_back({static_cast<int>(n)});
+  }
+  g.plan = compile(g.list, component.effects(), variables, axes_of(level));
+}
+
+}  // namespace
+
+PlannedGraph plan_step_graph(const Component& component, const Level& level,
+                             const std::set<Label>& wanted, int kind) {
+  PlannedGraph g;
+  StepVariant variant;
+  variant.kind = kind < 0 ? component.step_kinds() - 1 : kind;
+  component.declare_step(g.list, variant);
+  compile_wanted(g, component, level, wanted);
+  return g;
+}
+
+PlannedGraph plan_diagnostic_graph(const Component& component, const Level& level,
+                                   const std::set<Label>& wanted) {
+  PlannedGraph g;
+  component.declare_diagnostics(g.list, 0);
+  compile_wanted(g, component, level, wanted);
+  return g;
+}
+
+void add_outputs(const TaskList& list, MaterialsOfLabels& materials) {
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output) materials[v.label].insert(v.material);
+}
+
+std::set<Label> output_labels(const TaskList& list) {
+  std::set<Label> labels;
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output) labels.insert(v.label);
+  return labels;
+}
+
+double state_components(const Component& component) {
+  double n = 0;
+  for (const SlotInfo& s : component.state_slots()) n += s.components;
+  return n;
+}
+
+}  // namespace sluice
