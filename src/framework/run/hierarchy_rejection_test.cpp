@@ -178,6 +178,7 @@ TEST_F(RejectionInARun, FailureNamesLevelAndCell) {
   EXPECT_EQ(r.status, RunStatus::failed);
   EXPECT_THAT(r.message, AllOf(HasSubstr("cell [49, 51, 0] of level 2"), HasSubstr("material 0"),
                                HasSubstr("mock value (none is allowed)")));
+  EXPECT_LE(r.worst_drift, 1e-14);
 }
 
 TEST_F(RejectionInARun, HalvesTheCoarseStepUntilTheFinestLevelBearsIt) {

@@ -322,6 +322,7 @@ RunReport Simulation::run() {
   } catch (const PhysicsError& e) {
     status_ = RunStatus::failed;
     message_ = e.what();
+    set_totals(false);  // of the last step that was accepted, as what has been booked
     if (state_is_sound_) write_last_good_checkpoint();
   }
   if (output_ != nullptr)

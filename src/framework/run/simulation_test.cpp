@@ -107,6 +107,7 @@ TEST_F(Runs, AHopelessStepFailsInWordsWithACheckpointOfTheLastGoodState) {
   EXPECT_EQ(r.last_step, 7);
   EXPECT_THAT(r.message, AllOf(HasSubstr("step 8"), HasSubstr("cell [0, 0, 0]"),
                                HasSubstr("courant number"), HasSubstr("task 'update'")));
+  EXPECT_LE(r.worst_drift, 1e-15);  // of the steps that were accepted
   const Archive archive = Archive::open(r.archive.value());
   EXPECT_EQ(archive.checkpoints().back().step, 7);
   std::int64_t values = 0;
