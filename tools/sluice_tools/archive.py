@@ -168,7 +168,7 @@ class Archive:
 
 def _variable(element):
     kind, value = element.get("type").rstrip(">").split("<")
-    return Variable(element.get("name"), CENTRINGS[kind], 3 if value == "Vector" else 1,
+    return Variable(element.get("name"), CENTRINGS[kind], 3 if value in ("Vector", "Point") else 1,
                     element.get("unit") or "", int(element.get("numMaterials", "1")))
 
 

@@ -53,7 +53,7 @@ class Writer:
 
     def add_particles(self, level, boxes):
         """Boxes of particles as rows of id, x, y, z."""
-        kinds = {"p.x": ("Vector", slice(1, 4)), "p.particleID": ("long64", slice(0, 1))}
+        kinds = {"p.x": ("Point", slice(1, 4)), "p.particleID": ("long64", slice(0, 1))}
         for name, (value, columns) in kinds.items():
             blocks = [np.array(box, dtype=float)[:, columns] for box in boxes]
             group = self.file.create_group(f"/l{level}/{name}/m0")

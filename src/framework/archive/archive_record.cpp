@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "framework/archive/particle_table.hpp"
+
 namespace sluice {
 namespace {
 
@@ -13,6 +15,8 @@ constexpr std::array<std::string_view, 7> kind_names = {
     "CCVariable",   "NCVariable",       "SFCXVariable",     "SFCYVariable",
     "SFCZVariable", "ParticleVariable", "ReductionVariable"};
 constexpr std::array<std::string_view, 4> value_names = {"double", "Vector", "int", "long64"};
+// What positions are called; archives of before call them vectors.
+constexpr std::string_view point = "Point";
 
 // The place of `text` in a list of names.
 template <class E, std::size_t N>
@@ -29,8 +33,16 @@ void parse_type(std::string_view text, const std::string& context, ValueType& ty
   if (angle == text.npos || text.back() != '>')
     throw DamageError(fmt::format("{}: '{}' is not a variable type", context, text));
   centring = find_name<Centring>(kind_names, text.substr(0, angle), context);
-  type =
-      find_name<ValueType>(value_names, text.substr(angle + 1, text.size() - angle - 2), context);
+  const std::string_view value = text.substr(angle + 1, text.size() - angle - 2);
+  type = value == point ? ValueType::vector : find_name<ValueType>(value_names, value, context);
+}
+
+// Of a VariableEntry or a StoredVariable.
+template <class Variable>
+std::string type_text(const Variable& v) {
+  const bool is_position = v.centring == Centring::particle && v.name == particle_position_name;
+  return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(v.centring)],
+                     is_position ? point : value_names[static_cast<std::size_t>(v.type)]);
 }
 
 int attribute_int(const XmlElement& e, const char* name, const std::string& context) {
@@ -52,11 +64,6 @@ std::string_view name_of(StoredType t) {
 std::size_t size_of(StoredType t) {
   return t == StoredType::float64 || t == StoredType::int64 ? 8 : 4;
 }
-std::string type_text(ValueType type, Centring centring) {
-  return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(centring)],
-                     value_names[static_cast<std::size_t>(type)]);
-}
-
 XmlElement to_xml(const ArchiveIndex& index) {
   XmlElement root("Uintah_DataArchive");
   root.add("numberOfProcessors", std::to_string(index.ranks));
@@ -75,7 +82,7 @@ XmlElement to_xml(const ArchiveIndex& index) {
   XmlElement& variables = root.add("variables");
   for (const VariableEntry& v : index.variables)
     variables.add("variable")
-        .set("type", type_text(v.type, v.centring))
+        .set("type", type_text(v))
         .set("name", v.name)
         .set("unit", v.unit)
         .set("numMaterials", std::to_string(v.materials));
@@ -136,7 +143,7 @@ XmlElement to_xml(const DataFileRecord& record) {
       .set("metadataCrc32c", fmt::format("{:08x}", record.metadata_crc));
   for (const StoredVariable& v : record.variables)
     root.add("Variable")
-        .set("type", type_text(v.type, v.centring))
+        .set("type", type_text(v))
         .set("name", v.name)
         .set("unit", v.unit)
         .set("level", std::to_string(v.level))

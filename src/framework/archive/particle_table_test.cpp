@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/archive/csv_extract.hpp"
@@ -54,6 +56,27 @@ TEST_F(ParticleTables, HoldAllBoxesAndLevelsInTheOrderOfIds) {
     EXPECT_EQ(table.find("p.heat")->components[0][n], place(id, 3));
   }
   EXPECT_EQ(read_particles(read, 0, {{"p.x"}, {}}).columns.size(), 1U);
+}
+
+// Archives of before call positions vectors.
+TEST_F(ParticleTables, CallPositionsPoints) {
+  const Boxes boxes = {{7, 3}, {5}};
+  const Archive now = written("now", boxes), before = written("before", boxes);
+  const std::string written_now = "ParticleVariable&lt;Point&gt;\" name=\"p.x\"",
+                    written_before = "ParticleVariable&lt;Vector&gt;\" name=\"p.x\"";
+  for (const char* file : {"index.xml", "t00001/p00000.xml"}) {
+    std::string text = read_text(before.folder() / file);
+    EXPECT_EQ(text.find("Vector"), std::string::npos) << file;
+    std::size_t found = 0;
+    for (std::size_t at; (at = text.find(written_now)) != std::string::npos; ++found)
+      text.replace(at, written_now.size(), written_before);
+    EXPECT_GT(found, 0U) << file;
+    std::ofstream(before.folder() / file) << text;
+  }
+  const Archive read = Archive::open(before.folder());
+  EXPECT_EQ(read_particles(step(read), 0).position(0),
+            (Vec3{place(3, 0), place(3, 1), place(3, 2)}));
+  EXPECT_EQ(compare(now, read, {}).exit_status(), 0);
 }
 
 TEST_F(ParticleTables, NeedIdsThatADoubleHolds) {
