@@ -7,18 +7,12 @@
 // Absent without control volumes.
 #include <algorithm>
 
-#include "framework/refine/coverage.hpp"
 #include "framework/refine/volume_faces.hpp"
-#include "framework/task/reductions.hpp"
+#include "ice/cell_sums.hpp"
 #include "ice/conservative/face_flux.hpp"
 
 namespace sluice::ice {
 namespace {
-
-double cell_volume(const Row& row) {
-  const Vec3 dx = row.step().spacing;
-  return dx.x * dx.y * dx.z;
-}
 
 // One face, low (shift 0) or high (1), of cell i.
 void account_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
@@ -85,13 +79,8 @@ void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
     cell[along] = inside.lower[along];
     if (!inside.contains(cell)) continue;
     const int from = std::max(low, inside.lower[along]), to = std::min(high, inside.upper[along]);
-    if (o.coverage == nullptr || !o.coverage->any()) {
-      account_forces(row, h, o, volume, from - low, to - low);
-      continue;
-    }
-    for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell()))
-      account_forces(row, h, o, volume, std::max(s.first, from) - low,
-                     std::min(s.first + s.count, to) - low);
+    for_uncovered(row, o, from - low, to - low,
+                  [&](int first, int end) { account_forces(row, h, o, volume, first, end); });
   }
 }
 

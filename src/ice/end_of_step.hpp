@@ -7,8 +7,8 @@
 #pragma once
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "framework/base/infinity.hpp"
 #include "framework/task/reductions.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
@@ -16,8 +16,6 @@
 #include "ice/step_bounds.hpp"
 
 namespace sluice::ice {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A row that must be above zero and finite everywhere, and what a fault of it is called.
 struct PositiveRow {

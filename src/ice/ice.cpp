@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "ice/classic/classic.hpp"
 #include "ice/conservative/leaving_shocks.hpp"

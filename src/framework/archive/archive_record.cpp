@@ -39,10 +39,10 @@ void parse_type(std::string_view text, const std::string& context, ValueType& ty
 
 // Of a VariableEntry or a StoredVariable.
 template <class Variable>
-std::string type_text(const Variable& v) {
+std::string type_of(const Variable& v) {
   const bool is_position = v.centring == Centring::particle && v.name == particle_position_name;
-  return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(v.centring)],
-                     is_position ? point : value_names[static_cast<std::size_t>(v.type)]);
+  if (is_position) return fmt::format("ParticleVariable<{}>", point);
+  return type_text(v.type, v.centring);
 }
 
 int attribute_int(const XmlElement& e, const char* name, const std::string& context) {
@@ -64,6 +64,11 @@ std::string_view name_of(StoredType t) {
 std::size_t size_of(StoredType t) {
   return t == StoredType::float64 || t == StoredType::int64 ? 8 : 4;
 }
+std::string type_text(ValueType type, Centring centring) {
+  return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(centring)],
+                     value_names[static_cast<std::size_t>(type)]);
+}
+
 XmlElement to_xml(const ArchiveIndex& index) {
   XmlElement root("Uintah_DataArchive");
   root.add("numberOfProcessors", std::to_string(index.ranks));
@@ -82,7 +87,7 @@ XmlElement to_xml(const ArchiveIndex& index) {
   XmlElement& variables = root.add("variables");
   for (const VariableEntry& v : index.variables)
     variables.add("variable")
-        .set("type", type_text(v))
+        .set("type", type_of(v))
         .set("name", v.name)
         .set("unit", v.unit)
         .set("numMaterials", std::to_string(v.materials));
@@ -143,7 +148,7 @@ XmlElement to_xml(const DataFileRecord& record) {
       .set("metadataCrc32c", fmt::format("{:08x}", record.metadata_crc));
   for (const StoredVariable& v : record.variables)
     root.add("Variable")
-        .set("type", type_text(v))
+        .set("type", type_of(v))
         .set("name", v.name)
         .set("unit", v.unit)
         .set("level", std::to_string(v.level))

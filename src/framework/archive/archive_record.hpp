@@ -103,5 +103,7 @@ IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context);
 std::string step_folder_name(int step);  // t00012
 std::string_view name_of(StoredType);
 std::size_t size_of(StoredType);
+// CCVariable<double> and so on: the type names of .uda files.
+std::string type_text(ValueType, Centring);
 
 }  // namespace sluice

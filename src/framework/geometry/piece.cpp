@@ -1,5 +1,6 @@
 // Boxes of space and the cover of convex pieces.
 #include "framework/geometry/piece.hpp"
+#include "framework/base/infinity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,6 @@
 namespace sluice {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Vec3 lesser(Vec3 a, Vec3 b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};

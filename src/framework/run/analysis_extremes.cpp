@@ -1,17 +1,16 @@
 // Minima and maxima over the boxes of a level.
 #include "framework/run/analysis_extremes.hpp"
+#include "framework/base/infinity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The indices of a label in a box. The closing face of every box is stored, and the box beyond, if
 // there is one, has the same value there.

@@ -1,15 +1,14 @@
 // Multiples of an interval are counted as integers, so that no round-off can gather in them.
 #include "framework/run/output_schedule.hpp"
+#include "framework/base/infinity.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sluice {
 namespace {
 
 constexpr double round_off = 1e-10;  // of a step
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Beyond this an interval is so short that every step is due; counting on would overflow.
 constexpr double most_multiples = 9e15;
 

@@ -4,11 +4,7 @@
 // with the momentum m at the start of the step and what the Lagrangian phase took from it, dp: the
 // mean momentum of the phase. Absent with one level and without f, where totals at the start of the
 // step do.
-#include <algorithm>
-
-#include "framework/refine/coverage.hpp"
-#include "framework/task/reductions.hpp"
-#include "ice/conservative/variables.hpp"
+#include "ice/cell_sums.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -17,40 +13,21 @@ struct Handles {
   In rho, momentum, impulse;
 };
 
-// Cells first .. first + count - 1 of the row.
-void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int first, int count) {
-  constexpr int chunk = 256;
-  const Vec3 dx = row.step().spacing;
-  const double volume = dx.x * dx.y * dx.z;
-  double values[chunk];
-  for (int begin = first; begin < first + count; begin += chunk) {
-    const int n = first + count - begin < chunk ? first + count - begin : chunk;
-    const auto size = static_cast<std::size_t>(n);
-    for (int c = 0; c < o.components; ++c) {
-      const int direction = o.direction[static_cast<std::size_t>(c)];
-      const double kick = row.step().dt * o.gravity[direction] * volume;
-      const double push = row.step().dt * o.force[direction] * volume;
-      if (kick == 0.0 && push == 0.0) continue;
-      const double* rho = row(h.rho) + begin;
-      for (int i = 0; i < n; ++i) values[i] = kick * rho[i] + push;
-      row.reductions().sum(StepSlots::gravity_impulse + direction).add(values, size);
-      const double* m = row(h.momentum, c) + begin;
-      const double* dp = row(h.impulse, c) + begin;
-      for (int i = 0; i < n; ++i) values[i] = (kick + push / rho[i]) * (m[i] - 0.5 * dp[i]);
-      row.reductions().sum(StepSlots::gravity_work).add(values, size);
-    }
-  }
-}
-
-void account_row(const Row& row, const Handles& h, const SchemeOptions& o) {
-  if (o.coverage == nullptr || !o.coverage->any()) {
-    account_cells(row, h, o, 0, row.count());
-    return;
-  }
-  const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
-  for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell())) {
-    const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
-    if (first < end) account_cells(row, h, o, first - low, end - first);
+// Cells first to end - 1 of the row.
+void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int first, int end) {
+  const double volume = cell_volume(row);
+  const double* rho = row(h.rho);
+  for (int c = 0; c < o.components; ++c) {
+    const int direction = o.direction[static_cast<std::size_t>(c)];
+    const double kick = row.step().dt * o.gravity[direction] * volume;
+    const double push = row.step().dt * o.force[direction] * volume;
+    if (kick == 0.0 && push == 0.0) continue;
+    const double* m = row(h.momentum, c);
+    const double* dp = row(h.impulse, c);
+    add_to_sum(row, StepSlots::gravity_impulse + direction, first, end,
+               [=](int i) { return kick * rho[i] + push; });
+    add_to_sum(row, StepSlots::gravity_work, first, end,
+               [=](int i) { return (kick + push / rho[i]) * (m[i] - 0.5 * dp[i]); });
   }
 }
 
@@ -64,7 +41,9 @@ void add_gravity_account(TaskList& list, const SchemeVariables& v, const SchemeO
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
-  task.always().kernel([=](const Row& row) { account_row(row, h, o); });
+  task.always().kernel([=](const Row& row) {
+    for_uncovered(row, o, [&](int first, int end) { account_cells(row, h, o, first, end); });
+  });
 }
 
 }  // namespace sluice::ice

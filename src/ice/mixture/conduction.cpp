@@ -43,16 +43,9 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
       for_each_of(as_set(set), [&](int m) {
         if (!o.conducts(m)) return;
         const auto n = static_cast<std::size_t>(m);
-        const double* __restrict M = part(state.mass[n]);
-        const double* __restrict V = part(state.volume[n]);
-        const double* __restrict E = part(state.energy[n]);
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
-        for (int i = 0; i < count; ++i) {
-          const double inverse = 1.0 / V[i];
-          r[i] = M[i] * inverse;
-          e[i] = E[i] * inverse;
-        }
+        state.divide(part, m, r, e);
         temperature_row(o.fluids[n], count, r, e, part(temperature, m));
         double* __restrict C = part(capacity, m);
         heat_capacity_row(o.fluids[n], count, r, e, C);

@@ -2,12 +2,12 @@
 #include "ice/mixture/equilibrate.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "framework/base/infinity.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double same_pressure = 4e-15;          // of the modulus: round-off of p = G (rho e) + F
 constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi

@@ -9,15 +9,14 @@
 // Where that leads nowhere, q is sought in a bracket, with the geometric mean of the bracket where
 // the step leaves it, and all V' at each q likewise: slow, but it ends.
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "framework/base/infinity.hpp"
 #include "ice/mixture/equilibrate.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 100, most_together = 12;
 constexpr double newton_ends = 1e-9;  // a step: what is left of it is round-off
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;

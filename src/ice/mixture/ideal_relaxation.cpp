@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "framework/base/infinity.hpp"
 #include "ice/limiters.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double same_pressure = 4e-15;  // of the modulus, as in equilibrate.cpp
 
 using Work = double[IdealRelaxation::most_cells];

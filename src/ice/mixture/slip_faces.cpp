@@ -9,14 +9,13 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/base/infinity.hpp"
 #include "ice/limiters.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct FaceHandles {
   std::vector<In> mass, volume;

@@ -54,35 +54,6 @@ TEST(Slip, ExchangeAloneIsTheExponential) {
   }
 }
 
-// Rates of a state and rates that a step leaves are those of the same sound: a uniform state stays
-// what it is, so that its first step may be as long as its next.
-TEST(Slip, TheFirstStepMayBeAsLongAsTheNext) {
-  constexpr double round_off = 1e-12;
-  for (const int ny : {1, 8})
-    for (const std::vector<double>& V :
-         {std::vector<double>{.7, .3}, {.05, .95}, {.3, .5, .2}, {1, 0}, {0, .6, .4}})
-      for (const double slip : {0., 300.}) {
-        std::vector<Fluid> fluids = {water, air};
-        if (V.size() == 3) fluids.push_back(heavy);
-        MixtureBox run(
-            tube({8, ny, 1}, true), fluids,
-            [&](Vec3) {
-              MixtureCell c;
-              c.volume = V;
-              c.density = {1000, 1, 3};
-              c.pressure = {1e5, 1e5, 1e5};
-              c.velocity[0] = 20;
-              c.slip = {0, slip, -slip};
-              return c;
-            },
-            {}, {}, {}, 0.0);
-        const StepLimit first = run.limit();
-        run.step(1e-3 * first.dt);
-        EXPECT_NEAR(run.limit().dt, first.dt, round_off * first.dt) << V[0] << " " << slip;
-        EXPECT_EQ(run.limit().reason, first.reason);
-      }
-}
-
 // The kinetic energy that drag takes is heat.
 TEST(Slip, DragHeats) {
   MixtureBox run(

@@ -91,4 +91,18 @@ StateReads read_state(TaskBuilder& task, const Variables& v) {
   return r;
 }
 
+void StateReads::divide(const Row& row, int m, double* density, double* energy_density) const {
+  const auto k = static_cast<std::size_t>(m);
+  const double* __restrict M = row(mass[k]);
+  const double* __restrict V = row(volume[k]);
+  const double* __restrict E = row(energy[k]);
+  double* __restrict r = density;
+  double* __restrict e = energy_density;
+  for (int i = 0; i < row.count(); ++i) {
+    const double inverse = 1.0 / V[i];
+    r[i] = M[i] * inverse;
+    e[i] = E[i] * inverse;
+  }
+}
+
 }  // namespace sluice::ice::mixture

@@ -65,6 +65,9 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o);
 // The old state of each material, at a point.
 struct StateReads {
   std::vector<In> mass, volume, energy;
+
+  // True density and energy per volume of material m, which is in all cells of the row.
+  void divide(const Row& row, int m, double* density, double* energy_density) const;
 };
 StateReads read_state(TaskBuilder& task, const Variables& v);
 

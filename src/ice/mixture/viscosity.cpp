@@ -114,16 +114,9 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
         const auto n = static_cast<std::size_t>(m);
-        const double* __restrict M = part(state.mass[n]);
-        const double* __restrict V = part(state.volume[n]);
-        const double* __restrict E = part(state.energy[n]);
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
-        for (int i = 0; i < count; ++i) {
-          const double inverse = 1.0 / V[i];
-          r[i] = M[i] * inverse;
-          e[i] = E[i] * inverse;
-        }
+        state.divide(part, m, r, e);
         laws[n](part, r, e, part(viscosity, m));
       });
     });

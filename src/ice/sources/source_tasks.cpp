@@ -3,42 +3,31 @@
 
 #include <algorithm>
 
-#include "framework/refine/coverage.hpp"
-#include "framework/task/reductions.hpp"
+#include "ice/cell_sums.hpp"
 #include "ice/labels.hpp"
 
 namespace sluice::ice {
 namespace {
 
-double cell_volume(const Row& row) {
-  const Vec3 dx = row.step().spacing;
-  return dx.x * dx.y * dx.z;
-}
-
-// Cells first .. first + count - 1 of a row of the change, into one of the sums.
-void add_cells(const Row& row, In change, int component, int slot, int first, int count) {
-  constexpr int chunk = 256;
+// A component of the change into one of the sums.
+void add_cells(const Row& row, In change, int component, int slot, int first, int end) {
   const double volume = cell_volume(row);
-  double values[chunk];
-  for (int begin = first; begin < first + count; begin += chunk) {
-    const int n = std::min(chunk, first + count - begin);
-    const double* q = row(change, component) + begin;
-    for (int i = 0; i < n; ++i) values[i] = q[i] * volume;
-    row.reductions().sum(slot).add(values, static_cast<std::size_t>(n));
-  }
+  const double* q = row(change, component);
+  add_to_sum(row, slot, first, end, [=](int i) { return q[i] * volume; });
 }
 
-void account_cells(const Row& row, In change, const SchemeOptions& o, int first, int count) {
+// Cells first to end - 1 of the row.
+void account_cells(const Row& row, In change, const SchemeOptions& o, int first, int end) {
   using C = SourceChange;
   const C layout = source_change(o);
   const int material = o.mixture ? 0 : o.material;
   const int beside = o.first_source_sum + static_cast<int>(o.fluids.size());
   for (int m = 0; m < layout.materials; ++m) {
-    add_cells(row, change, layout.of(m, C::mass), o.first_source_sum + material + m, first, count);
+    add_cells(row, change, layout.of(m, C::mass), o.first_source_sum + material + m, first, end);
     for (int c = 0; c < o.components; ++c)
       add_cells(row, change, layout.of(m, C::momentum) + c,
                 beside + SourceSums::momentum + o.direction[static_cast<std::size_t>(c)], first,
-                count);
+                end);
   }
   constexpr std::pair<C::OfCell, int> of_cells[] = {
       {C::total_energy, SourceSums::total_energy},
@@ -46,17 +35,7 @@ void account_cells(const Row& row, In change, const SchemeOptions& o, int first,
       {C::exchanged_mass, SourceSums::exchanged_mass},
       {C::exchanged_energy, SourceSums::exchanged_energy}};
   for (const auto& [what, slot] : of_cells)
-    add_cells(row, change, layout.of(what), beside + slot, first, count);
-}
-
-void account_row(const Row& row, In change, const SchemeOptions& o) {
-  if (o.coverage == nullptr || !o.coverage->any())
-    return account_cells(row, change, o, 0, row.count());
-  const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
-  for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell())) {
-    const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
-    if (first < end) account_cells(row, change, o, first - low, end - first);
-  }
+    add_cells(row, change, layout.of(what), beside + slot, first, end);
 }
 
 struct SourceLabel {
@@ -117,7 +96,9 @@ void add_source_account(TaskList& list, const SchemeVariables& v, const SchemeOp
   if (o.sources == nullptr) return;
   TaskBuilder task = list.task("source account", effect);
   const In change = task.read(v.source_change);
-  task.always().kernel([=](const Row& row) { account_row(row, change, o); });
+  task.always().kernel([=](const Row& row) {
+    for_uncovered(row, o, [&](int first, int end) { account_cells(row, change, o, first, end); });
+  });
 }
 
 void declare_source_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
