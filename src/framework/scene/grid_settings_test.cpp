@@ -168,6 +168,16 @@ TEST(BuildGrid, RanksEachGetBoxes) {
   }
 }
 
+TEST(BuildGrid, TheMiddleOfEqualDirectionsIsCutFirst) {
+  for (const auto& [ranks, size] :
+       std::vector<std::pair<int, IntVec3>>{{2, {8, 4, 8}}, {4, {8, 4, 4}}, {8, {4, 4, 4}}}) {
+    GridOptions options;
+    options.ranks = ranks;
+    const Level level = build_grid(plain("[8,8,8]", ""), options).levels[0];
+    for (const GridBox& b : level.boxes) EXPECT_EQ(b.cells.size(), size) << ranks;
+  }
+}
+
 TEST(BuildGrid, DeckPatchesStayWhereTheyAreEnough) {
   GridOptions options;
   options.ranks = 3;
