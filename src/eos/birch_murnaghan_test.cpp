@@ -14,7 +14,8 @@ TEST(BirchMurnaghan, IsConsistent) {
   }
   const BirchMurnaghan soft{
       {.n = 5.0, .K = 1e-6, .rho0 = 500.0, .P0 = 1e5, .specific_heat = 1000.0}};
-  check_law(soft, {5.0, 5e3, 100.0, 5e3, 500.0}, {.slopes = 1e-8, .mixed = 1e-8});
+  check_law(soft, {126.0, 5e3, 100.0, 5e3, 500.0}, {.slopes = 1e-8, .mixed = 1e-8});
+  check_law(soft, {5.0, 125.0, 100.0, 5e3}, {.slopes = 1e-8, .mixed = 1e-8});  // dust
 }
 
 TEST(BirchMurnaghan, HasBulkModulusSlopeNAtRest) {

@@ -1,6 +1,7 @@
 // Murnaghan solid or liquid, with a power law in expansion that never reaches zero pressure.
 //
-//   rho >= rho0: p = P0 + ((rho/rho0)^n - 1)/(n K);   rho < rho0: p = P0 (rho/rho0)^(1/(K P0))
+//   rho >= rho0: p = P0 + ((rho/rho0)^n - 1)/(n K);   rho < rho0: p = P0 (rho/rho0)^(1/(K P0)),
+//   below rho_v, where that is 1e-6 P0: p = 1e-6 P0 rho/rho_v
 //   e = cv T + integral of p / rho^2 from rho0,   c^2 = dp/drho.
 // Units: compressibility K 1/Pa, P0 Pa. Reference: Murnaghan, Proc. Natl Acad. Sci. 30 (1944) 244.
 // Limits: no thermal pressure; no tension. Admissible: rho > 0, T > 0, p > 0.
@@ -16,13 +17,32 @@ inline double power_integral(double x, double a) {
   return a == 0.0 ? l : std::expm1(a * l) / a;
 }
 
-// The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0.
+// The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0. A solid falls
+// to next to no pressure within a hundredth of expansion: from least_share of P0 on, at x_v, it is
+// dust, whose pressure falls with density alone, so that torn matter keeps a sound speed.
 struct ExpansionBranch {
+  static constexpr double least_share = 1e-6;
   double K = 1.0, rho0 = 1.0, P0 = 1.0;
-  double pressure(double x) const { return P0 * std::pow(x, 1.0 / (K * P0)); }
-  double slope(double x) const { return std::pow(x, 1.0 / (K * P0) - 1.0) / (K * rho0); }
-  double energy(double x) const { return P0 / rho0 * power_integral(x, 1.0 / (K * P0) - 1.0); }
-  double density(double p) const { return rho0 * std::pow(p / P0, K * P0); }
+  double pressure(double x) const {
+    const double x_v = torn();
+    return x < x_v ? least_share * P0 * (x / x_v) : P0 * std::pow(x, 1.0 / (K * P0));
+  }
+  double slope(double x) const {
+    const double x_v = torn();
+    return x < x_v ? least_share * P0 / (x_v * rho0)
+                   : std::pow(x, 1.0 / (K * P0) - 1.0) / (K * rho0);
+  }
+  double energy(double x) const {
+    const double x_v = torn(), solid = power_integral(std::fmax(x, x_v), 1.0 / (K * P0) - 1.0);
+    return P0 / rho0 * (x < x_v ? solid + least_share / x_v * std::log(x / x_v) : solid);
+  }
+  double density(double p) const {
+    const double share = p / P0;
+    return rho0 * (share < least_share ? torn() * (share / least_share) : std::pow(share, K * P0));
+  }
+
+ private:
+  double torn() const { return std::pow(least_share, K * P0); }  // x_v
 };
 
 struct MurnaghanCurves {

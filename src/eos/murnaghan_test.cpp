@@ -13,10 +13,26 @@ TEST(Murnaghan, IsConsistentInCompression) {
 
 // Expanded: p falls with the power 1/(K P0) of the density, so the states lie close to rho0.
 TEST(Murnaghan, IsConsistentInExpansion) {
-  check_law(steep_solid, {1159.0, 1159.999, 100.0, 5e3, 0.0, 1e-7, 0.9},
+  check_law(steep_solid, {1159.4, 1159.999, 100.0, 5e3, 0.0, 1e-7, 0.9},
             {.slopes = 2e-7, .density = 1e-11, .mixed = 2e-7});
   const Murnaghan soft{{.n = 2.0, .K = 1e-6, .rho0 = 500.0, .P0 = 1e5, .specific_heat = 1000.0}};
-  check_law(soft, {5.0, 5e3, 100.0, 5e3, 500.0}, {.slopes = 1e-8, .mixed = 1e-8});
+  check_law(soft, {126.0, 5e3, 100.0, 5e3, 500.0}, {.slopes = 1e-8, .mixed = 1e-8});
+  check_law(soft, {5.0, 125.0, 100.0, 5e3}, {.slopes = 1e-8, .mixed = 1e-8});  // dust
+}
+
+// Torn, a solid is dust: a state however thin.
+TEST(Murnaghan, IsConsistentWhenTorn) {
+  check_law(steep_solid, {1e-6, 1159.0, 100.0, 5e3, 0.0}, {.slopes = 1e-8, .mixed = 1e-8});
+  for (const double rho : {1e-200, 1e-12, 1.0, 1e3}) {
+    const double p = steep_solid.pressure(rho, 1e5 * rho);
+    EXPECT_GT(p, 0.0);
+    EXPECT_GT(steep_solid.bulk_modulus(rho, p), 0.0);
+    EXPECT_TRUE(steep_solid.admissible(rho, 1e5 * rho));
+  }
+  // Continuous where the power law ends.
+  const double x = std::pow(1e-6, 39e-11 * 101325), rho = 1160 * x;
+  EXPECT_NEAR(steep_solid.pressure(rho * (1 + 1e-12), 0), 0.101325, 1e-6);
+  EXPECT_NEAR(steep_solid.pressure(rho * (1 - 1e-12), 0), 0.101325, 1e-6);
 }
 
 TEST(Murnaghan, IsSmoothAtRestDensityAndStiffensWithN) {

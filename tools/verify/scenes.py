@@ -64,8 +64,15 @@ class Material:
             self.gamma, self.pinf = draw.choice([1.2, 1.4, 1.667, 3.0]), 0
             self.heat = draw.choice([300, 717.5, 3000])
 
-    def density(self, pressure, temperature):
-        return (pressure + self.pinf) / ((self.gamma - 1) * self.heat * temperature)
+    def state(self, draw):
+        """Density and temperature, at a pressure of its range."""
+        pressure = 1e5 * 10 ** draw.uniform(-1, draw.choice([1, 3, 4]))
+        temperature = 300 * 10 ** draw.uniform(-0.4, 0.8)
+        return (pressure + self.pinf) / ((self.gamma - 1) * self.heat * temperature), temperature
+
+    @property
+    def name(self):
+        return "liquid" if self.stiff else "gas"
 
     def head(self, viscosity, conductivity):
         law = (f'<EOS type="StiffenedGas"><pinf>{self.pinf}</pinf><q>0</q></EOS>' if self.stiff
@@ -75,14 +82,42 @@ class Material:
                 f"<thermal_conductivity>{conductivity}</thermal_conductivity>")
 
 
+# A law of dense matter: name, numbers, density, the least and the most of it that a scene begins
+# with, the least and the most temperature.
+DENSE = [
+    ("JWL", {"A": 371.2e9, "B": 3.231e9, "R1": 4.15, "R2": 0.95, "om": 0.3, "rho0": 1630},
+     1630, (0.01, 1.0), (500, 4000)),
+    ("Murnaghan", {"n": 7.4, "K": 39e-11, "rho0": 1160, "P0": 101325}, 1160, (1.0, 1.1), (300, 900)),
+    ("BirchMurnaghan", {"n": 7.0, "K": 4.5e-10, "rho0": 1000, "P0": 101325}, 1000, (1.0, 1.1),
+     (280, 600)),
+    ("MieGruneisen", {"C0": 3940, "S": 1.49, "Gamma0": 1.99, "rho0": 8930, "T0": 300}, 8930,
+     (1.0, 1.05), (300, 900)),
+]
+
+
+class Dense:
+    """Products of a detonation, a solid or water under a law of their own."""
+
+    def __init__(self, draw):
+        self.name, self.numbers, self.usual, self.shares, self.temperatures = draw.choice(DENSE)
+
+    def state(self, draw):
+        return self.usual * draw.uniform(*self.shares), draw.uniform(*self.temperatures)
+
+    def head(self, viscosity, conductivity):
+        numbers = "".join(f"<{name}>{value}</{name}>" for name, value in self.numbers.items())
+        return (f'<EOS type="{self.name}">{numbers}</EOS><specific_heat>1000</specific_heat>'
+                f"<gamma>1.3</gamma><dynamic_viscosity>{viscosity}</dynamic_viscosity>"
+                f"<thermal_conductivity>{conductivity}</thermal_conductivity>")
+
+
 def filled(draw, material, shape, planar):
     """The geometry object of a material in a shape, at a random state."""
-    pressure = 1e5 * 10 ** draw.uniform(-1, draw.choice([1, 3, 4]))
-    temperature = 300 * 10 ** draw.uniform(-0.4, 0.8)
+    density, temperature = material.state(draw)
     u, v = (draw.choice([0, 0, draw.uniform(-500, 500)]) for _ in range(2))
     return (f"<geom_object>{shape}<res>[2,2,2]</res>"
             f"<velocity>[{u},{v if planar else 0},0]</velocity>"
-            f"<density>{material.density(pressure, temperature)!r}</density>"
+            f"<density>{density!r}</density>"
             f"<temperature>{temperature!r}</temperature></geom_object>")
 
 
@@ -155,6 +190,12 @@ def scene(seed):
     places = [*shapes, rest]  # two of one material
     owners = materials if count > 1 else materials * 2
     objects = [filled(draw, m, place, planar) for m, place in zip(owners, places)]
+    levels, refined = levels_of(draw, cells)
+    if draw.random() < 0.3:
+        n = draw.randrange(count)
+        materials[n] = Dense(draw)
+        for k in range(len(objects)) if count == 1 else [n]:
+            objects[k] = filled(draw, materials[n], places[k], planar)
     if count == 1:
         objects = ["".join(objects)]
     texts = [f'<material name="m{n}">{m.head(viscosity, conductivity)}{objects[n]}</material>'
@@ -165,13 +206,12 @@ def scene(seed):
                "</exchange_coefficients></exchange_properties>" if pairs else ""
     sides = [] if kind == "periodic" else [side(s, kind) for s in ("x-", "x+", "y-", "y+")]
     sides += [side(s, "closed") for s in ("z-", "z+")]
-    levels, refined = levels_of(draw, cells)
     text = DECK.format(seed=seed, levels=refined, sides="\n".join(sides), cells=cells, cfl=cfl,
                        periodic="<periodic>[1,1,0]</periodic>" if kind == "periodic" else "",
                        materials="\n".join(texts), exchange=exchange)
     if count == 1:
         text = text.replace('id="all"', 'id="0"')
-    names = "+".join("liquid" if m.stiff else "gas" for m in materials)
+    names = "+".join(m.name for m in materials)
     words = (f"{names}, {kind}, {cells[0]} x {cells[1]}, drag {drag:g}, heat {heat:g}, "
              f"mu {viscosity}, k {conductivity}, levels {levels}")
     return text, words
