@@ -216,8 +216,7 @@ SaveLabels ice_save_labels() {
   for (const Label label : all_labels()) {
     if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
   }
-  savable.not_built = {"delP_MassX",
-                       "f_theta",
+  savable.not_built = {"f_theta",
                        "sumKappa",
                        "temp_CC_Xchange",
                        "vel_CC_Xchange",
@@ -241,11 +240,9 @@ SaveLabels ice_save_labels() {
                        "grad_dp_XFC",
                        "grad_dp_YFC",
                        "grad_dp_ZFC",
-                       "mom_source_CC",
                        "intE_source_CC",
                        "mass_L_CC",
                        "mom_L_CC",
-                       "int_eng_L_CC",
                        "sp_vol_src_CC",
                        "Tdot",
                        "eng_adv",

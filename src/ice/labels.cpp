@@ -97,6 +97,15 @@ void declare_step_labels(Labels& l) {
   l.equilibrium_pressure = cell("press_equil_CC", "Pa", "Pressure at the start of the step.");
   l.pressure_change =
       cell("delP_Dilatate", "Pa", "Change of the pressure over the step by compression and flow.");
+  l.source_pressure = cell("delP_MassX", "Pa",
+                           "Change of the pressure over the step by mass and energy that models "
+                           "add or pass on, to first order.");
+  l.momentum_source = cell_vector("mom_source_CC", "kg m/s",
+                                  "Momentum that pressure, friction and forces give to the cell in "
+                                  "the step.");
+  l.energy_before_exchange = cell("int_eng_L_CC", "J",
+                                  "Internal energy of the material in the cell after pressure and "
+                                  "forces, before exchange between materials and advection.");
   l.lagrangian_momentum = cell_vector(
       "mom_L_ME_CC", "kg m/s", "Momentum of the cell after pressure and forces, before advection.");
   l.lagrangian_energy = cell("eng_L_ME_CC", "J",

@@ -25,6 +25,7 @@ struct Labels {
 
   // From within a step.
   Label equilibrium_pressure, pressure_change, lagrangian_momentum, lagrangian_energy;
+  Label source_pressure, momentum_source, energy_before_exchange;
   Label face_stress[3], viscous_source, heat_source;
   Label model_mass, model_momentum, model_energy, model_volume;
   Label face_velocity[3], face_velocity_exchanged[3], face_pressure[3];

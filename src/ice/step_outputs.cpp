@@ -57,12 +57,13 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
   });
 }
 
-// (m - dp) V, by level direction; zero along directions that are not carried.
-void lagrangian_momentum_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
-  TaskBuilder task =
-      list.task("save " + labels().lagrangian_momentum.name(), effect_saved_intermediates);
+// (m - dp) V, or what dp takes alone, by level direction; zero along directions that are not
+// carried.
+void momentum_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, Label label,
+                   bool change_alone) {
+  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const In m = task.read(v.momentum), dp = task.read(v.impulse);
-  const Out out = task.write(list.output(labels().lagrangian_momentum, 0));
+  const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
     const Vec3 dx = row.step().spacing;
     const double V = dx.x * dx.y * dx.z;
@@ -74,17 +75,16 @@ void lagrangian_momentum_task(TaskList& list, const SchemeVariables& v, const Sc
       const double* from = row(m, c);
       const double* taken = row(dp, c);
       double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
-      for (int i = 0; i < row.count(); ++i) to[i] = (from[i] - taken[i]) * V;
+      for (int i = 0; i < row.count(); ++i) to[i] = ((change_alone ? 0.0 : from[i]) - taken[i]) * V;
     }
   });
 }
 
 // E* V of one material.
-void lagrangian_energy_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
-  TaskBuilder task =
-      list.task("save " + labels().lagrangian_energy.name(), effect_saved_intermediates);
+void energy_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, Label label) {
+  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const In energy = task.read(v.energy_star);
-  const Out out = task.write(list.output(labels().lagrangian_energy, o.material));
+  const Out out = task.write(list.output(label, o.material));
   task.kernel([=](const Row& row) {
     const Vec3 dx = row.step().spacing;
     const double V = dx.x * dx.y * dx.z;
@@ -119,9 +119,14 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
     copy_task(list, v.pressure_change, l.pressure_change);
   else
     pressure_change_task(list, v, o);
-  lagrangian_momentum_task(list, v, o);
+  momentum_task(list, v, o, l.lagrangian_momentum, false);
+  momentum_task(list, v, o, l.momentum_source, true);
   declare_transport_outputs(list, v, o);
-  if (!o.mixture) lagrangian_energy_task(list, v, o);
+  if (!o.mixture) {
+    energy_task(list, v, o, l.lagrangian_energy);
+    energy_task(list, v, o, l.energy_before_exchange);
+    declare_source_pressure(list, v, o, {}, effect_saved_intermediates);
+  }
   declare_source_labels(list, v, o, effect_saved_intermediates);
   for (int d = 0; d < 3; ++d) {
     int axis = -1;

@@ -1,17 +1,19 @@
-// Saved labels of the Lagrangian phase of each material.
+// Saved labels of the Lagrangian phase of each material, and of what models do to their pressure.
 #include "ice/labels.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::mixture {
+namespace {
 
-void declare_lagrangian_labels(TaskList& list, const Variables& v, const SchemeOptions& o,
-                               int effect) {
+void energy_tasks(TaskList& list, const Variables& v, const SchemeOptions& o, Label label,
+                  int effect) {
   for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
-    TaskBuilder task = list.task("save " + labels().lagrangian_energy.name(), effect);
+    TaskBuilder task = list.task("save " + label.name(), effect);
     const In pure = task.read(v.pure), own = task.read(v.energy_L),
              alone = task.read(v.common.energy_star);
-    const Out energy = task.write(list.output(labels().lagrangian_energy, m));
+    const Out energy = task.write(list.output(label, m));
     task.kernel([=](const Row& row) {
       const Vec3 dx = row.step().spacing;
       const double volume = dx.x * dx.y * dx.z;
@@ -20,6 +22,15 @@ void declare_lagrangian_labels(TaskList& list, const Variables& v, const SchemeO
       for (int i = 0; i < row.count(); ++i) E[i] *= volume;
     });
   }
+}
+
+}  // namespace
+
+void declare_lagrangian_labels(TaskList& list, const Variables& v, const SchemeOptions& o,
+                               int effect) {
+  energy_tasks(list, v, o, labels().lagrangian_energy, effect);
+  energy_tasks(list, v, o, labels().energy_before_exchange, effect);
+  declare_source_pressure(list, v.common, o, {v.mass_new, v.volume_new, v.energy_new}, effect);
 }
 
 }  // namespace sluice::ice::mixture

@@ -24,6 +24,13 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
 
 // Sums over the uncovered cells; absent without sources.
 void add_source_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// The new state of each material of a mixture; empty with one.
+struct NewMaterials {
+  std::vector<VariableId> mass, volume, energy;
+};
+// delP_MassX, zero without sources.
+void declare_source_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                             const NewMaterials&, int effect);
 // modelMass_src and its like, zero without sources.
 void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 

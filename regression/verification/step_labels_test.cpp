@@ -1,0 +1,89 @@
+// Labels of a step against the change that they describe.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/amr_case.hpp"
+
+namespace sluice::verification {
+namespace {
+
+constexpr double round_off = 1e-13;
+
+std::vector<std::string> one_step(double dt, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides = {"Time/max_Timesteps=1",
+                                        "Time/delt_max=" + std::to_string(dt)};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return overrides;
+}
+std::string drag(const char* coefficient) {
+  return std::string("MaterialProperties/exchange_properties/exchange_coefficients/momentum=[") +
+         coefficient + "]";
+}
+
+// In the middle of the ball nothing flows: the pressure falls by what passes to the other gas. The
+// label is of first order in that, the difference of second.
+TEST(StepLabels, PressureOfPassingMassIsTheChangeWhereNothingFlows) {
+  for (const char* K : {"1e15", "0"}) {
+    const auto change = [&](double dt) {
+      const CaseRun run("amr_mass_exchange", one_step(dt, {one_level(), drag(K)}));
+      const double all = run.field("delP_Dilatate").at(16, 16);
+      const double passed = run.field("delP_MassX").at(16, 16);
+      EXPECT_LT(all, -.1 * 20 * dt);
+      EXPECT_EQ(run.field("delP_MassX").at(0, 0), 0);  // nothing passes there
+      return std::pair{all, all - passed};
+    };
+    const auto [coarse, coarse_rest] = change(2e-4);
+    const auto [fine, fine_rest] = change(1e-4);
+    record("rest", fine_rest / fine);
+    EXPECT_LE(std::fabs(fine_rest), .01 * std::fabs(fine)) << K;
+    EXPECT_NEAR(coarse_rest / fine_rest, 4, .2) << K;
+  }
+}
+
+// An ideal gas held at other values: its pressure goes with its energy alone.
+TEST(StepLabels, PressureOfAHeldRegionIsTheChange) {
+  for (const char* scheme : {"conservative", "classic"}) {
+    const CaseRun run("held_region", one_step(1e-4, {std::string("CFD/ICE/scheme=") + scheme}));
+    const CellValues before = run.field("press_CC", 0, "first"), after = run.field("press_CC");
+    EXPECT_NEAR(run.field("delP_MassX").at(6, 16) / (after.at(6, 16) - before.at(6, 16)), 1, 1e-12)
+        << scheme;
+    EXPECT_EQ(run.field("delP_MassX").at(20, 16), 0);
+  }
+}
+
+// Momentum before, what the step gives, momentum before advection; the sum of what it gives is what
+// the whole has gained between periodic sides. Before exchange and after it the energy is the same:
+// exchange follows the advection.
+TEST(StepLabels, MomentumOfPressureIsTheDifference) {
+  for (const char* K : {"1e15", "10"}) {
+    std::vector<std::string> two_steps = one_step(1e-3, {one_level(), drag(K)});
+    two_steps[0] = "Time/max_Timesteps=2";
+    two_steps.emplace_back("DataArchiver/outputTimestepInterval=1");
+    const CaseRun run("amr_mass_exchange", two_steps);
+    double gained = 0, size = 0;
+    for (const int d : {0, 1}) {
+      const CellValues given = run.field("mom_source_CC", d);
+      const CellValues star = run.field("mom_L_ME_CC", d);
+      std::vector<double> before(given.values.size(), 0.0);
+      for (const int m : {0, 1}) {
+        const CellValues rho = run.field("rho_CC", 0, "#1", m), u = run.field("vel_CC", d, "#1", m);
+        for (std::size_t n = 0; n < before.size(); ++n)
+          before[n] += rho.values[n] * u.values[n] / (32. * 32 * 32);
+      }
+      for (std::size_t n = 0; n < before.size(); ++n) {
+        EXPECT_NEAR(star.values[n] - before[n], given.values[n], round_off / (32. * 32 * 32));
+        gained += given.values[n];
+        size = std::fmax(size, std::fabs(given.values[n]));
+      }
+    }
+    EXPECT_GT(size, 1e-4 / (32. * 32 * 32));
+    EXPECT_LE(std::fabs(gained), round_off * size * 1024);
+    for (const int m : {0, 1})
+      EXPECT_EQ(run.field("int_eng_L_CC", 0, "last", m).values,
+                run.field("eng_L_ME_CC", 0, "last", m).values);
+  }
+}
+
+}  // namespace
+}  // namespace sluice::verification
