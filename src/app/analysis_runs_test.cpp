@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
@@ -19,11 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // The numbers of a file, a vector a line.
 std::vector<std::vector<double>> lines_of(const fs::path& path) {

@@ -10,17 +10,13 @@
 //   status: 0 where a warning is all
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
@@ -38,30 +34,8 @@ struct BadDeck {
   int status = 2;
 };
 
-std::string read_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Outcome {
-  int status = -1;
-  double seconds = 0;
-  std::string text;
-};
-
 Outcome check(const std::string& arguments) {
-  const std::string command = std::string(SLUICE_COMMAND) + " check " + arguments + " 2>&1";
-  const auto begin = std::chrono::steady_clock::now();
-  Outcome outcome;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.text.append(buffer.data(), n);
-  }
-  const int status = pclose(pipe);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return outcome;
+  return run_in_shell(std::string(SLUICE_COMMAND) + " check " + arguments);
 }
 
 // A folder of its own for the edited decks, with the fragments that some include.
@@ -139,7 +113,7 @@ class BadDecks : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadDecks, AreRefused) {
   const Folder folder;
-  const std::string good = read_file(corpus / "good.ups");
+  const std::string good = text_of(corpus / "good.ups");
   const auto rows = read_rows(corpus / (std::string(GetParam()) + ".rows"));
   ASSERT_GE(rows.size(), 10u);
   for (const BadDeck& bad : rows) {
@@ -218,7 +192,7 @@ TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
 
 TEST(BadDeckChecks, AllFaultsAreFoundInOnePass) {
   const Folder folder;
-  std::string text = read_file(corpus / "good.ups");
+  std::string text = text_of(corpus / "good.ups");
   const auto edit = [&](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
   };

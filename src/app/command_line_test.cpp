@@ -1,35 +1,19 @@
 // The command line as a user meets it: the executable itself is run, its status and text checked.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "app/command_test_support.hpp"
 
 namespace sluice {
 namespace {
 
 using ::testing::HasSubstr;
 
-struct Outcome {
-  int status = -1;
-  std::string text;  // standard output and error together
-};
-
 Outcome run_in(const std::string& folder, const std::string& arguments) {
-  const std::string command =
-      "cd " + folder + " && " + std::string(SLUICE_COMMAND) + " " + arguments + " 2>&1";
-  Outcome outcome;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.text.append(buffer.data(), n);
-  }
-  const int status = pclose(pipe);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return outcome;
+  return run_in_shell("cd " + folder + " && " + std::string(SLUICE_COMMAND) + " " + arguments);
 }
 
 Outcome run(const std::string& arguments) {

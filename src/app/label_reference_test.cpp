@@ -3,20 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
+#include "app/command_test_support.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/field/label.hpp"
 
 namespace sluice {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // By the command itself: other tests of this executable declare labels of their own.
 TEST(LabelReference, PageIsUpToDate) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/command_test_support.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 
@@ -23,19 +24,9 @@ class PlanCommand : public testing::Test {
     return std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + name + ".ups";
   }
   int sluice(const std::vector<std::string>& words) {
-    ProcessRequest request;
-    request.words = {SLUICE_COMMAND};
-    request.words.insert(request.words.end(), words.begin(), words.end());
-    request.output = folder_ / "said";
-    const int status = run_process(request);
-    said_ = text_of(request.output);
-    return status;
-  }
-  static std::string text_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
+    const Outcome outcome = run_sluice(words);
+    said_ = outcome.text;
+    return outcome.status;
   }
   json plan(std::vector<std::string> words) {
     words.insert(words.begin(), "plan");

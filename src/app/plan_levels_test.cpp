@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/command_test_support.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 
@@ -22,19 +23,11 @@ class PlanLevels : public testing::Test {
     return std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + name + ".ups";
   }
   std::string sluice(const std::string& command, const std::string& name,
-                     const std::vector<std::string>& options = {}) {
-    ProcessRequest request;
-    request.words = {SLUICE_COMMAND, command, deck(name), "--quiet"};
-    request.words.insert(request.words.end(), options.begin(), options.end());
-    request.output = folder_ / "said";
-    EXPECT_EQ(run_process(request), 0) << text_of("said");
-    return text_of("said");
-  }
-  std::string text_of(const std::string& file) const {
-    std::ifstream in(folder_ / file);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
+                     std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {command, deck(name), "--quiet"});
+    const Outcome outcome = run_sluice(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return outcome.text;
   }
   json plan(const std::string& name, std::vector<std::string> options = {}) {
     options.emplace_back("--json");
@@ -44,7 +37,7 @@ class PlanLevels : public testing::Test {
     options.insert(options.end(), {"-o", folder_.string(), "--progress", "none", "--json",
                                    (folder_ / "run.json").string()});
     sluice("run", name, options);
-    return json::parse(text_of("run.json"));
+    return json::parse(text_of(folder_ / "run.json"));
   }
 
   TemporaryFolder folder_{TemporaryFolder::Place::disk};
@@ -53,7 +46,7 @@ class PlanLevels : public testing::Test {
 TEST_F(PlanLevels, AreThoseThatTheRunBeginsWith) {
   const json planned = plan("amr_explosion");
   const json ran = run("amr_explosion", {"--max-steps", "1"});
-  std::istringstream lines(text_of("amr_explosion.uda.000/levels.txt"));
+  std::istringstream lines(text_of(folder_ / "amr_explosion.uda.000/levels.txt"));
   std::string header;
   std::getline(lines, header);
   EXPECT_EQ(header, "# step\ttime\tlevel 0\tlevel 1\tlevel 2");
@@ -121,13 +114,7 @@ TEST_F(PlanLevels, TakeTheMemoryThatWasPlanned) {
 
 // The link to the newest archive moves to the one that the restart makes.
 TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
-  std::string deck_text;
-  {
-    std::ifstream in(deck("amr_shock_tube"));
-    std::stringstream text;
-    text << in.rdbuf();
-    deck_text = text.str();
-  }
+  std::string deck_text = text_of(deck("amr_shock_tube"));
   const std::string end = "</DataArchiver>";
   deck_text.insert(deck_text.find(end), "<checkpoint cycle=\"0\" timestepInterval=\"5\"/>");
   std::ofstream(folder_ / "tube.ups") << deck_text;
@@ -137,15 +124,15 @@ TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
     request.words.insert(request.words.end(), words.begin(), words.end());
     request.words.insert(request.words.end(), {"-o", folder_.string(), "--progress", "none"});
     request.output = folder_ / "said";
-    EXPECT_EQ(run_process(request), 0) << text_of("said");
+    EXPECT_EQ(run_process(request), 0) << text_of(folder_ / "said");
   };
   const std::string tube = (folder_ / "tube.ups").string();
   go({tube, "--max-steps", "14"});
   go({"--restart", (folder_ / "amr_shock_tube.uda").string()});
   go({tube});
-  EXPECT_EQ(text_of("amr_shock_tube.uda.001/levels.txt"),
-            text_of("amr_shock_tube.uda.002/levels.txt"));
-  EXPECT_THAT(text_of("amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n56\t0.2"));
+  EXPECT_EQ(text_of(folder_ / "amr_shock_tube.uda.001/levels.txt"),
+            text_of(folder_ / "amr_shock_tube.uda.002/levels.txt"));
+  EXPECT_THAT(text_of(folder_ / "amr_shock_tube.uda.002/levels.txt"), HasSubstr("\n56\t0.2"));
 }
 
 // Tiles in the corner are there with every ratio and tile size, but hold other cells.
@@ -163,11 +150,11 @@ TEST_F(PlanLevels, ARestartWithOtherRatiosOrTilesIsRefusedByName) {
                 "AMR/Refine/geom_object/box/min=[-1,-1,-1]", "--set",
                 "AMR/Refine/geom_object/box/max=[-0.6,-0.6,1]", "--set", "AMR/Refine/@level=1"}),
             0)
-      << text_of("said");
+      << text_of(folder_ / "said");
   const std::string archive = (folder_ / "amr_regions.uda").string();
   const auto restart_with = [&](const std::string& tag) {
     EXPECT_EQ(go({"--restart", archive, "--set", "AMR/Regridder/" + tag}), 2) << tag;
-    return text_of("said");
+    return text_of(folder_ / "said");
   };
   EXPECT_THAT(restart_with("cell_refinement_ratio=[[4,4,1]]"),
               HasSubstr("holds a grid of [128, 128, 1] cells on level 1"));

@@ -1,14 +1,11 @@
 // sluice plot as a user meets it: pictures of a small archive, and its answers to what is missing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "app/command_test_support.hpp"
 #include "framework/archive/archive_test_support.hpp"
 
 namespace sluice {
@@ -17,27 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-struct Outcome {
-  int status = -1;
-  std::string text;
-};
-
-Outcome run(const std::string& command) {
-  Outcome outcome;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-    outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return outcome;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // A tube of ten cells at t = 0.2 whose deck names Sod's exact solution.
 class Plot : public ::testing::Test {
@@ -61,8 +37,8 @@ class Plot : public ::testing::Test {
   }
 
   Outcome plot(const std::string& options) {
-    return run(std::string(SLUICE_COMMAND) + " plot " + (folder_.path() / "box.uda").string() +
-               " " + options);
+    return run_in_shell(std::string(SLUICE_COMMAND) + " plot " +
+                        (folder_.path() / "box.uda").string() + " " + options);
   }
 
   // A memory folder may refuse to run programs.
@@ -91,14 +67,15 @@ TEST_F(Plot, WrongNamesAndTimesAreBadInput) {
   EXPECT_THAT(variable.text, HasSubstr("there are: rho_CC, vel_CC"));
   EXPECT_EQ(plot("--time 7").status, 2);
   EXPECT_EQ(plot("-o picture.doc").status, 2);
-  EXPECT_EQ(run(std::string(SLUICE_COMMAND) + " plot nosuch.uda").status, 2);
+  EXPECT_EQ(run_in_shell(std::string(SLUICE_COMMAND) + " plot nosuch.uda").status, 2);
 }
 
 TEST_F(Plot, MissingToolsAreASystemFailureThatSaysWhereTheyShouldBe) {
   const fs::path lonely = folder_.path() / "bin" / "sluice";
   fs::create_directories(lonely.parent_path());
   fs::copy_file(SLUICE_COMMAND, lonely);
-  const Outcome outcome = run(lonely.string() + " plot " + (folder_.path() / "box.uda").string());
+  const Outcome outcome =
+      run_in_shell(lonely.string() + " plot " + (folder_.path() / "box.uda").string());
   EXPECT_EQ(outcome.status, 3);
   EXPECT_THAT(outcome.text, HasSubstr("Python tools are not beside this executable"));
 }

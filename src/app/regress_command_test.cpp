@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "app/command_test_support.hpp"
 #include "app/golden.hpp"
-#include "app/study_process.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
 
@@ -31,20 +30,11 @@ class RegressCommand : public testing::Test {
         << "// a comment\n{\"cases\": [{\"name\": \"tube\", \"deck\": \"" << SLUICE_SOURCE_DIR
         << "/inputs/ice/riemann_sod.ups\", " << entries << "}]}\n";
   }
-  int regress(const std::vector<std::string>& words = {}) {
-    ProcessRequest request;
-    request.words = {SLUICE_COMMAND, "regress", "--cases", (folder_ / "cases.json").string()};
-    request.words.insert(request.words.end(), words.begin(), words.end());
-    request.output = folder_ / "said";
-    const int status = run_process(request);
-    said_ = text_of(request.output);
-    return status;
-  }
-  static std::string text_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
+  int regress(std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {"regress", "--cases", (folder_ / "cases.json").string()});
+    const Outcome outcome = run_sluice(words);
+    said_ = outcome.text;
+    return outcome.status;
   }
   fs::path golden() const { return folder_ / "tube.csv"; }
 

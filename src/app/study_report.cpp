@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "framework/base/console.hpp"
 #include "framework/base/text.hpp"
+#include "framework/base/utc_time.hpp"
 #include "sluice_version.hpp"
 
 namespace sluice {
@@ -24,15 +24,6 @@ std::string csv_text(const std::string& text) {
     out += c;
   }
   return out + '"';
-}
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 // What this setting needs for the target; nothing when no two of its runs enclose it.

@@ -32,18 +32,6 @@ Vec3 unit(const SolutionParameters& from, const std::string& name, Vec3 fallback
   return size == 1 ? v : v * (1 / size);
 }
 
-// "[density, velocity, pressure]"
-std::vector<double> triple(const SolutionParameters& from, const std::string& name) {
-  const auto values = from.reals(name);
-  if (values.size() != 3) {
-    throw InputError(
-        fmt::format("exact solution '{}': <{}> holds {} numbers, expected [density, velocity, "
-                    "pressure]",
-                    from.type(), name, values.size()));
-  }
-  return values;
-}
-
 State mean_state(const SolutionParameters& from) {
   State out;
   out.density = from.positive("density", 1);
@@ -96,7 +84,7 @@ class PlaneRiemann final : public ExactSolution {
 };
 
 Made make_riemann(const SolutionParameters& from) {
-  const auto left = triple(from, "left"), right = triple(from, "right");
+  const auto left = from.state("left"), right = from.state("right");
   const double gamma = from.positive("gamma", 1.4);
   const GasState l{left[0], left[1], left[2], from.positive("gamma_left", gamma)};
   const GasState r{right[0], right[1], right[2], from.positive("gamma_right", gamma)};

@@ -26,13 +26,7 @@ State in_space(const MaterialRiemann::Sample& sample, double temperature, const 
 // the law's own to 1e-6.
 FluidState state_of(const SolutionParameters& from, const eos::EquationOfState& law,
                     const std::string& name, const std::string& side) {
-  const auto values = from.reals(name);
-  if (values.size() != 3) {
-    throw InputError(
-        fmt::format("exact solution '{}': <{}> holds {} numbers, expected [density, velocity, "
-                    "pressure]",
-                    from.type(), name, values.size()));
-  }
+  const auto values = from.state(name);
   if (pressure_depends_on_energy(law))
     return state_of_pressure(law, values[0], values[1], values[2]);
   const FluidState state =

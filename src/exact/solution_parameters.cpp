@@ -53,6 +53,15 @@ std::vector<double> SolutionParameters::reals(const std::string& name) const {
   return out;
 }
 
+std::vector<double> SolutionParameters::state(const std::string& name) const {
+  const std::vector<double> values = reals(name);
+  if (values.size() == 3) return values;
+  throw InputError(
+      fmt::format("exact solution '{}': <{}> holds {} numbers, expected [density, velocity, "
+                  "pressure]",
+                  type_, name, values.size()));
+}
+
 double SolutionParameters::real(const std::string& name) const {
   const auto values = reals(name);
   if (values.size() != 1) refuse(name, "one number");

@@ -26,6 +26,7 @@ class SolutionParameters {
   Vec3 vector(const std::string& name) const;
   Vec3 vector(const std::string& name, Vec3 fallback) const;
   std::vector<double> reals(const std::string& name) const;
+  std::vector<double> state(const std::string& name) const;  // [density, velocity, pressure]
   const std::string& words(const std::string& name) const { return text(name); }
 
   // Throws InputError naming the first given parameter that nobody asked for.

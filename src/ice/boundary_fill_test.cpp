@@ -5,29 +5,11 @@
 
 #include <memory>
 
+#include "ice/boundary/condition_test_support.hpp"
 #include "ice/labels.hpp"
 
 namespace sluice::ice {
 namespace {
-
-Condition condition(const char* variable, ConditionKind kind, double value = 0) {
-  Condition c;
-  c.variable = variable;
-  c.kind = kind;
-  c.has_value = true;
-  c.value = value;
-  c.vector = {value, value, value};
-  return c;
-}
-
-Condition velocity(ConditionKind kind, Vec3 value) {
-  Condition c;
-  c.variable = "Velocity";
-  c.kind = kind;
-  c.is_vector = true;
-  c.vector = value;
-  return c;
-}
 
 BoundaryRegion whole_side(std::vector<Condition> conditions) {
   BoundaryRegion region;

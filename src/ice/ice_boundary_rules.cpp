@@ -202,14 +202,6 @@ std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-std::array<bool, 3> periodic_directions(const DeckNode& grid) {
-  std::array<bool, 3> periodic{};
-  const auto levels = grid.all("Level");
-  const auto flags = levels.empty() ? std::nullopt : int_vector_of(levels[0], "periodic");
-  for (int d = 0; flags && d < 3; ++d) periodic[static_cast<std::size_t>(d)] = (*flags)[d] != 0;
-  return periodic;
-}
-
 }  // namespace
 
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {

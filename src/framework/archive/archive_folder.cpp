@@ -5,23 +5,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <ctime>
 
 #include "framework/archive/archive_writer.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/utc_time.hpp"
 
 namespace sluice {
 namespace fs = std::filesystem;
 namespace {
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 bool is_partial(const fs::path& path) {
   return path.extension() == ".partial";

@@ -10,19 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
 namespace {
-
-// MPI must be closed before the test executable ends.
-class CloseRanks : public testing::Environment {
- public:
-  void TearDown() override { world().finalize(); }
-};
-const testing::Environment* const close_ranks =
-    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
 
 TEST(Communicator, knows_its_ranks) {
   EXPECT_EQ(world().size(), launched_processes());

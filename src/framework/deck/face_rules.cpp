@@ -78,15 +78,6 @@ void check_shape(const DeckNode& face, const Shape& shape, std::vector<Fault>& f
   }
 }
 
-// "[1,0,0]" of the first level.
-std::array<bool, 3> periodic_directions(const DeckNode& grid) {
-  std::array<bool, 3> periodic{};
-  const auto levels = grid.all("Level");
-  const auto flags = levels.empty() ? std::nullopt : int_vector_of(levels[0], "periodic");
-  for (int d = 0; flags && d < 3; ++d) periodic[static_cast<std::size_t>(d)] = (*flags)[d] != 0;
-  return periodic;
-}
-
 void check_conditions(const DeckNode& face, std::vector<Fault>& faults) {
   for (const DeckNode* condition : face.all("BCType")) {
     if (condition->attribute("value") && condition->child("value") != nullptr) {

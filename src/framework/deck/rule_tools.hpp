@@ -1,5 +1,6 @@
 // Reading values in rules, on trees that may be faulty: what cannot be read is simply absent.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,14 @@ inline std::optional<IntVec3> int_vector_of(const DeckNode* parent, std::string_
 inline bool is_true(const DeckNode* parent, std::string_view name) {
   const DeckNode* child = parent == nullptr ? nullptr : parent->child(name);
   return child != nullptr && child->text == "true";
+}
+
+// What <periodic> of the first level of a <Grid> says.
+inline std::array<bool, 3> periodic_directions(const DeckNode& grid) {
+  const auto levels = grid.all("Level");
+  const auto flags = levels.empty() ? std::nullopt : int_vector_of(levels[0], "periodic");
+  if (!flags) return {};
+  return {flags->x != 0, flags->y != 0, flags->z != 0};
 }
 
 inline constexpr std::string_view direction_names[3] = {"x", "y", "z"};

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "framework/base/reduction.hpp"
 #include "framework/refine/flux_test_scenes.hpp"
 
@@ -12,14 +13,6 @@ namespace sluice {
 namespace {
 
 using namespace flux_test;
-
-// MPI must be closed before the test executable ends.
-class CloseRanks : public testing::Environment {
- public:
-  void TearDown() override { world().finalize(); }
-};
-const testing::Environment* const close_ranks =
-    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
 
 // Fine fluxes that go one way, where the coarse level has none; through the first faces they go
 // the other way, so that a cell between both ends of a fine region loses on both sides.

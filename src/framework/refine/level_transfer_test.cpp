@@ -3,20 +3,13 @@
 // Registered once more on three ranks (CMakeLists.txt).
 #include "framework/refine/level_transfer.hpp"
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "framework/refine/transfer_test_support.hpp"
 
 namespace sluice {
 namespace {
 
 using namespace transfer_test;
-
-// MPI must be closed before the test executable ends.
-class CloseRanks : public testing::Environment {
- public:
-  void TearDown() override { world().finalize(); }
-};
-const testing::Environment* const close_ranks =
-    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
 
 constexpr int coarse_ghosts = 3, fine_ghosts = 4, old_salt = 10, new_salt = 20;
 

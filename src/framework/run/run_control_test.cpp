@@ -7,18 +7,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "framework/base/communicator.hpp"
 
 namespace sluice {
 namespace {
-
-// MPI must be closed before the test executable ends.
-class CloseRanks : public testing::Environment {
- public:
-  void TearDown() override { world().finalize(); }
-};
-const testing::Environment* const close_ranks =
-    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
 
 RunControl::Answer ask_once(const RunControl& control) {
   Reduction step;

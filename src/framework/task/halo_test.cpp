@@ -5,20 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
 namespace sluice {
 namespace {
 
 using namespace sweep_test;
-
-// MPI must be closed before the test executable ends.
-class CloseRanks : public testing::Environment {
- public:
-  void TearDown() override { world().finalize(); }
-};
-const testing::Environment* const close_ranks =
-    testing::AddGlobalTestEnvironment(new CloseRanks);  // owned by googletest
 
 constexpr double untouched = -7;
 

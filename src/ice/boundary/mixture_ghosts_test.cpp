@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "framework/base/error.hpp"
+#include "ice/boundary/condition_test_support.hpp"
 #include "ice/boundary_fill.hpp"
 #include "ice/fluid_test_support.hpp"
 #include "ice/labels.hpp"
@@ -12,26 +13,9 @@
 namespace sluice::ice {
 namespace {
 
-Condition scalar(const char* variable, ConditionKind kind, double value, int material = -1) {
-  Condition c;
-  c.variable = variable;
-  c.kind = kind;
-  c.material = material;
-  c.has_value = true;
-  c.value = value;
-  c.vector = Vec3::all(value);
-  return c;
-}
 Condition given(const char* variable, double value, int material = -1) {
-  return scalar(variable, ConditionKind::dirichlet, value, material);
+  return condition(variable, ConditionKind::dirichlet, value, material);
 }
-Condition velocity(ConditionKind kind, Vec3 value, int material = -1) {
-  Condition c = scalar("Velocity", kind, 0, material);
-  c.is_vector = true;
-  c.vector = value;
-  return c;
-}
-
 const Fluid water = stiffened_gas(4.4, 6e8, 4180);
 
 // Eight cells along x, air to the left, water to the right, three cells of both between them; at
@@ -108,7 +92,7 @@ bool same_materials(const TwoMaterials& tube, int ghost, int cell) {
 const Condition outflow = velocity(ConditionKind::neumann, {});
 
 TEST(MixtureGhosts, SymmetryMirrorsAllMaterials) {
-  const TwoMaterials tube({scalar("Symmetric", ConditionKind::symmetry, 0)});
+  const TwoMaterials tube({condition("Symmetric", ConditionKind::symmetry, 0)});
   for (int layer = 0; layer < 3; ++layer) {
     EXPECT_TRUE(same_materials(tube, -1 - layer, layer));
     EXPECT_TRUE(same_materials(tube, 8 + layer, 7 - layer));
@@ -118,9 +102,9 @@ TEST(MixtureGhosts, SymmetryMirrorsAllMaterials) {
 }
 
 TEST(MixtureGhosts, ZeroGradientsCopyAllMaterials) {
-  const TwoMaterials tube({scalar("Pressure", ConditionKind::neumann, 0, 0),
-                           scalar("Density", ConditionKind::neumann, 0),
-                           scalar("Temperature", ConditionKind::neumann, 0), outflow});
+  const TwoMaterials tube({condition("Pressure", ConditionKind::neumann, 0, 0),
+                           condition("Density", ConditionKind::neumann, 0),
+                           condition("Temperature", ConditionKind::neumann, 0), outflow});
   for (int layer = 0; layer < 3; ++layer) {
     EXPECT_TRUE(same_materials(tube, -1 - layer, 0));
     EXPECT_TRUE(same_materials(tube, 8 + layer, 7));
@@ -205,7 +189,7 @@ TEST(MixtureGhosts, MaterialsThatAreNotGivenFillTheRest) {
 
 TEST(MixtureGhosts, UnderGravityTheMixtureWeighs) {
   const double g = -3;
-  const TwoMaterials tube({scalar("Symmetric", ConditionKind::symmetry, 0)}, g);
+  const TwoMaterials tube({condition("Symmetric", ConditionKind::symmetry, 0)}, g);
   // Through the mirrored cells out to the second ghost.
   for (int m = 0; m < 2; ++m)
     EXPECT_NEAR(tube.p(m, -2) - 1e5, -g * (tube.density(1) + 2 * tube.density(0)), 1e-5);
@@ -231,7 +215,7 @@ TEST(MixtureGhosts, ASpecificVolumeFromTheDensityChangesNothing) {
   const TwoMaterials without(inflow(0.3, true));
   for (const ConditionKind kind : {ConditionKind::compute_from_density, ConditionKind::neumann}) {
     std::vector<Condition> conditions = inflow(0.3, true);
-    conditions.push_back(scalar("SpecificVol", kind, 0));
+    conditions.push_back(condition("SpecificVol", kind, 0));
     const TwoMaterials with(std::move(conditions));
     for (const int ghost : {-1, 9})
       for (int m = 0; m < 2; ++m) {
@@ -295,7 +279,7 @@ TEST(MixtureGhosts, DensitiesAloneDoNotSayWhatTheyFill) {
 TEST(MixtureGhosts, ASpecificVolumeThatSaysNothingIsRefused) {
   EXPECT_NE(refusal({given("SpecificVol", 0.8, 0), outflow}).find("without the Density"),
             std::string::npos);
-  EXPECT_NE(refusal({scalar("SpecificVol", ConditionKind::neumann, 0.1, 0), outflow})
+  EXPECT_NE(refusal({condition("SpecificVol", ConditionKind::neumann, 0.1, 0), outflow})
                 .find("has the gradient 0.1"),
             std::string::npos);
 }

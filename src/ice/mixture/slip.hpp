@@ -40,6 +40,12 @@ void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effe
 // What a driving force works on the slip, summed; absent without one.
 void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
+// Where a task finds what moves against the mixture.
+struct SlipReads {
+  std::vector<In> mass, volume, slip;
+};
+void read_slip(TaskBuilder&, const Variables&, SlipReads&);
+
 struct DragCell;
 // What interfaces and surfaces do to drag.
 struct Bonds {

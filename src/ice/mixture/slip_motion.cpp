@@ -51,8 +51,7 @@ void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   });
 }
 
-struct Handles {
-  std::vector<In> mass, volume, slip;
+struct Handles : SlipReads {
   Bonds bonds;
   In presence, rho, inverse_rho, velocity, sound;
   Out own, rho_e, inverse_rho_e, volume_velocity, sound_e;
@@ -194,15 +193,19 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
   }
 }
 
+void read_slip(TaskBuilder& task, const Variables& v, SlipReads& r) {
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    r.mass.push_back(task.read(v.mass[m]));
+    r.volume.push_back(task.read(v.volume[m]));
+    r.slip.push_back(task.read(v.slip.slip[m]));
+  }
+}
+
 void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   add_lock(list, v, o, effect);
   TaskBuilder task = list.task("velocities of each material", effect);
   Handles h;
-  for (std::size_t m = 0; m < v.mass.size(); ++m) {
-    h.mass.push_back(task.read(v.mass[m]));
-    h.volume.push_back(task.read(v.volume[m]));
-    h.slip.push_back(task.read(v.slip.slip[m]));
-  }
+  read_slip(task, v, h);
   h.presence = task.read(v.presence);
   h.bonds = read_bonds(task, v, o);
   h.rho = task.read(v.common.rho);

@@ -16,8 +16,7 @@
 namespace sluice::ice::mixture {
 namespace {
 
-struct Handles {
-  std::vector<In> mass, volume, slip;
+struct Handles : SlipReads {
   Bonds bonds;
   In presence, lagrangian;
   std::array<In, 3> face_pressure;
@@ -137,11 +136,7 @@ class Cells {
 void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("drag and pressure on each material", effect);
   Handles h;
-  for (std::size_t m = 0; m < v.mass.size(); ++m) {
-    h.mass.push_back(task.read(v.mass[m]));
-    h.volume.push_back(task.read(v.volume[m]));
-    h.slip.push_back(task.read(v.slip.slip[m]));
-  }
+  read_slip(task, v, h);
   h.presence = task.read(v.presence);
   h.bonds = read_bonds(task, v, o);
   h.lagrangian = task.read(v.common.lagrangian_mixture);

@@ -30,23 +30,6 @@ struct Handles : UpdateState {
   FrictionOnSlip friction;
 };
 
-// `o`: the options of material m. True: its cells may hold others now, and need one pressure.
-template <int D, int C>
-bool pure_cells(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
-  const UpdateHandles u = handles_of(h, m);
-  update_row<D, C>(row, u);
-  leave_alone(row, h, m);
-  for (const Out slip : h.slip_new)
-    for (int c = 0; c < C; ++c) std::fill_n(row(slip, c), row.count(), 0.0);
-  if (o.sources != nullptr) {
-    add_sources(row, h, o);
-    if (o.sources->takes_from(m, row.step())) return true;
-  }
-  check_row(row, u, o);
-  end_alone(row, h, u, o.fluid);
-  return false;
-}
-
 // Nothing is left of a material, to the round-off of what was there (update.cpp).
 bool is_gone(double M, double V, double M_before, double V_before) {
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
@@ -242,13 +225,7 @@ class Cells {
   void close(double* M, double* V, double* E, double rho, int i) const {
     const Equilibration::Result result =
         closure_.close({M, V, E}, rho, row_.step().dt, surface_of(row_, h_, o_, i));
-    const double iJ = row_(h_.common.inverse_J)[i];
-    if (!(rho > 0.0 && rho < infinity))
-      report(i, fault_density, rho);
-    else if (!(iJ > 0.0 && iJ < infinity))
-      report(i, fault_volume, 1.0 / iJ);
-    else if (result.failed >= 0)
-      report(i, fault_of_material * (result.failed + 1), E[result.failed]);
+    tell_faults(row_, o_.axes, i, rho, row_(h_.common.inverse_J)[i], result, E);
     row_(h_.end, 1)[i] = result.modulus;
     row_(h_.pressure)[i] = result.pressure;
     for (int m = 0; m < materials_; ++m) {
@@ -257,17 +234,6 @@ class Cells {
       row_(s.energy_new)[i] = E[m];
     }
   }
-  void report(int i, int kind, double value) const {
-    CellFault f;
-    f.cell = row_.cell();
-    f.cell[o_.axes.direction[0]] += i;
-    f.level = row_.step().level;
-    f.kind = kind;
-    if (kind >= fault_of_material) f.material = kind / fault_of_material - 1;
-    f.value = value;
-    row_.reductions().fault(f);
-  }
-
   // Each material's own speed, and sound as fast as without drag.
   void rates(DragCell& cell, const double* V, int i) const {
     if (cell.count < 2) return;
@@ -331,7 +297,7 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
         const Cells<D, C> cells(part, h, o, drag, closure);
         if (pure < 0.0) return cells.run();
         const auto m = static_cast<std::size_t>(pure);
-        if (pure_cells<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
+        if (update_alone<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);

@@ -27,21 +27,6 @@ struct Laws {
   IdealRelaxation ideal;
 };
 
-// `o`: the options of material m. True: its cells may hold others now, and need one pressure.
-template <int D, int C>
-bool pure_cells(const Row& row, const UpdateState& h, const SchemeOptions& o, int m) {
-  const UpdateHandles u = handles_of(h, m);
-  update_row<D, C>(row, u);
-  leave_alone(row, h, m);
-  if (o.sources != nullptr) {
-    add_sources(row, h, o);
-    if (o.sources->takes_from(m, row.step())) return true;
-  }
-  check_row(row, u, o);
-  end_alone(row, h, u, o.fluid);
-  return false;
-}
-
 // Cells that are not of pure neighbourhood; rows are looked up once for all of them.
 template <int D, int C>
 class MixedCells {
@@ -205,30 +190,13 @@ class MixedCells {
     }
     const Equilibration::Result result =
         laws_.closure.close({M, V, E}, density_[i], row_.step().dt, surface_of(row_, h_, o_, i));
-    if (!(density_[i] > 0.0 && density_[i] < infinity)) {
-      report(i, fault_density, density_[i]);
-    } else if (!(iJ_[i] > 0.0 && iJ_[i] < infinity)) {
-      report(i, fault_volume, 1.0 / iJ_[i]);
-    } else if (result.failed >= 0) {
-      report(i, fault_of_material * (result.failed + 1), E[result.failed]);
-    }
+    tell_faults(row_, axes_, i, density_[i], iJ_[i], result, E);
     modulus_[i] = result.modulus;
     pressure_[i] = result.pressure;
     for (int m = 0; m < materials_; ++m) {
       rows_[m].next[of_volume][i] = V[m];
       rows_[m].next[of_energy][i] = E[m];
     }
-  }
-
-  void report(int i, int kind, double value) const {
-    CellFault f;
-    f.cell = row_.cell();
-    f.cell[axes_.direction[0]] += i;
-    f.level = row_.step().level;
-    f.kind = kind;
-    if (kind >= fault_of_material) f.material = kind / fault_of_material - 1;
-    f.value = value;
-    row_.reductions().fault(f);
   }
 
   const Row& row_;
@@ -258,8 +226,8 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
       std::optional<MixedCells<D, C>> mixed;
       for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
         const auto m = static_cast<std::size_t>(std::max(pure, 0.0));
-        const bool done = pure >= 0.0 && !pure_cells<D, C>(row.part(first, count), h,
-                                                           of_material[m], static_cast<int>(m));
+        const bool done = pure >= 0.0 && !update_alone<D, C>(row.part(first, count), h,
+                                                             of_material[m], static_cast<int>(m));
         if (done) return;
         if (!mixed) mixed.emplace(row, h, o, laws);
         if (pure >= 0.0)

@@ -102,6 +102,28 @@ void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o) {
   }
 }
 
+void tell_faults(const Row& row, const Axes& axes, int i, double rho, double inverse_J,
+                 const Equilibration::Result& closed, const double* E) {
+  CellFault f;
+  if (!(rho > 0.0 && rho < infinity)) {
+    f.kind = fault_density;
+    f.value = rho;
+  } else if (!(inverse_J > 0.0 && inverse_J < infinity)) {
+    f.kind = fault_volume;
+    f.value = 1.0 / inverse_J;
+  } else if (closed.failed >= 0) {
+    f.kind = fault_of_material * (closed.failed + 1);
+    f.material = closed.failed;
+    f.value = E[closed.failed];
+  } else {
+    return;
+  }
+  f.cell = row.cell();
+  f.cell[axes.direction[0]] += i;
+  f.level = row.step().level;
+  row.reductions().fault(f);
+}
+
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion) {
   if (!row.step().rates) return;
   MaterialRows state;

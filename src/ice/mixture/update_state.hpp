@@ -1,8 +1,11 @@
 // What the updates of mixtures have in common, with one velocity (update.cpp) or several
 // (slip_update.cpp): what they read and write, cells of one material, the end of a row.
 #pragma once
+#include <algorithm>
+
 #include "ice/conservative/update_rows.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/equilibrate.hpp"
 #include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
@@ -44,6 +47,28 @@ void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, con
 
 // Adds the sources to the new state; the density of the mixture follows.
 void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o);
+
+// Rows where material m is alone, and its neighbours; `o`: the options of that material. True: they
+// may hold others now, and need one pressure.
+template <int D, int C>
+bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, int m) {
+  const UpdateHandles u = handles_of(h, m);
+  update_row<D, C>(row, u);
+  leave_alone(row, h, m);
+  for (const Out slip : h.slip_new)
+    for (int c = 0; c < C; ++c) std::fill_n(row(slip, c), row.count(), 0.0);
+  if (o.sources != nullptr) {
+    add_sources(row, h, o);
+    if (o.sources->takes_from(m, row.step())) return true;
+  }
+  check_row(row, u, o);
+  end_alone(row, h, u, o.fluid);
+  return false;
+}
+
+// Tells the step what is not admissible about the new state of cell i. `E`: of each material.
+void tell_faults(const Row& row, const Axes& axes, int i, double rho, double inverse_J,
+                 const Equilibration::Result& closed, const double* E);
 
 // Over the whole row: in runs of one material alone too.
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion);
