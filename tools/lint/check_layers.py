@@ -17,7 +17,7 @@ RANKS = [
     ["framework/deck", "framework/geometry", "framework/grid"],
     ["framework/field", "framework/scene"],
     ["framework/task", "framework/archive", "framework/particle", "framework/solve"],
-    ["framework/refine"],
+    ["framework/refine", "framework/analysis"],
     ["framework/run"],
     ["eos", "exact"],
     ["models"],

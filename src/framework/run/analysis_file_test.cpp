@@ -1,5 +1,5 @@
 // When samples are taken; files of analyses: header once, appended, cut back at a restart.
-#include "framework/run/analysis_file.hpp"
+#include "framework/analysis/sample_file.hpp"
 
 #include <gtest/gtest.h>
 

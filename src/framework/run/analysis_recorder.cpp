@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "framework/analysis/line.hpp"
+#include "framework/analysis/modules.hpp"
+#include "framework/analysis/plane.hpp"
+#include "framework/analysis/probe.hpp"
 #include "framework/deck/nearest_name.hpp"
-#include "framework/run/analysis_line.hpp"
-#include "framework/run/analysis_modules.hpp"
-#include "framework/run/analysis_plane.hpp"
-#include "framework/run/analysis_probe.hpp"
 
 namespace sluice {
 namespace {

@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/analysis/sampler.hpp"
 #include "framework/base/communicator.hpp"
-#include "framework/run/analysis_sampler.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/analysis_volume.hpp"
 #include "framework/run/hierarchy.hpp"

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/analysis/modules.hpp"
 #include "framework/archive/field_piece.hpp"
-#include "framework/run/analysis_modules.hpp"
 #include "framework/run/hierarchy.hpp"
 
 namespace sluice {

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "framework/analysis/sample_file.hpp"
+#include "framework/analysis/sums.hpp"
 #include "framework/base/communicator.hpp"
-#include "framework/run/analysis_file.hpp"
-#include "framework/run/analysis_sums.hpp"
 #include "framework/run/hierarchy.hpp"
 
 namespace sluice {

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "framework/run/analysis_file.hpp"
+#include "framework/analysis/sample_file.hpp"
 
 namespace sluice {
 

@@ -1,5 +1,5 @@
-// The polynomial by which a coarse cell is divided: its functions, averaged over the fine cells, and
-// how far data that are not smooth may bend it (prolonger.hpp has the formulae).
+// The polynomial by which a coarse cell is divided: its functions, averaged over the fine cells,
+// and how far data that are not smooth may bend it (prolonger.hpp has the formulae).
 #pragma once
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Points: their stencils, who holds the cells, and their files.
-#include "framework/run/analysis_probe.hpp"
+#include "framework/analysis/probe.hpp"
 
 #include <fmt/format.h>
 

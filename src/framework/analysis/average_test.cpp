@@ -1,5 +1,5 @@
 // Averages and covariances over planes: exact values, any ranks and boxes, sums with all digits.
-#include "framework/run/analysis_average.hpp"
+#include "framework/analysis/average.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/analysis/analysis_test_support.hpp"
+#include "framework/analysis/sums.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/run/analysis_sums.hpp"
-#include "framework/run/analysis_test_support.hpp"
 
 namespace sluice {
 namespace {

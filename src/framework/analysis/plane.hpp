@@ -4,8 +4,8 @@
 // plane passes the cells that hold its fixed coordinate (on a face: the upper ones, at the high
 // end of the domain the last). A face label has the faces of those cells, with their own places.
 #pragma once
-#include "framework/run/analysis_sampler.hpp"
-#include "framework/run/analysis_snapshot.hpp"
+#include "framework/analysis/sampler.hpp"
+#include "framework/analysis/snapshot.hpp"
 #include "framework/scene/analysis_settings.hpp"
 
 namespace sluice {

@@ -1,5 +1,5 @@
 // The cells of planes, and their values in the order of cells whatever boxes hold them.
-#include "framework/run/analysis_plane.hpp"
+#include "framework/analysis/plane.hpp"
 
 #include <fmt/format.h>
 

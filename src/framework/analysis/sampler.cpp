@@ -1,5 +1,5 @@
 // Reading what ranks have packed.
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sampler.hpp"
 
 #include <fmt/format.h>
 

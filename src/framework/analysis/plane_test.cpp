@@ -1,12 +1,12 @@
 // Planes: which cells they pass, and files that show neither ranks nor boxes.
-#include "framework/run/analysis_plane.hpp"
+#include "framework/analysis/plane.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "framework/analysis/analysis_test_support.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/run/analysis_test_support.hpp"
 
 namespace sluice {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "framework/analysis/sampler.hpp"
 #include "framework/base/exact_sum.hpp"
-#include "framework/run/analysis_sampler.hpp"
 
 namespace sluice {
 

@@ -11,9 +11,9 @@
 #pragma once
 #include <optional>
 
+#include "framework/analysis/sampler.hpp"
+#include "framework/analysis/snapshot.hpp"
 #include "framework/base/exact_sum.hpp"
-#include "framework/run/analysis_sampler.hpp"
-#include "framework/run/analysis_snapshot.hpp"
 #include "framework/scene/analysis_settings.hpp"
 
 namespace sluice {

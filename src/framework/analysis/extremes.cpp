@@ -1,5 +1,5 @@
 // Minima and maxima over the boxes of a level.
-#include "framework/run/analysis_extremes.hpp"
+#include "framework/analysis/extremes.hpp"
 #include "framework/base/infinity.hpp"
 
 #include <fmt/format.h>

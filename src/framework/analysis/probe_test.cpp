@@ -1,12 +1,12 @@
 // Point probes: linear fields are met exactly, by whatever boxes and levels.
-#include "framework/run/analysis_probe.hpp"
+#include "framework/analysis/probe.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "framework/analysis/analysis_test_support.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/run/analysis_test_support.hpp"
 
 namespace sluice {
 namespace {

@@ -1,5 +1,5 @@
 // Clipping a line to the domain and walking along it.
-#include "framework/run/analysis_line.hpp"
+#include "framework/analysis/line.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Sums over planes, and the averages and covariances that they give.
-#include "framework/run/analysis_average.hpp"
+#include "framework/analysis/average.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-#include "framework/run/analysis_sums.hpp"
+#include "framework/analysis/sums.hpp"
 
 namespace sluice {
 namespace {

@@ -1,5 +1,5 @@
 // Finding the boxes that hold the cells of lines, and sampling there.
-#include "framework/run/analysis_points.hpp"
+#include "framework/analysis/points.hpp"
 
 #include <fmt/format.h>
 

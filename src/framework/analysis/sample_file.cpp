@@ -1,5 +1,5 @@
 // Appending to the files of analyses, and cutting them back for a restart.
-#include "framework/run/analysis_file.hpp"
+#include "framework/analysis/sample_file.hpp"
 
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // Packing exact sums, and arithmetic with pairs of doubles.
-#include "framework/run/analysis_sums.hpp"
+#include "framework/analysis/sums.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Writing samples that have a file each, and taking over those of an earlier archive.
-#include "framework/run/analysis_snapshot.hpp"
+#include "framework/analysis/snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "framework/analysis/sample_file.hpp"
 #include "framework/archive/posix_file.hpp"
-#include "framework/run/analysis_file.hpp"
 
 namespace sluice {
 namespace {

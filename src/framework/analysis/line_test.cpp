@@ -1,5 +1,5 @@
 // Cells along lines: parallel to an axis, slanted, stepped, clipped, on faces between cells.
-#include "framework/run/analysis_line.hpp"
+#include "framework/analysis/line.hpp"
 
 #include <gtest/gtest.h>
 

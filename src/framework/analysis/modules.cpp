@@ -1,16 +1,16 @@
 // Making the samplers of a module.
-#include "framework/run/analysis_modules.hpp"
+#include "framework/analysis/modules.hpp"
 
 #include <fmt/format.h>
 
 #include "framework/base/error.hpp"
 
-#include "framework/run/analysis_average.hpp"
-#include "framework/run/analysis_extremes.hpp"
-#include "framework/run/analysis_line.hpp"
-#include "framework/run/analysis_plane.hpp"
-#include "framework/run/analysis_points.hpp"
-#include "framework/run/analysis_probe.hpp"
+#include "framework/analysis/average.hpp"
+#include "framework/analysis/extremes.hpp"
+#include "framework/analysis/line.hpp"
+#include "framework/analysis/plane.hpp"
+#include "framework/analysis/points.hpp"
+#include "framework/analysis/probe.hpp"
 
 namespace sluice {
 namespace {

@@ -1,14 +1,14 @@
 // Samples of one level: on ranks and boxes, while boxes come and go, across a restart.
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sampler.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "framework/analysis/analysis_test_support.hpp"
+#include "framework/analysis/extremes.hpp"
+#include "framework/analysis/points.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/run/analysis_extremes.hpp"
-#include "framework/run/analysis_points.hpp"
-#include "framework/run/analysis_test_support.hpp"
 
 namespace sluice {
 namespace {

@@ -6,8 +6,8 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/analysis_file.hpp"
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sample_file.hpp"
+#include "framework/analysis/sampler.hpp"
 #include "framework/scene/analysis_settings.hpp"
 
 namespace sluice {

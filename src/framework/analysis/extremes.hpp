@@ -3,8 +3,8 @@
 // Component by component, a vector's in brackets. A face label counts all faces of the level's
 // cells; -0 is taken as 0. Minima and maxima have no order: neither ranks nor boxes show.
 #pragma once
-#include "framework/run/analysis_file.hpp"
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sample_file.hpp"
+#include "framework/analysis/sampler.hpp"
 
 namespace sluice {
 

@@ -7,8 +7,8 @@
 #pragma once
 #include <map>
 
-#include "framework/run/analysis_file.hpp"
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sample_file.hpp"
+#include "framework/analysis/sampler.hpp"
 
 namespace sluice {
 

@@ -1,6 +1,6 @@
 // Fields of a refined level whose values tell their cell, and samples of them as if on many ranks.
 #pragma once
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sampler.hpp"
 
 namespace sluice::analysis_test {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "framework/run/analysis_sampler.hpp"
+#include "framework/analysis/sampler.hpp"
 #include "framework/scene/analysis_settings.hpp"
 
 namespace sluice {
