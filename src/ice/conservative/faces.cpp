@@ -17,6 +17,7 @@
 // to the bit, whatever the ghosts hold.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
+#include "ice/mixture/runs.hpp"
 #include "ice/wall_faces.hpp"
 
 namespace sluice::ice {
@@ -25,7 +26,7 @@ namespace {
 struct Handles {
   In rho, inverse_rho, sound, velocity, pressure;
   In velocity_slope, pressure_slope, predicted, transverse;
-  In shock_slope, pi;  // of a mixture
+  In shock_slope, pi, pure;  // of a mixture
   Out face_velocity, face_pressure;
 };
 
@@ -62,17 +63,32 @@ struct FaceConstants {
   double half_courant = 0;  // h = dt/(2 dx)
   double g_dx = 0;
   double f_dx = 0;  // of a driving force
-  double shock_slope = 1;
-  double pi = 0;  // minus the lowest pressure of the law
+};
+
+// What the face solver asks of the law in the low (a) and the high (b) cell of each face: shock
+// slope, and minus the lowest pressure.
+struct OneLaw {
+  double shock_slope = 1, lowest = 0;
+
+  double slope_a(int) const { return shock_slope; }
+  double slope_b(int) const { return shock_slope; }
+  double pi_a(int) const { return lowest; }
+  double pi_b(int) const { return lowest; }
+};
+struct LawOfCells {
+  const double *slope[2], *pi[2];
+
+  double slope_a(int i) const { return slope[0][i]; }
+  double slope_b(int i) const { return slope[1][i]; }
+  double pi_a(int i) const { return pi[0][i]; }
+  double pi_b(int i) const { return pi[1][i]; }
 };
 
 // Rows of the two cells of each face: a on the low side, b on the high side.
-// Mixed: shock slope and lowest pressure differ from cell to cell.
-template <int D, bool Second, bool Gravity, bool Mixed>
+template <int D, bool Second, bool Gravity>
 struct FaceRows {
   const double *ra, *rb, *wa, *wb, *ca, *cb, *ua, *ub, *pa, *pb;
   const double *sua, *sub, *spa, *spb, *Pa, *Pb, *UTa, *UTb;
-  const double *slope_a, *slope_b, *pi_a, *pi_b;
   FaceConstants k;
 
   FaceRows(const Row& row, const Handles& h, int axis, const FaceConstants& constants)
@@ -86,10 +102,6 @@ struct FaceRows {
     both(h.sound, 0, ca, cb);
     both(h.velocity, axis, ua, ub);
     both(h.pressure, 0, pa, pb);
-    if constexpr (Mixed) {
-      both(h.shock_slope, 0, slope_a, slope_b);
-      both(h.pi, 0, pi_a, pi_b);
-    }
     if constexpr (Second) {
       both(h.velocity_slope, axis, sua, sub);
       both(h.pressure_slope, axis, spa, spb);
@@ -98,7 +110,8 @@ struct FaceRows {
     }
   }
 
-  FaceState left(int i) const {
+  template <class Law>
+  FaceState left(int i, const Law& law) const {
     double u = ua[i], p = pa[i];
     if constexpr (Second) {
       u = ua[i] + 0.5 * sua[i] - k.half_courant * wa[i] * spa[i];
@@ -108,13 +121,14 @@ struct FaceRows {
         p = Pa[i] + (0.5 + k.half_courant * ua[i]) * spa[i];
         if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i] + k.f_dx);
       }
-      const double pi = Mixed ? pi_a[i] : k.pi;
+      const double pi = law.pi_a(i);
       p = larger(p, 0.1 * (pa[i] + pi) - pi);
     }
     if constexpr (Gravity) p += 0.5 * (k.g_dx * ra[i] + k.f_dx);
     return {u, p};
   }
-  FaceState right(int i) const {
+  template <class Law>
+  FaceState right(int i, const Law& law) const {
     double u = ub[i], p = pb[i];
     if constexpr (Second) {
       u = ub[i] - 0.5 * sub[i] - k.half_courant * wb[i] * spb[i];
@@ -124,64 +138,107 @@ struct FaceRows {
         p = Pb[i] - (0.5 - k.half_courant * ub[i]) * spb[i];
         if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i] + k.f_dx);
       }
-      const double pi = Mixed ? pi_b[i] : k.pi;
+      const double pi = law.pi_b(i);
       p = larger(p, 0.1 * (pb[i] + pi) - pi);
     }
     if constexpr (Gravity) p -= 0.5 * (k.g_dx * rb[i] + k.f_dx);
     return {u, p};
   }
-  double slope(const double* of_cell, int i) const { return Mixed ? of_cell[i] : k.shock_slope; }
-  FaceState solve(int i) const {
-    const FaceState L = left(i), R = right(i);
+  template <class Law>
+  FaceState solve(int i, const Law& law) const {
+    const FaceState L = left(i, law), R = right(i, law);
     double p_jump = pb[i] - pa[i];
     if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]) + k.f_dx;
-    return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], slope(slope_a, i),
-                      slope(slope_b, i), ub[i] - ua[i], p_jump);
+    return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], law.slope_a(i),
+                      law.slope_b(i), ub[i] - ua[i], p_jump);
   }
   // A wall on the face: the cell inside meets its own mirror image, and nothing passes.
-  FaceState at_wall(int i, bool plus) const {
-    const FaceState in = plus ? left(i) : right(i);
+  template <class Law>
+  FaceState at_wall(int i, bool plus, const Law& law) const {
+    const FaceState in = plus ? left(i, law) : right(i, law);
     const double towards = plus ? in.u : -in.u;
     const double cell = plus ? ua[i] : -ub[i];
     const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
-    const double A = plus ? slope(slope_a, i) : slope(slope_b, i);
+    const double A = plus ? law.slope_a(i) : law.slope_b(i);
     const FaceState f =
         solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell, 0.0);
     return {0.0, f.p};
   }
 };
 
-template <int D, bool Second, bool Gravity, bool Mixed>
-void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k,
-              const SchemeOptions& o) {
-  const FaceRows<D, Second, Gravity, Mixed> rows(row, h, axis, k);
-  double* __restrict uf = row(h.face_velocity);
-  double* __restrict pf = row(h.face_pressure);
-  const int n = row.whole_vectors();
+template <int D, bool Second, bool Gravity>
+class FaceRow {
+ public:
+  FaceRow(const Row& row, const Handles& h, int axis, const FaceConstants& k)
+      : rows_(row, h, axis, k), uf_(row(h.face_velocity)), pf_(row(h.face_pressure)) {}
+
+  template <class Law>
+  void run(int first, int end, const Law& of) const {
+    const FaceRows<D, Second, Gravity> rows = rows_;
+    const Law law = of;
+    double* __restrict uf = uf_;
+    double* __restrict pf = pf_;
 #pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    const FaceState f = rows.solve(i);
-    uf[i] = f.u;
-    pf[i] = f.p;
+    for (int i = first; i < end; ++i) {
+      const FaceState f = rows.solve(i, law);
+      uf[i] = f.u;
+      pf[i] = f.p;
+    }
   }
-  for_each_wall_face(row, o, axis, [&](int i, bool plus) {
-    const FaceState f = rows.at_wall(i, plus);
-    uf[i] = f.u;
-    pf[i] = f.p;
-  });
+  template <class Law>
+  void walls(const Row& row, const SchemeOptions& o, int axis, const Law& law) const {
+    for_each_wall_face(row, o, axis, [&](int i, bool plus) {
+      const FaceState f = rows_.at_wall(i, plus, law);
+      uf_[i] = f.u;
+      pf_[i] = f.p;
+    });
+  }
+
+ private:
+  FaceRows<D, Second, Gravity> rows_;
+  double *uf_, *pf_;
+};
+
+OneLaw law_of(const Fluid& fluid) {
+  return {fluid.shock_slope(), -fluid.lowest_pressure()};
 }
 
-template <int D, bool Mixed>
+template <int D, bool Second, bool Gravity>
+void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k,
+              const SchemeOptions& o) {
+  const FaceRow<D, Second, Gravity> faces(row, h, axis, k);
+  if (!o.mixture) {
+    faces.run(0, row.whole_vectors(), law_of(o.fluid));
+    faces.walls(row, o, axis, law_of(o.fluid));
+    return;
+  }
+  const LawOfCells of_cells{{row(h.shock_slope, 0, axis, -1), row(h.shock_slope)},
+                            {row(h.pi, 0, axis, -1), row(h.pi)}};
+  const int n = row.count(), room = row.whole_vectors();
+  mixture::for_each_face_run(mixture::runs_of(row, h.pure, axis, -1), mixture::runs_of(row, h.pure),
+                             n, [&](int first, int count, double pure) {
+                               // What is computed for faces beyond is overwritten by the next run.
+                               const int end = first + mixture::whole_vectors(count, room - first);
+                               if (pure < 0.0)
+                                 faces.run(first, end, of_cells);
+                               else
+                                 faces.run(first, end,
+                                           law_of(o.fluids[static_cast<std::size_t>(pure)]));
+                             });
+  faces.walls(row, o, axis, of_cells);
+}
+
+template <int D>
 void face_row_of(const Row& row, const Handles& h, int axis, const FaceConstants& k,
                  const SchemeOptions& o) {
   if (o.second_order && o.gravity_on)
-    face_row<D, true, true, Mixed>(row, h, axis, k, o);
+    face_row<D, true, true>(row, h, axis, k, o);
   else if (o.second_order)
-    face_row<D, true, false, Mixed>(row, h, axis, k, o);
+    face_row<D, true, false>(row, h, axis, k, o);
   else if (o.gravity_on)
-    face_row<D, false, true, Mixed>(row, h, axis, k, o);
+    face_row<D, false, true>(row, h, axis, k, o);
   else
-    face_row<D, false, false, Mixed>(row, h, axis, k, o);
+    face_row<D, false, false>(row, h, axis, k, o);
 }
 
 }  // namespace
@@ -207,11 +264,11 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     if (o.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);
       h.pi = task.read(v.pi, both);
+      h.pure = task.read(v.pure, both);
     }
     const auto face = static_cast<std::size_t>(axis);
     h.face_velocity = task.write(v.face_velocity[face]);
     h.face_pressure = task.write(v.face_pressure[face]);
-    const double shock_slope = o.fluid.shock_slope(), pi = -o.fluid.lowest_pressure();
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double dx = row.step().spacing[direction];
@@ -219,12 +276,7 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
         k.half_courant = 0.5 * row.step().dt / dx;
         k.g_dx = o.gravity[direction] * dx;
         k.f_dx = o.force[direction] * dx;
-        k.shock_slope = shock_slope;
-        k.pi = pi;
-        if (o.mixture)
-          face_row_of<D, true>(row, h, axis, k, o);
-        else
-          face_row_of<D, false>(row, h, axis, k, o);
+        face_row_of<D>(row, h, axis, k, o);
       });
     });
   }

@@ -25,7 +25,7 @@ struct Handles {
   std::array<In, 3> face_velocity, heat_flux;
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
-  Out mixture;  // J, work of pressures, faces through which matter leaves, of friction
+  Out mixture;  // work of pressures, of friction
 };
 
 template <int D, int C>
@@ -39,38 +39,6 @@ void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, 
     double* __restrict v = row(h.velocity_L, c);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) v[i] = u[i] - dp[i] * w[i];
-  }
-}
-
-// What the materials of a mixture share out: J, the work defect, and the largest outflow H of a
-// cell through one face: as it is if that is the only outlet, negative if there are several, minus
-// infinity if several are the largest.
-template <int D>
-void mixture_rows(const Row& row, const Handles& h, const double* l) {
-  const int n = row.count();
-  const double *um[D], *up[D];
-  for (int d = 0; d < D; ++d) {
-    um[d] = row(h.face_velocity[static_cast<std::size_t>(d)]);
-    up[d] = row(h.face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
-  }
-  double* __restrict J = row(h.mixture, 0);
-  double* __restrict outlet = row(h.mixture, 2);
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    double stretch = 0, count = 0, largest = 0;
-    for (int d = 0; d < D; ++d) {
-      stretch += l[d] * (up[d][i] - um[d][i]);
-      const double high = l[d] * up[d][i], low = -(l[d] * um[d][i]);
-      count += (high > 0.0 ? 1.0 : 0.0) + (low > 0.0 ? 1.0 : 0.0);
-      largest = larger(largest, larger(high, low));
-    }
-    double ties = 0;
-    for (int d = 0; d < D; ++d)
-      ties +=
-          (l[d] * up[d][i] == largest ? 1.0 : 0.0) + (-(l[d] * um[d][i]) == largest ? 1.0 : 0.0);
-    J[i] = 1.0 + stretch;
-    const double several = ties > 1.0 ? -infinity : -largest;
-    outlet[i] = count > 1.0 ? several : largest;
   }
 }
 
@@ -194,13 +162,12 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   const int n = row.whole_vectors();
   double *Es = row(h.energy_star), *EL = row(h.energy_L);
   if (o.mixture) {
-    mixture_rows<D>(row, h, s.l);
     const double* E = row(h.energy);
-    double* work = row(h.mixture, 1);
+    double* work = row(h.mixture, 0);
     for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
   }
   if (o.viscous) {
-    double* friction = o.mixture ? row(h.mixture, 3) : EL;  // E_L is written last
+    double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written last
     if (o.friction_tilts())
       viscous_work_rows<D, C, true>(row, h, s, friction);
     else

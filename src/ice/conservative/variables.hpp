@@ -147,7 +147,7 @@ struct SchemeVariables {
   // the inverse of its bounded value, momentum source (what p and the forces took).
   VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
   VariableId impulse;
-  // Of a mixture: shock slope and minus the lowest pressure of each cell; J, work, main outlet.
+  // Of a mixture: shock slope and minus the lowest pressure of each cell; work, friction.
   VariableId shock_slope, pi, lagrangian_mixture, new_pressure;
   VariableId pure;                 // see mixture/variables.hpp
   VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases

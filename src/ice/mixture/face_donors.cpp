@@ -21,7 +21,7 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   h.energy_L = task.read(v.energy_L, both);
   h.specific_energy_L = task.read(v.specific_energy_L, both);
   h.scale = task.read(v.energy_scale, both);
-  h.lagrangian = task.read(v.common.lagrangian_mixture, both);
+  h.stretch = task.read(v.stretch, both);
   if (o.second_order && o.axes.count > 1)
     h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
   return h;
@@ -43,8 +43,8 @@ MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
   iJ_ = cells(common.inverse_J);
   N_ = cells(common.courant);
   iN_ = cells(common.inverse_courant);
-  J_ = cells(materials.lagrangian, 0);
-  outlet_ = cells(materials.lagrangian, 2);
+  J_ = cells(materials.stretch, 0);
+  outlet_ = cells(materials.stretch, 1);
   if (options.masked) mask_ = cells(common.mask);
   for (int s = 0; s < 6; ++s) presence_[s] = row(materials.presence, 0, axis, s - 3);
 }

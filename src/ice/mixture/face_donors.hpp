@@ -29,7 +29,7 @@ struct MaterialHandles {
   std::vector<In> mass, volume, energy;  // old state
   In presence, pure;
   In density, specific_energy;  // old, per own volume, next to faces
-  In energy_L, specific_energy_L, scale, lagrangian, base;
+  In energy_L, specific_energy_L, scale, stretch, base;
 };
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
                                int axis);

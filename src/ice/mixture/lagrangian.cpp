@@ -9,6 +9,8 @@
 #include <algorithm>
 
 #include "ice/closure_rows.hpp"
+#include "ice/end_of_step.hpp"
+#include "ice/limiters.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 
@@ -17,11 +19,44 @@ namespace {
 
 struct Handles {
   StateReads state;
-  In pure, near, presence, pressure, inverse_rho, inverse_J, lagrangian, work, density, heat;
+  In pure, near, presence, pressure, inverse_rho, inverse_J, work, density, heat;
   In mixture_density_L, mixture_energy_L, mixture_energy_star;
-  int work_component = 1;
-  Out energy_L, specific_energy_L, scale, mixture_scale, scratch;
+  std::array<In, 3> face_velocity;
+  Out stretch, energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
+
+// J and the main outlet.
+template <int D>
+void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
+  const int n = row.count();
+  const double *um[D], *up[D];
+  double l[D];
+  for (int d = 0; d < D; ++d) {
+    const In face_velocity = h.face_velocity[static_cast<std::size_t>(d)];
+    um[d] = row(face_velocity);
+    up[d] = row(face_velocity, 0, d, 1);
+    l[d] = row.step().dt / row.step().spacing[axes.direction[d]];
+  }
+  double* __restrict J = row(h.stretch, 0);
+  double* __restrict outlet = row(h.stretch, 1);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double stretch = 0, count = 0, largest = 0;
+    for (int d = 0; d < D; ++d) {
+      stretch += l[d] * (up[d][i] - um[d][i]);
+      const double high = l[d] * up[d][i], low = -(l[d] * um[d][i]);
+      count += (high > 0.0 ? 1.0 : 0.0) + (low > 0.0 ? 1.0 : 0.0);
+      largest = larger(largest, larger(high, low));
+    }
+    double ties = 0;
+    for (int d = 0; d < D; ++d)
+      ties +=
+          (l[d] * up[d][i] == largest ? 1.0 : 0.0) + (-(l[d] * um[d][i]) == largest ? 1.0 : 0.0);
+    J[i] = 1.0 + stretch;
+    const double several = ties > 1.0 ? -infinity : -largest;
+    outlet[i] = count > 1.0 ? several : largest;
+  }
+}
 
 // The scale of a material, zero where it is absent.
 void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
@@ -48,13 +83,12 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
   const double* __restrict p = row(h.pressure);
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict iJ = row(h.inverse_J);
-  const double* __restrict J = row(h.lagrangian, 0);
-  const double* __restrict W = row(h.work, h.work_component);
+  const double* __restrict J = row(h.stretch, 0);
+  const double* __restrict W = row(h.work);
   const double* __restrict E_star = row(h.mixture_energy_star);
   const double* __restrict E_of_mixture = row(h.mixture_energy_L);
-  double* __restrict of_mixture = row(h.mixture_scale);
-  double* __restrict rho_L = row(h.scratch, 0);
-  double* __restrict total = row(h.scratch, 1);
+  double* __restrict total = row(h.mixture_scale);
+  double* __restrict rho_L = row(h.scratch);
   std::fill_n(total, n, 0.0);
   for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
     double* __restrict E_L = row(h.energy_L, m);
@@ -93,19 +127,14 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
   }
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) of_mixture[i] = pure[i] < 0.0 ? total[i] : of_mixture[i];
 }
 
-// Where one material is alone all around, its scale is the mixture's; an ideal gas has its energy.
+// Where one material is alone all around, its scale is the mixture's. That of an ideal gas is asked
+// for near other materials only.
 void alone(const Row& row, const Handles& h, const Fluid& fluid) {
-  const int n = row.count();
-  const double* E = row(h.mixture_energy_L);
-  double* scale = row(h.mixture_scale);
-  if (fluid.ideal() != nullptr)
-    std::copy(E, E + n, scale);
-  else
-    energy_scale_row(fluid, n, row(h.mixture_density_L), E, scale);
+  if (fluid.ideal() != nullptr) return;
+  energy_scale_row(fluid, row.count(), row(h.mixture_density_L), row(h.mixture_energy_L),
+                   row(h.mixture_scale));
 }
 
 }  // namespace
@@ -124,9 +153,13 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.pressure = task.read(v.common.pressure);
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.inverse_J = task.read(v.common.inverse_J);
-  h.lagrangian = task.read(v.common.lagrangian_mixture);
-  h.work = o.own_velocities ? task.read(v.slip.work) : h.lagrangian;
-  h.work_component = o.own_velocities ? 0 : 1;
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    h.face_velocity[a] =
+        task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+  }
+  h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
+  h.stretch = task.write(v.stretch);
   h.density = task.read(v.density);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);
@@ -134,11 +167,14 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.specific_energy_L = task.write(v.specific_energy_L);
   h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
-  h.scratch = task.write(list.temporary("Lagrangian density of a material, sum of scales", 2));
+  h.scratch = task.write(list.temporary("Lagrangian density of a material"));
   const std::vector<Fluid> fluids = o.fluids;
   const bool gases = std::all_of(fluids.begin(), fluids.end(),
                                  [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
-  task.kernel([=](const Row& row) {
+  const auto stretch = o.axes.count == 1   ? stretch_cells<1>
+                       : o.axes.count == 2 ? stretch_cells<2>
+                                           : stretch_cells<3>;
+  task.kernel([=, axes = o.axes](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       if (pure >= 0.0) alone(row.part(first, count), h, fluids[static_cast<std::size_t>(pure)]);
     });
@@ -149,6 +185,7 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
       std::uint64_t set = 0;
       for_each_run(runs_of(part, h.presence), part.count(),
                    [&](int, int, double presence) { set |= as_set(presence); });
+      stretch(part, h, axes);
       share_cells(part, h, set, fluids, heated);
     });
   });

@@ -63,16 +63,13 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   const Out near = task.write(v.near);
   const int axes = o.axes.count;
   task.kernel([=](const Row& row) {
-    const int n = row.count();
-    double* key = row(near);
-    std::fill_n(key, n, 0.0);
+    RunRow around[2 * 3 + 1];
+    int rows = 0;
+    around[rows++] = runs_of(row, pure[0]);
     for (int axis = 0; axis < axes; ++axis)
-      for (int shift = -1; shift <= 1; ++shift)
-        for_each_run(runs_of(row, pure[static_cast<std::size_t>(axis)], axis, shift), n,
-                     [&](int first, int count, double alone) {
-                       if (alone < 0.0) std::fill_n(key + first, count, 1.0);
-                     });
-    find_runs(key, n, row(near, 1));
+      for (const int shift : {-1, 1})
+        around[rows++] = runs_of(row, pure[static_cast<std::size_t>(axis)], axis, shift);
+    write_near(around, rows, row.count(), row(near), row(near, 1));
   });
 }
 
@@ -87,12 +84,15 @@ struct Handles {
 void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const int n = row.count();
   const auto k = static_cast<std::size_t>(m);
-  const double* M = row(h.state.mass[k]);
-  const double* E = row(h.state.energy[k]);
+  const double* __restrict M = row(h.state.mass[k]);
+  const double* __restrict E = row(h.state.energy[k]);
   primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
-  double *rho = row(h.rho), *energy = row(h.total_energy);
-  double *slope = row(h.shock_slope), *pi = row(h.pi);
+  double* __restrict rho = row(h.rho);
+  double* __restrict energy = row(h.total_energy);
+  double* __restrict slope = row(h.shock_slope);
+  double* __restrict pi = row(h.pi);
   const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     rho[i] = M[i];
     energy[i] = E[i];
@@ -267,8 +267,11 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
       const int m = first_of(presence);
       if (is_single(presence))
         pure_cells(part, h, m, fluids[static_cast<std::size_t>(m)]);
+      else if (gases)  // cells beyond come after these
+        mixed_gases(row.part(first, whole_vectors(count, row.count() - first)), h, as_set(presence),
+                    fluids);
       else
-        (gases ? mixed_gases : mixed_cells)(part, h, as_set(presence), fluids);
+        mixed_cells(part, h, as_set(presence), fluids);
     });
     velocity_rows(row, h.momentum, h.velocity, row(h.inverse_rho), components);
   });

@@ -64,11 +64,15 @@ class RunWriter {
     end_ += count;
   }
   void close() {
-    for (int i = begin_; i < end_; ++i) {
-      key_[i] = run_key_;
-      left_[i] = end_ - i;
+    const double key = run_key_;
+    const int end = end_;
+    double* __restrict keys = key_;
+    double* __restrict left = left_;
+    for (int i = begin_; i < end; ++i) {
+      keys[i] = key;
+      left[i] = end - i;
     }
-    begin_ = end_;
+    begin_ = end;
   }
 
  private:
@@ -204,6 +208,22 @@ inline void write_pure(const RunRow* around, int rows, int n, double* pure, doub
     const int count = end - i > 2 ? end - i - 2 : 1;
     runs.add(count, end - i > 2 ? single_of(set) : -1.0);
     i += count;
+  }
+  runs.close();
+}
+
+// 1 in cells of which any row has a key below zero, else 0.
+inline void write_near(const RunRow* around, int rows, int n, double* near, double* left) {
+  RunWriter runs(near, left);
+  for (int i = 0; i < n;) {
+    bool any = false;
+    int end = n;
+    for (int r = 0; r < rows; ++r) {
+      any = any || around[r].key[i] < 0.0;
+      end = around[r].end(i, end);
+    }
+    runs.add(end - i, any ? 1.0 : 0.0);
+    i = end;
   }
   runs.close();
 }

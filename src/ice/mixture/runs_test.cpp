@@ -146,6 +146,25 @@ TEST(Runs, NeighbourhoodsArePureWhereAllRowsHoldOneMaterialAllAround) {
   }
 }
 
+TEST(Runs, CellsAreNearWhereAnyRowIsMixed) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const int n = 120;
+    std::vector<Runs> around;
+    std::vector<RunRow> views;
+    for (unsigned r = 0; r < 1 + seed % 7; ++r)
+      around.emplace_back(keys_of(100 * seed + r, n), static_cast<int>(seed));
+    for (const Runs& r : around) views.push_back(r.row());
+    std::vector<double> near(n), left(n);
+    write_near(views.data(), static_cast<int>(views.size()), n, near.data(), left.data());
+    EXPECT_EQ(left, Runs(near).left);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      bool any = false;
+      for (const Runs& r : around) any = any || r.keys[i] < 0.0;
+      EXPECT_EQ(near[i], any ? 1.0 : 0.0);
+    }
+  }
+}
+
 TEST(Runs, SetsOfOneTellTheirMaterial) {
   for (int m = 0; m < most_materials; ++m) {
     EXPECT_EQ(single_of(only(m)), m);

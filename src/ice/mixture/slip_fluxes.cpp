@@ -206,7 +206,7 @@ class Faces {
     if (k.V == 1.0) return;  // the donor has one material
     const double receiver = mass(k.index, k.donor == 0 ? -1 : 0, i);
     if (receiver == 0.0 && std::fabs(k.H) < least_entry) k.H = 0.0;
-    const double V_L = k.V * cell(h_.materials.lagrangian, 0, k.donor, i);
+    const double V_L = k.V * cell(h_.materials.stretch, 0, k.donor, i);
     const double flow = std::fabs(k.flow);
     const bool only_outlet = k.outlet == flow || (k.V < tiny && k.outlet == -flow);
     if (k.H == 0.0 || !only_outlet) return;

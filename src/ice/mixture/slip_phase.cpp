@@ -57,7 +57,7 @@ class Cells {
     clear(h_.velocity_L, materials_ * components_);
     clear(h_.drift, materials_ * axes_);
     clear(h_.kick, materials_ * axes_);
-    const double* W = row_(h_.lagrangian, 1);
+    const double* W = row_(h_.lagrangian, 0);
     for (int i = 0; i < n; ++i) row_(h_.work)[i] = W[i];
     if (h_.force_on) clear(h_.force_work, 1);
   }
@@ -105,7 +105,7 @@ class Cells {
     }
     before += carried_before;
     after += carried_after;
-    row_(h_.work)[i] = row_(h_.lagrangian, 1)[i] - (before - after) - driven;
+    row_(h_.work)[i] = row_(h_.lagrangian, 0)[i] - (before - after) - driven;
     if (h_.force_on) row_(h_.force_work)[i] = driven;
   }
   // `half`: in the middle of the step.

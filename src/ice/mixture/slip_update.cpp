@@ -100,7 +100,7 @@ class Cells {
     for (int c = 0; c < C; ++c) passed[c] += own[c];
     const double M_before = row_(s.mass)[i], V_before = row_(s.volume)[i];
     M = M_before + dM;
-    V = V_before * row_(h_.lagrangian, 0)[i] + dV;
+    V = V_before * row_(h_.stretch, 0)[i] + dV;
     E = row_(h_.energy_L, m)[i] + dE;
     double brought = 0, carried = 0;
     for (int c = 0; c < C; ++c) {

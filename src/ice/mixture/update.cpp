@@ -39,7 +39,7 @@ class MixedCells {
         laws_(laws),
         materials_(static_cast<int>(h.state.size())),
         motion_(row, h.common),
-        J_(row(h.lagrangian, 0)),
+        J_(row(h.stretch, 0)),
         iJ_(row(h.common.inverse_J)),
         density_(row(h.end, 0)),
         pressure_(row(h.pressure)),
@@ -62,22 +62,25 @@ class MixedCells {
     }
   }
 
-  void run(int first, int count) {
+  // Up to `room` cells from `first` on are there; those beyond `count` get any state.
+  void run(int first, int count, int room) {
     constexpr int most = IdealRelaxation::most_cells;
+    const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
     for (int done = 0; done < count; done += most) {
-      const int some = std::min(most, count - done);
-      remap_materials(first + done, some);
-      move_mixture(first + done, some);
-      share_defect(first + done, some);
+      const int some = std::min(most, count - done), whole = std::min(most, all - done);
+      remap_materials(first + done, whole);
+      move_mixture(first + done, whole);
+      share_defect(first + done, whole);
       if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
-      find_pressure(first + done, some);
+      repeat_first(first + done, some, whole);
+      find_pressure(first + done, some, whole);
     }
   }
   // Of cells whose new state is there but for that.
   void relax(int first, int count) {
     constexpr int most = IdealRelaxation::most_cells;
     for (int done = 0; done < count; done += most)
-      find_pressure(first + done, std::min(most, count - done));
+      find_pressure(first + done, std::min(most, count - done), std::min(most, count - done));
   }
 
  private:
@@ -159,14 +162,21 @@ class MixedCells {
     }
   }
 
-  void find_pressure(int first, int n) {
+  // What nobody asked for might not be the state of a gas.
+  void repeat_first(int first, int n, int whole) const {
+    for (int m = 0; m < materials_; ++m)
+      for (double* next : rows_[m].next) std::fill_n(next + first + n, whole - n, next[first]);
+  }
+
+  // In `whole` cells, of which `n` are asked for.
+  void find_pressure(int first, int n, int whole) {
     if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n)) {
       GasRows gases[most_materials];
       for (int m = 0; m < materials_; ++m) {
         double* const* next = rows_[m].next;
         gases[m] = {next[of_mass] + first, next[of_volume] + first, next[of_energy] + first};
       }
-      if (laws_.ideal.relax(n, gases, pressure_ + first, modulus_ + first)) return;
+      if (laws_.ideal.relax(whole, gases, pressure_ + first, modulus_ + first)) return;
     }
     for (int i = first; i < first + n; ++i) find_pressure_of_cell(i);
   }
@@ -233,7 +243,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
         if (pure >= 0.0)
           mixed->relax(first, count);
         else
-          mixed->run(first, count);
+          mixed->run(first, count, row.count() - first);  // cells beyond come after these
       });
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);

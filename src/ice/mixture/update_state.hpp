@@ -20,7 +20,7 @@ struct MaterialState {
 
 struct UpdateState {
   UpdateHandles common;
-  In lagrangian, energy_L, pure;
+  In stretch, energy_L, pure;
   In surface;              // where a gas slips along one
   std::array<In, 3> flux;  // of each material
   std::vector<MaterialState> state;

@@ -22,7 +22,7 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   v.shock_slope = list.temporary("shock slope");
   v.pi = list.temporary("lowest pressure");
   v.new_pressure = list.temporary("new pressure");
-  v.lagrangian_mixture = list.temporary("J, work, main outlet, friction", o.viscous ? 4 : 3);
+  v.lagrangian_mixture = list.temporary("work, friction", o.viscous ? 2 : 1);
   declare_step_temporaries(list, o, v);
   declare_conservative_temporaries(list, o, v);
   if (o.viscous)
@@ -54,6 +54,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   v.near = list.temporary("near several materials", 2);
   v.density = list.temporary("density of each material", M);
   v.specific_energy = list.temporary("energy per volume of each material", M);
+  v.stretch = list.temporary("J, main outlet", 2);
   v.energy_L = list.temporary("Lagrangian energy of each material", M);
   v.specific_energy_L = list.temporary("Lagrangian energy per volume of each material", M);
   v.energy_scale = list.temporary("energy scale of each material", M);
@@ -74,9 +75,9 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   if (o.viscous && o.own_viscosity_varies())
     v.own_viscosity = list.temporary("viscosity of each material", M);
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
+  v.common.pure = v.pure;
   if (o.own_velocities) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;
-  v.common.pure = v.pure;
   v.end = list.temporary("density and modulus of the new mixture", 2);
   return v;
 }

@@ -42,6 +42,9 @@ struct Variables {
   // where absent); after the Lagrangian phase energy per cell and per own volume, and the energy
   // scale (p + pi)/G. In cells of pure neighbourhood these are the mixture's, or zero.
   VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
+  // In cells that are near: J, and the largest outflow H of a cell through one face: as it is if
+  // that is the only outlet, negative if there are several, minus infinity if several are largest.
+  VariableId stretch;
   // By axis, 3 components a material: what volume, density and energy offer to the remap, in the
   // same cells.
   std::array<VariableId, 3> base;
@@ -72,7 +75,7 @@ struct StateReads {
 StateReads read_state(TaskBuilder& task, const Variables& v);
 
 // Component of `lagrangian_mixture`.
-constexpr int friction_of_mixture = 3;
+constexpr int friction_of_mixture = 1;
 
 // Component of a quantity of a material in `base` and `flux`.
 enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
