@@ -1,7 +1,6 @@
 // The order of sums.
 #include "ice/refine/children.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace sluice::ice {
@@ -19,13 +18,10 @@ Children::Children(const TransferGeometry& geometry) {
 }
 
 void Children::add(int to, int from) {
-  const auto summed = [&](int child) {
-    return std::any_of(sum_.begin(), sum_.begin() + sums_,
-                       [child](const Sum& s) { return s.to == child; });
-  };
-  sum_[static_cast<std::size_t>(sums_)] = {
-      static_cast<std::uint8_t>(to), static_cast<std::uint8_t>(from), summed(to), summed(from)};
-  ++sums_;
+  const auto t = static_cast<std::size_t>(to), f = static_cast<std::size_t>(from);
+  sum_[static_cast<std::size_t>(sums_++)] = {
+      static_cast<std::uint8_t>(to), static_cast<std::uint8_t>(from), is_sum_[t], is_sum_[f]};
+  is_sum_[t] = true;
 }
 
 // The sum of a block ends in its lowest child.

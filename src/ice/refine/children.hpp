@@ -107,6 +107,7 @@ class Children {
   int ratio_[3] = {1, 1, 1};  // by axis
   int sums_ = 0;
   std::array<Sum, most - 1> sum_{};
+  std::array<bool, most> is_sum_{};  // by child, while sums are listed
 };
 
 // Part of a line of cells of some region: `count` from `first` on, as numbers place, place + 1, ...

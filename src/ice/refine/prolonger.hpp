@@ -336,12 +336,11 @@ class Prolonger {
     }
   }
   // One fine cell of each coarse cell, where it is asked for.
-  void emit(int child, const Batch<width>& batch) const {
-    std::array<Wanted, width> lines;
+  void emit(int child, const Batch<width>& batch) {
     std::size_t count = 0;
     for (const LinePart& line : batch.parts()) {
-      lines[count] = wanted(child, line);
-      if (lines[count].count > 0) ++count;
+      wanted_[count] = wanted(child, line);
+      if (wanted_[count].count > 0) ++count;
     }
     if (count == 0) return;
     const double* f = basis_.value[child];
@@ -356,7 +355,7 @@ class Prolonger {
         for (int i = 0; i < n; ++i) value[i] = fine_energy(f, i);
       if (q >= quantities) fine_scalar(q - quantities, f, n, value);
       for (std::size_t k = 0; k < count; ++k) {
-        const Wanted& w = lines[k];
+        const Wanted& w = wanted_[k];
         double* __restrict to = (*w.views)[view(q)].data + w.first;
         const double* __restrict from = value + w.place;
         for (int i = 0; i < w.count; ++i) to[i * w.step] = from[i];
@@ -372,6 +371,7 @@ class Prolonger {
   Functions basis_;
   Batch<width> batch_;
   Source sources_[width];
+  Wanted wanted_[width];  // by line, of one child
   const std::size_t* by_volume_;
   double centre_[quantities + S][width];
   double term_[quantities + S][Functions::terms][width];
