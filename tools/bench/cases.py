@@ -64,6 +64,11 @@ WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ra
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[1]/@value=0.01",
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=0.01")
 UNIFORM = ("AMR/Regridder/max_levels=1",)
+# Two levels of ratio 4 with tiles of 16 cells, and a tolerance that gives the L1 error of the uniform
+# grid as fine (theory_ice.md): smaller tiles save cells, but their short rows cost as much.
+ERROR_EXPLOSION = "inputs/ice/amr_explosion_error.ups"
+BY_ERROR = ("AMR/Regridder/cell_refinement_ratio=[[4,4,1]]", "AMR/Regridder/max_levels=3",
+            "AMR/Regridder/min_patch_size=[[16,16,1]]", "AMR/ErrorEstimate/@tolerance=0.003")
 
 CASES = [
     Run("1-D, 4096 cells", TUBE, 4000, "[4096,1,1]", 30),
@@ -98,6 +103,12 @@ CASES = [
     Run("levels: explosion, all work", LEVELS_EXPLOSION, 0, settings=WIDE),
     Ratio("levels over uniform, all work", "levels: explosion, all work",
           "explosion, 512^2 uniform, all work", 1.25),
+    Run("explosion by error, 64^2 to 1024^2", ERROR_EXPLOSION, 0, savings=True, unit="ms",
+        settings=BY_ERROR),
+    Run("explosion, 1024^2 uniform", ERROR_EXPLOSION, 0, "[1024,1024,1]", savings=True, unit="ms",
+        settings=UNIFORM),
+    Ratio("levels by error over uniform, equal error", "explosion by error, 64^2 to 1024^2",
+          "explosion, 1024^2 uniform", 0.15),
     Run("levels: share of regrids", LEVELS_EXPLOSION, 0, limit=0.03, savings=True, settings=WIDE,
         unit="regrid"),
     Run("levels: explosion, 2 ranks", LEVELS_EXPLOSION, 0, savings=True, settings=WIDE, ranks=2),
