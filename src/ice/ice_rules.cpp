@@ -266,8 +266,6 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model, std::vector<Fa
       add_not_built(faults, node->where, fmt::format("{} with <{}>", what, name), advice);
   };
   refuse(material.child("SpecificHeatModel"), "<SpecificHeatModel>", "remove it");
-  refuse(material.child("dynamicViscosityModels"), "<dynamicViscosityModels>", "remove it");
-  refuse(root.find("CFD/ICE/turbulence"), "<turbulence>", "remove it");
   refuse(root.find("Grid/BoundaryConditions/microSlip"), "<microSlip>", "remove it");
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
   const DeckNode* ice = root.find("CFD/ICE");

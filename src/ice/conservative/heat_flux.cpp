@@ -21,6 +21,7 @@ struct Handles {
   In temperature, conductivity;
   In rho, energy, pressure, velocity, viscosity;  // slip alone
   scalars::SpreadingHandles spreading;            // a mixed gas alone
+  In fraction;                                    // the same, with eddies
   Out flux;
 };
 
@@ -62,14 +63,23 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
     heat_flux_row(n, ka, kb, Ta, Tb, inverse, q);
   else
     heat_flux_row(n, k, Ta, Tb, inverse, q);
+  // Subgrid motion ends at walls.
+  const auto conductivity_on_wall = [&](int i) {
+    if (!varies) return k;
+    if (!o.transport.turbulence) return harmonic_mean(ka[i], kb[i]);
+    if (o.mixed == nullptr) return k;
+    const auto molecular = [&](int shift) {
+      return o.mixed->at(row(h.fraction, 0, axis, shift)[i])(&models::MixedGas::Node::conductivity);
+    };
+    return harmonic_mean(molecular(-1), molecular(0));
+  };
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
     cell[o.axes.direction[0]] += i;
     const WallHeat& wall =
         o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell, o.material);
     const double inside = plus ? Ta[i] : Tb[i];
-    // Subgrid motion ends at walls.
-    const double k_wall = varies && !o.transport.turbulence ? harmonic_mean(ka[i], kb[i]) : k;
+    const double k_wall = conductivity_on_wall(i);
     double outward = 0;
     if (wall.slip) {
       const double rise = 2.0 * (gas_on_wall(row, h, o, axis, wall, k_wall, plus, i) - inside);
@@ -103,7 +113,8 @@ void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptio
 void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   if (!o.conducting) return;
   add_temperature(list, v, o, effect);
-  if (o.mixed != nullptr) scalars::add_conductivity(list, v, o, effect);
+  const bool mixes = o.mixed != nullptr, turbulent = o.transport.turbulence.has_value();
+  if (mixes && !turbulent) scalars::add_conductivity(list, v, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
@@ -119,7 +130,8 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
       h.velocity = task.read(v.velocity, both);
       if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
     }
-    if (o.mixed != nullptr) h.spreading = scalars::read_spreading(task, list, v, o, axis);
+    if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
+    if (mixes && turbulent) h.fraction = task.read(scalars::old_fraction(list, o), both);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)

@@ -25,8 +25,9 @@ void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sp
 void add_totals(const TransportTask& t, const SchemeVariables& v) {
   TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
-  const bool varies = t.options.molecular_varies();
+  const bool varies = t.options.molecular_varies(), mixed = t.options.mixed != nullptr;
   const In molecular = varies ? task.read(v.molecular_viscosity) : In{};
+  const In fraction = mixed ? task.read(scalars::old_fraction(t.list, t.options)) : In{};
   const Out viscosity = task.write(v.viscosity), conductivity = task.write(v.conductivity);
   task.kernel([=, o = t.options](const Row& row) {
     const int n = row.count();
@@ -34,12 +35,17 @@ void add_totals(const TransportTask& t, const SchemeVariables& v) {
     const double* __restrict mu = varies ? row(molecular) : nullptr;
     double* __restrict total = row(viscosity);
     double* __restrict k = row(conductivity);
+    for (int i = 0; i < n; ++i) total[i] = (varies ? mu[i] : o.viscosity) + mu_t[i];
+    if (mixed) {
+      const double inverse = 1.0 / o.transport.turbulence->prandtl;
+      o.mixed->for_row(n, row(fraction), [=](int i, const models::MixedGas::Between& at) {
+        k[i] = at(&models::MixedGas::Node::conductivity) + inverse * at.cp() * mu_t[i];
+      });
+      return;
+    }
     heat_capacity_row(o.fluid, n, row(rho), row(E), k);
     const double scale = heat_ratio(o.fluid) / o.transport.turbulence->prandtl;
-    for (int i = 0; i < n; ++i) {
-      total[i] = (varies ? mu[i] : o.viscosity) + mu_t[i];
-      k[i] = o.conductivity + scale * k[i] * mu_t[i];
-    }
+    for (int i = 0; i < n; ++i) k[i] = o.conductivity + scale * k[i] * mu_t[i];
   });
 }
 
@@ -89,6 +95,10 @@ void MolecularViscosity::operator()(const Row& row, const double* rho, const dou
   } else {
     std::fill_n(mu, n, constant);
   }
+  take_sponges(row, mu);
+}
+
+void MolecularViscosity::take_sponges(const Row& row, double* mu) const {
   for (const TransportModels::Sponge& sponge : models.sponges) sponge_row(row, along, sponge, mu);
 }
 
@@ -97,17 +107,24 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   TaskBuilder task = t.list.task(t.name + "molecular viscosity", t.effect);
   const In rho = task.read(state.rho), E = task.read(state.energy);
   const Out out = task.write(viscosity);
-  if (t.options.transport.by_fraction) {
-    const In f = task.read(scalars::old_fraction(t.list, t.options));
-    task.kernel([=, gas = t.options.mixed](const Row& row) {
-      scalars::property_row(*gas, &models::MixedGas::Node::viscosity, row.count(), row(f),
-                            row(out));
+  const SchemeOptions& o = t.options;
+  const MolecularViscosity law{o.fluid, o.transport, o.viscosity, o.axes.direction[0]};
+  if (o.mixed != nullptr) {
+    const In f = task.read(scalars::old_fraction(t.list, o));
+    task.kernel([=, gas = o.mixed](const Row& row) {
+      const auto& law_of_T = law.models.sutherland;
+      double* mu = row(out);
+      if (law_of_T) {
+        scalars::mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(E), mu);
+        for (int i = 0; i < row.count(); ++i) mu[i] = law_of_T->viscosity(mu[i]);
+      } else {
+        scalars::property_row(*gas, &models::MixedGas::Node::viscosity, row.count(), row(f), mu);
+      }
+      law.take_sponges(row, mu);
     });
     return;
   }
-  const SchemeOptions& o = t.options;
-  task.kernel([=, law = MolecularViscosity{o.fluid, o.transport, o.viscosity, o.axes.direction[0]}](
-                  const Row& row) { law(row, row(rho), row(E), row(out)); });
+  task.kernel([=](const Row& row) { law(row, row(rho), row(E), row(out)); });
 }
 
 void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,

@@ -30,6 +30,8 @@ struct MolecularViscosity {
   int along = 0;        // direction of rows
 
   void operator()(const Row& row, const double* rho, const double* energy, double* mu) const;
+  // At least that of the layers.
+  void take_sponges(const Row& row, double* mu) const;
 };
 
 // <dynamic_viscosity> or Sutherland's law, at least that of the layers.
