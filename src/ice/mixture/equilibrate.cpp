@@ -170,6 +170,21 @@ bool Equilibration::mend(const Cell& cell) const {
   return mended;
 }
 
+// The pressure that all go to, from their mean; false: there is none. Gas beside a liquid under
+// tension keeps a least pressure, or its energy would be lost in round-off; so does a weak liquid
+// above the least pressure that it bears.
+bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const {
+  double q = result.pressure, least = -infinity;
+  if (in.weakest >= 0 && in.count > 1)
+    if (const Linear& l = linear_[static_cast<std::size_t>(in.weakest)]; l.is)
+      least = least_cavity_pressure * in.stiffest - l.pi;
+  const bool found = find_pressure(cell, in, q, result.iterations);
+  result.torn = found && q < least;
+  if (!in.linear && (result.torn || !found)) result.torn = leaves_room(cell, in, least);
+  result.pressure = result.torn ? least : q;
+  return found || result.torn;
+}
+
 Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
   Present in;
   Result result;
@@ -180,28 +195,18 @@ Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
     differ = survey(cell, in, result);
   }
   if (differ) {
-    double q = result.pressure;
-    if (!find_pressure(cell, in, q, result.iterations)) {
-      q = result.pressure;
-      if (!leave_traces_out(cell, in) || !find_pressure(cell, in, q, result.iterations)) {
+    const double mean = result.pressure;
+    if (!settle(cell, in, result)) {
+      result.pressure = mean;
+      if (!leave_traces_out(cell, in) || !settle(cell, in, result)) {
         result.failed = in.largest;
         return result;
       }
     }
-    // Gas beside a liquid under tension keeps a least pressure, or its energy would be lost in
-    // round-off; so does a weak liquid above the least pressure that it bears.
-    const bool may_open = in.linear && in.weakest >= 0 && in.count > 1;
-    const double least = may_open ? least_cavity_pressure * in.stiffest -
-                                        linear_[static_cast<std::size_t>(in.weakest)].pi
-                                  : -infinity;
-    if (q < least) {
-      q = least;
-      result.torn = true;
-      fill_cavity(cell, in, q);
-    } else {
-      cell.E[in.largest] -= relax(cell, in, q, in.largest);
-    }
-    result.pressure = q;
+    if (result.torn)
+      fill_cavity(cell, in, result.pressure);
+    else
+      cell.E[in.largest] -= relax(cell, in, result.pressure, in.largest);
   } else if (result.failed < 0) {
     double volume = 0;
     for (int n = 0; n < in.count; ++n)

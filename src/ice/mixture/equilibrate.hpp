@@ -11,7 +11,8 @@
 // energy: both are exact to the round-off of the sums. Materials that are at one pressure already
 // (to a few units of the last place of their moduli) are left alone. Where no pressure suits all (a
 // solid that knows no tension, beside a liquid under tension), traces keep their density and the
-// others fill the rest.
+// others fill the rest. Where all together leave room at the least pressure that the weakest bears, a
+// cavity opens, which it fills.
 #pragma once
 #include <vector>
 
@@ -79,7 +80,11 @@ class Equilibration {
   void find_modulus(const Cell& cell, const Present& in, Result& result) const;
   void fill_cavity(const Cell& cell, const Present& in, double q) const;
 
+  bool settle(const Cell& cell, Present& in, Result& result) const;
+
   // --- equilibrate_search.cpp ---
+  // Do all together leave room at q? What is not linear then has its volume at q.
+  bool leaves_room(const Cell& cell, Present& in, double q) const;
   // From the start q; false: there is none.
   bool find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const;
   Balance balance(const Cell& cell, const Present& in) const;

@@ -144,6 +144,21 @@ bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q, int&
   return found;
 }
 
+bool Equilibration::leaves_room(const Cell& cell, Present& in, double q) const {
+  const Balance b = balance(cell, in);
+  if (!(q > b.lo)) return false;
+  double f = b.at(q - b.lo).first;
+  for (int n = 0; n < b.others; ++n) {
+    const int m = b.other[n];
+    const double v = solve(fluid(m), m, cell, q, cell.V[m]).volume;
+    const Response r = response(fluid(m), m, cell, q, v);
+    if (!(std::fabs(r.excess) <= largest_gap * std::fabs(r.slope) * v)) return false;
+    in.relaxed[m] = v;
+    f += v;
+  }
+  return f < 0.0;
+}
+
 bool Equilibration::search_together(const Cell& cell, Present& in, const Balance& b, double& x,
                                     int& iterations) const {
   double* v = in.relaxed;

@@ -55,6 +55,36 @@ TEST(Equilibration, FindsOnePressureForAnyPair) {
   }
 }
 
+// A metal that is pulled apart where next to nothing of a gas is: the gas holds the cavity open.
+TEST(Equilibration, GasOpensAMetalUnderTension) {
+  eos::MieGruneisen law;
+  law.C0 = 3940;
+  law.S = 1.49;
+  law.Gamma0 = 1.99;
+  law.rho0 = 8930;
+  law.T0 = 300;
+  law.specific_heat = 1000;
+  const Fluid metal{law, std::nullopt, 1, 1000}, gas = ideal_gas(1.4, 717);
+  for (const double V : {1e-12, 1e-5, 1e-2})
+    for (const double M : {1e-86, 1e-30}) {
+      State s{{M, (1 - V) * 8500}, {V, 1 - V}, {}};
+      s.E[0] = M * 717 * 300;
+      s.E[1] = s.M[1] * metal.energy_from_temperature(8500, 300) / 8500;
+      ASSERT_LT(metal.pressure(8500, s.E[1] / s.V[1]), -1e9);
+      const double energy = s.E[0] + s.E[1];
+      const auto result = Equilibration({gas, metal}).equilibrate(s.cell());
+      EXPECT_EQ(result.failed, -1);
+      EXPECT_TRUE(result.torn);
+      EXPECT_GT(result.pressure, 0);
+      EXPECT_LT(result.pressure, 1);
+      EXPECT_NEAR(s.V[0], 0.05, 0.02);
+      const double K = metal.bulk_modulus(s.M[1] / s.V[1], 0);
+      EXPECT_NEAR(metal.pressure(s.M[1] / s.V[1], s.E[1] / s.V[1]), result.pressure, 1e-12 * K);
+      EXPECT_DOUBLE_EQ(s.E[0] + s.E[1], energy);
+      EXPECT_DOUBLE_EQ(s.V[0] + s.V[1], 1.0);
+    }
+}
+
 // As a trace of gas does: torn matter is dust, which knows no tension.
 TEST(Equilibration, TracesOfASolidOpenALiquidUnderTension) {
   const Fluid water = stiffened_gas(4.4, 6e8);
