@@ -172,7 +172,7 @@ bool Equilibration::mend(const Cell& cell) const {
 
 // The pressure that all go to, from their mean; false: there is none. Gas beside a liquid under
 // tension keeps a least pressure, or its energy would be lost in round-off; so does a weak liquid
-// above the least pressure that it bears.
+// above the least pressure that it bears, also where its energy above that is round-off already.
 bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const {
   double q = result.pressure, least = -infinity;
   if (in.weakest >= 0 && in.count > 1)
@@ -180,7 +180,7 @@ bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const 
       least = least_cavity_pressure * in.stiffest - l.pi;
   const bool found = find_pressure(cell, in, q, result.iterations);
   result.torn = found && q < least;
-  if (!in.linear && (result.torn || !found)) result.torn = leaves_room(cell, in, least);
+  if (!found || (result.torn && !in.linear)) result.torn = leaves_room(cell, in, least);
   result.pressure = result.torn ? least : q;
   return found || result.torn;
 }

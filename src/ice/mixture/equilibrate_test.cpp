@@ -55,6 +55,26 @@ TEST(Equilibration, FindsOnePressureForAnyPair) {
   }
 }
 
+// A weak liquid that is torn already: of its energy above the least nothing is left but round-off.
+TEST(Equilibration, WeakLiquidsOpenWithNothingButRoundOff) {
+  const Fluid weak = stiffened_gas(3, 1e6), water = stiffened_gas(4.4, 6e8);
+  int torn = 0;
+  for (int n = 0; n < 200; ++n) {
+    const double V = 1e-4 * (1 + 0.01 * n);
+    State s{{1e-30, (1 - V) * 900}, {V, 1 - V}, {}};
+    s.E[0] = 1e6 * V;
+    for (int up = 0; up < n % 3; ++up) s.E[0] = std::nextafter(s.E[0], 1e9);
+    s.E[1] = s.V[1] * water.energy_from_pressure(900, -5e8, 300);
+    const double energy = s.E[0] + s.E[1];
+    const auto result = Equilibration({weak, water}).equilibrate(s.cell());
+    EXPECT_EQ(result.failed, -1);
+    torn += result.torn;
+    EXPECT_GT(s.V[0], 1e-2);
+    EXPECT_DOUBLE_EQ(s.E[0] + s.E[1], energy);
+  }
+  EXPECT_EQ(torn, 200);
+}
+
 // A metal that is pulled apart where next to nothing of a gas is: the gas holds the cavity open.
 TEST(Equilibration, GasOpensAMetalUnderTension) {
   eos::MieGruneisen law;
