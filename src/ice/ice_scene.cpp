@@ -70,8 +70,6 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
   }
   if (const DeckNode* h = ice->child("applyHydrostaticPressure"))
     s.hydrostatic_start = h->as_boolean();
-  s.most_equilibration_steps =
-      integer_or(*ice, "max_iteration_equilibration", s.most_equilibration_steps);
   if (const DeckNode* control = ice->child("TimeStepControl")) {
     if (const DeckNode* n = control->child("Scheme_for_delT_calc"))
       s.conservative_time_step = n->text == "conservative";

@@ -65,7 +65,6 @@ struct IceScene {
   models::ModelList models;
   std::vector<models::AddedHeat> added_heat;
   DrivingForce driving_force;
-  int most_equilibration_steps = 100;  // max_iteration_equilibration
   Location advection_where, cfl_where, scheme_where, gravity_where;
 
   // Drag so strong in every pair that all materials move together (one_velocity_coefficient).

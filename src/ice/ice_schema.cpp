@@ -75,11 +75,9 @@ TagSpec ice_block() {
                           .by_default("conservative"),
                       advection(), time_step_control(), custom_initialization(),
                       tag("max_iteration_equilibration",
-                          "most iterations for one pressure of "
-                          "several materials")
+                          "accepted without effect: the search for one pressure always ends")
                           .integer()
-                          .at_least(1)
-                          .by_default("100"),
+                          .at_least(1),
                       tag("ClampSpecificVolume", "accepted without effect: there are no clamps")
                           .boolean()
                           .by_default("false"),
