@@ -64,8 +64,8 @@ WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ra
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[1]/@value=0.01",
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=0.01")
 UNIFORM = ("AMR/Regridder/max_levels=1",)
-# Two levels of ratio 4 with tiles of 16 cells, and a tolerance that gives the L1 error of the uniform
-# grid as fine (theory_ice.md): smaller tiles save cells, but their short rows cost as much.
+# Two levels of ratio 4 with tiles of 16 cells, and a tolerance that gives the L1 error of the
+# uniform grid as fine (theory_ice.md): smaller tiles save cells, but their short rows cost as much.
 ERROR_EXPLOSION = "inputs/ice/amr_explosion_error.ups"
 BY_ERROR = ("AMR/Regridder/cell_refinement_ratio=[[4,4,1]]", "AMR/Regridder/max_levels=3",
             "AMR/Regridder/min_patch_size=[[16,16,1]]", "AMR/ErrorEstimate/@tolerance=0.003")

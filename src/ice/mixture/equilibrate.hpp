@@ -11,8 +11,8 @@
 // energy: both are exact to the round-off of the sums. Materials that are at one pressure already
 // (to a few units of the last place of their moduli) are left alone. Where no pressure suits all (a
 // solid that knows no tension, beside a liquid under tension), traces keep their density and the
-// others fill the rest. Where all together leave room at the least pressure that the weakest bears, a
-// cavity opens, which it fills.
+// others fill the rest. Where all together leave room at the least pressure that the weakest bears,
+// a cavity opens, which it fills.
 #pragma once
 #include <vector>
 

@@ -33,7 +33,8 @@ struct Handles : UpdateState {
 // Nothing is left of a material, to the round-off of what was there (update.cpp).
 bool is_gone(double M, double V, double M_before, double V_before) {
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-  return M == 0.0 || std::fabs(V) < least_volume || std::fabs(M) <= round_off * M_before ||
+  return std::fabs(M) < least_mass || std::fabs(V) < least_volume ||
+         std::fabs(M) <= round_off * M_before ||
          (std::fabs(V) <= round_off * V_before && V_before > 0.0);
 }
 

@@ -144,7 +144,7 @@ class MixedCells {
       for (int i = 0; i < n; ++i) {
         const int light = int{std::fabs(M[i]) <= round_off * M_before[i]};
         const int thin = int{std::fabs(V[i]) <= round_off * V_before[i]} & int{V_before[i] > 0.0};
-        const int empty = int{M[i] == 0.0} | int{std::fabs(V[i]) < least_volume};
+        const int empty = int{std::fabs(M[i]) < least_mass} | int{std::fabs(V[i]) < least_volume};
         const bool gone = (empty | light | thin) != 0;
         defect[i] += gone ? E[i] : 0.0;
         M[i] = gone ? 0.0 : M[i];
