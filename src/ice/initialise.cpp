@@ -28,7 +28,7 @@ namespace {
         "\n  material {} ('{}'): volume fraction {:g}, density {:g} kg/m^3, temperature {:g} K, "
         "pressure {:g} Pa (its law allows more than {:g})",
         m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
-        f.pressure[n], fluid.lowest_pressure());
+        f.pressure[n], fluid.lowest_pressure() + 0.0);  // no "-0"
   }
   throw InputError(fmt::format(
       "initial state: the materials of cell [{}, {}, {}] of level {} have no common pressure; "
