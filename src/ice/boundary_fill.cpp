@@ -21,7 +21,10 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
     setting_.viscous = setting_.viscous || material.viscous();
     setting_.rubs.push_back(material.viscous());
   }
-  if (materials.size() == 1) setting_.viscosity = materials.front().viscosity;
+  if (materials.size() == 1) {
+    setting_.viscosity = materials.front().viscosity;
+    setting_.sutherland = materials.front().viscosity_models.sutherland;
+  }
   setting_.mixed = mixed;
   setting_.directions = slots.directions;
   setting_.gravity = scene.constants.gravity;

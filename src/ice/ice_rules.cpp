@@ -266,7 +266,15 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model, std::vector<Fa
       add_not_built(faults, node->where, fmt::format("{} with <{}>", what, name), advice);
   };
   refuse(material.child("SpecificHeatModel"), "<SpecificHeatModel>", "remove it");
-  refuse(root.find("Grid/BoundaryConditions/microSlip"), "<microSlip>", "remove it");
+  const DeckNode* viscosities = material.child("dynamicViscosityModels");
+  if (viscosities != nullptr && models::own_coefficient(model, models::Coefficient::viscosity))
+    for (const DeckNode* viscosity : viscosities->all("Model"))
+      if (viscosity->attribute("name") == "Sutherland")
+        add_error(faults, viscosity->where,
+                  fmt::format("two laws of viscosity: <{}> has one, and Sutherland's stands beside "
+                              "it",
+                              name),
+                  "remove one of the two");
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* start = root.find("CFD/ICE/customInitialization");

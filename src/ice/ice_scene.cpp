@@ -144,11 +144,6 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   if (!s.models.mixed) return;
   models::MixedGas& gas = *s.models.mixed;
   IceMaterial& m = s.materials[static_cast<std::size_t>(gas.material)];
-  if (gas.own_viscosity && m.viscosity_models.sutherland)
-    add_error(faults, m.viscosity_models.where,
-              fmt::format("two laws of viscosity: <{}> has one, and Sutherland's stands beside it",
-                          gas.type),
-              "remove one of the two");
   gas.change_nodes([&](models::MixedGas::Node& node) {
     if (!gas.own_heat_capacity) {
       node.cv = m.fluid.specific_heat;

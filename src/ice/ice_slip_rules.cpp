@@ -5,6 +5,7 @@
 
 #include "framework/deck/rule_tools.hpp"
 #include "ice/ice_schema.hpp"
+#include "models/models.hpp"
 
 namespace sluice {
 namespace {
@@ -47,8 +48,13 @@ class SlipRules {
  public:
   SlipRules(const DeckNode& root, std::vector<Fault>& faults) : faults_(faults) {
     for (const DeckNode* material : ice_materials(root)) materials_.push_back(material);
-    conductivity_ = largest("thermal_conductivity");
-    viscosity_ = largest("dynamic_viscosity");
+    using models::Coefficient;
+    conductivity_ = largest(root, "thermal_conductivity", Coefficient::conductivity);
+    viscosity_ = largest(root, "dynamic_viscosity", Coefficient::viscosity);
+    for (const DeckNode* material : materials_)
+      if (const DeckNode* laws = material->child("dynamicViscosityModels"))
+        for (const DeckNode* law : laws->all("Model"))
+          viscosity_ = std::max(viscosity_, real_of(law, "a").value_or(0.0));  // Sutherland's
   }
 
   void check(const DeckNode& face) {
@@ -63,8 +69,11 @@ class SlipRules {
   void add(Severity severity, const DeckNode& node, std::string message, std::string advice = {}) {
     faults_.push_back({severity, node.where, std::move(message), std::move(advice)});
   }
-  double largest(std::string_view tag) const {
+  double largest(const DeckNode& root, std::string_view tag, models::Coefficient of_model) const {
     double value = 0;
+    if (const DeckNode* models = root.child("Models"))
+      for (const DeckNode* model : models->all("Model"))
+        if (const auto own = models::own_coefficient(*model, of_model)) return *own;
     for (const DeckNode* material : materials_)
       value = std::max(value, real_of(material, tag).value_or(0.0));
     return value;

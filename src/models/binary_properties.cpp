@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -72,6 +73,17 @@ void check_binary_properties(const DeckNode& parameters, const std::vector<std::
   for (const char* name : densities)
     if (real_of(constants, name).value_or(1) == 0)
       add_error(faults, constants->child(name)->where, fmt::format("<{}> must be above 0", name));
+}
+
+std::optional<double> largest_binary_coefficient(const DeckNode& parameters,
+                                                 Coefficient coefficient) {
+  const DeckNode* scalar = parameters.child("scalar");
+  const DeckNode* constants = scalar == nullptr ? nullptr : scalar->child("constants");
+  if (constants == nullptr) return std::nullopt;
+  const TagPair& tags = coefficient == Coefficient::viscosity ? viscosities : conductivities;
+  const auto a = real_of(constants, tags[0]), b = real_of(constants, tags[1]);
+  if (!a && !b) return std::nullopt;
+  return std::max(a.value_or(0), b.value_or(0));
 }
 
 MixedGas read_binary_properties(const DeckNode& parameters,

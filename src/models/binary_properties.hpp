@@ -3,6 +3,7 @@
 //   cv = f cv_B + (1 - f) cv_A,  R = f R_B + (1 - f) R_A,  mu and k alike
 // f is the mass fraction of gas B. What the scalar needs beside it is as for "PassiveScalar".
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace sluice::models {
 TagSpec binary_properties_tag();
 void check_binary_properties(const DeckNode& parameters, const std::vector<std::string>& materials,
                              std::vector<Fault>& faults);
+// The larger of both gases; nothing where the deck has none.
+std::optional<double> largest_binary_coefficient(const DeckNode& parameters, Coefficient);
 MixedGas read_binary_properties(const DeckNode& parameters,
                                 const std::vector<std::string>& materials);
 

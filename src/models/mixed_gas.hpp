@@ -20,6 +20,9 @@
 
 namespace sluice::models {
 
+// That a model may bring in place of the material's.
+enum class Coefficient { viscosity, conductivity };
+
 class MixedGas {
  public:
   struct Node {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/base/infinity.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/adiabatic_table.hpp"
 #include "models/binary_properties.hpp"
@@ -33,6 +34,7 @@ struct Entry {
   // Names of variables that it brings; null: none.
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
   bool mixes = false;  // the gas
+  std::optional<double> (*coefficient)(const DeckNode& parameters, Coefficient) = nullptr;
 };
 
 // A mixed gas and its scalars; `constants`: the element with <diffusivity>.
@@ -64,13 +66,14 @@ const std::vector<Entry>& table() {
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
        },
-       scalar_labels, true},
+       scalar_labels, true, largest_binary_coefficient},
       {"AdiabaticTable", adiabatic_table_tag(), check_adiabatic_table,
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "constants", read_adiabatic_table(parameters, to.materials, to.faults),
                  to);
        },
-       mixing_labels, true},
+       mixing_labels, true,
+       [](const DeckNode&, Coefficient) -> std::optional<double> { return infinity; }},
       {"flameSheet_rxn", flame_sheet_tag(), check_flame_sheet,
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials), to);
@@ -136,6 +139,14 @@ void for_each_model(const DeckNode& root, F&& f) {
 bool mixes_gas(const std::string& type) {
   const Entry* entry = find(type);
   return entry != nullptr && entry->mixes;
+}
+
+std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient) {
+  const Entry* entry = find(model.attribute("type").value_or(""));
+  if (entry == nullptr || entry->coefficient == nullptr) return std::nullopt;
+  const DeckNode* parameters = model.child(entry->parameters.name);
+  if (parameters == nullptr) return std::nullopt;
+  return entry->coefficient(*parameters, coefficient);
 }
 
 TagSpec models_tag() {

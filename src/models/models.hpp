@@ -32,6 +32,9 @@ struct ModelList {
 
 // Whether a type of model makes the gas a mixture.
 bool mixes_gas(const std::string& type);
+// The largest value that a model brings of a coefficient; infinity where only its table tells.
+// Nothing: the material's own holds.
+std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient);
 
 TagSpec models_tag();
 // Old decks write the parameters of "Test" beside its element, not in it: moved, with a warning.

@@ -1,5 +1,6 @@
 // The state of one ghost cell from that of the cell that it looks at.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/waves.hpp"
+#include "ice/transport/settings.hpp"
 #include "models/mixed_gas.hpp"
 
 namespace sluice::ice {
@@ -34,7 +36,8 @@ struct BoundarySetting {
   std::vector<int> directions;              // of the momentum components
   Vec3 gravity{};
   bool viscous = false;
-  double viscosity = 0;  // of one material, Pa s
+  double viscosity = 0;                  // of one material, Pa s; the largest of a mixture
+  std::optional<Sutherland> sutherland;  // its law in place of the number
   const Level* level = nullptr;
   FlowConditions conditions;
 };
@@ -68,6 +71,12 @@ class GhostStates {
   // Of the velocity given, what a profile leaves at the height of a ghost.
   double profile(const GhostRule& rule, IntVec3 ghost) const;
   Vec3 gliding_velocity(const GhostRule& rule, IntVec3 ghost) const;
+  // The one gas in a cell.
+  struct GasAt {
+    double rho, p, T;
+  };
+  GasAt gas_at(IntVec3 cell) const;
+  double viscosity(IntVec3 cell, double T) const;
   // Cells on both sides of one along a direction, for differences; the cell itself where they end.
   struct Neighbours {
     IntVec3 low, high;

@@ -27,11 +27,8 @@ GhostStates::Neighbours GhostStates::neighbours(IntVec3 cell, int e) const {
 void GhostStates::differences_along(IntVec3 cell, int e, SlipCell& slip) const {
   const Neighbours at = neighbours(cell, e);
   if (at.steps == 0) return;
-  const Fluid& fluid = setting_.fluids.front();
-  const RealView &mass = v_.mass.front(), &energy = v_.energy.front();
+  const RealView& mass = v_.mass.front();
   const double dx = setting_.level->spacing[e], length = at.steps * dx;
-  const double p[] = {fluid.pressure(mass(at.low), energy(at.low)),
-                      fluid.pressure(mass(at.high), energy(at.high))};
   double weight = 0;  // sum of g dx (rho + rho)/2 over the steps
   for (IntVec3 c = at.low; c[e] < at.high[e];) {
     IntVec3 next = c;
@@ -39,30 +36,42 @@ void GhostStates::differences_along(IntVec3 cell, int e, SlipCell& slip) const {
     weight += 0.5 * setting_.gravity[e] * dx * (mass(c) + mass(next));
     c = next;
   }
-  slip.pull = ((p[1] - p[0]) - weight) / length - setting_.conditions.slip->force[e];
-  slip.warming = (fluid.temperature(mass(at.high), energy(at.high)) -
-                  fluid.temperature(mass(at.low), energy(at.low))) /
-                 length;
+  const GasAt low = gas_at(at.low), high = gas_at(at.high);
+  slip.pull = ((high.p - low.p) - weight) / length - setting_.conditions.slip->force[e];
+  slip.warming = (high.T - low.T) / length;
+}
+
+GhostStates::GasAt GhostStates::gas_at(IntVec3 cell) const {
+  Fluid room;
+  const Fluid& fluid = fluid_of(cell, room);
+  const double rho = v_.mass.front()(cell), rho_e = v_.energy.front()(cell);
+  return {rho, fluid.pressure(rho, rho_e), fluid.temperature(rho, rho_e)};
+}
+
+// Of the molecules: their free path knows neither sponge layers nor eddies.
+double GhostStates::viscosity(IntVec3 cell, double T) const {
+  if (setting_.sutherland) return setting_.sutherland->viscosity(T);
+  if (setting_.mixed == nullptr) return setting_.viscosity;
+  return setting_.mixed->at(v_.composition(cell))(&models::MixedGas::Node::viscosity);
 }
 
 // On the wall beside a ghost, along the wall.
 Vec3 GhostStates::gliding_velocity(const GhostRule& rule, IntVec3 ghost) const {
-  const Fluid& fluid = setting_.fluids.front();
   IntVec3 beside = ghost;
   beside[d_] = plus_ ? setting_.level->domain.upper[d_] - 1 : setting_.level->domain.lower[d_];
-  const double rho = v_.mass.front()(beside), rho_e = v_.energy.front()(beside);
+  const GasAt gas = gas_at(beside);
   SlipCell cell;
-  cell.rho = rho;
-  cell.p = fluid.pressure(rho, rho_e);
-  cell.temperature = fluid.temperature(rho, rho_e);
-  cell.viscosity = setting_.viscosity;
+  cell.rho = gas.rho;
+  cell.p = gas.p;
+  cell.temperature = gas.T;
+  cell.viscosity = viscosity(beside, gas.T);
   cell.spacing = setting_.level->spacing[d_];
   const SlipSettings& settings = *setting_.conditions.slip;
   Vec3 on_wall = rule.velocity;
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
     const int e = setting_.directions[c];
     if (e == d_) continue;
-    cell.velocity = v_.momentum[c](beside) / rho;
+    cell.velocity = v_.momentum[c](beside) / gas.rho;
     cell.wall_velocity = rule.velocity[e];
     cell.pull = cell.warming = 0;
     if (settings.second_order() || rule.creep) differences_along(beside, e, cell);

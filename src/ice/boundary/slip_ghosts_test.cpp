@@ -5,11 +5,15 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "framework/base/error.hpp"
 #include "ice/boundary/wall_slip.hpp"
 #include "ice/boundary_fill.hpp"
 #include "ice/labels.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -29,13 +33,17 @@ Condition wall(const char* kind, Vec3 velocity) {
 
 struct State {
   double rho = 1, u = 0, p = 10;
+  double f = 0;  // of a mixed gas
 };
 
 // Eight by six cells between slipping walls at both ends of y.
 class Channel {
  public:
   explicit Channel(const SlipSettings& settings, const char* kind = "slip", Vec3 velocity = {},
-                   double gravity = 0, double mu = viscosity) {
+                   double gravity = 0, double mu = viscosity,
+                   std::optional<Sutherland> sutherland = {},
+                   const models::MixedGas* mixed = nullptr)
+      : mixed_(mixed) {
     Level level;
     level.domain = {{0, 0, 0}, {8, 6, 1}};
     level.active = {true, true, false};
@@ -53,12 +61,17 @@ class Channel {
     for (Side side : {Side::x_minus, Side::x_plus})
       scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
     material_.viscosity = mu;
+    material_.viscosity_models.sutherland = sutherland;
     conditions_.slip = settings;
     const Labels& l = labels();
     state_ = std::make_unique<Warehouse>(scene_.grid.levels.front(), 0);
     state_->add({l.mass, 0, 1, 4});
     state_->add({l.momentum, 0, 2, 4});
     state_->add({l.energy, 0, 1, 4});
+    if (mixed == nullptr) return;
+    scalars_.resize(1);
+    scalars_[0].name = mixed->fraction;
+    state_->add({scalars_[0].state(), 0, 1, 4});
   }
   void fill(const std::function<State(double, double)>& f) {
     for_each_cell(scene_.grid.levels.front().domain, [&](IntVec3 c) {
@@ -66,10 +79,12 @@ class Channel {
       state_->view(0, 0, 0)(c) = s.rho;
       state_->view(1, 0, 0)(c) = s.rho * s.u;
       state_->view(1, 1, 0)(c) = s.rho * 0.25;
-      state_->view(2, 0, 0)(c) = s.p / 0.4;
+      state_->view(2, 0, 0)(c) = s.p / (mixed_ == nullptr ? 0.4 : mixed_->at(s.f).ratio());
+      if (mixed_ != nullptr) state_->view(3, 0, 0)(c) = s.f;
     });
     const Labels& l = labels();
-    BoundaryFill(scene_, material_, {l.mass, l.momentum, l.energy, 0, {0, 1}}, 0, conditions_)
+    BoundaryFill(scene_, std::span(&material_, 1), {l.mass, l.momentum, l.energy, 0, {0, 1}}, 0,
+                 conditions_, scalars_, mixed_)
         .fill(*state_, ThreadTeam());
   }
   double u(int i, int j, int c = 0) const {
@@ -82,6 +97,8 @@ class Channel {
   Scene scene_;
   IceMaterial material_;
   FlowConditions conditions_;
+  const models::MixedGas* mixed_;
+  std::vector<models::TransportedScalar> scalars_;
   std::unique_ptr<Warehouse> state_;
 };
 
@@ -178,6 +195,37 @@ TEST(SlipGhosts, GasCreepsTowardsWhereItIsWarmer) {
   EXPECT_NEAR(by_kind.on_wall(3), speed, 1e-14);
   EXPECT_GT(speed, 1e-5);
   EXPECT_EQ(without.on_wall(3), 0.0);
+}
+
+// Gas that is a mixture has the pressure, the temperature and the viscosity of its fraction in each
+// cell: in a channel where f rises along the wall it slips, is pulled and creeps by them.
+TEST(SlipGhosts, OfAMixtureKnowWhatTheCellHolds) {
+  models::MixedGas gas;
+  gas.fraction = "f";
+  gas.set_nodes({{0, 1, .4, viscosity, 0, 0}, {1, 3, 1.5, .02, 0, 0}});
+  SlipSettings slip = settings(Model::deissler);
+  slip.creep = true;
+  Channel channel(slip, "slip", {2, 0, 0}, 0, viscosity, {}, &gas);
+  constexpr double rho = 1.2, slope = 4;
+  const auto f = [](double x) { return x; };
+  channel.fill([&](double x, double) { return State{rho, 5, 10 + slope * x, f(x)}; });
+  const double x = 0.35, p = 10 + slope * x, mu = .05 + f(x) * (.02 - .05);
+  const auto T = [&](double at) { return (10 + slope * at) / (rho * (.4 + f(at) * (1.5 - .4))); };
+  const double lambda = mu / (rho * std::sqrt(2 * (p / rho) / std::numbers::pi));
+  const double weight = 2 * reflection * lambda / dy, warming = (T(x + dx) - T(x - dx)) / (2 * dx);
+  const double known =
+      2 - 9.0 / 8 * lambda * lambda * slope / mu + .75 * mu / (rho * T(x)) * warming;
+  EXPECT_NEAR(channel.on_wall(3), (known + weight * 5) / (1 + weight), 1e-12);
+}
+
+TEST(SlipGhosts, TakeTheViscosityOfSutherlandsLaw) {
+  const double T = 10 / (0.4 * 1.2);
+  const Sutherland law{viscosity * (T + 3) / (T * std::sqrt(T)), 3};
+  Channel by_law(settings(), "slip", {2, 0, 0}, 0, 0.01, law);
+  Channel by_number(settings(), "slip", {2, 0, 0});
+  for (Channel* channel : {&by_law, &by_number})
+    channel->fill([](double, double) { return State{1.2, 5, 10}; });
+  EXPECT_NEAR(by_law.on_wall(3), by_number.on_wall(3), 1e-14);
 }
 
 TEST(SlipGhosts, AWallThatMovesAcrossItselfIsRefused) {

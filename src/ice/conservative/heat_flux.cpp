@@ -21,7 +21,7 @@ struct Handles {
   In temperature, conductivity;
   In rho, energy, pressure, velocity, viscosity;  // slip alone
   scalars::SpreadingHandles spreading;            // a mixed gas alone
-  In fraction;                                    // the same, with eddies
+  In fraction;                                    // the same, with eddies or slip
   Out flux;
 };
 
@@ -34,8 +34,10 @@ double gas_on_wall(const Row& row, const Handles& h, const SchemeOptions& o, int
   gas.rho = cell(h.rho, 0, inside);
   gas.p = cell(h.pressure, 0, inside);
   gas.temperature = cell(h.temperature, 0, inside);
-  gas.specific_heat = o.fluid.heat_capacity(gas.rho, cell(h.energy, 0, inside));
-  gas.viscosity = o.viscosity_varies ? cell(h.viscosity, 0, inside) : o.viscosity;
+  gas.specific_heat = o.mixed != nullptr
+                          ? o.mixed->specific_heat(cell(h.fraction, 0, inside))
+                          : o.fluid.heat_capacity(gas.rho, cell(h.energy, 0, inside));
+  gas.viscosity = o.molecular_varies() ? cell(h.viscosity, 0, inside) : o.viscosity;
   gas.conductivity = conductivity;
   gas.spacing = row.step().spacing[o.axes.direction[axis]];
   gas.wall_temperature = wall.temperature;
@@ -123,15 +125,17 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
     Handles h;
     h.temperature = task.read(v.temperature, both);
     if (o.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
-    if (o.boundary != nullptr && o.boundary->has_heat_slip()) {
+    const bool slips = o.boundary != nullptr && o.boundary->has_heat_slip();
+    if (slips) {
       h.rho = task.read(v.rho, both);
       h.energy = task.read(v.energy, both);
       h.pressure = task.read(v.pressure, both);
       h.velocity = task.read(v.velocity, both);
-      if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
+      if (o.molecular_varies())
+        h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
     if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
-    if (mixes && turbulent) h.fraction = task.read(scalars::old_fraction(list, o), both);
+    if (mixes && (turbulent || slips)) h.fraction = task.read(scalars::old_fraction(list, o), both);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)
