@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Run decks as they stand; each must end with status done and totals conserved as it says itself.
 
-Own decks: every .ups under --inputs. Suite: the decks of the format's public suite that Sluice
-promises to run unmodified, from the suite's folder. Each run has a wall limit; one that reaches it
-is reported as such, which is a failure for an own deck.
+Own decks: every .ups under --inputs. Suite: the decks of the format's public suite that
+regression/promised_decks.txt names, from the suite's folder. Each run has a wall limit; one that
+reaches it is reported as such, which is a failure.
 """
 import argparse
 import json
@@ -12,19 +12,10 @@ import subprocess
 import sys
 import time
 
+from promised import promised_decks
+
 LIMIT = 700  # seconds a deck
 BUDGET = 1700  # seconds in all: the part's limit less some room
-SUITE = {  # deck below inputs/: further options
-    "ICE/riemann_sm.ups": [], "ICE/riemann3D.ups": [], "ICE/advect.ups": [],
-    "ICE/advect_periodic.ups": [], "ICE/test2.ups": [], "ICE/test3.ups": [], "ICE/test4.ups": [],
-    "ICE/advect2mat.ups": [], "ICE/hotBlob2mat.ups": [], "ICE/hotBlob2mat_sym.ups": [],
-    "ICE/advect2matAMR.ups": [],
-    "UintahRelease/ICE/shockTube.ups": [],
-    "ICE/explosion.ups": [], "ICE/riemann_AMR.ups": [], "ICE/riemann2D_AMR.ups": [],
-    "ICE/advectAMR.ups": [], "ICE/BW_reflect_AMR.ups": [],
-    "UintahRelease/ICE/explosion.ups": [], "UintahRelease/ICE/shockTube_AMR.ups": [],
-    "UintahRelease/ICE/riemann2D_AMR.ups": [],
-}
 
 
 def run(given, deck, folder, options):
@@ -55,7 +46,8 @@ def main():
 
     jobs = [(deck, []) for deck in sorted(given.inputs.rglob("*.ups"))]
     if given.suite:
-        jobs += [(given.suite / "inputs" / name, options) for name, options in SUITE.items()]
+        jobs += [(given.suite / "inputs" / name, options)
+                 for name, options in promised_decks().items()]
     began, failed, skipped = time.monotonic(), [], []
     for number, (deck, options) in enumerate(jobs):
         if time.monotonic() - began > BUDGET - LIMIT:

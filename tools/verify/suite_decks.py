@@ -7,7 +7,7 @@ LIST is amr (decks with <AMR> or several <Level>s, run to their end) or ice (dec
 coarsened to seconds). A deck that `sluice check` finds good is run; of any other the first fault
 is told. --check writes nothing and fails when a page is not what it would write. --test runs only
 what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
-that SLUICE_DECKS is not set.
+that SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
 """
 import argparse
 import json
@@ -22,6 +22,7 @@ import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
+from promised import promised_decks  # noqa: E402
 from sluice_tools.archive import Archive  # noqa: E402
 
 LIMIT = 300  # seconds a deck
@@ -295,26 +296,37 @@ def short_name(suite, path):
     return path.relative_to(suite).as_posix().removeprefix("inputs/")
 
 
+def promised(suite, deck_list):
+    """The decks of the list that must run."""
+    below = deck_list.folder.removeprefix("inputs").lstrip("/")
+    return {name for name in promised_decks()
+            if name.startswith(below) and deck_list.cells(suite / "inputs" / name) is not None}
+
+
 def make_page(sluice, suite, deck_list):
+    """The page's text, what to tell of it, the names of the decks that run"""
     rows = []
     for path in sorted((suite / deck_list.folder).rglob("*.ups")):
         cells = deck_list.cells(path)
         if cells is None:
             continue
         good, state = state_of(sluice, suite, path, deck_list.run_deck)
-        rows.append((good, f"| {' | '.join([short_name(suite, path), *cells, state])} |\n"))
-    running = [text for good, text in rows if good]
+        name = short_name(suite, path)
+        rows.append((good, name, f"| {' | '.join([name, *cells, state])} |\n"))
+    running = [line for good, _, line in rows if good]
     text = deck_list.head
     text += f"{len(running)} of {len(rows)} decks run.\n\n" + deck_list.columns
-    text += "".join(running) + "".join(line for good, line in rows if not good)
-    return text, f"{len(running)} of {len(rows)} {deck_list.told}"
+    text += "".join(running) + "".join(line for good, _, line in rows if not good)
+    told = f"{len(running)} of {len(rows)} {deck_list.told}"
+    return text, told, {name for good, name, _ in rows if good}
 
 
 def broken_decks(sluice, suite, deck_list):
-    """Decks that the page says run and that do not; how many ran."""
-    names = re.findall(r"^\| (\S+\.ups) \|.*\| runs[^|]*\|$", deck_list.page.read_text(), re.M)
+    """Decks that the page says run, or that are promised, and that do not; how many were run."""
+    names = set(re.findall(r"^\| (\S+\.ups) \|.*\| runs[^|]*\|$", deck_list.page.read_text(), re.M))
+    names |= promised(suite, deck_list)
     broken = []
-    for name in names:
+    for name in sorted(names):
         good, state = state_of(sluice, suite, suite / "inputs" / name, deck_list.run_deck)
         if not good:
             broken.append(f"{name}: {state}")
@@ -329,7 +341,11 @@ def treat(sluice, suite, deck_list, given):
             print(f"   FAILED {line}")
         print(f"RESULT: {count - len(broken)} of {count} {deck_list.told} as the page says")
         return count > 0 and not broken
-    text, told = make_page(sluice, suite, deck_list)
+    text, told, running = make_page(sluice, suite, deck_list)
+    lost = promised(suite, deck_list) - running
+    if lost:
+        print(f"RESULT: promised, but do not run: {', '.join(sorted(lost))}")
+        return False
     if not given.check:
         deck_list.page.write_text(text)
     elif not deck_list.page.exists() or deck_list.page.read_text() != text:
