@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/base/infinity.hpp"
+#include "ice/mixture/traces.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 constexpr double same_pressure = 4e-15;          // of the modulus: round-off of p = G (rho e) + F
 constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
-constexpr double next_to_nothing = 1e-9;         // of the heaviest's mass
 
 }  // namespace
 

@@ -95,5 +95,35 @@ TEST_P(EquilibrationOfLaws, FindsOnePressureOfEveryPair) {
 
 INSTANTIATE_TEST_SUITE_P(Apart, EquilibrationOfLaws, testing::Values(1.1, 10.0, 1e3));
 
+// Vapour that a cavity has thinned out for long, beside a liquid that closes it: the pressure sought
+// lies up to two hundred decades above its own.
+TEST(EquilibrationOfVapour, GoesWhereTheLiquidClosesItsCavity) {
+  const eos::StiffenedGas water{4.4, 6e8, 0.0, 4186.0};
+  const eos::BirchMurnaghan solid{{7.0, 4.5e-10, 1000.0, 101325.0, 1000.0}};
+  const eos::Murnaghan matter{{7.0, 4.5e-10, 1000.0, 101325.0, 1000.0}};
+  const Fluid liquid{water, std::nullopt, 4.4, 4186.0};
+  constexpr double pressure = 3e7, T = 300.0;  // of the liquid
+  const double rho = liquid.density(pressure, T), rho_e = liquid.energy_from_temperature(rho, T);
+  for (const eos::EquationOfState& law :
+       {eos::EquationOfState(solid), eos::EquationOfState(matter)})
+    for (const double cavity : {1e-8, 1e-4, 1e-2})
+      for (const double thinned : {1e-20, 1e-60, 1e-130, 1e-190}) {
+        SCOPED_TRACE(testing::Message() << "a cavity of " << cavity << ", vapour " << thinned);
+        const Fluid vapour{law, std::nullopt, 1.4, 1000};
+        const double thin = thinned / cavity;
+        double M[] = {rho * (1 - cavity), thinned}, V[] = {1 - cavity, cavity};
+        double E[] = {rho_e * (1 - cavity), cavity * vapour.energy_from_temperature(thin, T)};
+        const double energy = E[0] + E[1];
+        const auto result = Equilibration({liquid, vapour}).equilibrate({M, V, E});
+        ASSERT_EQ(result.failed, -1);
+        for (int m = 0; m < 2; ++m) {
+          const Fluid& fluid = m == 0 ? liquid : vapour;
+          EXPECT_NEAR(fluid.pressure(M[m] / V[m], E[m] / V[m]), result.pressure, 1e-6 * pressure);
+        }
+        EXPECT_DOUBLE_EQ(V[0] + V[1], 1.0);
+        EXPECT_NEAR(E[0] + E[1], energy, 4e-16 * energy);
+      }
+}
+
 }  // namespace
 }  // namespace sluice::ice::mixture

@@ -18,6 +18,7 @@ namespace sluice::ice::mixture {
 namespace {
 
 constexpr int most_iterations = 100, most_together = 12;
+constexpr double thin = 0x1p-80;  // of the pressure sought: halves would take too many iterations
 constexpr double newton_ends = 1e-9;  // a step: what is left of it is round-off
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
 constexpr double largest_gap = 1e-10;  // of the modulus, of the volume: more is no solution
@@ -31,8 +32,8 @@ double not_below_half(double volume, double before) {
 }
 
 struct Response {
-  double excess, slope;  // h (Pa), h_v
-  double volume, dV_dq;  // of V'(q)
+  double pressure, excess, slope;  // p, h (Pa), h_v
+  double volume, dV_dq;            // of V'(q)
 };
 
 // Of material m to pressure q at volume v.
@@ -40,15 +41,16 @@ template <class Law>
 Response response(const Law& law, int m, const Cell& cell, double q, double v) {
   const double M = cell.M[m], V = cell.V[m], E = cell.E[m];
   const double rho = M / v, rho_e = (E - q * (v - V)) / v;
-  const double excess = law.pressure(rho, rho_e) - q, dp_de = law.dp_de(rho, rho_e);
+  const double p = law.pressure(rho, rho_e), excess = p - q, dp_de = law.dp_de(rho, rho_e);
   const double slope = -(rho * law.dp_drho(rho, rho_e) + dp_de * q / rho) / v;
-  return {excess, slope, v - excess / slope, (1.0 + dp_de * (v - V) / M) / slope};
+  return {p, excess, slope, v - excess / slope, (1.0 + dp_de * (v - V) / M) / slope};
 }
 Response response(const Fluid& fluid, int m, const Cell& cell, double q, double v) {
   return std::visit([&](const auto& law) { return response(law, m, cell, q, v); }, fluid.law);
 }
 
-// V'(q) in a bracket, from `start`: h falls with v, h_v = -K/v at the solution.
+// V'(q) in a bracket, from `start`: h falls with v, h_v = -K/v at the solution. Vapour of a cavity,
+// whose pressure grows with its density alone, comes from far: each step takes half of the decades.
 Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double start) {
   return std::visit(
       [&](const auto& law) {
@@ -59,10 +61,12 @@ Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double sta
         for (int n = 0; n < most_iterations; ++n) {
           r = response(law, m, cell, q, v);
           (r.excess > 0.0 ? low : high) = v;
-          double next = not_below_half(r.volume, v);
+          const bool far = r.pressure > 0.0 && r.pressure < thin * q;
+          double next = far ? v * std::sqrt(r.pressure / q) : not_below_half(r.volume, v);
           const bool newton = r.slope < 0.0 && next > low && next < high;
           if (!newton)
-            next = high < infinity ? (low > 0.0 ? std::sqrt(low * high) : 0.5 * high) : 2.0 * v;
+            next = high < infinity ? (low > 0.0 ? std::sqrt(low) * std::sqrt(high) : 0.5 * high)
+                                   : 2.0 * v;
           const double step = std::fabs(next - v);
           if (r.excess != 0.0) v = next;
           if (r.excess == 0.0 || step <= (newton ? newton_ends : 2e-16) * v) break;
@@ -197,6 +201,9 @@ bool Equilibration::search_together(const Cell& cell, Present& in, const Balance
 bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x,
                                       int& iterations) const {
   double below = 0.0, above = infinity;
+  double highest = 0.0;  // of their pressures: above it only volumes that overfill the cell lead
+  for (int n = 0; n < in.count; ++n)
+    highest = std::fmax(highest, in.before[in.index[n]].pressure - b.lo);
   Response responses[most_materials];
   double start[most_materials];
   for (int n = 0; n < b.others; ++n) start[n] = cell.V[b.other[n]];
@@ -214,8 +221,10 @@ bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balan
     if (found) break;
     (f > 0.0 ? below : above) = x;
     double next = x / (1.0 + f / (slope * x));
-    if (!(next > below && next < above))
-      next = above < infinity ? (below > 0.0 ? std::sqrt(below * above) : 1e-3 * above) : 8.0 * x;
+    if (!(next > below && next < above)) {
+      const double inside = below > 0.0 ? std::sqrt(below) * std::sqrt(above) : 1e-3 * above;
+      next = above < infinity ? inside : x < highest ? highest : 8.0 * x;
+    }
     found = std::fabs(next - x) < pressure_tolerance * std::fabs(x + b.lo);
     for (int n = 0; n < b.others; ++n)  // where the search of each goes on
       start[n] = not_below_half(responses[n].volume + responses[n].dV_dq * (next - x),

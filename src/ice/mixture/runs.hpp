@@ -171,11 +171,6 @@ inline void pick_row(int n, const double* __restrict pure, int material,
   }
 }
 
-// Of less of a cell than this the numbers would lose their digits; no sum over cells knows of it.
-constexpr double least_volume = 1e-100;
-// Nor of a mass per volume of the cell below this (the vapour of a cavity): rates by mass overflow.
-constexpr double least_mass = 1e-200;
-
 // Sets of materials as numbers: exact in a double up to 2^53.
 constexpr int most_materials = 32;
 inline double only(int material) {

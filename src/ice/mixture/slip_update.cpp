@@ -18,6 +18,7 @@
 #include "ice/mixture/drag.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/mixture/traces.hpp"
 #include "ice/mixture/update_state.hpp"
 
 namespace sluice::ice::mixture {
@@ -100,8 +101,8 @@ class Cells {
     }
     for (int c = 0; c < C; ++c) passed[c] += own[c];
     const double M_before = row_(s.mass)[i], V_before = row_(s.volume)[i];
-    M = M_before + dM;
     V = V_before * row_(h_.stretch, 0)[i] + dV;
+    M = vapour_kept(M_before + dM, V);
     E = row_(h_.energy_L, m)[i] + dE;
     double brought = 0, carried = 0;
     for (int c = 0; c < C; ++c) {

@@ -15,6 +15,7 @@
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/ideal_relaxation.hpp"
 #include "ice/mixture/runs.hpp"
+#include "ice/mixture/traces.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
 
@@ -142,6 +143,7 @@ class MixedCells {
       double* __restrict E = k.next[of_energy] + first;
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
+        M[i] = vapour_kept(M[i], V[i]);
         const int light = int{std::fabs(M[i]) <= round_off * M_before[i]};
         const int thin = int{std::fabs(V[i]) <= round_off * V_before[i]} & int{V_before[i] > 0.0};
         const int empty = int{std::fabs(M[i]) < least_mass} | int{std::fabs(V[i]) < least_volume};

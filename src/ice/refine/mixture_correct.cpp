@@ -16,6 +16,7 @@
 
 #include "ice/limiters.hpp"
 #include "ice/mixture/drag.hpp"
+#include "ice/mixture/traces.hpp"
 #include "ice/refine/correction.hpp"
 #include "ice/refine/mixture_transfer.hpp"
 
@@ -166,6 +167,7 @@ class MixtureCorrector {
       const double whole = present == 1 ? 1.0 : moved ? now.V / volume : now.V;
       now.E += pressure_ * (now.V - whole);
       now.V = whole;
+      keep_heat(m, rho);
       gained += now.E - part_[m].E;
     }
     const double rest = share * total_.E - kinetic_change(mixture_, total_, share, components_) -
@@ -193,6 +195,17 @@ class MixtureCorrector {
     if (!(part_[m].M > 0.0 && now_[m].M > 0.0)) return;
     const double whole = part_[m].V * (now_[m].M / part_[m].M);
     if (now_[m].V < least_kept_by_corrections * whole) now_[m].V = whole;
+  }
+
+  // Of what is next to nothing the differences of what went, and the work on its volume, may leave
+  // an energy that is none of its law's: it keeps its temperature, and r takes the rest.
+  void keep_heat(std::size_t m, double rho) {
+    Part& now = now_[m];
+    const bool light = part_[m].M > 0.0 && now.M < mixture::next_to_nothing * rho;
+    if (!light || fluids_[m].admissible(now.M / now.V, now.E / now.V)) return;
+    const Part& s = part_[m];
+    const double T = fluids_[m].temperature(s.M / s.V, s.E / s.V);
+    now.E = now.V * fluids_[m].energy_from_temperature(now.M / now.V, T);
   }
 
   // Slip in the frame of the mixture before.
