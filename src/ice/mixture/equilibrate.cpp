@@ -9,7 +9,6 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double same_pressure = 4e-15;          // of the modulus: round-off of p = G (rho e) + F
 constexpr double trace = 1e-8;                   // volume fraction
 constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
 
@@ -178,7 +177,7 @@ bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const 
   if (in.weakest >= 0 && in.count > 1)
     if (const Linear& l = linear_[static_cast<std::size_t>(in.weakest)]; l.is)
       least = least_cavity_pressure * in.stiffest - l.pi;
-  const bool found = find_pressure(cell, in, q, result.iterations);
+  const bool found = find_pressure(cell, in, q);
   result.torn = found && q < least;
   if (!found || (result.torn && !in.linear)) result.torn = leaves_room(cell, in, least);
   result.pressure = result.torn ? least : q;

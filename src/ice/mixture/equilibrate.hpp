@@ -21,6 +21,10 @@
 
 namespace sluice::ice::mixture {
 
+// Materials are at one pressure where they differ by less of the modulus: round-off of
+// p = G (rho e) + F.
+constexpr double same_pressure = 4e-15;
+
 // The laws of a scene, sorted for speed when made.
 class Equilibration {
  public:
@@ -34,9 +38,8 @@ class Equilibration {
   struct Result {
     double pressure = 0;
     double modulus = 0;  // of the mixture
-    int iterations = 0;
-    int failed = -1;    // the material without a state, or -1
-    bool torn = false;  // a liquid bears no more: the weakest material holds a cavity open
+    int failed = -1;     // the material without a state, or -1
+    bool torn = false;   // a liquid bears no more: the weakest material holds a cavity open
   };
   // Materials with M = 0 are absent and must have V = E = 0. At least one is present.
   Result equilibrate(const Cell& cell) const;
@@ -83,15 +86,13 @@ class Equilibration {
   bool settle(const Cell& cell, Present& in, Result& result) const;
 
   // --- equilibrate_search.cpp ---
-  // Do all together leave room at q? What is not linear then has its volume at q.
+  // Do all together leave room at q? If so, what is not linear has its volume at q.
   bool leaves_room(const Cell& cell, Present& in, double q) const;
   // From the start q; false: there is none.
-  bool find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const;
+  bool find_pressure(const Cell& cell, Present& in, double& q) const;
   Balance balance(const Cell& cell, const Present& in) const;
-  bool search_together(const Cell& cell, Present& in, const Balance& b, double& x,
-                       int& iterations) const;
-  bool search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x,
-                         int& iterations) const;
+  bool search_together(const Cell& cell, Present& in, const Balance& b, double& x) const;
+  bool search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x) const;
   const Fluid& fluid(int m) const { return fluids_[static_cast<std::size_t>(m)]; }
 
   std::vector<Fluid> fluids_;

@@ -77,6 +77,13 @@ Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double sta
       fluid.law);
 }
 
+// V'(q), from `start`; infinity where a law has none there, or its volume leaps.
+double volume_at(const Fluid& fluid, int m, const Cell& cell, double q, double start) {
+  const double v = solve(fluid, m, cell, q, start).volume;
+  const Response r = response(fluid, m, cell, q, v);
+  return std::fabs(r.excess) <= largest_gap * std::fabs(r.slope) * v ? v : infinity;
+}
+
 }  // namespace
 
 // sum a/(x + delta) + sum of the volumes of others = room, in x = q - lo.
@@ -126,23 +133,22 @@ Equilibration::Balance Equilibration::balance(const Cell& cell, const Present& i
   return b;
 }
 
-bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q, int& iterations) const {
+bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q) const {
   const Balance b = balance(cell, in);
   double x = q - b.lo;
   if (in.ideal) {
     double energy = 0;
     for (int n = 0; n < b.linear; ++n) energy += b.a[n];
     q = energy / b.room;
-    iterations = 1;
     return q > 0.0 && q < infinity;
   }
   if (b.linear == 2 && b.others == 0) x = b.of_pair();
   if (!(x > 0.0 && x < infinity)) x = 1e-3 * (std::fabs(q) + std::fabs(b.lo)) + 1e-300;
   const double start = x;
-  bool found = b.others > 0 && search_together(cell, in, b, x, iterations);
+  bool found = b.others > 0 && search_together(cell, in, b, x);
   if (!found) {
     x = start;
-    found = search_in_bracket(cell, in, b, x, iterations);
+    found = search_in_bracket(cell, in, b, x);
   }
   q = x + b.lo;
   return found;
@@ -151,20 +157,18 @@ bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q, int&
 bool Equilibration::leaves_room(const Cell& cell, Present& in, double q) const {
   const Balance b = balance(cell, in);
   if (!(q > b.lo)) return false;
-  double f = b.at(q - b.lo).first;
+  double f = b.at(q - b.lo).first, volume[most_materials];
   for (int n = 0; n < b.others; ++n) {
     const int m = b.other[n];
-    const double v = solve(fluid(m), m, cell, q, cell.V[m]).volume;
-    const Response r = response(fluid(m), m, cell, q, v);
-    if (!(std::fabs(r.excess) <= largest_gap * std::fabs(r.slope) * v)) return false;
-    in.relaxed[m] = v;
-    f += v;
+    f += volume[n] = volume_at(fluid(m), m, cell, q, cell.V[m]);
   }
-  return f < 0.0;
+  if (!(f < 0.0)) return false;
+  for (int n = 0; n < b.others; ++n) in.relaxed[b.other[n]] = volume[n];
+  return true;
 }
 
-bool Equilibration::search_together(const Cell& cell, Present& in, const Balance& b, double& x,
-                                    int& iterations) const {
+bool Equilibration::search_together(const Cell& cell, Present& in, const Balance& b,
+                                    double& x) const {
   double* v = in.relaxed;
   for (int n = 0; n < b.others; ++n) {  // where the moduli say, never beyond nothing
     const int m = b.other[n];
@@ -173,7 +177,7 @@ bool Equilibration::search_together(const Cell& cell, Present& in, const Balance
     v[m] = cell.V[m] * (s.modulus + std::fmax(gap, 0.0)) / (s.modulus - std::fmin(gap, 0.0));
   }
   Response responses[most_materials];
-  for (iterations = 1; iterations <= most_together; ++iterations) {
+  for (int iteration = 0; iteration < most_together; ++iteration) {
     auto [f, slope] = b.at(x);
     for (int n = 0; n < b.others; ++n) {
       const int m = b.other[n];
@@ -198,8 +202,8 @@ bool Equilibration::search_together(const Cell& cell, Present& in, const Balance
   return false;
 }
 
-bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x,
-                                      int& iterations) const {
+bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balance& b,
+                                      double& x) const {
   double below = 0.0, above = infinity;
   double highest = 0.0;  // of their pressures: above it only volumes that overfill the cell lead
   for (int n = 0; n < in.count; ++n)
@@ -208,7 +212,7 @@ bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balan
   double start[most_materials];
   for (int n = 0; n < b.others; ++n) start[n] = cell.V[b.other[n]];
   bool found = false;
-  for (iterations = 1; iterations <= most_iterations && !found; ++iterations) {
+  for (int iteration = 0; iteration < most_iterations && !found; ++iteration) {
     auto [f, slope] = b.at(x);
     for (int n = 0; n < b.others; ++n) {
       const int m = b.other[n];
@@ -231,15 +235,10 @@ bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balan
                                 responses[n].volume);
     x = next;
   }
-  // A law without a volume at q, or one whose volume leaps there, leaves a gap.
   double gap = b.at(x).first;
   for (int n = 0; n < b.others; ++n) {
     const int m = b.other[n];
-    const double q = x + b.lo, v = solve(fluid(m), m, cell, q, start[n]).volume;
-    const Response r = response(fluid(m), m, cell, q, v);
-    found = found && std::fabs(r.excess) <= largest_gap * std::fabs(r.slope) * v;
-    gap += v;
-    in.relaxed[m] = v;
+    gap += in.relaxed[m] = volume_at(fluid(m), m, cell, x + b.lo, start[n]);
   }
   return found && std::fabs(gap) <= largest_gap;
 }

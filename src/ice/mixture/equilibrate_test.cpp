@@ -75,6 +75,32 @@ TEST(Equilibration, WeakLiquidsOpenWithNothingButRoundOff) {
   EXPECT_EQ(torn, 200);
 }
 
+// Three liquids of much the same strength, of which the weakest is about to open: the sum of the
+// pressure and pi, of which its volume tells, is next to nothing beside both.
+TEST(Equilibration, LiquidsThatAreAboutToOpenFindTheirPressure) {
+  const double strength[] = {1e6, 1.5e6, 3e6}, gamma[] = {3, 4.4, 2};
+  std::vector<Fluid> fluids;
+  for (int m = 0; m < 3; ++m) fluids.push_back(stiffened_gas(gamma[m], strength[m]));
+  for (int n = 0; n <= 60; ++n)
+    for (const double change : {1e-3, .1}) {
+      const double above = 3.5e-6 * std::pow(10, .1 * n), q = above - strength[0];
+      const double ends[] = {.3, .2, .5};
+      double V[] = {.3 * (1 - change), .2 * (1 + change), 0}, M[3], E[3], energy = 0;
+      V[2] = 1 - V[0] - V[1];
+      for (int m = 0; m < 3; ++m) {
+        M[m] = m == 0 ? 1e-9 : 900 * ends[m];
+        E[m] = ends[m] * (q + gamma[m] * strength[m]) / (gamma[m] - 1) + q * (ends[m] - V[m]);
+        energy += E[m];
+      }
+      const auto result = Equilibration(fluids).equilibrate({M, V, E});
+      ASSERT_EQ(result.failed, -1) << above << " " << change;
+      EXPECT_FALSE(result.torn);
+      EXPECT_NEAR(V[0], ends[0], 1e-15 * strength[0] / above);
+      EXPECT_DOUBLE_EQ(V[0] + V[1] + V[2], 1);
+      EXPECT_DOUBLE_EQ(E[0] + E[1] + E[2], energy);
+    }
+}
+
 // A metal that is pulled apart where next to nothing of a gas is: the gas holds the cavity open.
 TEST(Equilibration, GasOpensAMetalUnderTension) {
   eos::MieGruneisen law;

@@ -6,11 +6,10 @@
 
 #include "framework/base/infinity.hpp"
 #include "ice/limiters.hpp"
+#include "ice/mixture/equilibrate.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
-
-constexpr double same_pressure = 4e-15;  // of the modulus, as in equilibrate.cpp
 
 using Work = double[IdealRelaxation::most_cells];
 
