@@ -230,7 +230,6 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   const int momentum = state.find(labels().momentum, 0);
   const Vec3 spacing = state.level().spacing;
   const Waves waves(options_, state.level(), rates);
-  const mixture::Drag drag(options_.drag);
   const mixture::DiffusionRates of_mixtures(options_);
   double inverse_dx2 = 0;
   for (int a = 0; a < options_.axes.count; ++a) {
@@ -250,10 +249,12 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
         velocity[a] = state.view(momentum, a, b)(cell) / rho;
       waves.add_mixture(velocity, std::sqrt(modulus / rho));
       const mixture::DragCell present = states.sharing(cell);
+      const double of_each =
+          present.count > 0 ? std::sqrt(modulus * mixture::Drag::inverse_inertia(present)) : 0.0;
       for (int n = 0; n < present.count; ++n) {
         for (int a = 0; a < options_.axes.count; ++a)
           own[a] = velocity[a] + states.slip(present, n, cell, a);
-        waves.add(own, std::sqrt(modulus * drag.inverse_inertia(present)));
+        waves.add(own, of_each);
       }
       if (!options_.viscous && !options_.conducting) return;
       double rate = 0;

@@ -137,7 +137,7 @@ void Drag::respond(const DragCell& cell, double dt, double part, int directions,
 }
 
 // (M + A) w = (M/total - V) dp, A from the virtual mass of each pair; momentum M w.
-void Drag::push(const DragCell& cell, double dp, double* momentum) const {
+void Drag::push(const DragCell& cell, double dp, double* momentum) {
   const int n = cell.count;
   for (int i = 0; i < n; ++i) momentum[i] = (cell.M[i] / cell.total - cell.V[i]) * dp;
   if (n == 2) {
@@ -157,7 +157,7 @@ void Drag::push(const DragCell& cell, double dp, double* momentum) const {
 }
 
 // sum V_m u_m of a pressure impulse of -1, u_m = 1/rho + w_m.
-double Drag::inverse_inertia(const DragCell& cell) const {
+double Drag::inverse_inertia(const DragCell& cell) {
   const double together = 1.0 / cell.total;
   if (cell.count < 2) return together;
   double given[most_materials], sum = together;

@@ -64,10 +64,10 @@ class Drag {
     respond_one(cell, dt, part, false, push, w);
   }
   // What a pressure impulse dp along a direction pushes apart: momentum by material, sum 0.
-  void push(const DragCell& cell, double dp, double* momentum) const;
+  static void push(const DragCell& cell, double dp, double* momentum);
   // 1/inertia of what sound moves where nothing but pressure binds the materials: no less than that
   // of the mixture.
-  double inverse_inertia(const DragCell& cell) const;
+  static double inverse_inertia(const DragCell& cell);
   // Kinetic energy of the velocities relative to the mixture.
   static double energy(const DragCell& cell, const double* w);
 

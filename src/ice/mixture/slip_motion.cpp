@@ -94,7 +94,7 @@ class MixedCells {
       for (int k = 0; k < cell.count; ++k) cell.bind[k] = binding(cell, k, courant(cell, k, i));
       velocities(cell, materials, dt, i);
       double push[most_materials], w[most_materials];
-      drag_.push(cell, -1.0, push);
+      Drag::push(cell, -1.0, push);
       drag_.respond(cell, dt, 0.5, push, w);
       double extra = 0;
       for (int k = 0; k < cell.count; ++k) extra += cell.V[k] * w[k];

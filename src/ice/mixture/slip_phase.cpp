@@ -87,7 +87,7 @@ class Cells {
         w[c][k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
       (c < axes_ ? before : carried_before) += Drag::energy(cell, w[c]);
       const double pressed = (c < axes_ ? l_[c] * (high_[c][i] - low_[c][i]) : 0.0) - force_[c];
-      drag_.push(cell, pressed, push[c]);
+      Drag::push(cell, pressed, push[c]);
       h_.friction.add(row_, cell, c, i, push[c]);
     }
     drag_.decay(cell, dt, 0.5, components_, w);

@@ -218,7 +218,7 @@ class Cells {
         const In pressure = h_.face_pressure[static_cast<std::size_t>(c)];
         pressed += l_[c] * (row_(pressure, 0, c, 1)[i] - row_(pressure)[i]);
       }
-      drag_.push(cell, pressed, push[c]);
+      Drag::push(cell, pressed, push[c]);
       h_.friction.add(row_, cell, c, i, push[c]);
     }
     drag_.respond(cell, row_.step().dt, 1.0, C, push, R);
@@ -241,7 +241,7 @@ class Cells {
     if (cell.count < 2) return;
     const RateConstants x = rate_constants(o_, row_.step());
     for (int n = 0; n < cell.count; ++n) cell.V[n] = V[cell.index[n]];
-    const double sound = std::sqrt(row_(h_.end, 1)[i] * drag_.inverse_inertia(cell));
+    const double sound = std::sqrt(row_(h_.end, 1)[i] * Drag::inverse_inertia(cell));
     for (int n = 0; n < cell.count; ++n) {
       const Out slip = h_.slip_new[static_cast<std::size_t>(cell.index[n])];
       double deck = 0, flow = 0, fastest = 0, sum = 0;
