@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "ice/ice_schema.hpp"
 #include "models/models.hpp"
@@ -66,9 +67,6 @@ class SlipRules {
   }
 
  private:
-  void add(Severity severity, const DeckNode& node, std::string message, std::string advice = {}) {
-    faults_.push_back({severity, node.where, std::move(message), std::move(advice)});
-  }
   double largest(const DeckNode& root, std::string_view tag, models::Coefficient of_model) const {
     double value = 0;
     if (const DeckNode* models = root.child("Models"))
@@ -86,13 +84,12 @@ class SlipRules {
     const std::string law = eos == nullptr ? "" : eos->attribute("type").value_or("");
     told_of_gas_ = true;
     if (materials_.size() > 1) {
-      add(Severity::error, condition,
-          fmt::format("{} with several materials is not built yet", kind), "write Dirichlet");
-      faults_.back().not_built = true;
+      add_not_built(faults_, condition.where, fmt::format("{} with several materials", kind),
+                    "write Dirichlet");
     } else if (!law.empty() && law != "ideal_gas") {
-      add(Severity::error, condition,
-          fmt::format("{} needs the mean free path of a gas, and {} has none", kind, law),
-          "write Dirichlet, or take ideal_gas");
+      add_error(faults_, condition.where,
+                fmt::format("{} needs the mean free path of a gas, and {} has none", kind, law),
+                "write Dirichlet, or take ideal_gas");
     } else {
       told_of_gas_ = false;
     }
@@ -104,21 +101,23 @@ class SlipRules {
     const std::string kind = condition.attribute("var").value_or("");
     const auto velocity = parse_vector(text);
     if (!velocity) {
-      add(Severity::error, *where,
-          fmt::format(
-              "{} of Velocity needs the velocity of the wall as <value>, as [0.0, 0.0, 0.0]",
-              kind));
+      add_error(faults_, where->where,
+                fmt::format(
+                    "{} of Velocity needs the velocity of the wall as <value>, as [0.0, 0.0, 0.0]",
+                    kind));
       return;
     }
     const auto normal = static_cast<int>(face.normal);
     if ((*velocity.value)[normal] != 0)
-      add(Severity::error, *where,
+      add_error(
+          faults_, where->where,
           fmt::format("{} on side {} has a velocity of {:g} across the wall; nothing passes a wall",
                       kind, face.side, (*velocity.value)[normal]),
           fmt::format("write 0 for {}, or Dirichlet for an inlet", direction_names[face.normal]));
     if (viscosity_ > 0 || told_of_viscosity_) return;
     told_of_viscosity_ = true;
-    add(Severity::warning, condition,
+    add_warning(
+        faults_, condition.where,
         fmt::format("{} of Velocity without viscosity: the gas glides along the wall freely", kind),
         "give the material a <dynamic_viscosity>, or write FreeSlipWall");
   }
@@ -128,23 +127,24 @@ class SlipRules {
     const DeckNode* where = value_of(condition, text);
     const auto number = parse_real(text);
     if (!number) {
-      add(Severity::error, *where,
-          fmt::format("slip of Temperature needs the temperature of the wall as <value>"));
+      add_error(faults_, where->where,
+                fmt::format("slip of Temperature needs the temperature of the wall as <value>"));
     } else if (*number.value < 0 || (*number.value == 0 && conductivity_ > 0)) {
-      add(Severity::error, *where,
+      add_error(
+          faults_, where->where,
           fmt::format("slip of Temperature on side {}: the wall has {:g} K; it must be above 0",
                       face.side, *number.value));
     } else if (*number.value == 0 && !told_adiabatic_) {
       told_adiabatic_ = true;
-      add(Severity::warning, *where,
-          "slip of Temperature with 0 K and no heat conduction: walls are adiabatic",
-          "write Neumann with 0, or give the material a <thermal_conductivity>");
+      add_warning(faults_, where->where,
+                  "slip of Temperature with 0 K and no heat conduction: walls are adiabatic",
+                  "write Neumann with 0, or give the material a <thermal_conductivity>");
     }
     if (face.any_velocity != nullptr && !is_wall(face, *face.any_velocity))
-      add(Severity::error, condition,
-          fmt::format("slip of Temperature on side {} that is no wall: its Velocity is {}",
-                      face.side, face.any_velocity->attribute("var").value_or("missing")),
-          "write slip, creep or Dirichlet without a part across the side for Velocity");
+      add_error(faults_, condition.where,
+                fmt::format("slip of Temperature on side {} that is no wall: its Velocity is {}",
+                            face.side, face.any_velocity->attribute("var").value_or("missing")),
+                "write slip, creep or Dirichlet without a part across the side for Velocity");
   }
 
   static bool is_wall(const SlipFace& face, const DeckNode& condition) {

@@ -172,8 +172,7 @@ void check_piece(const DeckNode& node, std::vector<Fault>& faults) {
               "join several pieces with <union>");
   }
   if ((node.name == "union" || node.name == "intersection") && pieces == 0) {
-    faults.push_back(
-        {Severity::error, node.where, fmt::format("<{}> has no pieces", node.name), ""});
+    add_error(faults, node.where, fmt::format("<{}> has no pieces", node.name));
   }
   const auto low = vector_of(&node, "min");
   const auto high = vector_of(&node, "max");

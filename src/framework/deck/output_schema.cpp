@@ -114,20 +114,18 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
   const bool last = node->attribute("lastTimestep") == "true";
   if (intervals.empty() && !last) {
     add_error(faults, node->where, "<checkpoint> has no interval",
-              "give one of interval, timestepInterval, walltimeInterval, "
-              "walltimeIntervalHours");
+              "give one of interval, timestepInterval, walltimeInterval, walltimeIntervalHours");
   } else if (intervals.size() > 1) {
-    faults.push_back(
-        {Severity::error, node->where,
-         fmt::format("<checkpoint> has several intervals: {}", fmt::join(intervals, ", ")),
-         "keep one of them"});
+    add_error(faults, node->where,
+              fmt::format("<checkpoint> has several intervals: {}", fmt::join(intervals, ", ")),
+              "keep one of them");
   }
   for (const char* unit : {"", "Hours"}) {
     const std::string start = std::string("walltimeStart") + unit;
     const std::string interval = std::string("walltimeInterval") + unit;
     if (node->attribute(start) && !node->attribute(interval)) {
-      add_error(faults, node->where, fmt::format("<checkpoint> has {} without {}", start, interval),
-                "");
+      add_error(faults, node->where,
+                fmt::format("<checkpoint> has {} without {}", start, interval));
     }
   }
 }
@@ -145,13 +143,11 @@ DeckRule check_save_labels(SaveLabels labels) {
       all.insert(all.end(), more.begin(), more.end());
       const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||
                          label->rfind("g.", 0) == 0 || label->rfind("scalar-", 0) == 0;
-      Fault fault{Severity::error, node.where,
-                  known ? fmt::format("variable {} is known to the format, but not built yet",
-                                      in_quotes(*label))
-                        : fmt::format("there is no variable {}", in_quotes(*label)),
-                  known ? "" : suggest_name(*label, all)};
-      fault.not_built = known;
-      faults.push_back(std::move(fault));
+      if (known)
+        add_not_built(faults, node.where, "variable " + in_quotes(*label));
+      else
+        add_error(faults, node.where, fmt::format("there is no variable {}", in_quotes(*label)),
+                  suggest_name(*label, all));
     };
     const auto check = [&](const DeckNode& node) { check_among(node, {}); };
     if (const DeckNode* archiver = root.child("DataArchiver")) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "framework/deck/deck.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/deck/value_text.hpp"
 #include "framework/deck/xml_reader.hpp"
 
@@ -15,11 +16,10 @@ Deck deck_from(XmlTree tree, const std::string& file, ReadBudget& budget) {
   deck.root = std::move(tree.root);
   if (deck.root == nullptr) return deck;
   if (deck.root->name != "Uintah_specification") {
-    deck.faults.push_back(
-        {Severity::error, deck.root->where,
-         fmt::format("the root element is <{}>, not <Uintah_specification>", deck.root->name),
-         deck.root->name == "Uintah_Include" ? "this file is made to be included by a deck"
-                                             : "is this a .ups deck?"});
+    add_error(deck.faults, deck.root->where,
+              fmt::format("the root element is <{}>, not <Uintah_specification>", deck.root->name),
+              deck.root->name == "Uintah_Include" ? "this file is made to be included by a deck"
+                                                  : "is this a .ups deck?");
     deck.root.reset();
     return deck;
   }

@@ -171,10 +171,9 @@ const DeckNode* asked_regridder(const DeckNode& root) {
 
 void check_ratio(const DeckNode& list, int ratio, std::vector<Fault>& faults) {
   if (ratio == 1 || ratio == 2 || ratio == 4) return;
-  faults.push_back(
-      {Severity::error, list.where,
-       fmt::format("<{}>: refinement ratio {}; it must be 1, 2 or 4", list.name, ratio),
-       ratio > 4 ? "reach it with several levels" : "use 2 or 4"});
+  add_error(faults, list.where,
+            fmt::format("<{}>: refinement ratio {}; it must be 1, 2 or 4", list.name, ratio),
+            ratio > 4 ? "reach it with several levels" : "use 2 or 4");
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ void check_time(const DeckNode& root, std::vector<Fault>& faults) {
   const auto least = real_of(time, "delt_min");
   const auto most = real_of(time, "delt_max");
   if (least && most && *most > 0 && *least > *most) {
-    add_error(faults, time->child("delt_max")->where, "<delt_max> is smaller than <delt_min>", "");
+    add_error(faults, time->child("delt_max")->where, "<delt_max> is smaller than <delt_min>");
   }
 }
 

@@ -53,10 +53,6 @@ class Checker {
   void fault(const DeckNode& node, std::string message, std::string suggestion = {}) {
     add_error(faults_, node.where, std::move(message), std::move(suggestion));
   }
-  void not_built(const DeckNode& node, std::string message, std::string suggestion = {}) {
-    fault(node, std::move(message), std::move(suggestion));
-    faults_.back().not_built = true;
-  }
 
   // False when an attribute has a value that is not built yet.
   bool check_attributes(DeckNode& node, const TagSpec& spec) {
@@ -138,7 +134,7 @@ class Checker {
   // A child without description: not built yet, or unknown.
   void refuse(const DeckNode& child, const TagSpec& parent, const std::string& path) {
     if (known_to_format(path, child.name)) {
-      not_built(child, fmt::format("<{}> is known to the format, but not built yet", child.name));
+      add_not_built(faults_, child.where, fmt::format("<{}>", child.name));
       return;
     }
     std::vector<std::string> names;

@@ -57,11 +57,11 @@ Location place_of_tag(const ReaderState& state) {
   return where;
 }
 
-void stop_with(ReaderState& state, Location where, std::string message, std::string suggestion) {
+void stop_with(ReaderState& state, const Location& where, std::string message,
+               std::string suggestion) {
   if (state.stopped) return;
   state.stopped = true;
-  state.tree.faults.push_back(
-      {Severity::error, std::move(where), std::move(message), std::move(suggestion)});
+  add_error(state.tree.faults, where, std::move(message), std::move(suggestion));
   xmlStopParser(state.context);
 }
 
@@ -111,11 +111,10 @@ void on_end(void* user, const xmlChar*, const xmlChar*, const xmlChar*) {
   OpenElement& element = state.open.back();
   element.node->text = collapse_blanks(element.text);
   if (element.text_pieces > 1) {
-    state.tree.faults.push_back(
-        {Severity::error, element.node->where,
-         fmt::format("the value of <{}> is split into {} pieces by comments or other tags",
-                     element.node->name, element.text_pieces),
-         "write the value in one piece"});
+    add_error(state.tree.faults, element.node->where,
+              fmt::format("the value of <{}> is split into {} pieces by comments or other tags",
+                          element.node->name, element.text_pieces),
+              "write the value in one piece");
   }
   state.open.pop_back();
 }
@@ -167,8 +166,7 @@ void on_error(void* user, xmlErrorPtr error) {
   // The first error is the cause; those after it are its echo.
   state.stopped = true;
   std::string message = error->message != nullptr ? collapse_blanks(error->message) : "unreadable";
-  state.tree.faults.push_back(
-      {Severity::error, {state.shown_name, error->line, error->int2}, "XML: " + message, ""});
+  add_error(state.tree.faults, {state.shown_name, error->line, error->int2}, "XML: " + message);
   xmlStopParser(state.context);
 }
 
@@ -189,8 +187,7 @@ xmlSAXHandler callbacks() {
 
 XmlTree unreadable(const std::string& shown_name, std::string message, std::string suggestion) {
   XmlTree tree;
-  tree.faults.push_back(
-      {Severity::error, {shown_name, 0, 0}, std::move(message), std::move(suggestion)});
+  add_error(tree.faults, {shown_name, 0, 0}, std::move(message), std::move(suggestion));
   return tree;
 }
 
@@ -217,7 +214,7 @@ XmlTree read_xml_text(std::string_view xml, const std::string& shown_name, ReadB
   xmlCtxtUseOptions(state.context, XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA);
   xmlParseDocument(state.context);
   if (state.context->wellFormed == 0 && state.tree.faults.empty()) {
-    add_error(state.tree.faults, {shown_name, 0, 0}, "XML: not well formed", "");
+    add_error(state.tree.faults, {shown_name, 0, 0}, "XML: not well formed");
     state.stopped = true;
   }
   if (state.stopped) state.tree.root.reset();

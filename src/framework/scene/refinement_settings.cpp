@@ -158,14 +158,9 @@ const DeckNode* working_regridder(const DeckNode& amr, const GridSettings& grid,
     return nullptr;
   }
   if (grid.levels.size() > 1) {
-    Fault several{
-        Severity::error, node->where,
-        fmt::format("a regridder that starts from {} <Level>s is known to the format, but "
-                    "not built yet",
-                    grid.levels.size()),
-        "keep the coarsest <Level>, or write <AMR type=\"StaticGridML\">"};
-    several.not_built = true;
-    faults.push_back(std::move(several));
+    add_not_built(faults, node->where,
+                  fmt::format("a regridder that starts from {} <Level>s", grid.levels.size()),
+                  "keep the coarsest <Level>, or write <AMR type=\"StaticGridML\">");
     return nullptr;
   }
   return node;
