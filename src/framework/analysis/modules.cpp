@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/error.hpp"
-
 #include "framework/analysis/average.hpp"
 #include "framework/analysis/extremes.hpp"
 #include "framework/analysis/line.hpp"
 #include "framework/analysis/plane.hpp"
 #include "framework/analysis/points.hpp"
 #include "framework/analysis/probe.hpp"
+#include "framework/base/error.hpp"
 
 namespace sluice {
 namespace {
@@ -91,6 +90,12 @@ void check_averages(const AnalysisModule& m, const FindQuantity& find) {
 }
 
 }  // namespace
+
+bool sample_is_due(const AnalysisModule& m, std::optional<double> last, double time) {
+  if (time < m.time_start || time > m.time_stop) return false;
+  if (!last || m.sampling_frequency <= 0) return true;
+  return time >= *last + 1.0 / m.sampling_frequency;
+}
 
 bool samples_levels(const AnalysisModule& m) {
   return m.name == "minMax" || m.name == "lineExtract" || m.name == "planeExtract" ||

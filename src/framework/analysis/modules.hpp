@@ -1,7 +1,8 @@
-// Which samplers the modules of a deck become on a level.
+// When the modules of a deck take samples, and which samplers they become on a level.
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "framework/analysis/sampler.hpp"
 #include "framework/scene/analysis_settings.hpp"
@@ -11,6 +12,8 @@ namespace sluice {
 // The field that an entry names. InputError naming entry and nearest label when there is none.
 using FindQuantity = std::function<AnalysedQuantity(const AnalysedVariable&)>;
 
+// May a module take a sample at this time, having taken the last one then.
+bool sample_is_due(const AnalysisModule& module, std::optional<double> last, double time);
 // Does a module sample labels level by level.
 bool samples_levels(const AnalysisModule& module);
 // Are its files named after the module alone.

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/analysis/line.hpp"
-#include "framework/analysis/modules.hpp"
 #include "framework/analysis/plane.hpp"
 #include "framework/analysis/probe.hpp"
 #include "framework/deck/nearest_name.hpp"
@@ -32,12 +31,6 @@ void sort_once(std::vector<Label>& labels) {
 }
 
 }  // namespace
-
-bool sample_is_due(const AnalysisModule& m, std::optional<double> last, double time) {
-  if (time < m.time_start || time > m.time_stop) return false;
-  if (!last || m.sampling_frequency <= 0) return true;
-  return time >= *last + 1.0 / m.sampling_frequency;
-}
 
 AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)

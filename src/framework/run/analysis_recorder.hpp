@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/analysis/modules.hpp"
 #include "framework/analysis/sampler.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/run/analysis_statistics.hpp"
@@ -31,9 +32,6 @@
 #include "framework/scene/scene.hpp"
 
 namespace sluice {
-
-// May a module take a sample at this time, having taken the last one then.
-bool sample_is_due(const AnalysisModule& module, std::optional<double> last, double time);
 
 class AnalysisRecorder {
  public:

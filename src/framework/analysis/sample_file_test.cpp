@@ -1,4 +1,4 @@
-// When samples are taken; files of analyses: header once, appended, cut back at a restart.
+// Files of analyses: header once, appended, cut back at a restart.
 #include "framework/analysis/sample_file.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,6 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/run/analysis_recorder.hpp"
 
 namespace sluice {
 namespace {
@@ -17,21 +16,6 @@ class AnalysisFiles : public testing::Test {
  protected:
   TemporaryFolder folder_;
 };
-
-TEST(SampleIsDue, FromTimeStartToTimeStopNoMoreOftenThanAsked) {
-  AnalysisModule m;
-  m.sampling_frequency = 4;
-  m.time_start = 1;
-  m.time_stop = 2;
-  EXPECT_FALSE(sample_is_due(m, {}, 0.999));
-  EXPECT_TRUE(sample_is_due(m, {}, 1.0));
-  EXPECT_TRUE(sample_is_due(m, {}, 2.0));
-  EXPECT_FALSE(sample_is_due(m, {}, 2.001));
-  EXPECT_FALSE(sample_is_due(m, 1.0, 1.249));
-  EXPECT_TRUE(sample_is_due(m, 1.0, 1.25));
-  m.sampling_frequency = 0;  // every step
-  EXPECT_TRUE(sample_is_due(m, 1.0, 1.0001));
-}
 
 TEST_F(AnalysisFiles, TheHeaderComesOnceAndLinesAreAppended) {
   AnalysisFile file("MinMax/L-0/press_CC_0", "# time min max\n", 0);
