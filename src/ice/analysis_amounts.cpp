@@ -1,4 +1,5 @@
 // Mass and momentum of a material in a cell: weights of averages.
+#include "ice/cell_sums.hpp"
 #include "ice/quantity_list.hpp"
 
 namespace sluice::ice {
@@ -12,8 +13,7 @@ void declare_amount(QuantityList& q, VariableId rho, VariableId u, Label label, 
   const In density = t.read(rho), velocity = t.read(u);
   const Out out = t.write(amount);
   t.kernel([=](const Row& row) {
-    const Vec3 dx = row.step().spacing;
-    const double volume = dx.x * dx.y * dx.z;
+    const double volume = cell_volume(row);
     const int n = row.count();
     const double* __restrict r = row(density);
     for (int c = 0; c < components; ++c) {

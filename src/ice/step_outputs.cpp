@@ -1,4 +1,5 @@
 // Saved labels that only exist inside a step.
+#include "ice/cell_sums.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
@@ -65,8 +66,7 @@ void momentum_task(TaskList& list, const SchemeVariables& v, const SchemeOptions
   const In m = task.read(v.momentum), dp = task.read(v.impulse);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
-    const Vec3 dx = row.step().spacing;
-    const double V = dx.x * dx.y * dx.z;
+    const double V = cell_volume(row);
     for (int d = 0; d < 3; ++d) {
       double* to = row(out, d);
       for (int i = 0; i < row.count(); ++i) to[i] = 0.0;
@@ -86,8 +86,7 @@ void energy_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
   const In energy = task.read(v.energy_star);
   const Out out = task.write(list.output(label, o.material));
   task.kernel([=](const Row& row) {
-    const Vec3 dx = row.step().spacing;
-    const double V = dx.x * dx.y * dx.z;
+    const double V = cell_volume(row);
     const double* E = row(energy);
     double* to = row(out);
     for (int i = 0; i < row.count(); ++i) to[i] = E[i] * V;

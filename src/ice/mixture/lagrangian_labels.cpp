@@ -1,4 +1,5 @@
 // Saved labels of the Lagrangian phase of each material, and of what models do to their pressure.
+#include "ice/cell_sums.hpp"
 #include "ice/labels.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
@@ -15,8 +16,7 @@ void energy_tasks(TaskList& list, const Variables& v, const SchemeOptions& o, La
              alone = task.read(v.common.energy_star);
     const Out energy = task.write(list.output(label, m));
     task.kernel([=](const Row& row) {
-      const Vec3 dx = row.step().spacing;
-      const double volume = dx.x * dx.y * dx.z;
+      const double volume = cell_volume(row);
       double* E = row(energy);
       pick_row(row.count(), row(pure), m, row(own, m), row(alone), E);
       for (int i = 0; i < row.count(); ++i) E[i] *= volume;
