@@ -30,10 +30,6 @@ MixtureBox parting_water(double trace, double u) {
           }};
 }
 
-double energy_of(const Totals& t) {
-  return t.internal_energy.sum.value() + t.kinetic_energy.sum.value();
-}
-
 // Highest temperature of the air now, where there is enough of it to tell.
 double hottest_air(const MixtureBox& run) {
   double T = 0;
@@ -51,7 +47,7 @@ TEST_P(Cavitation, OpensAndCollapses) {
   constexpr double energy_limit = 1e-14, open = 1e-2;
   const auto [trace, u] = GetParam();
   MixtureBox run = parting_water(trace, u);
-  const double before = energy_of(run.totals());
+  const double before = total_energy(run.totals());
   double widest = 0, highest = 0;
   for (int n = 0; n < 1000; ++n) {
     run.steps(1);
@@ -60,7 +56,7 @@ TEST_P(Cavitation, OpensAndCollapses) {
       highest = std::fmax(highest, run.pressure({i, 0, 0}));
     }
   }
-  const double drift = std::fabs(energy_of(run.totals()) / before - 1);
+  const double drift = std::fabs(total_energy(run.totals()) / before - 1);
   const double T = hottest_air(run);
   RecordProperty("widest", std::to_string(widest));
   RecordProperty("drift", std::to_string(drift * 1e15) + "e-15");

@@ -209,6 +209,20 @@ class MixtureBox {
   int rejected_ = 0;
 };
 
+inline double total_energy(const Totals& t) {
+  return t.internal_energy.sum.value() + t.kinetic_energy.sum.value();
+}
+
+// The mass of each material and the energy of a closed box, to a share of themselves.
+inline void expect_kept(const Totals& before, const Totals& after, double limit) {
+  for (std::size_t m = 0; m < before.mass.size(); ++m)
+    EXPECT_LE(std::fabs(after.mass[m].sum.value() - before.mass[m].sum.value()),
+              limit * before.mass[m].sum.value());
+  const double e0 = total_energy(before), e1 = total_energy(after);
+  std::printf("dE/E %.1e\n", (e1 - e0) / e0);
+  EXPECT_LE(std::fabs(e1 - e0), limit * e0);
+}
+
 // The state of all cells, number by number; `mirror`: as the image along x has it.
 inline std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
   const double sign = mirror ? -1 : 1;

@@ -31,13 +31,6 @@ WallShear rough_wall(Side side, double roughness) {
   return w;
 }
 
-// In a mean flow.
-MixtureCell moving_waves(Vec3 x, const std::vector<double>& volume) {
-  MixtureCell c = waves(x, volume, .2);
-  c.velocity[0] += .1;
-  return c;
-}
-
 struct Case {
   const char* name;
   bool periodic;

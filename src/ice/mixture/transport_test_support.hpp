@@ -22,6 +22,12 @@ inline MixtureCell waves(Vec3 x, const std::vector<double>& volume, double speed
   c.velocity[1] = speed * std::sin(k * x.x);
   return c;
 }
+// In a mean flow.
+inline MixtureCell moving_waves(Vec3 x, const std::vector<double>& volume) {
+  MixtureCell c = waves(x, volume, .2);
+  c.velocity[0] += .1;
+  return c;
+}
 // Water with a shock, air and a heavy gas.
 inline MixtureCell three(Vec3 x) {
   MixtureCell c;
@@ -46,18 +52,10 @@ inline void expect_closed_box_keeps_mass_and_energy(bool GasBox::*walls, const T
                                                     int steps) {
   constexpr double limit = 1e-13;
   MixtureBox run(box_of({32, 24, 1}, false, walls), {water, air, heavy}, three, {}, {}, transport);
-  const auto energy = [](const Totals& t) {
-    return t.internal_energy.sum.value() + t.kinetic_energy.sum.value();
-  };
   const Totals before = run.totals();
   run.steps(steps);
-  const Totals after = run.totals();
-  for (std::size_t m = 0; m < 3; ++m)
-    EXPECT_LE(std::fabs(after.mass[m].sum.value() - before.mass[m].sum.value()),
-              limit * before.mass[m].sum.value());
-  const double e0 = energy(before), e1 = energy(after);
-  std::printf("dE/E %.2e, rejected %d, time %g\n", (e1 - e0) / e0, run.rejected(), run.time());
-  EXPECT_LE(std::fabs(e1 - e0), limit * e0);
+  std::printf("rejected %d, time %g, ", run.rejected(), run.time());
+  expect_kept(before, run.totals(), limit);
 }
 
 inline void expect_same_bits_of_three(bool GasBox::*walls, const Transport& transport, int steps) {

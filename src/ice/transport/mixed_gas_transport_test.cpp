@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/mixture/transport_test_support.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -30,15 +29,8 @@ std::string binary(bool viscosities) {
          "<scalar>0</scalar></geom_object></scalar></BinaryProperties></Model>";
 }
 
-MixtureCell waves(Vec3 x) {
-  constexpr double w = 2 * std::numbers::pi;
-  MixtureCell c;
-  c.volume = {1};
-  c.density = {1 / (1 + .2 * std::sin(w * x.x) * std::cos(w * x.y))};
-  c.pressure = {1};
-  c.velocity[0] = .2 * std::sin(w * x.y) + .1;
-  c.velocity[1] = .2 * std::sin(w * x.x);
-  return c;
+MixtureCell start(Vec3 x) {
+  return moving_waves(x, {1});
 }
 
 struct Case {
@@ -77,8 +69,8 @@ TEST(MixedGasTransport, IsThatOfTheGasThatIsAlone) {
       mixed.conductivity = {k[1]};
       alone.conductivity = without.conductivity = {k[n]};
       const Fluid gas = ideal_gas(1 + gas_ratio, cv[n]);
-      MixtureBox one(box, {gas}, waves, {}, {}, alone), plain(box, {gas}, waves, {}, {}, without);
-      MixtureBox two(with_model, {gas}, waves, {}, {}, mixed);
+      MixtureBox one(box, {gas}, start, {}, {}, alone), plain(box, {gas}, start, {}, {}, without);
+      MixtureBox two(with_model, {gas}, start, {}, {}, mixed);
       const Label fraction = two.ice().state_slots().back().label;
       ASSERT_NE(fraction.name().find('f'), std::string::npos);
       for_each_cell(two.domain(), [&](IntVec3 i) { two.view(fraction, 0, 0, i)(i) = n; });
