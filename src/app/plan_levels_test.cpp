@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "app/command_test_support.hpp"
-#include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 
 namespace sluice {
@@ -28,6 +27,11 @@ class PlanLevels : public testing::Test {
     const Outcome outcome = run_sluice(options);
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     return outcome.text;
+  }
+  Outcome run_here(std::vector<std::string> words) {
+    words.insert(words.begin(), "run");
+    words.insert(words.end(), {"-o", folder_.string(), "--progress", "none"});
+    return run_sluice(words);
   }
   json plan(const std::string& name, std::vector<std::string> options = {}) {
     options.emplace_back("--json");
@@ -118,13 +122,9 @@ TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
   const std::string end = "</DataArchiver>";
   deck_text.insert(deck_text.find(end), "<checkpoint cycle=\"0\" timestepInterval=\"5\"/>");
   std::ofstream(folder_ / "tube.ups") << deck_text;
-  const auto go = [&](std::vector<std::string> words) {
-    ProcessRequest request;
-    request.words = {SLUICE_COMMAND, "run"};
-    request.words.insert(request.words.end(), words.begin(), words.end());
-    request.words.insert(request.words.end(), {"-o", folder_.string(), "--progress", "none"});
-    request.output = folder_ / "said";
-    EXPECT_EQ(run_process(request), 0) << text_of(folder_ / "said");
+  const auto go = [&](const std::vector<std::string>& words) {
+    const Outcome outcome = run_here(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
   };
   const std::string tube = (folder_ / "tube.ups").string();
   go({tube, "--max-steps", "14"});
@@ -137,24 +137,17 @@ TEST_F(PlanLevels, ARestartThroughTheLinkGoesOnWithTheLevelsOverTime) {
 
 // Tiles in the corner are there with every ratio and tile size, but hold other cells.
 TEST_F(PlanLevels, ARestartWithOtherRatiosOrTilesIsRefusedByName) {
-  const auto go = [&](std::vector<std::string> words) {
-    ProcessRequest request;
-    request.words = {SLUICE_COMMAND, "run"};
-    request.words.insert(request.words.end(), words.begin(), words.end());
-    request.words.insert(request.words.end(), {"-o", folder_.string(), "--progress", "none"});
-    request.output = folder_ / "said";
-    return run_process(request);
-  };
-  ASSERT_EQ(go({deck("amr_regions"), "--max-steps", "2", "--set",
+  const Outcome first =
+      run_here({deck("amr_regions"), "--max-steps", "2", "--set",
                 "DataArchiver/checkpoint/@timestepInterval=1", "--set", "AMR/Refine[2]=", "--set",
                 "AMR/Refine/geom_object/box/min=[-1,-1,-1]", "--set",
-                "AMR/Refine/geom_object/box/max=[-0.6,-0.6,1]", "--set", "AMR/Refine/@level=1"}),
-            0)
-      << text_of(folder_ / "said");
+                "AMR/Refine/geom_object/box/max=[-0.6,-0.6,1]", "--set", "AMR/Refine/@level=1"});
+  ASSERT_EQ(first.status, 0) << first.text;
   const std::string archive = (folder_ / "amr_regions.uda").string();
   const auto restart_with = [&](const std::string& tag) {
-    EXPECT_EQ(go({"--restart", archive, "--set", "AMR/Regridder/" + tag}), 2) << tag;
-    return text_of(folder_ / "said");
+    const Outcome outcome = run_here({"--restart", archive, "--set", "AMR/Regridder/" + tag});
+    EXPECT_EQ(outcome.status, 2) << tag;
+    return outcome.text;
   };
   EXPECT_THAT(restart_with("cell_refinement_ratio=[[4,4,1]]"),
               HasSubstr("holds a grid of [128, 128, 1] cells on level 1"));

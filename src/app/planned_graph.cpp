@@ -1,16 +1,10 @@
 // Declaring and compiling the graphs that a plan counts.
 #include "app/planned_graph.hpp"
 
+#include "framework/refine/face_table.hpp"
+
 namespace sluice {
 namespace {
-
-Axes axes_of(const Level& level) {
-  Axes axes;
-  axes.count = 0;
-  for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
-  return axes;
-}
 
 void compile_wanted(PlannedGraph& g, const Component& component, const Level& level,
                     const std::set<Label>& wanted) {
@@ -21,7 +15,7 @@ void compile_wanted(PlannedGraph& g, const Component& component, const Level& le
         (v.storage == Storage::output && wanted.count(v.label) > 0))
       variables.push_back({static_cast<int>(n)});
   }
-  g.plan = compile(g.list, component.effects(), variables, axes_of(level));
+  g.plan = compile(g.list, component.effects(), variables, active_axes(level));
 }
 
 }  // namespace

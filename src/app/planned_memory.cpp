@@ -22,8 +22,9 @@ class MemoryPlanner {
   explicit MemoryPlanner(const MemoryRequest& request)
       : r_(request), levels_(request.hierarchy.grid()) {}
 
-  PlannedMemory plan(PlannedMessages& messages) const {
+  std::pair<PlannedMemory, PlannedMessages> plan() const {
     PlannedMemory m;
+    PlannedMessages messages;
     m.base = r_.ranks > 1 ? base_bytes_with_ranks : base_bytes;
     std::set<Label> kept = r_.always;
     kept.insert(r_.stored.begin(), r_.stored.end());
@@ -41,7 +42,7 @@ class MemoryPlanner {
       if (rank == 0 || here.peak() > m.peak()) m = here;
     }
     m.all_ranks = sum;
-    return m;
+    return {m, messages};
   }
 
  private:
@@ -139,8 +140,8 @@ double stored_components(const MaterialsOfLabels& materials, Label label) {
   return component_count(label.info().type) * count;
 }
 
-PlannedMemory plan_memory(const MemoryRequest& request, PlannedMessages& messages) {
-  return MemoryPlanner(request).plan(messages);
+std::pair<PlannedMemory, PlannedMessages> plan_memory(const MemoryRequest& request) {
+  return MemoryPlanner(request).plan();
 }
 
 }  // namespace sluice

@@ -5,6 +5,7 @@
 // stores them, and the initial fill holds the primitives of the largest box while it is set.
 #pragma once
 #include <cstdint>
+#include <utility>
 
 #include "app/planned_graph.hpp"
 #include "app/planned_hierarchy.hpp"
@@ -42,6 +43,6 @@ struct MemoryRequest {
 // What is kept of a label: it is for every material that has it.
 double stored_components(const MaterialsOfLabels& materials, Label label);
 
-PlannedMemory plan_memory(const MemoryRequest& request, PlannedMessages& messages);
+std::pair<PlannedMemory, PlannedMessages> plan_memory(const MemoryRequest& request);
 
 }  // namespace sluice

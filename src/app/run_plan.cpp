@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "app/first_step_limit.hpp"
 #include "framework/deck/nearest_name.hpp"
@@ -237,10 +238,16 @@ class Planner {
 
   void predict_memory() {
     if (plan_.hierarchy.adaptive) computed_.insert(component_.refine_flag());
-    plan_.memory =
-        plan_memory({scene_, component_, plan_.hierarchy, options_.ranks, options_.threads,
-                     options_.block, stored_always(), stored_, computed_, materials_of_},
-                    plan_.messages);
+    std::tie(plan_.memory, plan_.messages) = plan_memory({.scene = scene_,
+                                                          .component = component_,
+                                                          .hierarchy = plan_.hierarchy,
+                                                          .ranks = options_.ranks,
+                                                          .threads = options_.threads,
+                                                          .block = options_.block,
+                                                          .always = stored_always(),
+                                                          .stored = stored_,
+                                                          .computed = computed_,
+                                                          .materials = materials_of_});
   }
 
   const Scene& scene_;
