@@ -29,6 +29,14 @@ double farthest_from(const CellValues& field, double wanted) {
   for (const double value : field.values) farthest = std::max(farthest, std::abs(value - wanted));
   return farthest;
 }
+double farthest_from(const CellValues& field, const CellValues& wanted) {
+  if (field.values.size() != wanted.values.size())
+    throw std::runtime_error("fields of other grids cannot be compared");
+  double farthest = 0;
+  for (std::size_t n = 0; n < field.values.size(); ++n)
+    farthest = std::max(farthest, std::abs(field.values[n] - wanted.values[n]));
+  return farthest;
+}
 
 CaseRun::CaseRun(const std::string& deck, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& options, int ranks) {

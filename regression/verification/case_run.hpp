@@ -34,6 +34,7 @@ double lowest(const CellValues& field);
 double highest(const CellValues& field);
 // Largest |value - wanted|.
 double farthest_from(const CellValues& field, double wanted);
+double farthest_from(const CellValues& field, const CellValues& wanted);  // of as many cells
 
 // A run that must end as it should: the constructor throws std::runtime_error with the end of the
 // run's own messages otherwise. The folder goes away with the object.
