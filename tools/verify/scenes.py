@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Run random scenes of gases and liquids; each must finish and keep what is conserved.
+"""Run random scenes of gases, liquids, dense matter; each must finish and keep what is conserved.
 
-A scene has one to three materials (ideal or stiffened gases), each in a box or a cylinder of its
-own, at 1e4 to 1e9 Pa, 120 to 1900 K and up to 500 m/s; any drag from none to one velocity, any heat
-exchange, viscosity and conduction or none, closed, open or periodic sides, one or two dimensions.
+A scene has one to three materials (ideal or stiffened gases at 1e4 to 1e9 Pa and 120 to 1900 K, in
+three of ten scenes one under a law of dense matter), each in a box or a cylinder of its own, at up
+to 500 m/s; any drag from none to one velocity, any heat exchange, viscosity and conduction or none,
+closed, open or periodic sides, one or two dimensions, one to three levels.
 Every number follows from the seed alone: a scene that fails is kept and can be run again.
 """
 import argparse
