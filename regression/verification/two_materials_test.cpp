@@ -145,12 +145,37 @@ INSTANTIATE_TEST_SUITE_P(Four, TwoMaterials, testing::ValuesIn(pairs),
 
 // Between the waves and at the shock, as published solvers have it.
 struct Anchor {
+  const char* name;
   const char* deck;
   double pressure, velocity, shock_speed, start;
+  std::vector<std::string> overrides;
 };
+std::string of_material(int number, const char* tag, const char* value) {
+  return "MaterialProperties/ICE/material[" + std::to_string(number) + "]/" + tag + "=" + value;
+}
+const std::string exact = "Meta/exact_solution/";
 const Anchor anchors[] = {
-    {"air_helium", 126614.66, 159.25517, 1211.89, .5},
-    {"water_dense_air", 1.4190477e7, 482.61041, 583.93, .7},
+    {"air_helium", "air_helium", 126614.66, 159.25517, 1211.89, .5, {}},
+    {"water_dense_air", "water_dense_air", 1.4190477e7, 482.61041, 583.93, .7, {}},
+    {"water_air_of_density_1",
+     "water_air",
+     4.7969063e5,
+     491.97388,
+     771.77,
+     .7,
+     {exact + "right=[1,0,100000]", of_material(2, "geom_object/density", "1"),
+      of_material(2, "geom_object/temperature", "348.43205574912895")}},  // 1e5 / (0.4 717.5)
+    {"gas_into_water", "gas_into_water", 5.3350009e8, 264.05232, 2020.05, .5, {}},
+    {"gases_of_gamma_2_and_1_4",
+     "two_gases_sod",
+     .43033194,
+     1.2757097,
+     2.07152,
+     .5,
+     {exact + "left=[1,0,2]", exact + "eos_left=ideal_gas gamma=2 specific_heat=1",
+      exact + "eos_right=ideal_gas gamma=1.4 specific_heat=1", of_material(1, "gamma", "2"),
+      of_material(1, "geom_object/temperature", "2"), of_material(2, "gamma", "1.4"),
+      of_material(2, "geom_object/temperature", "2")}},
 };
 
 class Anchored : public testing::TestWithParam<Anchor> {};
@@ -158,7 +183,9 @@ class Anchored : public testing::TestWithParam<Anchor> {};
 TEST_P(Anchored, WavesRunAsPublished) {
   constexpr double allowed = 1e-3;  // relative, behind the shock
   const Anchor& anchor = GetParam();
-  const CaseRun run(anchor.deck, {resolution(800)});
+  std::vector<std::string> overrides = anchor.overrides;
+  overrides.push_back(resolution(800));
+  const CaseRun run(anchor.deck, overrides);
   const CellValues p = run.field("press_CC"), u = run.field("vel_CC", 0, "last", 1);
   const ExactWaves waves = exact_waves(run, p.time);
   const double shock = anchor.start + anchor.shock_speed * p.time;
@@ -173,7 +200,7 @@ TEST_P(Anchored, WavesRunAsPublished) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Anchored, testing::ValuesIn(anchors),
-                         [](const auto& test) { return std::string(test.param.deck); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 // Products of detonation drive the other material. Into air, 12,000 times as thin, order .8 is
 // reached with 800 cells: the layer of shocked air is a few cells thick before.

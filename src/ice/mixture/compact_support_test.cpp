@@ -70,7 +70,8 @@ double lowest_pressure(const MixtureBox& run, int m) {
 class CompactSupport : public testing::TestWithParam<std::tuple<double, double, bool>> {};
 
 // Where water is torn apart the air becomes the cavity, several cells wide: then there is no front
-// to be near to.
+// to be near to. Nor is there one where fragments are cells five apart, as in the random starts of
+// TracesSurviveWaves: nothing can be farther than that.
 TEST_P(CompactSupport, FragmentsStayTogether) {
   constexpr double farthest = 6, cavity = 100;  // cells, Pa
   const auto [p, trace, water_in_air] = GetParam();
