@@ -162,19 +162,23 @@ Slipping slip_by_itself(int n, double accommodation) {
 }
 
 TEST(Layers, GasWithAVelocityOfItsOwnSlips) {
+  constexpr double on_a_face = 1e-4, in_a_cell = .02;  // measured 1.9e-5, .019
+  constexpr double of_the_step = .025;                 // .0233
+  constexpr double first_order = .95;                  // .957
   // Next to none, Maxwell's slip of half of the molecules and of all.
   for (const double a : {1e-6, .5, 1.}) {
     const double sharp = slip_by_itself(16, a).error;
     record("sharp", sharp);
-    EXPECT_LE(sharp, 1e-4) << a;
+    EXPECT_LE(sharp, on_a_face) << a;
     const Slipping coarse = slip_by_itself(10, a), fine = slip_by_itself(30, a);
     std::printf("a %g: on a face %.1e, in a cell %.1e %.1e, step %.4f %.4f\n", a, sharp,
                 coarse.error, fine.error, coarse.step, fine.step);
-    EXPECT_LE(fine.error, .02) << a;
-    EXPECT_NEAR(fine.step, 1, .025) << a;
+    EXPECT_LE(fine.error, in_a_cell) << a;
+    EXPECT_NEAR(fine.step, 1, of_the_step) << a;
     if (a < .1) continue;  // neither has a stress
-    record("order", std::log((1 - coarse.step) / (1 - fine.step)) / std::log(3.));
-    EXPECT_GE(std::log((1 - coarse.step) / (1 - fine.step)) / std::log(3.), .95) << a;
+    const double order = std::log((1 - coarse.step) / (1 - fine.step)) / std::log(3.);
+    record("order", order);
+    EXPECT_GE(order, first_order) << a;
   }
 }
 

@@ -10,7 +10,7 @@
 namespace sluice::verification {
 namespace {
 
-constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps
+constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps; measured 1.2e-15
 
 using Overrides = std::vector<std::string>;
 
@@ -91,7 +91,7 @@ TEST_P(ModelsOnLevels, KeepMassesMomentumAndEnergy) {
     const double drift = run.worst_drift() / std::max(1., run.steps() / 1000.);
     record("drift", drift);
     EXPECT_LE(drift, allowed_drift) << levels.back();
-    EXPECT_LE(run.events(), 1) << run.record().at("events").dump();
+    EXPECT_EQ(run.events(), 0) << levels.back() << run.record().at("events").dump();
     ASSERT_GE(most_cells(run).size(), 2u);
     EXPECT_GT(most_cells(run)[1], 0);
     EXPECT_GT(regrids(run), 0);
@@ -139,7 +139,7 @@ struct Model {
 class LikeGasesOnLevels : public testing::TestWithParam<Model> {};
 
 TEST_P(LikeGasesOnLevels, AreOneGas) {
-  constexpr double round_off = 1e-12, acts = 1e-4;
+  constexpr double round_off = 1e-13, acts = 1e-2;  // measured 1.2e-14, 1.6e-2
   Overrides one_gas;
   for (const int m : {1, 2})
     for (const int object : {1, 2})

@@ -12,7 +12,7 @@ namespace {
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
 const Fluid water = stiffened_gas(4.4, 6e8);
 
-constexpr double lowest_order = 1.9;
+constexpr double lowest_order = 1.9;  // measured 1.97 to 2.39
 constexpr double pi = M_PI;
 
 GasBox periodic(IntVec3 cells) {

@@ -185,7 +185,7 @@ std::function<MixtureCell(Vec3)> windy(double way) {
 }
 
 TEST(SlipSurface, AClosedBoxKeepsMassAndEnergy) {
-  constexpr double limit = 1e-13;
+  constexpr double limit = 1e-14;  // measured 1.2e-16 of the energy
   for (const double K : {0., 1e3, 1e9})
     for (const double a : {1e-3, 1.}) {
       MixtureBox run(box_around_zero({32, 28, 1}), {water, air, heavy}, windy(1), {}, {},

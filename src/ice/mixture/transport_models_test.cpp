@@ -59,7 +59,7 @@ std::vector<Case> cases() {
 }
 
 TEST(MixtureTransportModels, LikeGasesAreOneGas) {
-  constexpr double round_off = 1e-12;
+  constexpr double round_off = 1e-14;  // measured 9.2e-16
   const Fluid gas = ideal_gas(1.4, 1);
   for (const Case& c : cases()) {
     const GasBox box = box_of({24, 20, 1}, c.periodic, &GasBox::plates);
