@@ -8,6 +8,7 @@
 #include "ice/conservative/variables.hpp"
 #include "ice/refine/children.hpp"
 #include "ice/refine/ice_transfer.hpp"
+#include "ice/refine/row_mean.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -15,72 +16,79 @@ namespace {
 template <int D, int C>
 class Restrictor {
  public:
-  Restrictor(const StateViews& fine, const StateViews& coarse, const Children& children, int along)
-      : fine_(fine), coarse_(coarse), children_(children), along_(along) {}
+  Restrictor(const StateViews& fine, const StateViews& coarse, const Children& children)
+      : fine_(fine),
+        coarse_(coarse),
+        axes_(children.axes()),
+        ratio_{children.ratio(0), children.ratio(1), children.ratio(2)},
+        average_(ratio_) {}
 
   static constexpr int width = D == 3 ? 16 : 64;
 
-  // The coarse cells of a batch.
-  void run(const Batch<width>& batch) {
-    const int n = batch.padded();
-    double mean[quantities][width];
+  // n coarse cells from `first` on along the row.
+  void run(IntVec3 first, int n) {
+    double* mean[quantities];
     for (int q = 0; q < quantities; ++q) {
-      gather(q, batch);
-      children_.mean(values_[q], rows_, n);
-      std::copy_n(rows_[0], n, mean[q]);
+      const RealView& to = coarse_[static_cast<std::size_t>(q)];
+      mean[q] = to.data + to.offset(first);
+      find_rows(fine_[static_cast<std::size_t>(q)], first, rows_[q]);
+      average_(rows_[q], n, mean[q]);
     }
-    add_heat(mean, n);
-    for (int q = 0; q < quantities; ++q) {
-      const RealView& v = coarse_[static_cast<std::size_t>(q)];
-      const std::ptrdiff_t step = v.stride[along_];
-      for (const LinePart& line : batch.parts()) {
-        double* to = v.data + v.offset(line.first);
-        for (int i = 0; i < line.count; ++i) to[i * step] = mean[q][line.place + i];
-      }
-    }
+    const double* const* heat = lost_kinetic_energy(mean, n);
+    double mean_heat[width];
+    average_(heat, n, mean_heat);
+    for (int i = 0; i < n; ++i) mean[1 + C][i] += mean_heat[i];
   }
 
  private:
   static constexpr int quantities = C + 2;
+  using Average = RowMean<D, width>;
 
-  void gather(int q, const Batch<width>& batch) {
-    auto& rows = values_[q];
-    for (const LinePart& line : batch.parts())
-      children_.gather<D>(fine_[static_cast<std::size_t>(q)], along_, line.first, line.count, rows,
-                          line.place);
-    for (int child = 0; child < children_.count(); ++child) batch.repeat_last(rows[child]);
+  // The rows of fine cells above coarse ones.
+  void find_rows(const RealView& v, IntVec3 first, const double** rows) const {
+    IntVec3 corner = first;
+    for (int a = 0; a < D; ++a) corner[axes_.direction[a]] *= ratio_[a];
+    const double* low = v.data + v.offset(corner);
+    for (int z = 0; z < ratio_[2]; ++z)
+      for (int y = 0; y < ratio_[1]; ++y)
+        rows[y + ratio_[1] * z] = low + (D > 1 ? y * v.stride[axes_.direction[1]] : 0) +
+                                  (D > 2 ? z * v.stride[axes_.direction[2]] : 0);
   }
 
-  void add_heat(double (&mean)[quantities][width], int n) {
-    double U[C][width];
+  // rho_f |u_f - U|^2 / 2, as rows.
+  const double* const* lost_kinetic_energy(double* const* mean, int n) {
+    const int m = average_.row_length(n);
     for (int c = 0; c < C; ++c)
-      for (int i = 0; i < n; ++i) U[c][i] = mean[1 + c][i] * (1.0 / mean[0][i]);
-    for (int child = 0; child < children_.count(); ++child) {
-      double* __restrict heat = rows_[child];
-      const double* __restrict rho = values_[0][child];
-      const double* m[C];
-      for (int c = 0; c < C; ++c) m[c] = values_[1 + c][child];
-#pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
+        const double U = mean[1 + c][i] * (1.0 / mean[0][i]);
+        std::fill_n(U_[c] + i * ratio_[0], ratio_[0], U);
+      }
+    for (int r = 0; r < average_.rows(); ++r) {
+      const double* __restrict rho = rows_[0][r];
+      double* __restrict heat = heat_[r];
+      for (int i = 0; i < m; ++i) {
         const double w = 1.0 / rho[i];
         double square = 0;
         for (int c = 0; c < C; ++c) {
-          const double du = m[c][i] * w - U[c][i];
+          const double du = rows_[1 + c][r][i] * w - U_[c][i];
           square += du * du;
         }
         heat[i] = 0.5 * rho[i] * square;
       }
+      heat_rows_[r] = heat;
     }
-    children_.mean(rows_, n);
-    for (int i = 0; i < n; ++i) mean[1 + C][i] += rows_[0][i];
+    return heat_rows_;
   }
 
   const StateViews& fine_;
   const StateViews& coarse_;
-  const Children& children_;
-  int along_;
-  double values_[quantities][Children::most_in(D)][width];
-  double rows_[Children::most_in(D)][width];
+  Axes axes_;
+  int ratio_[3];
+  Average average_;
+  const double* rows_[quantities][Average::most_rows];  // of fine cells, by quantity
+  const double* heat_rows_[Average::most_rows];
+  double heat_[Average::most_rows][Average::longest_row];
+  double U_[C][Average::longest_row];
 };
 
 }  // namespace
@@ -90,14 +98,11 @@ void IceTransfer::restrict_to(const StateViews& fine, const StateViews& coarse,
                               const TransferGeometry& geometry) const {
   if (coarse_cells.empty()) return;
   const Children children(geometry);
-  const int along = longest_direction(coarse_cells, children.axes());
   dispatch(children.axes().count, components_, [&]<int D, int C>() {
     using Line = Restrictor<D, C>;
-    Line line(fine, coarse, children, along);
-    Batch<Line::width> batch;
-    const auto run = [&](const auto& full) { line.run(full); };
-    batch.add(0, coarse_cells, along, run);
-    batch.flush(run);
+    Line line(fine, coarse, children);
+    for_each_line(coarse_cells, children.axes().direction[0], Line::width,
+                  [&](IntVec3 first, int n) { line.run(first, n); });
   });
 }
 
