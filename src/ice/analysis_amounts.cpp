@@ -1,11 +1,11 @@
-// Mass and momentum of a material in a cell: weights of averages.
+// Mass, momentum, energy and volume of a material in a cell: weights of averages.
 #include "ice/cell_sums.hpp"
 #include "ice/quantity_list.hpp"
 
 namespace sluice::ice {
 namespace {
 
-// q = rho V, or rho u V component by component.
+// q = rho V, or rho u V component by component; `rho`: any amount per volume of the cell.
 void declare_amount(QuantityList& q, VariableId rho, VariableId u, Label label, int material) {
   const int components = component_count(label.info().type);
   const VariableId amount = q.fresh(label, material);
@@ -34,7 +34,13 @@ void declare_amounts(QuantityList& quantities) {
         continue;
       declare_amount(quantities, rho.variable, u.variable, labels().mass_of_cell, rho.material);
       declare_amount(quantities, rho.variable, u.variable, labels().momentum_of_cell, rho.material);
+      const VariableId energy = quantities.list().old_state(labels().energy, rho.material, 1);
+      declare_amount(quantities, energy, u.variable, labels().energy_of_cell, rho.material);
     }
+  for (const DiagnosticQuantity& share : given)
+    if (share.label == labels().volume_fraction)
+      declare_amount(quantities, share.variable, share.variable, labels().volume_of_cell,
+                     share.material);
 }
 
 }  // namespace sluice::ice

@@ -33,8 +33,9 @@ const std::vector<std::string>& usable_variables() {
 // The same in every cell as long as one material has constant properties.
 bool constant(std::string_view name) {
   const ice::Labels& l = ice::labels();
-  for (const Label label : {l.volume_fraction, l.gradient_volume_fraction, l.viscosity,
-                            l.thermal_conductivity, l.gamma, l.specific_heat})
+  for (const Label label :
+       {l.volume_fraction, l.gradient_volume_fraction, l.volume_of_cell, l.compressibility_share,
+        l.viscosity, l.thermal_conductivity, l.gamma, l.specific_heat})
     if (label.name() == name) return true;
   return false;
 }
@@ -55,7 +56,10 @@ Fault refusal(const DeckNode& node, std::string_view name) {
     else
       fault.message =
           in + "exists only within a step; a criterion of refinement needs a function of the state";
-  } else if (listed(ice_save_labels().not_built, name)) {
+  } else if (const SaveLabels known = ice_save_labels(); known.find_foreign(name) != nullptr) {
+    fault.message = fmt::format("<{}>: {}", node.name, refusal_of(*known.find_foreign(name), name));
+    fault.not_built = true;
+  } else if (listed(known.not_built, name)) {
     fault.message = fmt::format("<{}>: variable {} is known to the format, but not built yet",
                                 node.name, in_quotes(name));
     fault.not_built = true;

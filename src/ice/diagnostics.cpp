@@ -47,19 +47,20 @@ void declare_of_one(QuantityList& q) {
   const VariableId rho = q.list().old_state(l.mass, 0, 1), E = q.list().old_state(l.energy, 0, 1);
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
-  VariableId p, T, c;
+  VariableId p, T, c, compressibility;
   if (o.mixed != nullptr) {
     const scalars::MixedQuantities b = scalars::declare_mixed_quantities(q, rho, E);
     p = b.pressure;
     T = b.temperature;
     c = b.sound_speed;
+    compressibility = b.compressibility;
   } else {
     p = q.of(rho, E, l.pressure, 0, [fluid](double r, double e) { return fluid.pressure(r, e); });
     T = q.of(rho, E, l.temperature, 0,
              [fluid](double r, double e) { return fluid.temperature(r, e); });
     c = q.of(rho, p, l.sound_speed, 0,
              [fluid](double r, double pressure) { return fluid.sound_speed(r, pressure); });
-    q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {
+    compressibility = q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {
       const double speed = fluid.sound_speed(r, pressure);
       return 1.0 / (r * speed * speed);
     });
@@ -68,6 +69,8 @@ void declare_of_one(QuantityList& q) {
   const auto constant = [&](Label label, double value) {
     q.of(rho, rho, label, 0, [value](double, double) { return value; });
   };
+  q.add(l.compressibility_of_cell, 0, compressibility);
+  constant(l.compressibility_share, 1.0);
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});

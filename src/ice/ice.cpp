@@ -16,6 +16,7 @@
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/scheme_options.hpp"
+#include "ice/step_labels.hpp"
 #include "ice/tracers/tracers.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -71,7 +72,7 @@ void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   add_source_account(list, v, o, effect_sources);               // change                   sums
   add_volume_account(list, v, o, effect_diagnostics);           // fluxes, m, dp            sums
   add_flux_record(list, v, o, effect_flux_record);  // fluxes                   face tables
-  declare_step_outputs(list, v, o);                 // whatever a deck saves    outputs
+  declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
 }
 
 // The same where several materials may meet; the tasks of that name under mixture/, but for those
@@ -100,8 +101,7 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   add_source_account(list, v, o, effect_sources);               // change     sums
   add_volume_account(list, v, o, effect_diagnostics);           // fluxes, dp sums
   add_flux_record(list, v, o, effect_flux_record);              // fluxes     face tables
-  declare_step_outputs(list, v, o);                             // saved      outputs
-  mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
+  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 
 // The same where each material has a velocity of its own: mixture/slip.hpp.
@@ -135,8 +135,7 @@ void Ice::declare_slip(TaskList& list, const SchemeOptions& o) const {
   add_source_account(list, v, o, effect_sources);      // change     sums
   add_volume_account(list, v, o, effect_diagnostics);  // fluxes, dp sums
   add_flux_record(list, v, o, effect_flux_record);     // fluxes     face tables
-  declare_step_outputs(list, v, o);                    // saved      outputs
-  mixture::declare_lagrangian_labels(list, m, o, effect_saved_intermediates);
+  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 
 Ice::Ice(const Scene& scene, IceScene ice_scene)

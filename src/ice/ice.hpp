@@ -13,6 +13,7 @@
 namespace sluice::ice {
 
 struct PrimitiveFill;
+struct MaterialsOfStep;
 
 class Ice : public Component {
  public:
@@ -117,6 +118,7 @@ inline int effect_of_forces(const SchemeOptions& o) {
 void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,
                                 const std::vector<ErrorEstimate>& estimates);
 // Labels that only exist inside a step.
-void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options);
+void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options,
+                          const MaterialsOfStep& materials);
 
 }  // namespace sluice::ice

@@ -170,6 +170,26 @@ TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
   for (const std::string& label : labels.not_built) {
     EXPECT_EQ(std::count(labels.built.begin(), labels.built.end(), label), 0) << label;
   }
+  for (const std::string& label : labels.built)
+    EXPECT_EQ(labels.find_foreign(label), nullptr) << label;
+}
+
+// With what to save instead.
+TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
+  for (const auto& [label, advice] :
+       {std::pair{"maxMach_xminus", "save mach"}, std::pair{"temp_CC_Xchange", "save temp_CC"},
+        std::pair{"sp_volY_FC", "save sp_vol_CC"}, std::pair{"grad_dp_ZFC", "grad_P_ZFC"},
+        std::pair{"eng_exch_error", "TotalIntEng"}, std::pair{"eq_press_iters", "remove"}}) {
+    Sample sample;
+    std::string text = sample.text();
+    text.insert(text.find("</DataArchiver>"), std::string("<save label='") + label + "'/>");
+    Schema schema;
+    add_framework_tags(schema);
+    add_ice_tags(schema);
+    const std::string said = messages(load_deck_text(text, "one.ups", {}, schema));
+    EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' does not exist"));
+    EXPECT_THAT(said, ::testing::HasSubstr(advice));
+  }
 }
 
 // The deck with a second material of this fill.

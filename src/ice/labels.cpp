@@ -54,8 +54,15 @@ void declare_primitives(Labels& l) {
   l.sum_rho = cell("sum_rho_CC", "kg/m^3", "Mass of all materials per volume of the cell.");
   l.mass_of_cell = cell("mass_adv", "kg", "Mass of the material in the cell.");
   l.momentum_of_cell = cell_vector("mom_adv", "kg m/s", "Momentum of the material in the cell.");
+  l.energy_of_cell = cell("eng_adv", "J", "Internal energy of the material in the cell.");
+  l.volume_of_cell = cell("sp_vol_adv", "m^3", "Volume of the material in the cell.");
   l.compressibility =
       cell("compressiblity", "1/Pa", "Specific volume over the speed of sound squared.");
+  l.compressibility_of_cell =
+      cell("sumKappa", "1/Pa", "Compressibility of the cell: sum of vol_frac_CC compressiblity.");
+  l.compressibility_share = cell("f_theta", "1",
+                                 "Share of the material in the compressibility of the cell, "
+                                 "vol_frac_CC compressiblity/sumKappa.");
   l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity of the material itself.");
   l.eddy_viscosity =
       cell("turb_viscosity_CC", "Pa s", "Subgrid viscosity of the turbulence model.");
@@ -93,6 +100,53 @@ void declare_derivatives(Labels& l) {
   l.vorticity = cell_vector("vorticity", "1/s", "Curl of the velocity, central differences.");
 }
 
+// The Lagrangian phase: pressure, friction, conduction and forces; before exchange and advection.
+void declare_phase_labels(Labels& l) {
+  l.lagrangian_mass = cell("mass_L_CC", "kg",
+                           "Mass of the material in the cell before advection: that of the start "
+                           "of the step, for models add theirs at its end.");
+  l.momentum_before_exchange = cell_vector(
+      "mom_L_CC", "kg m/s",
+      "Momentum of the material in the cell after pressure, friction and forces, before exchange "
+      "between materials and advection.");
+  l.lagrangian_momentum =
+      cell_vector("mom_L_ME_CC", "kg m/s",
+                  "Momentum of the material in the cell after pressure, friction, forces and the "
+                  "exchange between materials that precedes advection (all of it where they have "
+                  "one velocity, else half of the step's).");
+  l.momentum_source =
+      cell_vector("mom_source_CC", "kg m/s",
+                  "Momentum that the material gets in the step: from pressure and a driving force "
+                  "by volume, from gravity by mass, from friction.");
+  l.lagrangian_velocity =
+      cell_vector("vel_CC_Xchange", "m/s",
+                  "Velocity of the material before advection: mom_L_ME_CC over mass_L_CC.");
+  l.stress_velocity = cell_vector("velTau_CC", "m/s",
+                                  "Velocity of the material that friction is taken from: of the "
+                                  "start of the step.");
+  l.energy_before_exchange = cell("int_eng_L_CC", "J",
+                                  "Internal energy of the material in the cell after pressure and "
+                                  "forces, before exchange between materials and advection.");
+  l.lagrangian_energy = cell("eng_L_ME_CC", "J",
+                             "Internal energy of the material in the cell after pressure and "
+                             "forces, before advection.");
+  l.energy_source = cell("intE_source_CC", "J",
+                         "Internal energy that the material gets in the step from work of pressure "
+                         "and friction and from conduction, before advection.");
+  l.lagrangian_volume =
+      cell("sp_vol_L_CC", "m^3",
+           "Volume of the material before advection, mass_L_CC times its specific volume then: "
+           "that of the start of the step times 1 + term2.");
+  l.volume_source =
+      cell("sp_vol_src_CC", "m^3/kg", "Change of the specific volume that leads to sp_vol_L_CC.");
+  l.dilation = cell("term2", "1",
+                    "Volume of all materials that flows out of the cell in the step less what "
+                    "flows in, as share of the cell.");
+  l.lagrangian_heating = cell("Tdot", "K/s",
+                              "Rate of change of the temperature before advection, in the cell as "
+                              "it moves, by work and conduction.");
+}
+
 void declare_step_labels(Labels& l) {
   l.equilibrium_pressure = cell("press_equil_CC", "Pa", "Pressure at the start of the step.");
   l.pressure_change =
@@ -100,17 +154,6 @@ void declare_step_labels(Labels& l) {
   l.source_pressure = cell("delP_MassX", "Pa",
                            "Change of the pressure over the step by mass and energy that models "
                            "add or pass on, to first order.");
-  l.momentum_source = cell_vector("mom_source_CC", "kg m/s",
-                                  "Momentum that pressure, friction and forces give to the cell in "
-                                  "the step.");
-  l.energy_before_exchange = cell("int_eng_L_CC", "J",
-                                  "Internal energy of the material in the cell after pressure and "
-                                  "forces, before exchange between materials and advection.");
-  l.lagrangian_momentum = cell_vector(
-      "mom_L_ME_CC", "kg m/s", "Momentum of the cell after pressure and forces, before advection.");
-  l.lagrangian_energy = cell("eng_L_ME_CC", "J",
-                             "Internal energy of the material in the cell after pressure and "
-                             "forces, before advection.");
   l.model_mass = cell("modelMass_src", "kg", "Mass that models add to the material in the step.");
   l.model_momentum = cell_vector("modelMom_src", "kg m/s",
                                  "Momentum that models add to the material in the step.");
@@ -133,6 +176,27 @@ void declare_step_labels(Labels& l) {
         declare_label({stress[d], ValueType::vector, l.face_pressure[d].info().centring, "Pa",
                        "Viscous stress on the face: force on the cell below it."});
   }
+  constexpr const char* temperature[] = {"TempX_FC", "TempY_FC", "TempZ_FC"};
+  constexpr const char* fraction[] = {"vol_fracX_FC", "vol_fracY_FC", "vol_fracZ_FC"};
+  constexpr const char* gradient[] = {"grad_P_XFC", "grad_P_YFC", "grad_P_ZFC"};
+  for (int d = 0; d < 3; ++d) {
+    l.face_temperature[d] = face(temperature[d], d, "K",
+                                 "Mean by mass of the temperatures that the material has in the "
+                                 "two cells at the start of the step.");
+    l.face_volume_fraction[d] =
+        face(fraction[d], d, "1",
+             "Share of the material in the volume that passes the face in the step; where nothing "
+             "passes, mean of the two cells.");
+    l.face_pressure_gradient[d] =
+        face(gradient[d], d, "Pa/m",
+             "Difference of press_equil_CC between the two cells over their distance.");
+  }
+  l.temperature_rate = cell("dTdt_CC", "K/s",
+                            "Change of temp_CC over the step by its length: work, heat, exchange "
+                            "and flow; 0 where the material is new, gone or a trace.");
+  l.velocity_rate = cell_vector("dVdt_CC", "m/s^2",
+                                "Change of vel_CC over the step by its length: forces, exchange "
+                                "and flow; 0 where the material is new or gone.");
   l.viscous_source =
       cell_vector("viscous_src_CC", "N", "Viscous force on the cell, from its faces.");
   l.heat_source =
@@ -170,6 +234,7 @@ const Labels& labels() {
     declare_primitives(l);
     declare_derivatives(l);
     declare_waves(l);
+    declare_phase_labels(l);
     declare_step_labels(l);
     declare_reductions(l);
     return l;

@@ -21,14 +21,19 @@ struct Labels {
   Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, eddy_viscosity,
       total_viscosity, specific_heat, gamma;
   Label thermal_conductivity, compressibility;
-  Label mass_of_cell, momentum_of_cell;
+  Label mass_of_cell, momentum_of_cell, energy_of_cell, volume_of_cell;
+  Label compressibility_of_cell, compressibility_share;
 
   // From within a step.
   Label equilibrium_pressure, pressure_change, lagrangian_momentum, lagrangian_energy;
-  Label source_pressure, momentum_source, energy_before_exchange;
+  Label source_pressure, momentum_source, energy_before_exchange, momentum_before_exchange;
+  Label lagrangian_mass, lagrangian_volume, volume_source, energy_source, dilation;
+  Label lagrangian_velocity, stress_velocity;
+  Label lagrangian_heating, temperature_rate, velocity_rate;
   Label face_stress[3], viscous_source, heat_source;
   Label model_mass, model_momentum, model_energy, model_volume;
   Label face_velocity[3], face_velocity_exchanged[3], face_pressure[3];
+  Label face_temperature[3], face_volume_fraction[3], face_pressure_gradient[3];
 
   // Reductions (.dat).
   Label total_mass, total_momentum, total_internal_energy, kinetic_energy;

@@ -70,7 +70,7 @@ class QuantityList {
   std::vector<DiagnosticQuantity> all_;
 };
 
-// Mass and momentum of each material in a cell, from its density and velocity in the list.
+// Mass, momentum, energy and volume of each material in a cell, from what the list has.
 // (analysis_amounts.cpp)
 void declare_amounts(QuantityList& quantities);
 

@@ -5,6 +5,7 @@
 #include "ice/labels.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step_labels.hpp"
 #include "ice/transport/outputs.hpp"
 
 namespace sluice::ice {
@@ -22,7 +23,8 @@ void copy_task(TaskList& list, VariableId from, Label label) {
 }
 
 // p(new state) - p(old state).
-void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                          const MaterialsOfStep& materials) {
   TaskBuilder task =
       list.task("save " + labels().pressure_change.name(), effect_saved_intermediates);
   if (o.mixture) {
@@ -36,9 +38,8 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
     return;
   }
   if (o.mixed != nullptr) {
-    const models::TransportedScalar& scalar = scalars::fraction_of(o);
     const In before = task.read(v.pressure), energy = task.read(v.energy_new);
-    const In f = task.read(list.new_state(scalar.state(), scalar.material, 1));
+    const In f = task.read(*materials.f_new);
     const Out change = task.write(list.output(labels().pressure_change, 0));
     task.kernel([=, gas = o.mixed](const Row& row) {
       const double *old_p = row(before), *E = row(energy), *x = row(f);
@@ -55,41 +56,6 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
     double* change = row(out);
     pressure_row(fluid, row.count(), row(rho), row(E), change);
     for (int i = 0; i < row.count(); ++i) change[i] -= before[i];
-  });
-}
-
-// (m - dp) V, or what dp takes alone, by level direction; zero along directions that are not
-// carried.
-void momentum_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, Label label,
-                   bool change_alone) {
-  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
-  const In m = task.read(v.momentum), dp = task.read(v.impulse);
-  const Out out = task.write(list.output(label, 0));
-  task.kernel([=](const Row& row) {
-    const double V = cell_volume(row);
-    for (int d = 0; d < 3; ++d) {
-      double* to = row(out, d);
-      for (int i = 0; i < row.count(); ++i) to[i] = 0.0;
-    }
-    for (int c = 0; c < o.components; ++c) {
-      const double* from = row(m, c);
-      const double* taken = row(dp, c);
-      double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
-      for (int i = 0; i < row.count(); ++i) to[i] = ((change_alone ? 0.0 : from[i]) - taken[i]) * V;
-    }
-  });
-}
-
-// E* V of one material.
-void energy_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, Label label) {
-  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
-  const In energy = task.read(v.energy_star);
-  const Out out = task.write(list.output(label, o.material));
-  task.kernel([=](const Row& row) {
-    const double V = cell_volume(row);
-    const double* E = row(energy);
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i) to[i] = E[i] * V;
   });
 }
 
@@ -111,26 +77,22 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
 
 }  // namespace
 
-void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                          const MaterialsOfStep& materials) {
   const Labels& l = labels();
   copy_task(list, v.pressure, l.equilibrium_pressure);
   if (o.classic)
     copy_task(list, v.pressure_change, l.pressure_change);
   else
-    pressure_change_task(list, v, o);
-  momentum_task(list, v, o, l.lagrangian_momentum, false);
-  momentum_task(list, v, o, l.momentum_source, true);
+    pressure_change_task(list, v, o, materials);
+  declare_phase_labels(list, v, o, materials, effect_saved_intermediates);
+  declare_motion_labels(list, v, o, materials, effect_saved_intermediates);
+  declare_face_labels(list, v, o, materials, effect_saved_intermediates);
   declare_transport_outputs(list, v, o);
-  if (!o.mixture) {
-    energy_task(list, v, o, l.lagrangian_energy);
-    energy_task(list, v, o, l.energy_before_exchange);
-    declare_source_pressure(list, v, o, {}, effect_saved_intermediates);
-  }
+  declare_source_pressure(list, v, o, materials, effect_saved_intermediates);
   declare_source_labels(list, v, o, effect_saved_intermediates);
   for (int d = 0; d < 3; ++d) {
-    int axis = -1;
-    for (int a = 0; a < o.axes.count; ++a)
-      if (o.axes.direction[a] == d) axis = a;
+    const int axis = axis_along(o, d);
     if (axis < 0) {
       inactive_face_task(list, v, o, d, l.face_velocity[d], false);
       inactive_face_task(list, v, o, d, l.face_velocity_exchanged[d], false);

@@ -33,9 +33,20 @@ bool is_geometry_piece(std::string_view name);
 // Labels that <save> and <analyze> may name. A label that is neither built nor known to the format
 // is refused with the nearest valid one.
 struct SaveLabels {
+  // One of the format that the scheme has not.
+  struct Foreign {
+    std::string name;    // or how several names begin
+    std::string reason;  // a sentence's end
+    std::string instead;
+  };
   std::vector<std::string> built;
   std::vector<std::string> not_built;  // known to the format
+  std::vector<Foreign> foreign;
+
+  const Foreign* find_foreign(std::string_view label) const;
 };
+// What a deck is told that names it.
+std::string refusal_of(const SaveLabels::Foreign& foreign, std::string_view label);
 DeckRule check_save_labels(SaveLabels labels);
 
 }  // namespace sluice

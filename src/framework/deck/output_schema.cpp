@@ -130,6 +130,17 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+const SaveLabels::Foreign* SaveLabels::find_foreign(std::string_view label) const {
+  for (const Foreign& f : foreign)
+    if (label.substr(0, f.name.size()) == f.name) return &f;
+  return nullptr;
+}
+
+std::string refusal_of(const SaveLabels::Foreign& foreign, std::string_view label) {
+  return fmt::format("variable {} does not exist here: {}", in_quotes(std::string(label)),
+                     foreign.reason);
+}
+
 DeckRule check_save_labels(SaveLabels labels) {
   return [labels = std::move(labels)](const DeckNode& root, std::vector<Fault>& faults) {
     const auto listed = [](const std::vector<std::string>& list, const std::string& label) {
@@ -139,6 +150,12 @@ DeckRule check_save_labels(SaveLabels labels) {
     const auto check_among = [&](const DeckNode& node, const std::vector<std::string>& more) {
       const auto label = node.attribute("label");
       if (!label || listed(labels.built, *label) || listed(more, *label)) return;
+      if (const SaveLabels::Foreign* foreign = labels.find_foreign(*label)) {
+        Fault fault{Severity::error, node.where, refusal_of(*foreign, *label), foreign->instead};
+        fault.not_built = true;
+        faults.push_back(std::move(fault));
+        return;
+      }
       std::vector<std::string> all = labels.built;
       all.insert(all.end(), more.begin(), more.end());
       const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||

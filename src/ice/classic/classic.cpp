@@ -5,6 +5,7 @@
 
 #include "ice/classic/variables.hpp"
 #include "ice/ice.hpp"
+#include "ice/step_labels.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -46,7 +47,7 @@ void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& e
   add_source_account(list, s, o, effect_sources);               // change          sums
   add_volume_account(list, s, o, effect_diagnostics);           // F, p_f          sums
   add_flux_record(list, s, o, effect_flux_record);  // F, p_f                      face tables
-  declare_step_outputs(list, s, o);  // whatever a deck saves                      outputs
+  declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
 }
 
 int classic_ghost_layers(const SchemeOptions& o) {

@@ -85,6 +85,13 @@ class MixtureBox {
   void steps(int count) {
     for (int n = 0; n < count; ++n) step(limit().dt);
   }
+  // Labels that each step stores.
+  void save(std::vector<Label> wanted) { wanted_ = std::move(wanted); }
+  // In a cell, or on the low face of one.
+  double saved(Label label, int material, IntVec3 cell, int component = 0) const {
+    const Warehouse& outputs = solver_->outputs();
+    return outputs.view(outputs.find(label, material), component, 0)(cell);
+  }
   // Of the next step.
   StepLimit limit() const { return ice_->step_limit(rates_); }
   // Tries again with masked slopes, then with half the step, as a run does.
@@ -92,7 +99,7 @@ class MixtureBox {
     for (int halvings = 0; halvings < 20; ++halvings, dt *= 0.5) {
       for (int redo = 0; redo < 3; ++redo) {
         solver_->fill_ghosts(time_);
-        const StepAttempt& a = solver_->attempt(time_, dt, {}, control_.get());
+        const StepAttempt& a = solver_->attempt(time_, dt, wanted_, control_.get());
         if (a.faults == 0) {
           rates_ = a.maxima;
           sums_ = a.sums;
@@ -204,6 +211,7 @@ class MixtureBox {
   std::unique_ptr<LevelSolver> solver_;
   std::shared_ptr<RunControl> control_ = shared_control();
   std::vector<double> rates_, sums_;
+  std::vector<Label> wanted_;
   CellFault last_fault_;
   double time_ = 0;
   int rejected_ = 0;

@@ -32,6 +32,7 @@ class Declarer {
       q.vorticity(u, m);
       q.mach(u, c.sound, m);
     }
+    declare_compressibility();
   }
 
  private:
@@ -172,9 +173,9 @@ class Declarer {
     const VariableId T = temperature(m);
     closure(l.sound_speed, m,
             [fluid](double r, double e) { return fluid.sound_speed(r, fluid.pressure(r, e)); });
-    closure(l.compressibility, m, [fluid](double r, double e) {
+    compressibility_.push_back(closure(l.compressibility, m, [fluid](double r, double e) {
       return 1.0 / fluid.bulk_modulus(r, fluid.pressure(r, e));
-    });
+    }));
     const auto constant = [&](Label label, double value) {
       closure(label, m, [value](double, double) { return value; });
     };
@@ -187,10 +188,42 @@ class Declarer {
     q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
   }
 
+  // sum V_m/K_m, and the share of each in it.
+  void declare_compressibility() {
+    const VariableId sum = q_.fresh(labels().compressibility_of_cell, 0);
+    TaskBuilder t = q_.task(labels().compressibility_of_cell, 0);
+    std::vector<In> volume, own;
+    for (const VariableId id : v_.volume) volume.push_back(t.read(id));
+    for (const VariableId id : compressibility_) own.push_back(t.read(id));
+    const Out out = t.write(sum);
+    t.kernel([=](const Row& row) {
+      double* to = row(out);
+      std::fill_n(to, row.count(), 0.0);
+      for (std::size_t m = 0; m < own.size(); ++m) {
+        const double *V = row(volume[m]), *k = row(own[m]);
+        for (int i = 0; i < row.count(); ++i) to[i] += V[i] * k[i];
+      }
+    });
+    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) declare_share(sum, m);
+  }
+  void declare_share(VariableId of_all, int m) {
+    const auto k = static_cast<std::size_t>(m);
+    const VariableId share = q_.fresh(labels().compressibility_share, m);
+    TaskBuilder t = q_.task(labels().compressibility_share, m);
+    const In volume = t.read(v_.volume[k]), own = t.read(compressibility_[k]), all = t.read(of_all);
+    const Out out = t.write(share);
+    t.kernel([=](const Row& row) {
+      const double *V = row(volume), *each = row(own), *sum = row(all);
+      double* to = row(out);
+      for (int i = 0; i < row.count(); ++i) to[i] = V[i] * each[i] / sum[i];
+    });
+  }
+
   QuantityList& q_;
   const SchemeOptions& o_;
   Variables v_;
   VariableId velocity_;
+  std::vector<VariableId> compressibility_;
 };
 
 }  // namespace

@@ -10,6 +10,10 @@
 
 #include "ice/conservative/variables.hpp"
 
+namespace sluice::ice {
+struct MaterialsOfStep;
+}
+
 namespace sluice::ice::mixture {
 
 // Where each material has a velocity of its own (slip.hpp). Components of a material m, by
@@ -97,6 +101,7 @@ void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effec
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void declare_lagrangian_labels(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// The materials as the labels of a step know them.
+MaterialsOfStep materials_of_step(TaskList&, const Variables&, const SchemeOptions&);
 
 }  // namespace sluice::ice::mixture

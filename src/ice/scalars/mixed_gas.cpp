@@ -88,8 +88,9 @@ MixedQuantities declare_mixed_quantities(QuantityList& q, VariableId rho, Variab
   m.sound_speed = add(l.sound_speed, [](const At& at, double r, double e) {
     return std::sqrt((1.0 + at.ratio()) * (at.ratio() * e) / r);
   });
-  add(l.compressibility,
-      [](const At& at, double, double e) { return 1.0 / ((1.0 + at.ratio()) * (at.ratio() * e)); });
+  m.compressibility = add(l.compressibility, [](const At& at, double, double e) {
+    return 1.0 / ((1.0 + at.ratio()) * (at.ratio() * e));
+  });
   add(l.gamma, [](const At& at, double, double) { return 1.0 + at.ratio(); });
   add(l.specific_heat, [](const At& at, double, double) { return at(&MixedGas::Node::cv); });
   add(l.thermal_conductivity,

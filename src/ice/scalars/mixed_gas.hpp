@@ -37,7 +37,7 @@ void property_row(const models::MixedGas& gas, double models::MixedGas::Node::*p
 
 // Labels that follow from f.
 struct MixedQuantities {
-  VariableId pressure, temperature, sound_speed;
+  VariableId pressure, temperature, sound_speed, compressibility;
 };
 MixedQuantities declare_mixed_quantities(QuantityList& q, VariableId rho, VariableId E);
 

@@ -9,6 +9,7 @@
 #include "ice/labels.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step_labels.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -61,7 +62,7 @@ void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, I
 }  // namespace
 
 void declare_source_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                             const NewMaterials& materials, int effect) {
+                             const MaterialsOfStep& materials, int effect) {
   TaskBuilder task = list.task("save " + labels().source_pressure.name(), effect);
   const Out out = task.write(list.output(labels().source_pressure, 0));
   if (o.sources == nullptr) {
@@ -73,20 +74,15 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
   const SourceChange layout = source_change(o);
   if (o.mixture) {
     std::vector<MaterialRows> state;
-    for (std::size_t m = 0; m < materials.mass.size(); ++m)
-      state.push_back({task.read(materials.mass[m]), task.read(materials.volume[m]),
-                       task.read(materials.energy[m])});
+    for (const MaterialOfStep& m : materials.each)
+      state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
     task.kernel([=, fluids = o.fluids](const Row& row) {
       answer_of_mixture(row, state, change, layout, fluids, row(out));
     });
     return;
   }
   const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);
-  In fraction;
-  if (o.mixed != nullptr) {
-    const models::TransportedScalar& scalar = scalars::fraction_of(o);
-    fraction = task.read(list.new_state(scalar.state(), scalar.material, 1));
-  }
+  const In fraction = o.mixed != nullptr ? task.read(*materials.f_new) : In{};
   task.kernel([=, fluid = o.fluid, gas = o.mixed](const Row& row) {
     const double* dM = row(change, layout.of(0, SourceChange::mass));
     const double* dE = row(change, layout.of(0, SourceChange::energy));

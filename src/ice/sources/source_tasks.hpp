@@ -12,6 +12,8 @@ struct SourceSums {
   static constexpr int count(int materials) { return materials + beside_masses; }
 };
 
+struct MaterialsOfStep;
+
 SourceChange source_change(const SchemeOptions& o);
 
 // The graph of one material: adds to its new state. Nothing without sources.
@@ -24,13 +26,9 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
 
 // Sums over the uncovered cells; absent without sources.
 void add_source_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-// The new state of each material of a mixture; empty with one.
-struct NewMaterials {
-  std::vector<VariableId> mass, volume, energy;
-};
 // delP_MassX, zero without sources.
 void declare_source_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&,
-                             const NewMaterials&, int effect);
+                             const MaterialsOfStep&, int effect);
 // modelMass_src and its like, zero without sources.
 void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 

@@ -5,16 +5,10 @@
 
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/step_labels.hpp"
 
 namespace sluice::ice {
 namespace {
-
-// The axis along a level direction, or -1.
-int axis_along(const SchemeOptions& o, int direction) {
-  for (int a = 0; a < o.axes.count; ++a)
-    if (o.axes.direction[a] == direction) return a;
-  return -1;
-}
 
 void clear(const Row& row, Out out, int components) {
   for (int d = 0; d < components; ++d) std::fill_n(row(out, d), row.count(), 0.0);
