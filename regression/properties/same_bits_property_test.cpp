@@ -2,6 +2,8 @@
 // restart: outputs and checkpoints (the whole conserved state) of every deck are equal bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/sluice_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"
@@ -77,6 +79,24 @@ TEST_P(SameBitsOfDecks, AfterARestart) {
 
 INSTANTIATE_TEST_SUITE_P(Decks, SameBitsOfDecks, testing::ValuesIn(property_decks()),
                          [](const auto& test) { return test.param.name; });
+
+// No deck of several materials is left out.
+TEST(PropertyDecks, HoldEveryDeckOfSeveralMaterials) {
+  int several = 0;
+  for (const auto& entry : fs::directory_iterator(SLUICE_SOURCE_DIR "/inputs/ice")) {
+    if (entry.path().extension() != ".ups") continue;
+    const Deck deck = load_deck(entry.path().string(), {}, sluice_schema());
+    const DeckNode* fluid = deck.root->find("MaterialProperties/ICE");
+    ASSERT_NE(fluid, nullptr) << entry.path();
+    if (fluid->all("material").size() < 2) continue;
+    ++several;
+    const auto& decks = property_decks();
+    EXPECT_TRUE(std::any_of(decks.begin(), decks.end(), [&](const PropertyDeck& d) {
+      return d.file == entry.path();
+    })) << entry.path();
+  }
+  EXPECT_GE(several, 34);
+}
 
 // Leaving a direction out is exact to round-off against sweeping it. Both at the same fixed step:
 // a direction that is not there has no part in the time step either.

@@ -27,8 +27,9 @@ std::string corners(const char* low, const char* high, Vec3 a, Vec3 b, const Ori
 }
 
 std::string condition(const char* label, const char* kind, const std::string& value) {
-  return fmt::format("    <BCType id=\"0\" label=\"{}\" var=\"{}\"> <value>{}</value> </BCType>\n",
-                     label, kind, value);
+  return fmt::format(
+      "    <BCType id=\"all\" label=\"{}\" var=\"{}\"> <value>{}</value> </BCType>\n", label, kind,
+      value);
 }
 
 Vec3 along_wall(int normal) {
@@ -40,7 +41,7 @@ Vec3 along_wall(int normal) {
 // Conditions of one side whose normal is axis `normal` of the case.
 std::string conditions(SideKind kind, int normal, bool plus, bool heated, const Orientation& o) {
   if (kind == SideKind::symmetry)
-    return "    <BCType id=\"0\" label=\"Symmetric\" var=\"symmetry\"/>\n";
+    return "    <BCType id=\"all\" label=\"Symmetric\" var=\"symmetry\"/>\n";
   if (kind == SideKind::waves) {
     std::string all = condition("Velocity", "LODI", "[0,0,0]");
     for (const char* label : {"Pressure", "Density", "Temperature"})
@@ -125,23 +126,64 @@ std::string grid_levels(const SkewCase& c, const Orientation& o) {
   return all;
 }
 
-// Density, temperature and velocity in a box of the case.
-std::string object(const SkewCase& c, const Orientation& o, const char* label, Vec3 low, Vec3 high,
-                   double density, double temperature, Vec3 velocity) {
-  Vec3 u = velocity;
+// A box of the case.
+std::string piece(const SkewCase& c, const Orientation& o, const char* label, Vec3 low, Vec3 high) {
   for (int d = 0; d < 3; ++d) {
     if (c.cells[d] > 1) continue;
     low[d] = -1;
     high[d] = 1;
-    if (!c.cross_flow) u[d] = 0;
   }
+  return fmt::format("<box label=\"{}\"> {} </box>", label, corners("min", "max", low, high, o));
+}
+
+// Density, temperature and velocity in a piece.
+std::string object(const SkewCase& c, const Orientation& o, const std::string& shape,
+                   double density, double temperature, Vec3 velocity) {
+  Vec3 u = velocity;
+  for (int d = 0; d < 3; ++d)
+    if (c.cells[d] == 1 && !c.cross_flow) u[d] = 0;
   // gamma - 1 = 0.4, cv = 1
-  return fmt::format("<geom_object> <box label=\"{}\"> {} </box> <res>[2,2,2]</res>\n", label,
-                     corners("min", "max", low, high, o)) +
+  return fmt::format("<geom_object> {} <res>[2,2,2]</res>\n", shape) +
          fmt::format(
              "<velocity>{}</velocity> <density>{}</density> <pressure>{}</pressure>\n"
              "<temperature>{}</temperature> </geom_object>\n",
              text(o.turn(u)), density, 0.4 * density * temperature, temperature);
+}
+
+std::string material(const SkewCase& c, const char* name, const std::string& eos, double gamma,
+                     const std::string& objects) {
+  return fmt::format(
+      "<material name=\"{}\">{}\n"
+      "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>{}</thermal_conductivity>\n"
+      "<specific_heat>1</specific_heat><gamma>{}</gamma>\n{}</material>\n",
+      name, eos, c.viscosity, c.conductivity, gamma, objects);
+}
+
+// A gas with a dense and a thin part; the dense one may be of the second material.
+std::string materials(const SkewCase& c, const Orientation& o) {
+  constexpr Vec3 wind = {0.1, -0.2, 0.3}, dense_wind = {0.5, 0.4, -0.3};
+  const std::string everywhere = piece(c, o, "everywhere", {-2, -2, -2}, {2, 2, 2});
+  const std::string dense = piece(c, o, "dense", {-0.6, -0.3, -0.7}, {0.2, 0.5, 0.1});
+  const std::string thin = piece(c, o, "thin", {0.3, -0.8, 0.2}, {0.7, -0.1, 0.9});
+  const std::string thin_gas = object(c, o, thin, 0.2, 1.5, {-0.7, 0.2, 0.6});
+  const char* const ideal = "<EOS type=\"ideal_gas\"/>";
+  if (c.materials() == 1)
+    return material(
+        c, "gas", ideal, 1.4,
+        object(c, o, everywhere, 1, 1, wind) + object(c, o, dense, 4, 2, dense_wind) + thin_gas);
+  const std::string around =
+      "<difference>" + everywhere + "<union>" + dense + thin + "</union></difference>";
+  return material(c, "gas", ideal, 1.4, object(c, o, around, 1, 1, wind) + thin_gas) +
+         material(c, "second", c.second.eos, c.second.gamma,
+                  object(c, o, dense, 4, c.second.temperature, dense_wind));
+}
+
+std::string exchange(const SkewCase& c) {
+  if (c.materials() == 1) return {};
+  return fmt::format(
+      "<exchange_properties><exchange_coefficients><momentum>[{}]</momentum><heat>[{}]</heat>\n"
+      "</exchange_coefficients></exchange_properties>\n",
+      c.second.drag, c.second.heat);
 }
 
 std::string list(const std::vector<IntVec3>& entries, const SkewCase& c, const Orientation& o) {
@@ -240,9 +282,9 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
   deck += fmt::format(
       "<DataArchiver><filebase>skew.uda</filebase>\n"
       "<outputTimestepInterval>{}</outputTimestepInterval>\n"
-      "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>\n"
+      "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>{}\n"
       "</DataArchiver>\n",
-      steps);
+      steps, c.materials() > 1 ? "<save label=\"vol_frac_CC\"/>" : "");
   std::string eddies;
   if (!c.turbulence.empty())
     eddies =
@@ -256,15 +298,8 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<PhysicalConstants><gravity>{}</gravity>\n"
       "<reference_pressure>1</reference_pressure></PhysicalConstants>\n",
       text(o.turn(c.gravity)));
-  deck += fmt::format(
-      "<MaterialProperties><ICE><material name=\"gas\"><EOS type=\"ideal_gas\"/>\n"
-      "<dynamic_viscosity>{}</dynamic_viscosity><thermal_conductivity>{}</thermal_conductivity>\n"
-      "<specific_heat>1</specific_heat><gamma>1.4</gamma>\n",
-      c.viscosity, c.conductivity);
-  deck += object(c, o, "everywhere", {-2, -2, -2}, {2, 2, 2}, 1, 1, {0.1, -0.2, 0.3});
-  deck += object(c, o, "dense", {-0.6, -0.3, -0.7}, {0.2, 0.5, 0.1}, 4, 2, {0.5, 0.4, -0.3});
-  deck += object(c, o, "thin", {0.3, -0.8, 0.2}, {0.7, -0.1, 0.9}, 0.2, 1.5, {-0.7, 0.2, 0.6});
-  return deck + "</material></ICE></MaterialProperties>\n</Uintah_specification>\n";
+  deck += "<MaterialProperties><ICE>" + materials(c, o) + "</ICE>\n" + exchange(c);
+  return deck + "</MaterialProperties>\n</Uintah_specification>\n";
 }
 
 }  // namespace sluice::properties

@@ -43,6 +43,14 @@ struct SkewLevels {
   IntVec3 ratio(int level) const;  // to the next coarser one
 };
 
+// Another material in the place of the dense gas.
+struct SkewSecond {
+  std::string eos;  // the element <EOS>; empty: there is none
+  double gamma = 1.667;
+  double temperature = 2;
+  double drag = 1e15, heat = 0;  // coefficients of exchange
+};
+
 struct SkewCase {
   std::string name;
   IntVec3 cells;                  // one: inactive
@@ -55,9 +63,11 @@ struct SkewCase {
   SkewLevels levels{};
   double conductivity = 0;   // walls then have temperatures of their own
   std::string turbulence{};  // the model's name
+  SkewSecond second{};
 
   // A direction that the grid keeps: gravity makes a dimension of one cell.
   bool active(int d) const { return cells[d] > 1 || gravity[d] != 0; }
+  int materials() const { return second.eos.empty() ? 1 : 2; }
   bool has(SideKind kind) const {
     return std::find(sides.begin(), sides.end(), kind) != sides.end();
   }

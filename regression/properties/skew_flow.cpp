@@ -18,11 +18,13 @@ namespace {
 constexpr int run_steps = 24;
 
 void add_level(const SkewCase& c, const Orientation& o, const ArchiveStep& step, int level,
-               Flow& flow) {
+               int material, Flow& flow) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const DenseField rho = step.read(*step.find("rho_CC", 0, level));
-  const DenseField T = step.read(*step.find("temp_CC", 0, level));
-  const DenseField u = step.read(*step.find("vel_CC", 0, level));
+  const DenseField rho = step.read(*step.find("rho_CC", material, level));
+  const DenseField T = step.read(*step.find("temp_CC", material, level));
+  const DenseField u = step.read(*step.find("vel_CC", material, level));
+  const FieldInfo* volume = step.find("vol_frac_CC", material, level);
+  const DenseField share = volume != nullptr ? step.read(*volume) : DenseField{};
   const IntVec3 cells = c.cells_of(level);
   flow.cells.push_back(0);
   for_each_cell({{0, 0, 0}, cells}, [&](IntVec3 cell) {
@@ -31,6 +33,7 @@ void add_level(const SkewCase& c, const Orientation& o, const ArchiveStep& step,
     flow.cells.back() += has;
     flow.density.push_back(has ? rho.at(there) : none);
     flow.temperature.push_back(has ? T.at(there) : none);
+    if (volume != nullptr) flow.share.push_back(has ? share.at(there) : none);
     Vec3 v{};
     for (int d = 0; d < 3 && has; ++d) {
       const auto n = static_cast<std::size_t>(d);
@@ -60,15 +63,15 @@ Flow flow_of(const SkewCase& c, const Orientation& o) {
   const ArchiveStep step = archive.read_output(archive.select_output("last"));
   Flow flow;
   for (int level = 0; level < static_cast<int>(step.grid().levels.size()); ++level)
-    add_level(c, o, step, level, flow);
-  EXPECT_EQ(static_cast<int>(flow.cells.size()), c.levels.most);
+    for (int m = 0; m < c.materials(); ++m) add_level(c, o, step, level, m, flow);
+  EXPECT_EQ(static_cast<int>(flow.cells.size()), c.levels.most * c.materials());
   return flow;
 }
 
 std::string difference(const Flow& a, const Flow& b, double allowed) {
   if (a.cells != b.cells) return "the levels have other cells";
   std::vector<std::pair<std::vector<double>, std::vector<double>>> fields = {
-      {a.density, b.density}, {a.temperature, b.temperature}};
+      {a.density, b.density}, {a.temperature, b.temperature}, {a.share, b.share}};
   for (int d = 0; d < 3; ++d) {
     auto& [u, v] = fields.emplace_back();
     for (std::size_t n = 0; n < a.velocity.size(); ++n) {
@@ -76,7 +79,8 @@ std::string difference(const Flow& a, const Flow& b, double allowed) {
       v.push_back(b.velocity[n][d]);
     }
   }
-  const char* names[] = {"density", "temperature", "velocity 0", "velocity 1", "velocity 2"};
+  const char* names[] = {"density",    "temperature", "share",
+                         "velocity 0", "velocity 1",  "velocity 2"};
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const auto& [p, q] = fields[f];
     const double bound = allowed * largest(p);

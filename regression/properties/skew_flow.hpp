@@ -8,10 +8,10 @@
 
 namespace sluice::properties {
 
-// Density, temperature and velocity of every cell of every level, coarse to fine; nothing where a
-// level has no cells.
+// Density, temperature, velocity and, with several materials, share of every cell of every level,
+// coarse to fine, of one material after the other; nothing where a level has no cells.
 struct Flow {
-  std::vector<double> density, temperature;
+  std::vector<double> density, temperature, share;
   std::vector<Vec3> velocity;
   std::vector<std::int64_t> cells;  // by level
 };
