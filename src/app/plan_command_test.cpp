@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -66,6 +68,44 @@ TEST_F(PlanCommand, SwitchesEffectsByTheDeckAlone) {
   const json first = plan({deck("shock_tube"), "--set", "CFD/ICE/advection/@type=FirstOrder"});
   EXPECT_GT(effect(plain, "second order").at("tasks").get<int>(), 0);
   EXPECT_EQ(effect(first, "second order").at("tasks").get<int>(), 0);
+}
+
+// Of every deck, an effect that is off adds no task, no field and no byte; ranks exchange the state
+// of the halo and nothing else, so it adds no message either.
+TEST_F(PlanCommand, EffectsThatAreOffCostNothing) {
+  std::map<std::string, std::pair<int, int>> decks;  // of each effect: where it is on, where off
+  int tubes = 0;
+  for (const auto& entry : fs::directory_iterator(SLUICE_SOURCE_DIR "/inputs/ice")) {
+    if (entry.path().extension() != ".ups") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    const json planned = plan({entry.path().string(), "--no-output", "--ranks", "2"});
+    double state = 0;  // bytes of a cell, old and new
+    for (const json& e : planned.at("effects")) {
+      const bool on = e.at("on").get<bool>();
+      ++(on ? decks[e.at("name")].first : decks[e.at("name")].second);
+      state += e.at("bytes_per_cell").get<double>();
+      if (on) continue;
+      for (const char* cost : {"tasks", "fields", "bytes_per_cell"})
+        EXPECT_EQ(e.at(cost), 0) << e.at("name") << ": " << cost;
+    }
+    const auto cells = planned.at("resolution").get<std::vector<int>>();
+    const int halo = planned.at("messages").at("halo").at(0).get<int>();
+    if (cells[1] * cells[2] > 1 || cells[0] < 4 * halo ||
+        planned.at("hierarchy").at("levels").size() > 1)
+      continue;
+    ++tubes;
+    // Cells sent: to one neighbour, to both where the tube is periodic; where waves leave, the cell
+    // beyond the side has a state as well.
+    const double sent = planned.at("messages").at("bytes_per_step").get<double>() / (state / 2);
+    EXPECT_TRUE(sent == halo || sent == 2 * halo || sent == halo + 1) << sent << " of " << halo;
+  }
+  EXPECT_GT(tubes, 20);
+  EXPECT_GT(decks.size(), 15u);
+  for (const char* name : {"gravity", "viscous stress", "heat conduction", "momentum exchange",
+                           "heat exchange", "scalars", "model sources", "turbulence"}) {
+    EXPECT_GT(decks[name].first, 0) << name;
+    EXPECT_GT(decks[name].second, 0) << name;
+  }
 }
 
 TEST_F(PlanCommand, PredictsTheFirstStepToTheBit) {

@@ -47,6 +47,20 @@ class PlanLevels : public testing::Test {
   TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
+// One process plans for several ranks: levels that stay, and levels that move.
+TEST_F(PlanLevels, AreTheSameForSeveralRanks) {
+  for (const char* name : {"amr_explosion", "amr_shock_tube", "amr_water_square"}) {
+    const json one = plan(name), three = plan(name, {"--ranks", "3"});
+    EXPECT_EQ(three.at("ranks"), 3);
+    EXPECT_GT(three.at("messages").at("bytes_per_step"), 0) << name;
+    EXPECT_EQ(three.at("time_step"), one.at("time_step")) << name;
+    for (std::size_t l = 0; l < one.at("hierarchy").at("levels").size(); ++l)
+      EXPECT_EQ(three.at("hierarchy").at("levels").at(l).at("cells"),
+                one.at("hierarchy").at("levels").at(l).at("cells"))
+          << name;
+  }
+}
+
 TEST_F(PlanLevels, AreThoseThatTheRunBeginsWith) {
   const json planned = plan("amr_explosion");
   const json ran = run("amr_explosion", {"--max-steps", "1"});

@@ -92,7 +92,9 @@ void add_levels(const Scene& scene, PlannedHierarchy& p) {
 
 // The boxes of the start, as so many ranks and threads will hold them.
 void settle(const LoadedScene& loaded, int ranks, int threads, PlannedHierarchy& p) {
-  const Scene& scene = loaded.scene;
+  Scene scene = loaded.scene;  // this process holds the boxes of all ranks
+  for (Level& level : scene.grid.levels)
+    for (GridBox& box : level.boxes) box.owner = 0;
   Hierarchy hierarchy(scene, *loaded.component, world(), {});
   hierarchy.initialise();
   p.limit = hierarchy.first_step_limit();
