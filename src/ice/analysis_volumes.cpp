@@ -14,26 +14,30 @@
 namespace sluice::ice {
 namespace {
 
-// One face, low (shift 0) or high (1), of cell i.
-void account_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
-                  int shift, int i, int side) {
+// Low (shift 0) or high (1) faces of the cells first to end - 1 of the row.
+void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                  int shift, int first, int end, int side) {
   const VolumeSums slots(o.first_volume_sum, static_cast<int>(o.fluids.size()));
   const int volume = side / 6, s = side % 6;
   const double V = cell_volume(row);
-  const FaceFlux flux = face_flux(row, h, o, axis, shift, i);
   const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
-  const double pressed = l * row(h.face_pressure, 0, axis, shift)[i];
+  const double* p = row(h.face_pressure, 0, axis, shift);
+  const FaceFluxRows fluxes(row, h, o, axis, shift);
   Reductions& sums = row.reductions();
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
-    sums.sum(slots.mass(volume, s, m)).add(material_flux(row, h, o, axis, shift, i, m).mass * V);
-  sums.sum(slots.pressure(volume, s)).add(pressed * V);
-  sums.sum(slots.energy(volume, s)).add(flux.energy * V);
-  for (int c = 0; c < o.components; ++c) {
-    const int d = o.direction[static_cast<std::size_t>(c)];
-    sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);
-    if (o.viscous)
-      sums.sum(slots.viscous(volume, s) + d)
-          .add((flux.impulse[c] - (c == axis ? pressed : 0.0)) * V);
+  for (int i = first; i < end; ++i) {
+    const FaceFlux flux = fluxes(i);
+    const double pressed = l * p[i];
+    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+      sums.sum(slots.mass(volume, s, m)).add(material_flux(row, h, o, axis, shift, i, m).mass * V);
+    sums.sum(slots.pressure(volume, s)).add(pressed * V);
+    sums.sum(slots.energy(volume, s)).add(flux.energy * V);
+    for (int c = 0; c < o.components; ++c) {
+      const int d = o.direction[static_cast<std::size_t>(c)];
+      sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);
+      if (o.viscous)
+        sums.sum(slots.viscous(volume, s) + d)
+            .add((flux.impulse[c] - (c == axis ? pressed : 0.0)) * V);
+    }
   }
 }
 
@@ -41,8 +45,8 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
   const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
   for (const FaceTable::Segment& s : o.volumes->segments(row.box(), axis, row.cell())) {
     const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
-    for (int i = first; i < end; ++i)
-      account_face(row, h, o, axis, s.high ? 1 : 0, i - low, o.volumes->side_of(s));
+    if (first < end)
+      account_side(row, h, o, axis, s.high ? 1 : 0, first - low, end - low, o.volumes->side_of(s));
   }
 }
 

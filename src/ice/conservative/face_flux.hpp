@@ -150,12 +150,6 @@ class FaceFluxRows {
   const double *carried_[3] = {}, *stress_[3] = {};
 };
 
-// Of one face.
-inline FaceFlux face_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
-                          int axis, int shift, int i) {
-  return FaceFluxRows(row, h, o, axis, shift)(i);
-}
-
 // What passes of one material, per volume of a cell: volume, mass, energy (with its share of the
 // kinetic correction). The graph of one material alone knows that nothing of the others passes.
 struct MaterialFlux {
