@@ -1,5 +1,5 @@
-// A shock of Mach 1.22 over a cylinder of helium and of R22: speeds of the fronts against the experiment of
-// J.-F. Haas and B. Sturtevant, J. Fluid Mech. 181 (1987) 41-76.
+// A shock of Mach 1.22 over a cylinder of helium and of R22: speeds of the fronts against the
+// experiment of J.-F. Haas and B. Sturtevant, J. Fluid Mech. 181 (1987) 41-76.
 #include <gtest/gtest.h>
 
 #include <string>

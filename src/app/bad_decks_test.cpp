@@ -1,5 +1,6 @@
 // A corpus of bad decks: each is the good deck with one edit, and must be refused by
-// `sluice check` within a second of the processor, with exit status 2, the right line and the right message.
+// `sluice check` within a second of the processor, with exit status 2, the right line and the right
+// message.
 //
 // The edits stand in src/framework/deck/bad_decks/*.rows, one paragraph each:
 //   name: what is bad

@@ -95,8 +95,8 @@ TEST_P(EquilibrationOfLaws, FindsOnePressureOfEveryPair) {
 
 INSTANTIATE_TEST_SUITE_P(Apart, EquilibrationOfLaws, testing::Values(1.1, 10.0, 1e3));
 
-// Vapour that a cavity has thinned out for long, beside a liquid that closes it: the pressure sought
-// lies up to two hundred decades above its own.
+// Vapour that a cavity has thinned out for long, beside a liquid that closes it: the pressure
+// sought lies up to two hundred decades above its own.
 TEST(EquilibrationOfVapour, GoesWhereTheLiquidClosesItsCavity) {
   const eos::StiffenedGas water{4.4, 6e8, 0.0, 4186.0};
   const eos::BirchMurnaghan solid{{7.0, 4.5e-10, 1000.0, 101325.0, 1000.0}};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "eos/eos_test_support.hpp"
 #include "ice/mixture/mixture_test_support.hpp"
 
 namespace sluice::ice::mixture {
@@ -103,14 +104,7 @@ TEST(Equilibration, LiquidsThatAreAboutToOpenFindTheirPressure) {
 
 // A metal that is pulled apart where next to nothing of a gas is: the gas holds the cavity open.
 TEST(Equilibration, GasOpensAMetalUnderTension) {
-  eos::MieGruneisen law;
-  law.C0 = 3940;
-  law.S = 1.49;
-  law.Gamma0 = 1.99;
-  law.rho0 = 8930;
-  law.T0 = 300;
-  law.specific_heat = 1000;
-  const Fluid metal{law, std::nullopt, 1, 1000}, gas = ideal_gas(1.4, 717);
+  const Fluid metal{eos::copper, std::nullopt, 1, 1000}, gas = ideal_gas(1.4, 717);
   for (const double V : {1e-12, 1e-5, 1e-2})
     for (const double M : {1e-86, 1e-30}) {
       State s{{M, (1 - V) * 8500}, {V, 1 - V}, {}};
