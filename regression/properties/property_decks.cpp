@@ -185,6 +185,7 @@ std::vector<Entry> of_materials() {
       {"amr_water_square_three_levels",
        "amr_water_square",
        {cells("[12,14,1]"), "AMR/Regridder/max_levels=3"}},
+      {"amr_followed_drop", "amr_followed_drop", {cells("[16,16,1]")}},
       {"amr_water_region", "amr_water_through_region", {box(0, "[16,16,1]"), box(1, "[8,16,1]")}},
       {"amr_water_cylinder", "amr_water_cylinder", {cells("[22,18,1]")}},
       {"amr_dyed_water", "amr_dyed_water", {cells("[22,18,1]")}},

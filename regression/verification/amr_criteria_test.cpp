@@ -1,4 +1,5 @@
-// What asks for finer levels: the estimated error against the uniform grid, regions of the deck.
+// What asks for finer levels: the estimated error against the uniform grid, regions of the deck,
+// interfaces between materials.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,14 +46,13 @@ std::vector<LevelCell> sorted_cells(const CaseRun& run) {
   return cells;
 }
 
-// The range of the variable is the same whoever holds the cells.
-TEST(AmrCriteria, RanksAndThreadsDoNotShowInErrors) {
-  const std::vector<std::string> small = {resolution(32, 32), "Time/maxTime=0.1"};
-  const CaseRun one("amr_explosion_error", small);
+// Runs on one and three ranks, one and two threads, hold the same cells.
+void expect_one_result(const char* deck, const std::vector<std::string>& overrides) {
+  const CaseRun one(deck, overrides);
   const std::vector<LevelCell> wanted = sorted_cells(one);
   EXPECT_GT(wanted.back().level, 1);
   for (const int ranks : {1, 3}) {
-    const CaseRun run("amr_explosion_error", small, {"--threads", ranks == 1 ? "2" : "1"}, ranks);
+    const CaseRun run(deck, overrides, {"--threads", ranks == 1 ? "2" : "1"}, ranks);
     const std::vector<LevelCell> cells = sorted_cells(run);
     ASSERT_EQ(cells.size(), wanted.size()) << ranks;
     std::size_t different = 0;
@@ -61,6 +61,41 @@ TEST(AmrCriteria, RanksAndThreadsDoNotShowInErrors) {
                    !(cells[n].cell == wanted[n].cell);
     EXPECT_EQ(different, 0u) << ranks;
   }
+}
+
+// The range of the variable is the same whoever holds the cells.
+TEST(AmrCriteria, RanksAndThreadsDoNotShowInErrors) {
+  expect_one_result("amr_explosion_error", {resolution(32, 32), "Time/maxTime=0.1"});
+}
+
+TEST(AmrCriteria, RanksAndThreadsDoNotShowAroundInterfaces) {
+  expect_one_result("amr_followed_drop", {"Time/maxTime=0.002"});
+}
+
+// A drop of radius 0.17 that moves by (1, -0.4) in a periodic square: its surface is where the exact
+// solution has it, and so are the levels.
+TEST(AmrCriteria, LevelsGoWithAnInterface) {
+  constexpr double by_level[] = {0, 0.06, 0.02};  // distances of the deck
+  const CaseRun run("amr_followed_drop");
+  EXPECT_GT(regrids(run), 0);
+  double area[2][3] = {};
+  for (const bool last : {false, true}) {
+    const double x = 0.4, y = last ? 0.2 : 0.6;
+    const auto across = [](double d) { return d - std::round(d); };
+    long bare = 0;
+    for (const LevelCell& c : level_cells(run, "vol_frac_CC", 0, last ? "last" : "first")) {
+      area[last][c.level] += c.volume / 0.04;
+      if (c.covered) continue;
+      const double r = std::hypot(across(c.centre.x - x), across(c.centre.y - y));
+      for (int l = c.level + 1; l < 3; ++l) bare += std::fabs(r - 0.17) < by_level[l];
+    }
+    EXPECT_EQ(bare, 0) << last;
+    // They are not simply everywhere. Widening, margins and tiles that have not gone yet are wide.
+    EXPECT_LT(area[last][1], 0.6) << last;
+    EXPECT_LT(area[last][2], 0.25) << last;
+    EXPECT_GT(area[last][2], 2 * M_PI * 0.17 * 2 * by_level[2]) << last;
+  }
+  for (const int l : {1, 2}) record("area_" + std::to_string(l), area[1][l]);
 }
 
 TEST(AmrCriteria, RegionsHoldTheirCellsFromTheStartToTheEnd) {

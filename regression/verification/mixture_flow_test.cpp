@@ -130,6 +130,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Levels{"DraggedInLockstep", {drag("1e6"), "AMR/useLockStep=true"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(MixtureFlow, LevelsThatGoWithTheSurfaceOfADropLeaveNoTrace) {
+  const CaseRun run("amr_followed_drop");
+  expect_untouched(run);
+  EXPECT_GT(regrids(run), 0);
+}
+
 TEST(MixtureFlow, EdgesCrossFacesOfAFixedRegion) {
   expect_untouched(CaseRun("amr_water_through_region"));
   expect_untouched(CaseRun("amr_water_through_region", {drag("0")}));

@@ -92,6 +92,10 @@ TEST_F(PlanLevels, AreToldWithWhatDecidesThem) {
                            "level 2 finer level, 2 substeps", "made equal", "8,8,1"})
     EXPECT_THAT(said, HasSubstr(part));
   EXPECT_THAT(sluice("plan", "shock_tube"), Not(HasSubstr("W-cycle")));
+  const std::string drop = sluice("plan", "amr_followed_drop");
+  for (const char* part : {"interfaces of material 0", "within 0.06, up to level 1",
+                           "within 0.02, up to level 2", "amr_followed_drop.ups:43"})
+    EXPECT_THAT(drop, HasSubstr(part));
 }
 
 TEST_F(PlanLevels, LockstepTakesOneSubstep) {

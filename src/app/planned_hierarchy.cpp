@@ -32,6 +32,11 @@ void add_criteria(const LoadedScene& loaded, PlannedHierarchy& p) {
     p.criteria.push_back(
         {"estimated error of " + e.label,
          fmt::format("above {:g} of its range, material {}", e.tolerance, e.material), e.where});
+  for (const InterfaceCriterion& c : s.interfaces)
+    p.criteria.push_back({c.material < 0 ? "interfaces of all materials"
+                                         : fmt::format("interfaces of material {}", c.material),
+                          fmt::format("within {:g}, up to level {}", c.distance, c.finest_level),
+                          c.where});
   for (const RefinedRegion& r : s.regions)
     p.criteria.push_back({fmt::format("region {}", r.name),
                           fmt::format("always, up to level {}", r.finest_level), s.where});

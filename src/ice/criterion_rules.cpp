@@ -103,6 +103,13 @@ void check_criteria(const DeckNode& root, std::vector<Fault>& faults) {
   const auto count = static_cast<int>(ice_materials(root).size());
   for (const DeckNode* node : amr->all("ErrorEstimate"))
     check_variable(*node, "variable", count, faults);
+  for (const DeckNode* node : amr->all("MaterialInterface")) {
+    check_material(*node, count, faults);
+    if (count < 2)
+      add_warning(faults, node->where,
+                  "<MaterialInterface> has no effect: a single material has no interfaces",
+                  "remove it");
+  }
   const DeckNode* list = amr->find("ICE/Refinement_Criteria_Thresholds");
   if (list == nullptr) return;
   for (const DeckNode* node : list->all("Variable")) {

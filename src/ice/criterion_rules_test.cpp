@@ -9,11 +9,14 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string faults_of(const std::string& amr) {
+std::string faults_of(const std::string& amr, int materials = 1) {
   Schema schema;
   add_framework_tags(schema);
   add_ice_tags(schema);
   std::string text = deck_text(GasBox{});
+  const std::string end = "</material>";
+  const std::size_t first = text.find("<material"), last = text.find(end) + end.size();
+  for (int m = 1; m < materials; ++m) text.insert(last, text.substr(first, last - first));
   text.insert(text.rfind("</Uintah_specification>"), amr);
   std::string all;
   for (const Fault& f : load_deck_text(text, "box.ups", {}, schema).faults)
@@ -57,26 +60,30 @@ TEST(CriterionRules, OthersAreRefusedByName) {
   }
 }
 
-TEST(CriterionRules, VolumeFractionsOfSeveralMaterialsVary) {
-  Schema schema;
-  add_framework_tags(schema);
-  add_ice_tags(schema);
-  std::string text = deck_text(GasBox{});
-  const std::string end = "</material>";
-  const std::size_t first = text.find("<material"), last = text.find(end) + end.size();
-  text.insert(last, text.substr(first, last - first));
-  text.insert(text.rfind("</Uintah_specification>"),
-              "<AMR><ICE><orderOfInterpolation>1</orderOfInterpolation>"
-              "<Refinement_Criteria_Thresholds><Variable name='vol_frac_CC' value='1' matl='1'/>"
-              "</Refinement_Criteria_Thresholds></ICE></AMR>");
-  for (const Fault& f : load_deck_text(text, "box.ups", {}, schema).faults)
-    EXPECT_THAT(to_string(f), testing::Not(HasSubstr("Variable")));
+TEST(CriterionRules, WithSeveralMaterialsFractionsVaryAndInterfacesMove) {
+  const std::string faults = faults_of(
+      "<AMR><ICE><orderOfInterpolation>1</orderOfInterpolation>"
+      "<Refinement_Criteria_Thresholds><Variable name='vol_frac_CC' value='1' matl='1'/>"
+      "</Refinement_Criteria_Thresholds></ICE>"
+      "<MaterialInterface distance='1'/><MaterialInterface distance='1' matl='1'/></AMR>",
+      2);
+  EXPECT_THAT(faults, testing::Not(HasSubstr("Variable")));
+  EXPECT_THAT(faults, testing::Not(HasSubstr("MaterialInterface")));
+}
+
+TEST(CriterionRules, OneMaterialHasNoInterfaces) {
+  EXPECT_THAT(faults_of("<AMR><MaterialInterface distance='1'/></AMR>"),
+              HasSubstr("warning: <MaterialInterface> has no effect: a single material"));
 }
 
 TEST(CriterionRules, MaterialsMustExist) {
   EXPECT_THAT(threshold("rho_CC", "1"), HasSubstr("there is no material 1: the deck has 1"));
   EXPECT_THAT(threshold("rho_CC", "-1"), HasSubstr("there is no material -1"));
   EXPECT_THAT(threshold("rho_CC", "gas"), HasSubstr("write an index or all"));
+  for (const char* matl : {"1", "gas"})
+    EXPECT_THAT(
+        faults_of("<AMR><MaterialInterface distance='1' matl='" + std::string(matl) + "'/></AMR>"),
+        HasSubstr("<MaterialInterface>: there is no material " + std::string(matl)));
 }
 
 }  // namespace

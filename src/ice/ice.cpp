@@ -230,6 +230,10 @@ Label Ice::refine_flag() const {
   return labels().refine_flag;
 }
 
+std::vector<FlagSeeds> Ice::flag_seeds(const Warehouse& state) const {
+  return interface_seeds(state, material_count(), scene_->refinement.interfaces);
+}
+
 Label Ice::mask_label() const {
   return labels().mask;
 }

@@ -37,6 +37,7 @@ class Ice : public Component {
   IntVec3 interface_depth(const Level& level) const override;
   Label refine_flag() const override;
   std::vector<ErrorEstimate> error_estimates() const override { return estimates_; }
+  std::vector<FlagSeeds> flag_seeds(const Warehouse& state) const override;
   Label mask_label() const override;
   const ParticleMethod* particles() const override { return tracers_.get(); }
   int reduction_maxima() const override { return StepSlots::maxima; }

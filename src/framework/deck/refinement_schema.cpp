@@ -103,6 +103,21 @@ TagSpec error_estimate() {
                             .at_most(1)});
 }
 
+TagSpec material_interface() {
+  return tag("MaterialInterface", "refines cells near the interfaces between materials")
+      .multiple()
+      .with_attributes(
+          {attribute("distance", "how far from the interface; 0: the cells that hold it")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("length"),
+           attribute("matl", "material index or all").text().by_default("all"),
+           attribute("level", "refined up to this level; absent: the finest")
+               .integer()
+               .at_least(1)});
+}
+
 TagSpec cost(const std::string& name, const std::string& doc) {
   return tag(name, "accepted without effect: " + doc).real().at_least(0);
 }
@@ -149,7 +164,7 @@ void add_refinement_tags(Schema& schema) {
                               .boolean()
                               .by_default("false"),
                           tag("doMultiTaskgraphing", "accepted without effect").boolean(),
-                          regridder(), refined_region(), error_estimate()}));
+                          regridder(), refined_region(), error_estimate(), material_interface()}));
   schema.add(load_balancer());
   schema.rules.emplace_back(check_refinement);
 }
@@ -196,7 +211,8 @@ void check_refinement(const DeckNode& root, std::vector<Fault>& faults) {
   if (const auto ratios =
           parsed_child<std::vector<IntVec3>>(regridder, "cell_refinement_ratio", parse_int_vectors))
     for (const IntVec3& r : *ratios)
-      for (int d = 0; d < 3; ++d) check_ratio(*list, r[d], faults);
+      for (int d = 0; d < 3; ++d)
+        if (d == 0 || (r[d] != r[0] && r[d] != r[d - 1])) check_ratio(*list, r[d], faults);
 }
 
 }  // namespace sluice

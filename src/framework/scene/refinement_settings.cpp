@@ -200,6 +200,24 @@ bool may_hold_centres(const Bounds& bounds, const GridSettings& grid) {
   return true;
 }
 
+// Up to which level a criterion refines.
+int finest_level(const DeckNode& node, const RefinementSettings& s, std::vector<Fault>& faults) {
+  int finest = s.max_levels - 1;
+  collect(faults, node.where, [&] {
+    const int asked = integer_attribute(node, "level").value_or(finest);
+    if (asked < 1)
+      add_error(faults, node.where,
+                fmt::format("<{}>: level {}; the coarsest one that is refined to is 1", node.name,
+                            asked));
+    else if (asked > finest)
+      add_warning(faults, node.where,
+                  fmt::format("<{}>: level {}, but max_levels {} makes the finest one {}",
+                              node.name, asked, s.max_levels, finest));
+    finest = std::min(asked, finest);
+  });
+  return finest;
+}
+
 void read_regions(const DeckNode& root, const DeckNode& amr, const GridSettings& grid,
                   RefinementSettings& s, std::vector<Fault>& faults) {
   const std::vector<const DeckNode*> nodes = amr.all("Refine");
@@ -209,19 +227,7 @@ void read_regions(const DeckNode& root, const DeckNode& amr, const GridSettings&
   for (const DeckNode* node : nodes) {
     RefinedRegion region;
     region.name = node->attribute("name").value_or(fmt::format("region {}", s.regions.size()));
-    region.finest_level = s.max_levels - 1;
-    collect(faults, node->where, [&] {
-      const int asked = integer_attribute(*node, "level").value_or(region.finest_level);
-      if (asked < 1)
-        add_error(
-            faults, node->where,
-            fmt::format("<Refine>: level {}; the coarsest one that is refined to is 1", asked));
-      else if (asked > region.finest_level)
-        add_warning(faults, node->where,
-                    fmt::format("<Refine>: level {}, but max_levels {} makes the finest one {}",
-                                asked, s.max_levels, region.finest_level));
-      region.finest_level = std::min(asked, region.finest_level);
-    });
+    region.finest_level = finest_level(*node, s, faults);
     const DeckNode* object = node->child("geom_object");
     if (object == nullptr) {
       add_error(faults, node->where, "<Refine> has no <geom_object>: the region to refine",
@@ -259,6 +265,24 @@ void read_errors(const DeckNode& amr, RefinementSettings& s, std::vector<Fault>&
     });
 }
 
+void read_interfaces(const DeckNode& amr, RefinementSettings& s, std::vector<Fault>& faults) {
+  for (const DeckNode* node : amr.all("MaterialInterface"))
+    collect(faults, node->where, [&] {
+      InterfaceCriterion c;
+      if (node->attribute("matl").value_or("all") != "all")
+        c.material = integer_attribute(*node, "matl").value_or(c.material);
+      const std::optional<double> distance = real_attribute(*node, "distance");
+      if (!distance || !(*distance >= 0))
+        throw InputError(
+            "<MaterialInterface> needs a distance of 0 (cells that hold the interface) or more, "
+            "as distance=\"0.05\"");
+      c.distance = *distance;
+      c.finest_level = finest_level(*node, s, faults);
+      c.where = node->where;
+      s.interfaces.push_back(c);
+    });
+}
+
 }  // namespace
 
 RefinementSettings read_refinement(const DeckNode& root, GridSettings& grid, const Active& active,
@@ -278,7 +302,7 @@ RefinementSettings read_refinement(const DeckNode& root, GridSettings& grid, con
   s.max_levels = static_cast<int>(grid.levels.size());
   if (amr == nullptr) return s;
   if (!s.adaptive) {
-    for (const char* tag : {"Refine", "ErrorEstimate"})
+    for (const char* tag : {"Refine", "ErrorEstimate", "MaterialInterface"})
       if (const DeckNode* node = amr->child(tag))
         add_warning(faults, node->where,
                     fmt::format("<{}> has no effect: no regridder makes finer levels here", tag));
@@ -286,6 +310,7 @@ RefinementSettings read_refinement(const DeckNode& root, GridSettings& grid, con
   }
   read_regions(root, *amr, grid, s, faults);
   read_errors(*amr, s, faults);
+  read_interfaces(*amr, s, faults);
   return s;
 }
 

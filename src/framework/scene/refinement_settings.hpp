@@ -26,6 +26,14 @@ struct ErrorCriterion {
   Location where;
 };
 
+// Refine around the interfaces of a material, up to a level.
+struct InterfaceCriterion {
+  int material = -1;  // -1: of every one
+  double distance = 0;
+  int finest_level = 1;
+  Location where;
+};
+
 struct RefinementSettings {
   bool adaptive = false;      // a regridder works
   bool lock_step = false;     // all levels take the same step
@@ -41,6 +49,7 @@ struct RefinementSettings {
   bool reflux = true;           // honoured by the classic scheme only
   std::vector<RefinedRegion> regions;
   std::vector<ErrorCriterion> errors;
+  std::vector<InterfaceCriterion> interfaces;
   double balance_gain = 0.05;  // least gain for which boxes change ranks
   Location where, reflux_where;
 };

@@ -228,7 +228,7 @@ TEST(RefinementSettings, OtherTypesStandForTheTiledOne) {
   EXPECT_THAT(read("<AMR type=\"Dynamic\"></AMR>").faults, HasSubstr("no <Regridder>"));
 }
 
-TEST(RefinementSettings, RegionsAndErrorEstimates) {
+TEST(RefinementSettings, RegionsErrorEstimatesAndInterfaces) {
   const std::string box =
       "<geom_object><box><min>[0,0,0]</min><max>[0.5,1,1]</max></box></geom_object>";
   const auto with = [&](const std::string& more) {
@@ -266,6 +266,25 @@ TEST(RefinementSettings, RegionsAndErrorEstimates) {
   EXPECT_THAT(with("<ErrorEstimate variable=\"rho_CC\" tolerance=\"1.5\"/>").faults,
               HasSubstr("tolerance 1.5; it must be greater than 0 and at most 1"));
   EXPECT_EQ(with("<ErrorEstimate variable=\"rho_CC\" tolerance=\"1\"/>").faults, "");
+  const Read near = with(
+      "<MaterialInterface distance=\"0.25\"/>"
+      "<MaterialInterface matl=\"1\" distance=\"0\" level=\"1\"/>");
+  ASSERT_EQ(near.faults, "");
+  ASSERT_EQ(near.settings.interfaces.size(), 2u);
+  EXPECT_EQ(near.settings.interfaces[0].material, -1);
+  EXPECT_EQ(near.settings.interfaces[0].distance, 0.25);
+  EXPECT_EQ(near.settings.interfaces[0].finest_level, 2);
+  EXPECT_EQ(near.settings.interfaces[1].material, 1);
+  EXPECT_EQ(near.settings.interfaces[1].finest_level, 1);
+  for (const char* bad : {"", "distance=\"-1\""})
+    EXPECT_THAT(with("<MaterialInterface " + std::string(bad) + "/>").faults,
+                HasSubstr("error: <MaterialInterface> needs a distance of 0"));
+  EXPECT_THAT(with("<MaterialInterface distance=\"1\" level=\"0\"/>").faults,
+              HasSubstr("error: <MaterialInterface>: level 0"));
+  EXPECT_THAT(with("<MaterialInterface distance=\"1\" level=\"3\"/>").faults,
+              HasSubstr("warning: <MaterialInterface>: level 3, but max_levels 3"));
+  EXPECT_THAT(read("<AMR><MaterialInterface distance=\"1\"/></AMR>").faults,
+              HasSubstr("warning: <MaterialInterface> has no effect"));
   const Read idle = read("<AMR><Refine>" + box + "</Refine></AMR>");
   EXPECT_THAT(idle.faults, HasSubstr("warning: <Refine> has no effect"));
   EXPECT_TRUE(idle.settings.regions.empty());

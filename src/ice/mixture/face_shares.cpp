@@ -3,17 +3,17 @@
 #include <cmath>
 
 #include "ice/mixture/face_donors.hpp"
+#include "ice/mixture/interface_band.hpp"
 #include "ice/mixture/runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double least_entry = 1e-16;    // of a cell's volume: what enters an empty cell
-constexpr double least_rest = 1e-10;     // of a material's volume that may stay behind
-constexpr double tiny = 1e-14;           // of a cell's volume: what leaves by one outlet alone
-constexpr double least_fill = 0.5;       // of the volume behind it, for a front to move on
-constexpr double trace = 1e-10;          // differences of smaller fractions are not trusted
-constexpr double interface_band = 0.01;  // distance from 0 and 1 within which there is an interface
+constexpr double least_entry = 1e-16;  // of a cell's volume: what enters an empty cell
+constexpr double least_rest = 1e-10;   // of a material's volume that may stay behind
+constexpr double tiny = 1e-14;         // of a cell's volume: what leaves by one outlet alone
+constexpr double least_fill = 0.5;     // of the volume behind it, for a front to move on
+constexpr double trace = 1e-10;        // differences of smaller fractions are not trusted
 
 // Without a branch, so that rows vectorise.
 inline bool both(bool a, bool b) {

@@ -12,6 +12,7 @@
 #include "framework/refine/coverage.hpp"
 #include "ice/conservative/remap_flux_rows.hpp"
 #include "ice/mixture/face_donors.hpp"
+#include "ice/mixture/interface_band.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
 
@@ -23,7 +24,6 @@ constexpr double tiny = 1e-14;
 constexpr double least_fill = 0.5;
 constexpr double least_rest = 1e-10;
 constexpr double trace = 1e-10;
-constexpr double interface_band = 0.01;
 
 struct Handles {
   RemapFluxHandles common;

@@ -26,4 +26,9 @@ std::vector<ErrorEstimate> wanted_estimates(const std::vector<ErrorCriterion>& c
 void add_error_estimates(TaskList& list, const std::vector<DiagnosticQuantity>& quantities,
                          const SchemeOptions& options, const std::vector<ErrorEstimate>& estimates);
 
+// Cells that interfaces between materials pass, one entry for each criterion that asks for a level
+// finer than that of the state; ghost cells are filled.
+std::vector<FlagSeeds> interface_seeds(const Warehouse& state, int materials,
+                                       const std::vector<InterfaceCriterion>& criteria);
+
 }  // namespace sluice::ice
