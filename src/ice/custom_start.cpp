@@ -3,6 +3,12 @@
 //   vortex       x_a, x_b from the origin in the plane normal to the axis (a, b follow it in cyclic
 //                order), r^2 = x_a^2 + x_b^2 <= R^2, w = exp(-r^2/(2 R^2)):
 //                u_a -= C x_b w/(rho R^2),  u_b += C x_a w/(rho R^2),  p = p_ref + rho C^2 w/R^2
+//   pairs        n pairs that turn in turn, from side to side along b and one beside the other along
+//                c: the plane normal to the axis, c its periodic direction (both or none is: b, c
+//                follow the axis in cyclic order). With y = (x_b - low_b)/L_b, z likewise,
+//                u_b += S sin^2(pi y) cos(2 pi n z),
+//                u_c -= S L_c/(2 n L_b) sin(2 pi y) sin(2 pi n z):
+//                no divergence, at rest at the sides of b. The pressure stays.
 //   gaussian     T += a exp(-(x - x0)^2/(2 s_x^2) - (y - y0)^2/(2 s_y^2))
 //   mms_1        u = 1 - A cos x sin y,  v = 1 + A sin x cos y,
 //                p = p_ref - rho A^2/4 (cos 2x + cos 2y)
@@ -20,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace sluice::ice {
 namespace {
@@ -54,6 +61,19 @@ struct Apply {
                     place.reference_pressure + cell.density * v.strength * v.strength / R2 * w);
     }
     if (!cell.pressure_given) give_pressure(cell, place.reference_pressure);
+  }
+  void operator()(const VortexPairs& v) const {
+    int b = (v.axis + 1) % 3, c = (v.axis + 2) % 3;
+    const auto periodic = [&](int d) {
+      return place.coarsest.periodic[static_cast<std::size_t>(d)];
+    };
+    if (periodic(b) && !periodic(c)) std::swap(b, c);
+    const double long_b = length(b), long_c = length(c), pi = std::numbers::pi;
+    const double y = height(b) / long_b, turn = 2.0 * pi * v.pairs * height(c) / long_c;
+    const double across = std::sin(pi * y);
+    cell.velocity[b] += v.strength * across * across * std::cos(turn);
+    cell.velocity[c] -=
+        v.strength * long_c / (2.0 * v.pairs * long_b) * std::sin(2.0 * pi * y) * std::sin(turn);
   }
   void operator()(const GaussianTemperature& g) const {
     const double x = (cell.centre.x - g.origin.x) / g.spread_x;
@@ -93,6 +113,7 @@ struct Apply {
   double height(int vertical) const {
     return cell.centre[vertical] - floor_of(place.coarsest, vertical);
   }
+  double length(int d) const { return ceiling_of(place.coarsest, d) - floor_of(place.coarsest, d); }
   void operator()(const LogLawProfile& p) const {
     const double share = height(p.vertical) / p.roughness;
     cell.velocity[p.flow] =
@@ -112,8 +133,7 @@ struct Apply {
   }
   void operator()(const LaminarChannel& p) const {
     const double h = height(p.vertical);
-    const double total =
-        ceiling_of(place.coarsest, p.vertical) - floor_of(place.coarsest, p.vertical);
+    const double total = length(p.vertical);
     cell.velocity[p.vertical == 0 ? 1 : 0] =
         0.5 * p.pressure_gradient * h * (h - total) / cell.viscosity;
   }

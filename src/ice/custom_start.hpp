@@ -19,6 +19,10 @@ struct Vortex {
 struct Vortices {
   std::vector<Vortex> list;
 };
+struct VortexPairs {  // across the domain, side by side
+  double strength = 0;
+  int axis = 0, pairs = 1;
+};
 struct GaussianTemperature {
   Vec3 origin{};
   double spread_x = 1, spread_y = 1, amplitude = 0;
@@ -52,9 +56,9 @@ struct LaminarChannel {  // DNS_Moser: parabola of a pressure gradient
   double pressure_gradient = 0;
 };
 
-using CustomStart =
-    std::variant<Vortices, GaussianTemperature, ManufacturedVortices, ManufacturedCells,
-                 Counterflow, LogLawProfile, PowerLawProfile, ChannelProfile, LaminarChannel>;
+using CustomStart = std::variant<Vortices, VortexPairs, GaussianTemperature, ManufacturedVortices,
+                                 ManufacturedCells, Counterflow, LogLawProfile, PowerLawProfile,
+                                 ChannelProfile, LaminarChannel>;
 
 // One material in one cell.
 struct CellStart {

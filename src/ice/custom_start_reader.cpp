@@ -92,6 +92,8 @@ ChannelProfile read_channel(const DeckNode& node) {
 
 std::optional<CustomStart> read_one(const DeckNode& node) {
   if (node.name == "vortices") return read_vortices(node);
+  if (node.name == "vortexPairs")
+    return VortexPairs{node.real("strength"), axis_of(node), node.integer("numVortexPairs")};
   if (node.name == "gaussianTemperature")
     return GaussianTemperature{node.vector("origin"), node.real("spread_x"), node.real("spread_y"),
                                node.real("amplitude")};
@@ -130,6 +132,16 @@ std::vector<TagSpec> custom_start_tags() {
                                          .once()
                                          .real(),
                                      length_tag("radius", "R")})),
+      tag("vortexPairs",
+          "vortices across the domain that turn in turn: u += S sin^2(pi y) cos(2 pi n z) from "
+          "side "
+          "to side, without divergence and at rest at both sides")
+          .with_children(
+              {tag("strength", "largest velocity S").once().real().unit("velocity"), axis_tag(),
+               tag("numVortexPairs", "pairs n, one beside the other along a periodic direction")
+                   .once()
+                   .integer()
+                   .at_least(1)}),
       tag("gaussianTemperature", "a spot of another temperature, on top of the geometry objects")
           .with_children(
               {tag("origin", "its middle").once().vector().unit("length"),

@@ -101,25 +101,31 @@ void read_criteria(const DeckNode& root, IceScene& s) {
 }
 
 // A vortex turns in a plane; what it has along a direction that is no dimension has no place.
+void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
+                        std::vector<Fault>& faults) {
+  for (const int d : {(axis + 1) % 3, (axis + 2) % 3}) {
+    const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
+    if (direction.velocity != VelocityComponent::dropped) continue;
+    add_warning(faults, node.where,
+                fmt::format("<{}> about {} also turns the velocity along {}, which is no "
+                            "dimension of this run; that part is dropped",
+                            node.name, "xyz"[axis], "xyz"[d]),
+                "an axis along a direction of one cell turns the other two");
+  }
+}
+
 void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
                            std::vector<Fault>& faults) {
-  const DeckNode* node = deck.root->find("CFD/ICE/customInitialization/vortices");
-  if (node == nullptr) return;
+  const DeckNode* custom = deck.root->find("CFD/ICE/customInitialization");
+  if (custom == nullptr) return;
   std::size_t n = 0;
-  for (const CustomStart& start : s.custom)
+  for (const CustomStart& start : s.custom) {
     if (const auto* vortices = std::get_if<Vortices>(&start))
-      for (const Vortex& v : vortices->list) {
-        const DeckNode& where = *node->all("vortex")[n++];
-        for (const int d : {(v.axis + 1) % 3, (v.axis + 2) % 3}) {
-          const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
-          if (direction.velocity != VelocityComponent::dropped) continue;
-          add_warning(faults, where.where,
-                      fmt::format("<vortex> about {} also turns the velocity along {}, which is no "
-                                  "dimension of this run; that part is dropped",
-                                  "xyz"[v.axis], "xyz"[d]),
-                      "an axis along a direction of one cell turns the other two");
-        }
-      }
+      for (const Vortex& v : vortices->list)
+        warn_of_flat_plane(*custom->child("vortices")->all("vortex")[n++], v.axis, scene, faults);
+    if (const auto* pairs = std::get_if<VortexPairs>(&start))
+      warn_of_flat_plane(*custom->child("vortexPairs"), pairs->axis, scene, faults);
+  }
 }
 
 // A region is held at a state that its material's law has.
