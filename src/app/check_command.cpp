@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/scene_loader.hpp"
 #include "app/sluice_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 
@@ -56,7 +57,9 @@ int check(const Options& options) {
   nlohmann::ordered_json reports = nlohmann::ordered_json::array();
   bool all_good = true;
   for (const std::string& file : options.files) {
-    const Deck deck = load_deck(file, options.overrides, schema);
+    Deck deck = load_deck(file, options.overrides, schema);
+    if (deck.good())
+      for (Fault& fault : scene_faults(deck)) deck.faults.push_back(std::move(fault));
     all_good = all_good && deck.good();
     if (options.json) {
       reports.push_back(to_json(deck));

@@ -8,7 +8,9 @@
 #include "app/sluice_schema.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/scene/deck_values.hpp"
 #include "ice/ice.hpp"
 
 namespace sluice {
@@ -36,7 +38,43 @@ std::string errors_of(const std::vector<Fault>& faults) {
   return fmt::format("{} fault{} in the deck:{}", count, count == 1 ? "" : "s", text);
 }
 
+// The faults that reading finds are added; with errors among them there is no component.
+std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& options,
+                                          Scene& scene, std::vector<Fault>& faults) {
+  scene = read_scene(deck, options, faults);
+  if (any_error(faults)) return nullptr;
+  ice::IceScene ice_scene = ice::read_ice_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<ice::Ice>(scene, std::move(ice_scene));
+}
+
+constexpr std::int64_t most_cells_to_fill = 250'000;
+
+// Levels that a regridder will make have no cells yet.
+void fill_levels(const Scene& scene, const Component& component) {
+  for (const Level& level : scene.grid.levels) {
+    Warehouse state(level, 0);
+    for (const SlotInfo& slot : component.state_slots()) state.add(slot);
+    component.initialise(state);
+  }
+}
+
 }  // namespace
+
+std::vector<Fault> scene_faults(const Deck& deck) {
+  std::vector<Fault> faults;
+  Scene scene;
+  try {
+    const auto component = read_component(deck, {}, scene, faults);
+    if (component != nullptr && scene.grid.cell_count() <= most_cells_to_fill)
+      fill_levels(scene, *component);
+  } catch (const DeckError& e) {
+    faults.push_back(e.fault());
+  } catch (const InputError& e) {
+    add_error(faults, deck.root->where, e.what());
+  }
+  return faults;
+}
 
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,
                                         const std::vector<std::string>& overrides,
@@ -46,13 +84,9 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& file,
   tell(loaded->deck.faults, quiet);
   if (!loaded->deck.good()) throw InputError(errors_of(loaded->deck.faults));
   std::vector<Fault> faults;
-  loaded->scene = read_scene(loaded->deck, options, faults);
-  ice::IceScene ice_scene;
-  if (errors_of(faults).empty())
-    ice_scene = ice::read_ice_scene(loaded->deck, loaded->scene, faults);
+  loaded->component = read_component(loaded->deck, options, loaded->scene, faults);
   tell(faults, quiet);
   if (const std::string errors = errors_of(faults); !errors.empty()) throw InputError(errors);
-  loaded->component = std::make_unique<ice::Ice>(loaded->scene, std::move(ice_scene));
   return loaded;
 }
 

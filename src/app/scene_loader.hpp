@@ -15,6 +15,10 @@ struct LoadedScene {
   std::unique_ptr<Component> component;
 };
 
+// What is wrong with a deck that was read without a fault: as a scene and, where it is not large
+// (its levels have at most 250,000 cells), with the state that its cells are filled with.
+std::vector<Fault> scene_faults(const Deck& deck);
+
 // Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck
 // is not good. `quiet` drops the warnings.
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,

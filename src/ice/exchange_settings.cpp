@@ -106,6 +106,22 @@ void check_surface(const DeckNode& parent, const char* fluid_tag, const char* so
                         fluid_tag, *fluid, law->attribute("type").value_or("another law")));
 }
 
+// What a deck does not say is zero; said once.
+void warn_of_no_exchange(const DeckNode& material, const DeckNode* exchange,
+                         std::vector<Fault>& faults) {
+  const DeckNode* coefficients =
+      exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
+  if (exchange == nullptr)
+    add_warning(faults, material.where,
+                "several materials without <exchange_properties>: they neither drag nor heat each "
+                "other",
+                "see sluice help MaterialProperties/exchange_properties");
+  else if (coefficients != nullptr && coefficients->child("heat") == nullptr)
+    add_warning(faults, coefficients->where,
+                "<exchange_coefficients> without <heat>: materials do not heat each other",
+                "write <heat> with a coefficient a pair, or 0 for each");
+}
+
 void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& materials,
                   std::vector<Fault>& faults) {
   if (const DeckNode* model = exchange.child("Model"))
@@ -237,6 +253,7 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
     check_count(*coefficients, "momentum", materials, faults);
     check_count(*coefficients, "heat", materials, faults);
   }
+  if (materials > 1) warn_of_no_exchange(*nodes.front(), exchange, faults);
   if (exchange != nullptr) check_models(*exchange, nodes, faults);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format_tags.hpp"
@@ -27,6 +28,21 @@ std::vector<std::string> material_names(const DeckNode& root) {
     names.push_back(material->attribute("name").value_or(""));
   }
   return names;
+}
+
+// Models, analyses and <save> find materials by name.
+void check_names(const std::vector<const DeckNode*>& materials, std::vector<Fault>& faults) {
+  std::map<std::string, const DeckNode*> known;
+  for (const DeckNode* material : materials) {
+    const std::string name = material->attribute("name").value_or("");
+    if (name.empty()) continue;
+    const auto [at, fresh] = known.emplace(name, material);
+    if (!fresh)
+      add_error(faults, material->where,
+                fmt::format("a second material {}; the first is at {}", in_quotes(name),
+                            to_string(at->second->where)),
+                "give each a name of its own");
+  }
 }
 
 // Under gravity the pressure at the start balances the weight of one material: of which one.
@@ -205,6 +221,7 @@ void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults) {
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   const auto materials = ice_materials(root);
+  check_names(materials, faults);
   check_surrounding(root, materials, faults);
   constexpr std::size_t most = ice::mixture::most_materials;
   if (materials.size() > most)

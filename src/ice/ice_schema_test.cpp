@@ -237,6 +237,18 @@ TEST(IceSchema, TakesAnyCoefficientOfMomentum) {
   EXPECT_THAT(messages(with_a_second_material("")), testing::Not(HasSubstr(told)));
 }
 
+TEST(IceSchema, SaysThatMaterialsWithoutCoefficientsDoNotMeet) {
+  EXPECT_THAT(messages(with_a_second_material("")),
+              HasSubstr("warning: several materials without <exchange_properties>"));
+  EXPECT_THAT(messages(with_a_second_material(
+                  "<exchange_properties><exchange_coefficients><momentum>[1]</momentum>"
+                  "</exchange_coefficients></exchange_properties>")),
+              HasSubstr("warning: <exchange_coefficients> without <heat>"));
+  for (const std::string& said :
+       {messages(with_a_second_material(coefficients("[0]", "[0]"))), messages(Sample().load())})
+    EXPECT_THAT(said, testing::Not(HasSubstr("exchange")));
+}
+
 TEST(IceSchema, ReadsHowCoefficientsVary) {
   std::string text = coefficients("[3]", "[7]");
   const auto read = [&](const char* momentum, const char* heat) {
@@ -326,9 +338,11 @@ TEST(IceSchema, NamesWhatIsNotBuilt) {
   };
   EXPECT_THAT(said([](Sample& s) { s.ice = "<ImplicitSolver/>"; }), HasSubstr("<ImplicitSolver>"));
   EXPECT_THAT(said([](Sample& s) {
-                s.ice = "<customInitialization><vortexPairs/></customInitialization>";
+                s.ice =
+                    "<customInitialization><manufacturedSolution type='mms_2'/>"
+                    "</customInitialization>";
               }),
-              HasSubstr("<vortexPairs>"));
+              HasSubstr("'mms_2'"));
 }
 
 }  // namespace

@@ -40,10 +40,12 @@ void apply_objects(const IceMaterial& m, const Level& level, PrimitiveFill& fill
   for_each_cell(fill.cells, [&](IntVec3 c) {
     if (covered[n++]) return;
     const Vec3 x = level.centre(c);
-    throw InputError(fmt::format(
-        "{}: no geom_object of ICE material {} covers cell [{}, {}, {}] at ({:g}, {:g}, {:g}); "
-        "every cell of the domain needs an initial state: add a geom_object that covers the rest",
-        to_string(m.where), m.index, c.x, c.y, c.z, x.x, x.y, x.z));
+    throw DeckError(
+        m.where,
+        fmt::format(
+            "no geom_object of ICE material {} covers cell [{}, {}, {}] at ({:g}, {:g}, {:g})",
+            m.index, c.x, c.y, c.z, x.x, x.y, x.z),
+        "every cell of the domain needs an initial state: add a geom_object that covers the rest");
   });
 }
 
@@ -119,11 +121,13 @@ Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
   const double meant = m.fluid.density(reference_pressure, temperature);
   if (std::abs(meant - density) <= density_tolerance * density) return Keeps::temperature;
   if (m.fluid.depends_on_energy()) return Keeps::density;
-  throw InputError(fmt::format(
-      "{}: ICE material {} has density {:g} at the start, but {:g} at the reference pressure "
-      "{:g}, and no temperature changes that; write a density near it, or "
-      "<applyHydrostaticPressure>false</applyHydrostaticPressure>",
-      to_string(m.where), m.index, density, meant, reference_pressure));
+  throw DeckError(
+      m.where,
+      fmt::format(
+          "ICE material {} has density {:g} at the start, but {:g} at the reference pressure "
+          "{:g}, and no temperature changes that",
+          m.index, density, meant, reference_pressure),
+      "write a density near it, or <applyHydrostaticPressure>false</applyHydrostaticPressure>");
 }
 
 void size_fill(const IndexBox& cells, PrimitiveFill& fill) {
@@ -199,12 +203,14 @@ void check_admissible(const IceMaterial& m, const Level& level, IntVec3 c, std::
   if (density > 0 && pressure > m.fluid.lowest_pressure() && m.fluid.admissible(density, energy))
     return;
   const Vec3 x = level.centre(c);
-  throw InputError(fmt::format(
-      "{}: ICE material {} starts with density {:g} and pressure {:g} in cell [{}, {}, {}] at "
-      "({:g}, {:g}, {:g}); its equation of state has no such state: the density must be above 0, "
-      "the pressure above {:g}; see docs/theory_eos.md",
-      to_string(m.where), m.index, density, pressure, c.x, c.y, c.z, x.x, x.y, x.z,
-      m.fluid.lowest_pressure()));
+  throw DeckError(
+      m.where,
+      fmt::format(
+          "ICE material {} starts with density {:g} and pressure {:g} in cell [{}, {}, {}] "
+          "at ({:g}, {:g}, {:g}); its equation of state has no such state: the density must "
+          "be above 0, the pressure above {:g}",
+          m.index, density, pressure, c.x, c.y, c.z, x.x, x.y, x.z, m.fluid.lowest_pressure()),
+      "see docs/theory_eos.md");
 }
 
 PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {

@@ -5,7 +5,7 @@
 // sum over the materials.
 #include <fmt/format.h>
 
-#include "framework/base/error.hpp"
+#include "framework/deck/faults.hpp"
 #include "ice/ice.hpp"
 #include "ice/initial_state_parts.hpp"
 #include "ice/labels.hpp"
@@ -30,12 +30,13 @@ namespace {
         m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
         f.pressure[n], fluid.lowest_pressure() + 0.0);  // no "-0"
   }
-  throw InputError(fmt::format(
-      "initial state: the materials of cell [{}, {}, {}] of level {} have no common pressure; "
-      "material {} ('{}') finds no state:{}\n  give the materials that share a cell densities and "
-      "temperatures of about one pressure",
-      cell.x, cell.y, cell.z, level, failed, scene.materials[static_cast<std::size_t>(failed)].name,
-      states));
+  const IceMaterial& material = scene.materials[static_cast<std::size_t>(failed)];
+  throw DeckError(
+      material.where,
+      fmt::format("initial state: the materials of cell [{}, {}, {}] of level {} have no common "
+                  "pressure; material {} ('{}') finds no state:{}\n  ",
+                  cell.x, cell.y, cell.z, level, failed, material.name, states),
+      "give the materials that share a cell densities and temperatures of about one pressure");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "framework/geometry/boolean.hpp"
 #include "ice/initial_state_parts.hpp"
 
@@ -75,6 +76,15 @@ std::string fractions_text(const IceScene& scene, const MixtureFill& fill, std::
   return text;
 }
 
+// The last object that holds a part of the cell, or the first material when there is none.
+Location last_object_in(const IceScene& scene, const Level& level, IntVec3 c) {
+  Location where = scene.materials.front().where;
+  for (const IceMaterial& m : scene.materials)
+    for (const GeomObject& o : m.objects)
+      if (count_inside(o, level, {c, c + IntVec3::all(1)}).front() > 0) where = o.where;
+  return where;
+}
+
 [[noreturn]] void refuse(const IceScene& scene, const MixtureFill& fill, const Level& level,
                          IntVec3 c, double sum) {
   const Vec3 x = level.centre(c);
@@ -84,11 +94,12 @@ std::string fractions_text(const IceScene& scene, const MixtureFill& fill, std::
                     "<difference>, and give them the same <res>"
                   : "part of the cell is empty: add a geom_object for the rest, and give objects "
                     "that share a cell the same <res>";
-  throw InputError(fmt::format(
-      "{}: volume fractions sum to {:.10g} in cell [{}, {}, {}] at ({:g}, {:g}, {:g}), not to 1 "
-      "({}); {}",
-      to_string(scene.materials.front().where), sum, c.x, c.y, c.z, x.x, x.y, x.z,
-      fractions_text(scene, fill, fill.offset(c)), advice));
+  throw DeckError(
+      last_object_in(scene, level, c),
+      fmt::format("volume fractions sum to {:.10g} in cell [{}, {}, {}] at ({:g}, {:g}, {:g}), not "
+                  "to 1 ({})",
+                  sum, c.x, c.y, c.z, x.x, x.y, x.z, fractions_text(scene, fill, fill.offset(c))),
+      advice);
 }
 
 // Fractions that miss one by round-off are made to fit: one material that is alone has all of it,

@@ -4,9 +4,22 @@
 #include <utility>
 #include <vector>
 
+#include "framework/base/error.hpp"
 #include "framework/deck/deck.hpp"
 
 namespace sluice {
+
+// A fault of the deck that shows only when its cells are filled.
+class DeckError : public InputError {
+ public:
+  DeckError(const Location& where, const std::string& message, const std::string& suggestion)
+      : InputError(to_string(where) + ": " + message + "; " + suggestion),
+        fault_{Severity::error, where, message, suggestion} {}
+  const Fault& fault() const { return fault_; }
+
+ private:
+  Fault fault_;
+};
 
 inline void add_error(std::vector<Fault>& faults, const Location& where, std::string message,
                       std::string suggestion = {}) {

@@ -1,0 +1,137 @@
+// sluice check finds what sluice run would end with: faults of levels and of the start too.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/command_test_support.hpp"
+#include "framework/base/temporary_folder.hpp"
+
+namespace sluice {
+namespace {
+
+using testing::HasSubstr;
+
+class CheckCommand : public testing::Test {
+ protected:
+  static Outcome check(const std::string& deck, const std::vector<std::string>& overrides) {
+    return run_sluice(words("check", deck, overrides));
+  }
+  Outcome run(const std::string& deck, const std::vector<std::string>& overrides) const {
+    std::vector<std::string> all = words("run", deck, overrides);
+    all.insert(all.end(),
+               {"-o", folder_.string(), "--progress", "none", "--max-steps", "1", "--no-output"});
+    return run_sluice(all);
+  }
+
+ private:
+  static std::vector<std::string> words(const char* command, const std::string& deck,
+                                        const std::vector<std::string>& overrides) {
+    std::vector<std::string> all = {
+        command, std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/" + deck + ".ups"};
+    for (const std::string& o : overrides) all.insert(all.end(), {"--set", o});
+    return all;
+  }
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
+};
+
+struct Fault {
+  const char* name;
+  const char* deck;
+  std::vector<std::string> overrides;
+  int status;
+  const char* place;  // deck and line
+  const char* message;
+};
+
+const std::string left_end = "MaterialProperties/ICE/material[1]/geom_object/box/max=";
+const std::string ratio = "AMR/Regridder/cell_refinement_ratio=";
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> all = {
+      {"overlap",
+       "two_gases_sod",
+       {left_end + "[0.6,9,9]"},
+       2,
+       "two_gases_sod.ups:108",
+       "volume fractions sum to 2 in cell"},
+      {"gap",
+       "two_gases_sod",
+       {left_end + "[0.4,9,9]"},
+       2,
+       "two_gases_sod.ups:88",
+       "no geom_object covers it"},
+      {"half_a_gap",
+       "two_gases_sod",
+       {left_end + "[0.495,9,9]", "Grid/Level/Box/resolution=[100,1,1]"},
+       2,
+       "two_gases_sod.ups:94",
+       "part of the cell is empty"},
+      {"two_of_a_name",
+       "two_gases_sod",
+       {"MaterialProperties/ICE/material[2]/@name=diatomic"},
+       2,
+       "two_gases_sod.ups:102",
+       "a second material 'diatomic'; the first is at"},
+      {"ratio_one",
+       "amr_followed_drop",
+       {ratio + "[[1,1,1]]"},
+       2,
+       "amr_followed_drop.ups",
+       "level 1 refines no direction"},
+      {"small_tile",
+       "amr_followed_drop",
+       {"AMR/Regridder/min_patch_size=[[3,3,1]]"},
+       2,
+       "amr_followed_drop.ups",
+       "a tile of 3 cells in direction x"},
+      {"flat_ratio",
+       "amr_followed_drop",
+       {ratio + "[[2,2,2]]"},
+       0,
+       "amr_followed_drop.ups",
+       "direction z"},
+      {"no_dilation",
+       "amr_followed_drop",
+       {"AMR/Regridder/cell_stability_dilation=[0,0,0]"},
+       0,
+       "amr_followed_drop.ups",
+       "cell_stability_dilation 0 in direction x"},
+      {"other_regridder",
+       "amr_followed_drop",
+       {"AMR/Regridder/@type=BNR"},
+       0,
+       "amr_followed_drop.ups",
+       "the BNR regridder is done by the Tiled one"},
+  };
+  return all;
+}
+
+TEST_F(CheckCommand, FindsWhatARunWouldTell) {
+  for (const Fault& fault : faults()) {
+    SCOPED_TRACE(fault.name);
+    const Outcome found = check(fault.deck, fault.overrides);
+    const Outcome met = run(fault.deck, fault.overrides);
+    EXPECT_EQ(found.status, fault.status) << found.text;
+    EXPECT_EQ(met.status, fault.status) << met.text;
+    for (const std::string& text : {found.text, met.text}) {
+      EXPECT_THAT(text, HasSubstr(fault.place));
+      EXPECT_THAT(text, HasSubstr(fault.message));
+    }
+  }
+}
+
+TEST_F(CheckCommand, TellsOfARatioOnce) {
+  const std::string said = check("amr_followed_drop", {ratio + "[[3,3,1]]"}).text;
+  const std::size_t first = said.find("refinement ratio 3");
+  ASSERT_NE(first, std::string::npos) << said;
+  EXPECT_EQ(said.find("refinement ratio 3", first + 1), std::string::npos) << said;
+}
+
+// Cells of a large deck are not filled just to be judged.
+TEST_F(CheckCommand, LeavesTheStartOfALargeDeckToTheRun) {
+  const Outcome found =
+      check("two_gases_sod", {left_end + "[0.4,9,9]", "Grid/Level/Box/resolution=[1000000,1,1]"});
+  EXPECT_EQ(found.status, 0) << found.text;
+}
+
+}  // namespace
+}  // namespace sluice
