@@ -34,5 +34,30 @@ TEST(ManufacturedFlow, VorticesPassOpenSidesAtSecondOrder) {
   EXPECT_LE(fine, largest_error);
 }
 
+// rho S^2 (3/32 + L_z^2/(32 n^2 L_y^2)) per volume: sums over cells of sines are those integrals.
+TEST(VortexPairs, HaveTheEnergyOfTheirFormulaAndGoOnTurning) {
+  const CaseRun run("vortex_pairs");
+  const auto energy = [&](const char* when) {
+    const CellValues v = run.field("vel_CC", 1, when), w = run.field("vel_CC", 2, when);
+    double sum = 0, across = 0;
+    for (std::size_t n = 0; n < v.values.size(); ++n) {
+      sum += 0.5 * (v.values[n] * v.values[n] + w.values[n] * w.values[n]);
+      across += v.values[n];
+    }
+    EXPECT_NEAR(across, 0, 1e-10) << when;
+    int turns = 0;
+    for (int k = 0; k < v.size.z; ++k)
+      turns += v.at(0, v.size.y / 2, k) * v.at(0, v.size.y / 2, (k + 1) % v.size.z) < 0;
+    EXPECT_EQ(turns, 4) << when;
+    return sum / static_cast<double>(v.values.size());
+  };
+  const double start = energy("first"), left = energy("last") / start;
+  EXPECT_NEAR(start, 0.01 / 8, 1e-15);
+  record("energy_left", left);
+  EXPECT_LT(left, 1);
+  EXPECT_GT(left, 0.8);  // viscosity takes a tenth
+  EXPECT_EQ(run.events(), 0);
+}
+
 }  // namespace
 }  // namespace sluice::verification

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "framework/scene/formula.hpp"
 #include "ice/initial_state_parts.hpp"
 

@@ -302,6 +302,7 @@ RefinementSettings read_refinement(const DeckNode& root, GridSettings& grid, con
   s.max_levels = static_cast<int>(grid.levels.size());
   if (amr == nullptr) return s;
   if (!s.adaptive) {
+    if (any_error(faults)) return s;  // which says more than the lack of levels does
     for (const char* tag : {"Refine", "ErrorEstimate", "MaterialInterface"})
       if (const DeckNode* node = amr->child(tag))
         add_warning(faults, node->where,
