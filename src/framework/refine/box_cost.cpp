@@ -36,4 +36,13 @@ std::vector<double> carried_costs(const std::vector<GridBox>& measured,
   return carried;
 }
 
+std::vector<GridBox> better_owners(const std::vector<GridBox>& now,
+                                   const std::vector<double>& costs, int ranks, double least_gain) {
+  std::vector<GridBox> better = now;
+  assign_owners(better, costs, ranks);
+  const double before = imbalance(now, costs, ranks), after = imbalance(better, costs, ranks);
+  if (!(after < (1 - least_gain) * before)) better.clear();
+  return better;
+}
+
 }  // namespace sluice

@@ -1,4 +1,5 @@
-// What boxes will cost, from what others cost that lay in the same places.
+// What boxes will cost, from what others cost that lay in the same places, and whether that is
+// worth other owners.
 #pragma once
 #include <vector>
 
@@ -12,5 +13,10 @@ namespace sluice {
 std::vector<double> carried_costs(const std::vector<GridBox>& measured,
                                   const std::vector<double>& costs,
                                   const std::vector<GridBox>& boxes);
+
+// The boxes dealt out by cost; empty when the busiest rank would not gain a share of `least_gain`
+// of its work.
+std::vector<GridBox> better_owners(const std::vector<GridBox>& now,
+                                   const std::vector<double>& costs, int ranks, double least_gain);
 
 }  // namespace sluice

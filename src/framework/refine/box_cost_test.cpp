@@ -27,5 +27,22 @@ TEST(BoxCost, NothingMeasuredIsNothingSaid) {
   EXPECT_TRUE(carried_costs(boxes, {0.0}, boxes).empty());
 }
 
+// Four boxes in a row, two of each rank; the first costs as much as the others together.
+TEST(BoxCost, BoxesMoveWhereTheBusiestRankGainsEnough) {
+  std::vector<GridBox> boxes;
+  for (int b = 0; b < 4; ++b) boxes.push_back({{{4 * b, 0, 0}, {4 * b + 4, 1, 1}}, b / 2, b});
+  const std::vector<double> costs = {3, 1, 1, 1};  // 4 and 2; at best 3 and 3, a quarter less
+  const auto owners = [&](double least_gain) {
+    std::vector<int> found;
+    for (const GridBox& b : better_owners(boxes, costs, 2, least_gain)) found.push_back(b.owner);
+    return found;
+  };
+  EXPECT_EQ(owners(.2), (std::vector<int>{0, 1, 1, 1}));
+  EXPECT_EQ(owners(.24), (std::vector<int>{0, 1, 1, 1}));
+  EXPECT_TRUE(owners(.26).empty());
+  EXPECT_TRUE(better_owners(boxes, {1, 1, 1, 1}, 2, 0).empty());  // nothing to gain
+  EXPECT_TRUE(better_owners(boxes, {0, 0, 0, 0}, 2, 0).empty());  // nothing measured
+}
+
 }  // namespace
 }  // namespace sluice

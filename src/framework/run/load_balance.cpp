@@ -38,14 +38,8 @@ void deal_out(std::vector<GridBox>& boxes, const LevelSolver& solver,
 std::vector<GridBox> rebalanced(const LevelSolver& solver, const ParticleCloud* particles,
                                 double least_gain, Communicator& communicator) {
   if (communicator.size() == 1) return {};
-  const std::vector<double> costs = box_seconds(solver, particles, communicator);
-  const std::vector<GridBox>& now = solver.level().boxes;
-  std::vector<GridBox> better = now;
-  assign_owners(better, costs, communicator.size());
-  const double before = imbalance(now, costs, communicator.size());
-  const double after = imbalance(better, costs, communicator.size());
-  if (!(after < (1 - least_gain) * before)) better.clear();
-  return better;
+  return better_owners(solver.level().boxes, box_seconds(solver, particles, communicator),
+                       communicator.size(), least_gain);
 }
 
 }  // namespace sluice

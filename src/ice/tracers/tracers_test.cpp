@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "framework/run/load_balance.hpp"
 #include "ice/tracers/tracer_test_support.hpp"
 
 namespace sluice::ice {
@@ -44,6 +45,23 @@ TEST(Tracers, GoWithUniformFlowAndWrapAround) {
     EXPECT_LT(apart(p.place.y, start.y - 0.25 * 3.0), 1e-13) << id;
     EXPECT_EQ(p.place.z, start.z);
   }
+}
+
+// What particles cost counts when boxes are dealt out, box by box: here the first has them all.
+TEST(Tracers, CountInTheCostOfTheirBoxes) {
+  GasBox box = uniform({16, 12, 1});
+  box.velocity[0] = box.velocity[1] = "0";
+  box.models = tracer_model(tracer_start(tracer_box("[-99,-99,-99]", "[0.5,99,99]"), 400));
+  TracerRun run(box, {2, 1, 1});
+  run.run(1.0);
+  const Hierarchy& hierarchy = run.hierarchy();
+  const ParticleCloud* particles = hierarchy.particles();
+  const std::vector<double> all = box_seconds(run.hierarchy().level(0), particles, world());
+  const std::vector<double> cells = box_seconds(run.hierarchy().level(0), nullptr, world());
+  ASSERT_EQ(all.size(), 2u);
+  for (std::size_t b = 0; b < 2; ++b)
+    EXPECT_EQ(all[b], cells[b] + particles->box_seconds(0)[b]) << b;
+  EXPECT_GT(all[0] - cells[0], 4 * (all[1] - cells[1]));
 }
 
 // Isentropic vortex of strength 3 at rest (C.-W. Shu, ICASE Report 97-65, section 5.1).
