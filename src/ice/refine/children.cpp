@@ -18,10 +18,8 @@ Children::Children(const TransferGeometry& geometry) {
 }
 
 void Children::add(int to, int from) {
-  const auto t = static_cast<std::size_t>(to), f = static_cast<std::size_t>(from);
-  sum_[static_cast<std::size_t>(sums_++)] = {
-      static_cast<std::uint8_t>(to), static_cast<std::uint8_t>(from), is_sum_[t], is_sum_[f]};
-  is_sum_[t] = true;
+  sum_[static_cast<std::size_t>(sums_++)] = {static_cast<std::uint8_t>(to),
+                                             static_cast<std::uint8_t>(from)};
 }
 
 // The sum of a block ends in its lowest child.

@@ -67,35 +67,23 @@ class Children {
     }
   }
 
-  // rows[0] = mean of the values of all children, over n cells; the other rows are lost. `values`
-  // may be `rows`.
-  template <int Width>
-  void mean(const double (*values)[Width], double (*rows)[Width], int n) const {
-    const auto part = [&](int child, bool summed) -> const double* {
-      return summed ? rows[child] : values[child];
-    };
-    for (int s = 0; s < sums_; ++s) {
-      const Sum& sum = sum_[static_cast<std::size_t>(s)];
-      const double *a = part(sum.to, sum.to_is_sum), *b = part(sum.from, sum.from_is_sum);
-      double* to = rows[sum.to];
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) to[i] = a[i] + b[i];
-    }
-    const double share = 1.0 / count();
-    const double* all = part(0, sums_ > 0);
-    double* to = rows[0];
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) to[i] = all[i] * share;
-  }
+  // rows[0] = mean of the rows of all children, over n cells; the other rows are lost.
   template <int Width>
   void mean(double (*rows)[Width], int n) const {
-    mean(rows, rows, n);
+    for (int s = 0; s < sums_; ++s) {
+      double* __restrict to = rows[sum_[static_cast<std::size_t>(s)].to];
+      const double* __restrict from = rows[sum_[static_cast<std::size_t>(s)].from];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) to[i] += from[i];
+    }
+    const double share = 1.0 / count();
+    double* to = rows[0];
+    for (int i = 0; i < n; ++i) to[i] *= share;
   }
 
  private:
   struct Sum {
     std::uint8_t to, from;
-    bool to_is_sum, from_is_sum;  // of an earlier one; else of children
   };
   int child(const std::array<int, 3>& place) const {
     return place[0] + ratio_[0] * (place[1] + ratio_[1] * place[2]);
@@ -107,7 +95,6 @@ class Children {
   int ratio_[3] = {1, 1, 1};  // by axis
   int sums_ = 0;
   std::array<Sum, most - 1> sum_{};
-  std::array<bool, most> is_sum_{};  // by child, while sums are listed
 };
 
 // Part of a line of cells of some region: `count` from `first` on, as numbers place, place + 1, ...
