@@ -174,7 +174,7 @@ TEST(OpenBoundary, AnInterfaceLeaves) {
   EXPECT_LE(run.worst_drift(), allowed_drift);
 }
 
-// Linear acoustics: what swings at the inlet runs to the right with 1.1, pressure and velocity both.
+// Linear acoustics: what swings at the inlet runs to the right with 1.1, pressure as velocity.
 // The swing holds in the ghost cells, half a cell off the side: of first order.
 TEST(Inlet, SwingsSendTheSoundOfLinearAcoustics) {
   constexpr double pi = 3.14159265358979324, height = 1e-5, least_order = .95;
