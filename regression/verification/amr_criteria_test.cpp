@@ -72,8 +72,8 @@ TEST(AmrCriteria, RanksAndThreadsDoNotShowAroundInterfaces) {
   expect_one_result("amr_followed_drop", {"Time/maxTime=0.002"});
 }
 
-// A drop of radius 0.17 that moves by (1, -0.4) in a periodic square: its surface is where the exact
-// solution has it, and so are the levels.
+// A drop of radius 0.17 that moves by (1, -0.4) in a periodic square: its surface is where the
+// exact solution has it, and so are the levels.
 TEST(AmrCriteria, LevelsGoWithAnInterface) {
   constexpr double by_level[] = {0, 0.06, 0.02};  // distances of the deck
   const CaseRun run("amr_followed_drop");

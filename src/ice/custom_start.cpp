@@ -3,7 +3,7 @@
 //   vortex       x_a, x_b from the origin in the plane normal to the axis (a, b follow it in cyclic
 //                order), r^2 = x_a^2 + x_b^2 <= R^2, w = exp(-r^2/(2 R^2)):
 //                u_a -= C x_b w/(rho R^2),  u_b += C x_a w/(rho R^2),  p = p_ref + rho C^2 w/R^2
-//   pairs        n pairs that turn in turn, from side to side along b and one beside the other along
+//   pairs        n pairs that turn in turn, from side to side along b and one beside another along
 //                c: the plane normal to the axis, c its periodic direction (both or none is: b, c
 //                follow the axis in cyclic order). With y = (x_b - low_b)/L_b, z likewise,
 //                u_b += S sin^2(pi y) cos(2 pi n z),
