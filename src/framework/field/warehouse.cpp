@@ -101,11 +101,14 @@ bool Warehouse::any_nonzero(int slot, int c, int b, const IndexBox& region) cons
 
 void Warehouse::cut(IntVec3 extents) {
   blocks_ = BlockLattice(local_, extents);
+  marks_.clear();
+  for (const GridBox& b : local_) marks_.emplace_back(b.cells, *level_);
   forget();
 }
 
 void Warehouse::forget() {
   for (Slot& s : slots_) s.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
+  for (RowMarks& m : marks_) m.clear();
 }
 
 std::size_t Warehouse::bytes() const {
@@ -120,6 +123,7 @@ void Warehouse::swap(Warehouse& other) noexcept {
   std::swap(local_, other.local_);
   std::swap(slots_, other.slots_);
   std::swap(blocks_, other.blocks_);
+  std::swap(marks_, other.marks_);
 }
 
 }  // namespace sluice

@@ -6,7 +6,8 @@
 //
 // A warehouse may remember which of its blocks are *uniform*: known to hold one value in all cells
 // and components of a slot, so that nobody need look or write it again. Whoever writes interior
-// cells says so (forget); ghost cells are never known.
+// cells says so (forget); ghost cells are never known. With blocks come marks of parts of rows, whose
+// meaning is the component's: they are forgotten likewise.
 #pragma once
 #include <limits>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "framework/field/array_view.hpp"
 #include "framework/field/block_lattice.hpp"
 #include "framework/field/label.hpp"
+#include "framework/field/row_marks.hpp"
 #include "framework/grid/level.hpp"
 
 namespace sluice {
@@ -71,7 +73,7 @@ class Warehouse {
     const Slot& s = slots_[static_cast<std::size_t>(slot)];
     return s.views[static_cast<std::size_t>(b * s.info.components + c)];
   }
-  // Cuts the boxes into blocks, of which nothing is known yet.
+  // Cuts the boxes into blocks, of which nothing is known yet, nor of their rows.
   void cut(IntVec3 extents);
   const BlockLattice& blocks() const { return blocks_; }
   // What a block is known to hold throughout; NaN where it is not known to be uniform.
@@ -82,7 +84,12 @@ class Warehouse {
     slots_[static_cast<std::size_t>(slot)].uniform[static_cast<std::size_t>(block)] = value;
   }
   void forget(int slot, int block) { set_uniform(slot, block, unknown); }
-  void forget();  // all slots and blocks
+  void forget();  // all slots and blocks, all marks
+  // Of the rows of local box number `b`; null where no blocks were cut.
+  RowMarks* marks(int b) { return marks_.empty() ? nullptr : &marks_[static_cast<std::size_t>(b)]; }
+  const RowMarks* marks(int b) const {
+    return marks_.empty() ? nullptr : &marks_[static_cast<std::size_t>(b)];
+  }
   // Is any number (a NaN too) of a region of a view other than zero. Reads what is unknown, row by
   // row, and stops at the first that is.
   bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
@@ -102,6 +109,7 @@ class Warehouse {
   std::vector<GridBox> local_;
   std::vector<Slot> slots_;
   BlockLattice blocks_;
+  std::vector<RowMarks> marks_;  // by local box
 };
 
 }  // namespace sluice

@@ -184,6 +184,8 @@ void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
   row.box_ = stack_[piece].box;
   row.block_low_ = stack_[piece].cells.lower;
   row.block_high_ = stack_[piece].cells.upper;
+  row.old_marks_ = binding_->old_state->marks(row.box_);
+  row.new_marks_ = binding_->new_state->marks(row.box_);
 }
 
 void BlockSweep::run_task(std::size_t task, int plane, Row& row) {

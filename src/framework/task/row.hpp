@@ -12,6 +12,7 @@
 namespace sluice {
 
 class Reductions;
+class RowMarks;
 
 struct In {
   int index = -1;
@@ -57,6 +58,10 @@ class Row {
   int box() const { return box_; }                  // number of the local box
   IntVec3 block_low() const { return block_low_; }  // interior cells of the block
   IntVec3 block_high() const { return block_high_; }
+  // What old and new state remember of the box's rows; null: nothing. Of tasks that read the old
+  // state, and write the new one.
+  const RowMarks* old_marks() const { return old_marks_; }
+  RowMarks* new_marks() const { return new_marks_; }
   const StepConstants& step() const { return *step_; }
   // `count` cells of the row, from its cell number `first` on.
   Row part(int first, int count) const {
@@ -109,6 +114,8 @@ class Row {
   int index_[3] = {0, 0, 0};  // canonical coordinates of the row's first cell
   int count_ = 0, whole_vectors_ = 0, box_ = 0;
   IntVec3 cell_{}, block_low_{}, block_high_{};
+  const RowMarks* old_marks_ = nullptr;
+  RowMarks* new_marks_ = nullptr;
   const StepConstants* step_ = nullptr;
   Reductions* reductions_ = nullptr;
 };

@@ -202,10 +202,13 @@ void SweepExecutor::choose_kinds() {
   }
 }
 
-// What the graph of a block does not write, where it is not there already.
+// What the graph of a block does not write, where it is not there already. Rows are marked by graphs
+// that write all of them.
 void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
   const Block& block = blocks_[n];
   const int number = static_cast<int>(n);
+  RowMarks* marks = new_state_->marks(block.box);
+  if (marks != nullptr && !graph.absent.empty()) marks->clear(block.cells);
   if (remembers_)
     for (const int slot : graph.written) new_state_->forget(slot, number);
   for (std::size_t a = 0; a < graph.absent.size(); ++a) {

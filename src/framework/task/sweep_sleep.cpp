@@ -20,6 +20,7 @@ bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
 void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
   const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
   BlockSweep& sweep = *worker.sweeps[static_cast<std::size_t>(block.kind)];
+  if (RowMarks* marks = new_state_->marks(block.box)) marks->clear(block.cells);
   // Peel off the cells along the boundary of the domain, side by side, each cell once.
   IndexBox rest = block.cells;
   for (int a = 0; a < graph.plan.axes.count && !rest.empty(); ++a) {

@@ -24,15 +24,21 @@ void add_presence(TaskList& list, const Variables& v, int effect) {
   for (const VariableId m : v.mass) mass.push_back(task.read(m));
   const Out presence = task.write(v.presence);
   task.kernel([=](const Row& row) {
-    const int n = row.count();
     double* __restrict set = row(presence);
-    for (std::size_t m = 0; m < mass.size(); ++m) {
-      const double* __restrict M = row(mass[m]);
-      const double bit = only(static_cast<int>(m));
+    RunWriter runs(set, row(presence, 1));
+    for_each_marked(row, row.old_marks(), [&](int first, int count, int alone) {
+      if (alone >= 0) return runs.add(count, only(alone));
+      const int end = first + count;
+      for (std::size_t m = 0; m < mass.size(); ++m) {
+        const double* __restrict M = row(mass[m]);
+        const double bit = only(static_cast<int>(m));
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) set[i] = (m == 0 ? 0.0 : set[i]) + (M[i] != 0.0 ? bit : 0.0);
-    }
-    find_runs(set, n, row(presence, 1));
+        for (int i = first; i < end; ++i)
+          set[i] = (m == 0 ? 0.0 : set[i]) + (M[i] != 0.0 ? bit : 0.0);
+      }
+      runs.find(count);
+    });
+    runs.close();
   });
 }
 

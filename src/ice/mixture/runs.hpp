@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "framework/field/row_marks.hpp"
 #include "framework/task/row.hpp"
 
 namespace sluice::ice::mixture {
@@ -46,14 +47,6 @@ inline RunRow runs_of(const Row& row, In keys, int axis = 0, int shift = 0) {
   return {row(keys, 0, axis, shift), row(keys, 1, axis, shift)};
 }
 
-inline void find_runs(const double* key, int n, double* left) {
-  for (int begin = 0; begin < n;) {
-    const int end = end_of_run(key, begin, n);
-    for (int i = begin; i < end; ++i) left[i] = end - i;
-    begin = end;
-  }
-}
-
 // Writes keys run by run; one that goes on with the key of the last joins it.
 class RunWriter {
  public:
@@ -62,6 +55,12 @@ class RunWriter {
     if (key != run_key_) close();
     run_key_ = key;
     end_ += count;
+  }
+  // So many cells whose keys are there already.
+  void find(int count) {
+    const double* keys = key_;
+    for (const int end = end_ + count; end_ < end;)
+      add(end_of_run(keys, end_, end) - end_, keys[end_]);
   }
   void close() {
     const double key = run_key_;
@@ -145,6 +144,20 @@ void for_each_piece(Runs runs, int n, Kind kind, One&& one) {
     of = here;
   });
   one(begin, n - begin, of < 0 ? 0 : of);
+}
+
+// Rows remember where a material is alone: its mass, volume 1 and the lack of the others are in the
+// state already. The mark is its number, and one.
+// Calls f(first, count, material) for parts that cover the row, -1 where nothing is known.
+template <class F>
+void for_each_marked(const Row& row, const RowMarks* marks, F&& f) {
+  if (marks == nullptr) return f(0, row.count(), -1);
+  marks->for_each(row.cell(), row.count(),
+                  [&](int first, int count, int mark) { f(first, count, mark - 1); });
+}
+// From now on `material` is alone in these cells of the new state, or (-1) nothing is known.
+inline void mark_alone(const Row& row, int material) {
+  if (RowMarks* marks = row.new_marks()) marks->set(row.cell(), row.count(), material + 1);
 }
 
 // More than `count` elements that whole_vectors may add.

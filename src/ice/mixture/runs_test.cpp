@@ -24,10 +24,15 @@ std::vector<double> keys_of(unsigned seed, int n) {
 // What is left of runs, found in two parts of the row: runs may end where the first does.
 struct Runs {
   explicit Runs(const std::vector<double>& k, int part = 0) : keys(k), left(k.size()) {
-    find_runs(keys.data(), part, left.data());
-    find_runs(keys.data() + part, static_cast<int>(k.size()) - part, left.data() + part);
+    find(0, part);
+    find(part, static_cast<int>(k.size()) - part);
   }
   RunRow row() const { return {keys.data(), left.data()}; }
+  void find(int first, int count) {
+    RunWriter runs(keys.data() + first, left.data() + first);
+    runs.find(count);
+    runs.close();
+  }
 
   std::vector<double> keys, left;
 };

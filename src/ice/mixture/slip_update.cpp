@@ -297,7 +297,10 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
       for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         const Cells<D, C> cells(part, h, o, drag, closure);
-        if (pure < 0.0) return cells.run();
+        if (pure < 0.0) {
+          mark_alone(part, -1);
+          return cells.run();
+        }
         const auto m = static_cast<std::size_t>(pure);
         if (update_alone<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
       });

@@ -67,6 +67,7 @@ class MixedCells {
   void run(int first, int count, int room) {
     constexpr int most = IdealRelaxation::most_cells;
     const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
+    mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done), whole = std::min(most, all - done);
       remap_materials(first + done, whole);

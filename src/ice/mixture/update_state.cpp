@@ -73,15 +73,22 @@ UpdateHandles handles_of(const UpdateState& h, int m) {
   return u;
 }
 
-void leave_alone(const Row& row, const UpdateState& h, int m) {
-  const int n = row.count();
-  for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
-    const MaterialState& s = h.state[static_cast<std::size_t>(other)];
-    fill_where_other(row(s.volume_new), n, other == m ? 1.0 : 0.0);
-    if (other == m) continue;
-    fill_where_other(row(s.mass_new), n, 0.0);
-    fill_where_other(row(s.energy_new), n, 0.0);
-  }
+void leave_alone(const Row& row, const UpdateState& h, int m, int components) {
+  const auto fill = [&](Out variable, int c, int first, int count, double value) {
+    fill_where_other(row(variable, c) + first, count, value);
+  };
+  for_each_marked(row, row.new_marks(), [&](int first, int count, int alone) {
+    if (alone == m) return;
+    for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
+      const MaterialState& s = h.state[static_cast<std::size_t>(other)];
+      fill(s.volume_new, 0, first, count, other == m ? 1.0 : 0.0);
+      if (other == m) continue;
+      fill(s.mass_new, 0, first, count, 0.0);
+      fill(s.energy_new, 0, first, count, 0.0);
+    }
+    for (const Out slip : h.slip_new)
+      for (int c = 0; c < components; ++c) fill(slip, c, first, count, 0.0);
+  });
 }
 
 void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid) {

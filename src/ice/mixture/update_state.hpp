@@ -7,6 +7,7 @@
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/equilibrate.hpp"
 #include "ice/mixture/heat_exchange.hpp"
+#include "ice/mixture/runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/sources/source_tasks.hpp"
@@ -41,7 +42,7 @@ inline HeatExchange::Surface surface_of(const Row& row, const UpdateState& h,
   return {row(h.surface, SurfaceParts::share)[i], row(h.surface, SurfaceParts::heat)[i]};
 }
 // Where material m is alone the others have nothing.
-void leave_alone(const Row& row, const UpdateState& h, int m);
+void leave_alone(const Row& row, const UpdateState& h, int m, int components);
 // Density, pressure and modulus of the mixture where `fluid` is alone.
 void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid);
 
@@ -54,9 +55,8 @@ template <int D, int C>
 bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, int m) {
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
-  leave_alone(row, h, m);
-  for (const Out slip : h.slip_new)
-    for (int c = 0; c < C; ++c) std::fill_n(row(slip, c), row.count(), 0.0);
+  leave_alone(row, h, m, C);
+  mark_alone(row, o.sources == nullptr ? m : -1);
   if (o.sources != nullptr) {
     add_sources(row, h, o);
     if (o.sources->takes_from(m, row.step())) return true;
