@@ -1,4 +1,4 @@
-// What is remembered of parts of the rows of a box: one small number for `cells` cells each, 0 where
+// What is remembered of parts of the rows of a box: a small number for `cells` cells each, 0 where
 // nothing is known.
 //
 // Parts lie on a lattice of the box. Only who computes a part as a whole marks it: no part that two

@@ -6,8 +6,8 @@
 //
 // A warehouse may remember which of its blocks are *uniform*: known to hold one value in all cells
 // and components of a slot, so that nobody need look or write it again. Whoever writes interior
-// cells says so (forget); ghost cells are never known. With blocks come marks of parts of rows, whose
-// meaning is the component's: they are forgotten likewise.
+// cells says so (forget); ghost cells are never known. With blocks come marks of parts of rows,
+// whose meaning is the component's: they are forgotten likewise.
 #pragma once
 #include <limits>
 #include <memory>

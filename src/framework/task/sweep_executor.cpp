@@ -202,8 +202,8 @@ void SweepExecutor::choose_kinds() {
   }
 }
 
-// What the graph of a block does not write, where it is not there already. Rows are marked by graphs
-// that write all of them.
+// What the graph of a block does not write, where it is not there already. Rows are marked by
+// graphs that write all of them.
 void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
   const Block& block = blocks_[n];
   const int number = static_cast<int>(n);

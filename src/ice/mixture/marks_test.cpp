@@ -1,5 +1,5 @@
-// What rows remember of materials that are alone (RowMarks): it is so in every cell of the state, and
-// said of most.
+// What rows remember of materials that are alone (RowMarks): it is so in every cell of the state,
+// and said of most.
 #include <gtest/gtest.h>
 
 #include <cmath>
