@@ -10,6 +10,7 @@
 
 #include "app/first_step_limit.hpp"
 #include "framework/deck/nearest_name.hpp"
+#include "framework/run/analysis_statistics.hpp"
 #include "framework/run/particle_archive.hpp"
 #include "framework/task/sweep_executor.hpp"
 
@@ -139,11 +140,40 @@ class Planner {
       count += request.materials.contains(m, component_.material_count()) ? 1 : 0;
     return count;
   }
+  // A field that an analysis gives of its samples; false: none of that name.
+  bool describe_statistics(const SaveRequest& r) {
+    const TypeOfVariable type_of = [this](const AnalysedVariable& v) {
+      const std::optional<Label> label = find_known(v.label, false);
+      if (!label) refuse_label(v.where, "analyze", v.label, false);
+      return label->info().type;
+    };
+    for (const AnalysisModule& m : scene_.analysis.modules) {
+      if (!keeps_statistics(m)) continue;
+      for (const auto& [name, type] : fields_of_statistics(m, type_of)) {
+        if (name != r.label) continue;
+        PlannedOutput out;
+        out.label = r.label;
+        out.where = r.where;
+        out.made = fmt::format("{}, from its samples", m.name);
+        out.materials = 1;
+        out.bytes_per_cell = component_count(type) * real_bytes(type);
+        plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
+        plan_.outputs.push_back(std::move(out));
+        return true;
+      }
+    }
+    return false;
+  }
+  double real_bytes(ValueType type) const {
+    const bool short_reals = scene_.output.doubles_as_floats && type == ValueType::real;
+    return type == ValueType::integer || short_reals ? 4 : word;
+  }
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
     std::set<Label> counted;
     for (const SaveRequest& r : o.saves) {
       const std::optional<Label> label = find_known(r.label, true);
+      if (!label && describe_statistics(r)) continue;
       if (!label) refuse_label(r.where, "save", r.label, true);
       PlannedOutput out;
       out.label = r.label;
@@ -155,8 +185,7 @@ class Planner {
         out.made = "of particles";
       } else {
         out.made = step_labels_.count(*label) > 0 ? "stored in the step" : "from the state";
-        const bool short_reals = o.doubles_as_floats && label->info().type == ValueType::real;
-        const double bytes = label->info().type == ValueType::integer || short_reals ? 4 : word;
+        const double bytes = real_bytes(label->info().type);
         out.materials = saved_materials(r, *label);
         out.bytes_per_cell = bytes * components * out.materials;
         out.memory_per_cell = word * stored_components(materials_of_, *label);

@@ -17,6 +17,22 @@ std::string unit_power(const std::string& unit, int power) {
   return fmt::format("({})^{}", unit, power);
 }
 
+constexpr const char* moment_names[] = {"sum_", "mean_", "variance_", "skewness_", "kurtosis_"};
+constexpr const char* stress_name = "uv_vw_wu_prime";
+constexpr const char* covariance_name = "covariance_";
+
+int highest_moment(const AnalysisModule& module) {
+  return module.higher_order ? 4 : 2;
+}
+
+// The velocity whose covariances with all scalars the module gives: its place; past the end: none.
+std::size_t velocity_of(const AnalysisModule& module) {
+  std::size_t velocity = module.variables.size();
+  for (std::size_t n = 0; n < module.variables.size(); ++n)
+    if (module.variables[n].fluid_velocity && module.name == "turbulentFluxes") velocity = n;
+  return velocity;
+}
+
 // Central moment of order 2 to 4 of n samples from the sums of d, d^2, ...
 double central_moment(int order, double n, const double* s) {
   const double m = s[0] / n, second = s[1] / n - m * m;
@@ -32,25 +48,41 @@ bool keeps_statistics(const AnalysisModule& m) {
   return m.name == "statistics" || m.name == "turbulentFluxes";
 }
 
+std::vector<std::pair<std::string, ValueType>> fields_of_statistics(const AnalysisModule& module,
+                                                                    const TypeOfVariable& type_of) {
+  std::vector<std::pair<std::string, ValueType>> fields;
+  const std::size_t velocity = velocity_of(module);
+  for (std::size_t n = 0; n < module.variables.size(); ++n) {
+    const AnalysedVariable& v = module.variables[n];
+    const bool vector = type_of(v) == ValueType::vector;
+    for (int moment = 0; moment <= highest_moment(module); ++moment)
+      fields.emplace_back(moment_names[moment] + v.label,
+                          vector ? ValueType::vector : ValueType::real);
+    if (v.reynolds_stress || n == velocity) fields.emplace_back(stress_name, ValueType::vector);
+    if (velocity < module.variables.size() && n != velocity && !vector)
+      fields.emplace_back(covariance_name + v.label, ValueType::vector);
+  }
+  return fields;
+}
+
 Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, Hierarchy& hierarchy,
                        int rank)
     : module_(&module), hierarchy_(&hierarchy), rank_(rank) {
-  const int powers = module.higher_order ? 4 : 2;
+  const int powers = highest_moment(module);
   std::vector<std::vector<std::size_t>> of_variable;
   for (const AnalysedVariable& v : module.variables)
     of_variable.push_back(add_quantity(v, find, powers));
-  std::size_t velocity = module.variables.size();
+  const std::size_t velocity = velocity_of(module);
   for (std::size_t n = 0; n < module.variables.size(); ++n) {
     const AnalysedVariable& v = module.variables[n];
     const std::vector<std::size_t>& own = of_variable[n];
-    if (v.fluid_velocity && module.name == "turbulentFluxes") velocity = n;
-    const bool prime = v.reynolds_stress || (velocity == n && n < module.variables.size());
+    const bool prime = v.reynolds_stress || velocity == n;
     if (prime && own.size() != 3)
       throw InputError(fmt::format("{}: '{}' is no vector: it has no Reynolds stress",
                                    to_string(v.where), v.label));
     if (prime)
       add_derived(
-          "uv_vw_wu_prime", ValueType::vector, unit_power("m/s", 2), v.material, 5,
+          stress_name, ValueType::vector, unit_power("m/s", 2), v.material, 5,
           {add_product(own[0], own[1]), add_product(own[1], own[2]), add_product(own[2], own[0])},
           "Covariances over time of the components of the velocity.");
   }
@@ -58,7 +90,7 @@ Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, H
     const AnalysedVariable& v = module.variables[n];
     const std::vector<std::size_t>&own = of_variable[n], &u = of_variable[velocity];
     if (n == velocity || own.size() != 1) continue;
-    add_derived("covariance_" + v.label, ValueType::vector,
+    add_derived(covariance_name + v.label, ValueType::vector,
                 quantities_[n].label.info().unit + " m/s", v.material, 5,
                 {add_product(own[0], u[0]), add_product(own[0], u[1]), add_product(own[0], u[2])},
                 "Covariances over time of a scalar with the components of the velocity.");
@@ -110,12 +142,12 @@ std::vector<std::size_t> Statistics::add_quantity(const AnalysedVariable& v,
   }
   const ValueType type =
       q.label.info().type == ValueType::vector ? ValueType::vector : ValueType::real;
-  const char* names[] = {"sum_", "mean_", "variance_", "skewness_", "kurtosis_"};
   const char* texts[] = {"Sum of samples over time.", "Mean over time.", "Variance over time.",
                          "Third central moment over time.", "Fourth central moment over time."};
   for (int moment = 0; moment <= powers; ++moment)
-    add_derived(names[moment] + v.label, type, unit_power(q.label.info().unit, std::max(1, moment)),
-                v.material, moment, entries, texts[moment]);
+    add_derived(moment_names[moment] + v.label, type,
+                unit_power(q.label.info().unit, std::max(1, moment)), v.material, moment, entries,
+                texts[moment]);
   return entries;
 }
 

@@ -9,8 +9,10 @@
 // the coarse cell below it. Names of labels that checkpoints keep begin
 // with the module's.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/analysis/modules.hpp"
@@ -90,5 +92,11 @@ class Statistics {
 
 // Does a module keep statistics.
 bool keeps_statistics(const AnalysisModule& module);
+
+// The fields of statistics that a module gives to save, by the names and types of their labels.
+// `type_of`: of a variable that it analyses.
+using TypeOfVariable = std::function<ValueType(const AnalysedVariable&)>;
+std::vector<std::pair<std::string, ValueType>> fields_of_statistics(const AnalysisModule& module,
+                                                                    const TypeOfVariable& type_of);
 
 }  // namespace sluice
