@@ -1,5 +1,6 @@
 // Materials that move together in equilibrium stay in it, on one level and across faces where
 // levels meet; a shock over a bubble.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,10 +54,11 @@ struct Equilibrium {
   int materials;
 };
 
-void expect_uniform(const CaseRun& run, const Equilibrium& e) {
+// `most`: distances of pressure, velocity and temperature, as shares.
+void expect_uniform(const CaseRun& run, const Equilibrium& e, Vec3 most = Vec3::all(allowed)) {
   const double p = farthest_on_levels(run, "press_CC", 0, e.pressure) / e.pressure;
   record("pressure", p);
-  EXPECT_LE(p, allowed);
+  EXPECT_LE(p, most[0]);
   double u = 0, T = 0;
   for (int m = 0; m < e.materials; ++m) {
     for (const int d : {0, 1})
@@ -65,8 +67,8 @@ void expect_uniform(const CaseRun& run, const Equilibrium& e) {
   }
   record("velocity", u);
   record("temperature", T);
-  EXPECT_LE(u, allowed);
-  EXPECT_LE(T, allowed);
+  EXPECT_LE(u, most[1]);
+  EXPECT_LE(T, most[2]);
 }
 
 TEST(MixtureFlow, ThreeMaterialsInARowStayInEquilibrium) {
@@ -89,8 +91,8 @@ struct Levels {
   const char* name;
   std::vector<std::string> overrides;
 };
-void expect_untouched(const CaseRun& run) {
-  expect_uniform(run, {101325, 300, {100, -40, 0}, 2});
+void expect_untouched(const CaseRun& run, Vec3 most = Vec3::all(allowed)) {
+  expect_uniform(run, {101325, 300, {100, -40, 0}, 2}, most);
   EXPECT_LE(drift_per_thousand(run), allowed_drift);
   ASSERT_GE(most_cells(run).size(), 2u);
   EXPECT_GT(most_cells(run)[1], 0);
@@ -170,6 +172,33 @@ TEST(MixtureFlow, ShockOverAWaterCylinderConserves) {
   EXPECT_LE(drift_per_thousand(run), allowed_drift);
   EXPECT_GT(regrids(run), 0);
 }
+
+// The air is a mixture with helium, in stripes of two fractions at one pressure and temperature,
+// whose edges cross those of the fine level. Measured: pressure to 1.5e-6, velocity 7.9e-5,
+// temperature 3.1e-5 with substeps, in lockstep 1.8e-8, 7.1e-8, 1.4e-6 as on one level: between
+// steps of the coarse level density and fraction are interpolated, not their product.
+class WaterAmongHelium : public testing::TestWithParam<Levels> {};
+
+TEST_P(WaterAmongHelium, LeavesNoTraceInPressureVelocityAndTemperature) {
+  const std::string model = "Models/Model/BinaryProperties/", scalar = model + "scalar/";
+  const std::string object = scalar + "geom_object/", constants = scalar + "constants/";
+  std::vector<std::string> changes = GetParam().overrides;
+  changes.insert(changes.end(),
+                 {"Models/Model/@type=BinaryProperties", model + "material=air", scalar + "@name=f",
+                  constants + "cv_A=717.5", constants + "cv_B=3116", constants + "R_A=287",
+                  constants + "R_B=2077", constants + "rho_A=1.176829268292683",
+                  constants + fmt::format("rho_B={:.17g}", 1.176829268292683 * 287 / 2077),
+                  object + "box/@label=helium", object + "box/min=[0.2,-9,-9]",
+                  object + "box/max=[0.6,9,9]", object + "scalar=0.7"});
+  expect_untouched(CaseRun("amr_water_square", changes), {5e-6, 2e-4, 1e-4});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    On, WaterAmongHelium,
+    testing::Values(Levels{"Ratio2", {}}, Levels{"Lockstep", {"AMR/useLockStep=true"}},
+                    Levels{"Ratio4", {resolution(16, 16), by_four, tiles_for_four}},
+                    Levels{"ThreeLevels", {resolution(16, 16), three_levels}}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace sluice::verification

@@ -117,6 +117,9 @@ const Case cases[] = {
     {"SlipOfDragged", "amr_water_cylinder", both(rubbing(), both(slip(), {drag("1e6")}))},
     {"SlipAmongDrops", "amr_drops",
      both(rubbing(), both(slip(), {drag("100"), "Time/maxTime=1e-3"}))},
+    {"MixedGas",
+     "amr_mixed_gas_water",
+     {exchange("exchange_coefficients/heat", "[1e8]"), material(1, "dynamic_viscosity", "2")}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, ModelsOnLevels, testing::ValuesIn(cases),

@@ -149,8 +149,8 @@ IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_w
   return region;
 }
 
-void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghosts,
-                                Side side) const {
+void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                                bool everywhere) const {
   if (scalars_.empty()) return;
   const auto n = static_cast<std::size_t>(side);
   const int d = direction_of(side);
@@ -166,7 +166,7 @@ void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghost
         views[k].scalar(ghost) = setting_.mixed->heat(views[k - 1].scalar(ghost));
         continue;
       }
-      const bool there = setting_.fluids.size() == 1 || views[k].mass(ghost) > 0.0;
+      const bool there = everywhere || views[k].mass(ghost) > 0.0;
       scalars::fill(rule, views[k].scalar, there, ghost, source, mirrored, distance);
     }
   });
@@ -176,9 +176,9 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
                              double time) const {
   // A gas may depend on its scalar; where there are several, the scalar on what there is of them.
   const bool one = setting_.fluids.size() == 1;
-  if (one) fill_scalars(state, box, ghosts, side);
+  if (one || setting_.mixed != nullptr) fill_scalars(state, box, ghosts, side, true);
   fill_flow(state, box, ghosts, side, time);
-  if (!one) fill_scalars(state, box, ghosts, side);
+  if (!one) fill_scalars(state, box, ghosts, side, false);
 }
 
 void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,

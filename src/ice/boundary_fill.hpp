@@ -82,7 +82,9 @@ class BoundaryFill {
   void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);
   BoundaryViews views(const Warehouse& state, int box) const;
   std::vector<scalars::GhostViews> scalar_views(const Warehouse& state, int box) const;
-  void fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side) const;
+  // `everywhere`: whether or not the material is there.
+  void fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                    bool everywhere) const;
   void fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
   void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team,

@@ -13,6 +13,7 @@
 #include "ice/mixture/surface.hpp"
 #include "ice/refine/criteria.hpp"
 #include "ice/scalars/heat_release.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/scalars/transfer.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/scheme_options.hpp"
@@ -37,7 +38,9 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
   if (materials == 1)
     flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid, by_volume);
   else
-    flow = std::make_unique<MixtureTransfer>(o.fluids, o.components, matches, o.own_velocities);
+    flow = std::make_unique<MixtureTransfer>(
+        o.fluids, o.components, matches, o.own_velocities,
+        by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
   for (const models::TransportedScalar& s : ice.models.scalars)
@@ -81,7 +84,7 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   if (o.own_velocities) return declare_slip(list, o);
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
-  scalars::declare_variables(list, o, v, {m.mass, m.mass_new, m.volume});
+  scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   // task                            reads                              writes
   mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
   add_slopes(list, v, o, effect_second_order);                 // u, p       su, sp, P, UT
@@ -90,11 +93,12 @@ void Ice::declare_mixture(TaskList& list, const SchemeOptions& o) const {
   mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
   mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
-  mixture::add_lagrangian(list, m, o, effect_flow);           // u_f, p_f   E_mL, scales
-  mixture::add_remap_bases(list, m, o, effect_second_order);  // Lagrange   bases
-  mixture::add_remap_fluxes(list, m, o, effect_flow);         // bases      FV, FM, FE of each, U
-  mixture::add_update(list, m, o, effect_equilibration);      // fluxes     new state, rates
-  scalars::add_tasks(list, v, o, effect_scalars);             // u_f, fluxes  new scalars
+  mixture::add_lagrangian(list, m, o, effect_flow);             // u_f, p_f   E_mL, scales
+  mixture::add_remap_bases(list, m, o, effect_second_order);    // Lagrange   bases
+  mixture::add_remap_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE of each, U
+  mixture::add_update(list, m, o, effect_equilibration);        // fluxes     new state, rates
+  scalars::add_tasks(list, v, o, effect_scalars);               // u_f, fluxes  new scalars
+  mixture::add_one_pressure(list, m, o, effect_equilibration);  // remap, f  new state, rates
   if (effects_.on(effect_boundary_account))
     add_boundary_account(list, v, o, effect_boundary_account);  // fluxes     sums
   add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp      sums
@@ -259,6 +263,11 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   o.material = variant.kind;
   const auto m = static_cast<std::size_t>(o.material);
   o.fluid = o.fluids[m];
+  if (!scalars::is_mixed(o, m)) {
+    o.mixed = nullptr;
+    o.density_bound = DensityBound::sharp;
+    o.conductivity_varies = ice_.turbulence.has_value();
+  }
   if (o.fluids.size() > 1) {
     o.transport = o.transports[m];
     o.viscosity = o.viscosities[m];

@@ -69,6 +69,8 @@ class Ice : public Component {
   void initialise_material(Warehouse& state) const;  // one
   void initialise_materials(Warehouse& state) const;
   void initialise_scalars(Warehouse& state) const;
+  // The law of a mixed gas at the start, and its energy.
+  Fluid mixed_law(Vec3 centre) const;
   double mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
 
   const Scene* scene_;

@@ -12,6 +12,7 @@
 #include "ice/fluid_laws.hpp"
 #include "ice/ice_scene.hpp"
 #include "ice/ice_schema.hpp"
+#include "ice/mixed_gas_rules.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/read_fluid.hpp"
 #include "models/models.hpp"
@@ -264,45 +265,6 @@ bool mixes_gas(const DeckNode& model) {
   return models::mixes_gas(model.attribute("type").value_or(""));
 }
 
-// What a gas whose properties follow from a scalar goes without so far.
-void check_mixed_gas(const DeckNode& root, const DeckNode& model, std::vector<Fault>& faults) {
-  const auto materials = ice_materials(root);
-  if (materials.empty()) return;
-  const DeckNode& material = *materials.front();
-  const std::string name = model.attribute("type").value_or("");
-  for (const DeckNode* other : root.child("Models")->all("Model"))
-    if (other != &model && mixes_gas(*other) && other->where.line > model.where.line)
-      add_error(faults, other->where,
-                fmt::format("a gas is one mixture: there are the models <{}> and <{}>", name,
-                            other->attribute("type").value_or("")));
-  const DeckNode* law = material.child("EOS");
-  if (law != nullptr && law->attribute("type") != "ideal_gas")
-    add_error(faults, law->where, fmt::format("<{}> needs <EOS type=\"ideal_gas\">", name));
-  const auto refuse = [&](const DeckNode* node, const char* what, const char* advice) {
-    if (node != nullptr)
-      add_not_built(faults, node->where, fmt::format("{} with <{}>", what, name), advice);
-  };
-  refuse(material.child("SpecificHeatModel"), "<SpecificHeatModel>", "remove it");
-  const DeckNode* viscosities = material.child("dynamicViscosityModels");
-  if (viscosities != nullptr && models::own_coefficient(model, models::Coefficient::viscosity))
-    for (const DeckNode* viscosity : viscosities->all("Model"))
-      if (viscosity->attribute("name") == "Sutherland")
-        add_error(faults, viscosity->where,
-                  fmt::format("two laws of viscosity: <{}> has one, and Sutherland's stands beside "
-                              "it",
-                              name),
-                  "remove one of the two");
-  const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
-  const DeckNode* ice = root.find("CFD/ICE");
-  const DeckNode* start = root.find("CFD/ICE/customInitialization");
-  const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
-  const bool hydrostatic =
-      gravity && !(*gravity == Vec3{}) && (balanced == nullptr || balanced->text != "false");
-  if (start != nullptr && !hydrostatic && start->child("formula") == nullptr)
-    refuse(start, "<customInitialization> by name",
-           "write a <formula> with pressure, or gravity with a hydrostatic start");
-}
-
 }  // namespace
 
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
@@ -314,7 +276,7 @@ void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   const bool classic = scheme != nullptr && scheme->text == "classic";
   for (const DeckNode* model : models->all("Model")) {
     const bool mixes = mixes_gas(*model);
-    if (mixes) check_mixed_gas(root, *model, faults);
+    if (mixes) check_mixed_gas(root, *model, material_names(root), faults);
     if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
       add_not_built(faults, model->where, "a transported scalar with <scheme> classic",
                     "remove <scheme>");

@@ -227,9 +227,9 @@ PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
   return fill;
 }
 
-// The densities that a model gives its gases apart.
-void apply_mixture(const models::ModelList& models, const Level& level, PrimitiveFill& fill) {
-  if (!models.mixed->start_density) return;
+void apply_mixture(const models::ModelList& models, int material, const Level& level,
+                   PrimitiveFill& fill) {
+  if (!models.mixed || models.mixed->material != material || !models.mixed->start_density) return;
   const auto fraction =
       std::find_if(models.scalars.begin(), models.scalars.end(),
                    [&](const auto& s) { return s.name == models.mixed->fraction; });
@@ -245,7 +245,7 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
   PrimitiveFill fill;
   size_fill(cells_to_fill(scene, constants, level, cells), fill);
   apply_objects(material, level, fill);
-  if (scene.models.mixed) apply_mixture(scene.models, level, fill);
+  apply_mixture(scene.models, material.index, level, fill);
   apply_starts(scene, constants, material, coarsest, level, fill);
   if (is_hydrostatic(scene, constants))
     apply_hydrostatics(constants, material, coarsest, level, fill);

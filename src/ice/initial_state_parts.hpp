@@ -19,6 +19,9 @@ Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
 void set_pressure(const IceMaterial& m, Keeps keeps, double pressure, std::size_t n,
                   PrimitiveFill& fill);
 
+// The densities that a model gives the gases of this material apart, if it does.
+void apply_mixture(const models::ModelList& models, int material, const Level& level,
+                   PrimitiveFill& fill);
 // Density, temperature and velocity are there; pressure, named starts and formulas follow.
 void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
                   const Level& coarsest, const Level& level, PrimitiveFill& fill);

@@ -72,11 +72,14 @@ void Ice::initialise_material(Warehouse& state) const {
   }
 }
 
+Fluid Ice::mixed_law(Vec3 centre) const {
+  return scalars::fluid_of(*options_.mixed, scalars::fraction_of(options_).at_start(centre));
+}
+
 // What holds beside the density: the pressure where it is that of the weight or of a formula, the
 // temperature otherwise.
 double Ice::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
-  const Fluid fluid =
-      scalars::fluid_of(*options_.mixed, scalars::fraction_of(options_).at_start(centre));
+  const Fluid fluid = mixed_law(centre);
   if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
     return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
   return fluid.energy_from_temperature(fill.density[n], fill.temperature[n]);
@@ -87,7 +90,8 @@ void Ice::initialise_materials(Warehouse& state) const {
   const auto put = [](double& at, double value) {
     if (at != value) at = value;
   };
-  const mixture::Equilibration equilibration(options_.fluids);
+  mixture::Equilibration equilibration(options_.fluids);
+  const models::MixedGas* gas = options_.mixed;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
     const MixtureFill fill =
@@ -101,10 +105,14 @@ void Ice::initialise_materials(Warehouse& state) const {
         M[m] = V[m] = E[m] = 0.0;
         if (f.volume_fraction[n] == 0.0) continue;
         const Fluid& fluid = options_.fluids[m];
+        const bool is_mixed = scalars::is_mixed(gas, m);
+        if (is_mixed) equilibration.set_law(gas->material, mixed_law(state.level().centre(cell)));
         V[m] = f.volume_fraction[n];
         M[m] = V[m] * f.density[n];
         rho += M[m];
-        E[m] = V[m] * fluid.energy_from_pressure(f.density[n], f.pressure[n], f.temperature[n]);
+        E[m] = V[m] * (is_mixed ? mixed_energy(state.level().centre(cell), f, n)
+                                : fluid.energy_from_pressure(f.density[n], f.pressure[n],
+                                                             f.temperature[n]));
         for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
       }
       const int failed = equilibration.equilibrate({M, V, E}).failed;

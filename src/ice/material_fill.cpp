@@ -161,6 +161,7 @@ MixtureFill fill_materials(const IceScene& scene, const PhysicalConstants& const
     fill.materials.emplace_back();
     size_fill(fill.cells, fill.materials.back());
     apply_objects(m, level, fill.materials.back());
+    apply_mixture(scene.models, m.index, level, fill.materials.back());
     apply_starts(scene, constants, m, coarsest, level, fill.materials.back());
   }
   close_fractions(scene, level, fill);

@@ -46,7 +46,7 @@ void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptio
                      const MaterialsOfStep& materials, const MaterialOfStep& m, VariableId dilation,
                      int effect) {
   const VariableId f = materials.f.value_or(m.mass), f_new = materials.f_new.value_or(m.mass_new);
-  const Thermometer T{m.fluid, o.mixed};
+  const Thermometer T = thermometer_of(m, o);
   save_values(list, labels().lagrangian_heating, m.index, effect,
               std::array{m.mass, m.volume, m.energy, m.energy_L, dilation, f, v.rho},
               [T](const Row& row, const auto& q, int i) {
@@ -70,6 +70,11 @@ void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptio
 
 double Thermometer::at(double M, double V, double E, double f) const {
   return gas != nullptr ? E / (M * gas->specific_heat(f)) : fluid.temperature(M / V, E / V);
+}
+
+Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
+  const bool is_mixed = scalars::is_mixed(o, static_cast<std::size_t>(m.index));
+  return {m.fluid, is_mixed ? o.mixed : nullptr};
 }
 
 MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {

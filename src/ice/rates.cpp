@@ -8,6 +8,7 @@
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/drag.hpp"
 #include "ice/mixture/equilibrate.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/step_bounds.hpp"
 #include "ice/transport/viscosity.hpp"
@@ -18,8 +19,10 @@ namespace {
 // Density and modulus (rho c^2) of the cells of one box.
 class CellStates {
  public:
-  CellStates(const Warehouse& state, const std::vector<Fluid>& fluids, int box, bool own_velocities)
-      : state_(state), box_(box), fluids_(fluids), equilibration_(fluids) {
+  CellStates(const Warehouse& state, const SchemeOptions& o, int box)
+      : state_(state), box_(box), fluids_(o.fluids), gas_(o.mixed), equilibration_(o.fluids) {
+    const std::vector<Fluid>& fluids = fluids_;
+    const bool own_velocities = o.own_velocities;
     const auto view = [&](Label label, int m) { return state.view(state.find(label, m), 0, box); };
     for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
       mass_.push_back(view(labels().mass, m));
@@ -27,16 +30,14 @@ class CellStates {
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
       if (own_velocities) slip_.push_back(state.find(labels().slip, m));
     }
+    if (gas_ != nullptr) fraction_ = view(scalars::fraction_of(o).state(), gas_->material);
   }
 
   struct State {
     double rho = 0, modulus = 0;
   };
-  State at(IntVec3 cell) const {
-    if (fluids_.size() == 1) {
-      const double rho = mass_[0](cell);
-      return {rho, fluids_[0].bulk_modulus(rho, fluids_[0].pressure(rho, energy_[0](cell)))};
-    }
+  State at(IntVec3 cell) {
+    if (fluids_.size() == 1) return of_one(0, mass_[0](cell), energy_[0](cell));
     double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
     double rho = 0;
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
@@ -44,6 +45,14 @@ class CellStates {
       V[m] = volume_[m](cell);
       E[m] = energy_[m](cell);
       rho += M[m];
+    }
+    if (gas_ != nullptr) {
+      // Where the gas is alone its largest gamma holds, as in a step.
+      const auto gas = static_cast<std::size_t>(gas_->material);
+      bool alone = M[gas] != 0.0;
+      for (std::size_t m = 0; m < fluids_.size(); ++m) alone = alone && (m == gas || M[m] == 0.0);
+      if (alone) return of_one(gas, M[gas], E[gas]);
+      equilibration_.set_law(gas_->material, scalars::fluid_of(*gas_, fraction_(cell)));
     }
     return {rho, equilibration_.look({M, V, E}).modulus};
   }
@@ -83,10 +92,16 @@ class CellStates {
   }
 
  private:
+  State of_one(std::size_t m, double rho, double E) const {
+    return {rho, fluids_[m].bulk_modulus(rho, fluids_[m].pressure(rho, E))};
+  }
+
   const Warehouse& state_;
   int box_;
   std::vector<int> slip_;
   const std::vector<Fluid>& fluids_;
+  const models::MixedGas* gas_;
+  RealView fraction_;  // of it
   mixture::Equilibration equilibration_;
   std::vector<RealView> mass_, energy_, volume_;
 };
@@ -240,7 +255,7 @@ void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
     rates.maximum(StepSlots::diffusion_rate,
                   ordered_bits(scalars::diffusion_rate(options_, spacing)));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const CellStates states(state, options_.fluids, b, options_.own_velocities);
+    CellStates states(state, options_, b);
     const Diffusion diffusion(state, at_level(state.level().index), b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const auto [rho, modulus] = states.at(cell);

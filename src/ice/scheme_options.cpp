@@ -64,7 +64,8 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
   std::vector<TransportModels> all;
   for (const IceMaterial& m : ice.materials)
     all.push_back({m.viscosity_models.sutherland, sponge_cells(m.viscosity_models, level),
-                   ice.turbulence, ice.wall_shear, ice.models.mixed && m.viscosity > 0});
+                   ice.turbulence, ice.wall_shear,
+                   ice.models.mixed && ice.models.mixed->material == m.index && m.viscosity > 0});
   return all;
 }
 

@@ -55,6 +55,8 @@ struct Thermometer {
   double at(double M, double V, double E, double f) const;
 };
 
+Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o);
+
 // The axis along a level direction, or -1.
 int axis_along(const SchemeOptions& o, int direction);
 

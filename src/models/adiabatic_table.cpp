@@ -112,6 +112,7 @@ TagSpec adiabatic_table_tag() {
 void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
                            std::vector<Fault>& faults) {
   const DeckNode* scalar = check_mixture(parameters, materials, faults);
+  check_alone(parameters, materials, faults);
   if (real_of(&parameters, "varianceScale").value_or(0) > 0)
     add_not_built(faults, parameters.child("varianceScale")->where, "<varianceScale> above 0",
                   "write 0");

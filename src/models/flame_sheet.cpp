@@ -48,6 +48,7 @@ TagSpec flame_sheet_tag() {
 void check_flame_sheet(const DeckNode& parameters, const std::vector<std::string>& materials,
                        std::vector<Fault>& faults) {
   const DeckNode* scalar = check_mixture(parameters, materials, faults);
+  check_alone(parameters, materials, faults);
   const DeckNode* constants = scalar == nullptr ? nullptr : scalar->child("reaction_constants");
   if (real_of(constants, "f_stoichometric").value_or(0) == 1)
     add_error(faults, constants->child("f_stoichometric")->where,

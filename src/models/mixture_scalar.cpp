@@ -35,14 +35,18 @@ std::vector<TagSpec> diffusion_tags() {
 const DeckNode* check_mixture(const DeckNode& parameters, const std::vector<std::string>& materials,
                               std::vector<Fault>& faults) {
   check_material(parameters, "material", materials, faults);
-  if (materials.size() > 1)
-    add_not_built(faults, parameters.where,
-                  fmt::format("<{}> with several materials", parameters.name),
-                  "keep the gas alone");
   const DeckNode* scalar = parameters.child("scalar");
   if (scalar == nullptr) return nullptr;
   for (const DeckNode* object : scalar->all("geom_object")) check_scalar_region(*object, faults);
   return scalar;
+}
+
+void check_alone(const DeckNode& parameters, const std::vector<std::string>& materials,
+                 std::vector<Fault>& faults) {
+  if (materials.size() > 1)
+    add_not_built(faults, parameters.where,
+                  fmt::format("<{}> with several materials", parameters.name),
+                  "keep the gas alone, or take <BinaryProperties>");
 }
 
 MixedGas read_mixture(const DeckNode& parameters, const std::vector<std::string>& materials) {

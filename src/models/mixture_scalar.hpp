@@ -16,6 +16,9 @@ std::vector<TagSpec> diffusion_tags();
 // Returns the <scalar>, or null where there is none.
 const DeckNode* check_mixture(const DeckNode& parameters, const std::vector<std::string>& materials,
                               std::vector<Fault>& faults);
+// Of a gas that gives heat where it mixes: it is the only material so far.
+void check_alone(const DeckNode& parameters, const std::vector<std::string>& materials,
+                 std::vector<Fault>& faults);
 
 // A gas that knows its names, material and place.
 MixedGas read_mixture(const DeckNode& parameters, const std::vector<std::string>& materials);

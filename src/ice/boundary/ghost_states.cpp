@@ -105,7 +105,7 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
 }
 
 const Fluid& GhostStates::fluid_of(IntVec3 cell, Fluid& room, std::size_t material) const {
-  if (setting_.mixed == nullptr) return setting_.fluids[material];
+  if (!scalars::is_mixed(setting_.mixed, material)) return setting_.fluids[material];
   return room = scalars::fluid_of(*setting_.mixed, v_.composition(cell));
 }
 
@@ -149,10 +149,11 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
 
 double GhostStates::mixture_pressure(IntVec3 source) const {
   double work = 0, volume = 0;
+  Fluid room;
   for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     if (M == 0.0) continue;
-    const double p = setting_.fluids[m].pressure(M / V, v_.energy[m](source) / V);
+    const double p = fluid_of(source, room, m).pressure(M / V, v_.energy[m](source) / V);
     if (V == 1.0) return p;
     work += V * p;
     volume += V;
@@ -161,17 +162,20 @@ double GhostStates::mixture_pressure(IntVec3 source) const {
 }
 
 // What the ghost has of the cell that it looks at, before pressure and temperatures act on it.
-void GhostStates::take_over(const MixtureRule& rule, IntVec3 source, double distance) {
+void GhostStates::take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 source,
+                            double distance) {
+  Fluid room;
   for (std::size_t m = 0; m < parts_.size(); ++m) {
     const MixtureRule::Part& r = rule.parts[m];
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     Part& part = parts_[m];
     part = {};
+    part.law = &fluid_of(ghost, mixed_law_, m);
     part.given_T = r.rule.fixed_temperature || r.rule.temperature_gradient != 0;
     if (M > 0.0) {
       part.V = part.V_source = V;
       part.rho = (M - r.rule.density_gradient * distance) / V;
-      part.T = setting_.fluids[m].temperature(M / V, v_.energy[m](source) / V) -
+      part.T = fluid_of(source, room, m).temperature(M / V, v_.energy[m](source) / V) -
                r.rule.temperature_gradient * distance;
     }
     if (r.rule.fixed_temperature) part.T = r.rule.temperature;
@@ -194,10 +198,10 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
       if (r.rule.specific_volume > 0)
         part.rho = 1.0 / r.rule.specific_volume;
       else if (part.T > 0)
-        part.rho = setting_.fluids[m].density(p, part.T);
+        part.rho = part.law->density(p, part.T);
       part.V = part.rho > 0 ? r.rule.density / part.rho : 0.0;
     } else if (part.V > 0 && part.given_T) {
-      part.rho = setting_.fluids[m].density(p, part.T);
+      part.rho = part.law->density(p, part.T);
     }
     (fixed ? given : taken) += part.V;
   }
@@ -221,7 +225,7 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
 
 void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
-  take_over(rule, source, distance);
+  take_over(rule, ghost, source, distance);
   double p = given_pressure(rule.common);
   double rho = 0;
   if (!rule.common.fixed_pressure && !rule.common.sine_pressure) {
@@ -238,7 +242,7 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
     v_.volume[m](ghost) = present ? part.V : 0.0;
     v_.mass[m](ghost) = present ? part.V * part.rho : 0.0;
     v_.energy[m](ghost) =
-        present ? part.V * setting_.fluids[m].energy_from_pressure(part.rho, p, part.T) : 0.0;
+        present ? part.V * part.law->energy_from_pressure(part.rho, p, part.T) : 0.0;
   }
   set_velocities(rule, ghost, source, distance, slides);
 }

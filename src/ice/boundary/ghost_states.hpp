@@ -58,10 +58,11 @@ class GhostStates {
   struct Part {
     double rho = 0, V = 0, T = 0;  // true density, share of the cell
     double V_source = 0;
+    const Fluid* law = nullptr;
     double u = 0;  // along one component
     bool given_T = false;
   };
-  // Of one material in this cell; `room` holds it where the one gas is a mixture of its own.
+  // Of one material in this cell; `room` holds it where it is a gas that is a mixture itself.
   const Fluid& fluid_of(IntVec3 cell, Fluid& room, std::size_t material = 0) const;
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
   // `given`: that of the rule at this ghost.
@@ -98,7 +99,7 @@ class GhostStates {
   int alone_in(IntVec3 cell) const;
   double transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const;
   double mixture_pressure(IntVec3 source) const;
-  void take_over(const MixtureRule& rule, IntVec3 source, double distance);
+  void take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);
   void set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance,
                       bool slides);
@@ -110,6 +111,7 @@ class GhostStates {
   bool plus_;
   double time_ = 0, swing_ = 0;  // A sin(omega t)
   std::vector<Part> parts_;
+  Fluid mixed_law_;  // of a part that is a mixture itself, in the ghost
 };
 
 }  // namespace sluice::ice

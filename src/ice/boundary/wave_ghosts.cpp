@@ -39,8 +39,9 @@ double GhostStates::sound_speed(IntVec3 cell, const WaveState& s) const {
   for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](cell), V = v_.volume[m](cell);
     if (M == 0.0) continue;
-    if (V == 1.0) return setting_.fluids[m].sound_speed(M, s.p);
-    compliance += V / setting_.fluids[m].bulk_modulus(M / V, s.p);
+    const Fluid& fluid = fluid_of(cell, room, m);
+    if (V == 1.0) return fluid.sound_speed(M, s.p);
+    compliance += V / fluid.bulk_modulus(M / V, s.p);
   }
   return std::sqrt(1.0 / (compliance * s.rho));
 }
@@ -192,15 +193,16 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
                        ? given_pressure(rule.common)
                        : out.p + hydrostatic(source, ghost, out.rho);
   double filled = 0;
+  Fluid room;
   for (std::size_t m = 0; m < count; ++m) {
     Part& part = parts_[m];
     part = {};
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     if (M == 0.0) continue;
-    const double rho = M / V,
-                 change = (p - p_source) / setting_.fluids[m].bulk_modulus(rho, p_source);
+    const Fluid& fluid = fluid_of(source, room, m);
+    const double rho = M / V, change = (p - p_source) / fluid.bulk_modulus(rho, p_source);
     part.rho = rho * (1.0 + std::clamp(change, -most_change, most_change));
-    part.T = setting_.fluids[m].temperature(rho, v_.energy[m](source) / V);
+    part.T = fluid.temperature(rho, v_.energy[m](source) / V);
     part.V = V * (rho / part.rho);
     filled += part.V;
   }
@@ -214,7 +216,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
     v_.volume[m](ghost) = present ? part.V : 0.0;
     v_.mass[m](ghost) = present ? M : 0.0;
     v_.energy[m](ghost) =
-        present ? part.V * setting_.fluids[m].energy_from_pressure(part.rho, p, part.T) : 0.0;
+        present ? part.V * fluid_of(ghost, room, m).energy_from_pressure(part.rho, p, part.T) : 0.0;
     if (present) rho += M;
   }
   wave_momentum(rule.common, out, ghost, source, rho);

@@ -14,6 +14,13 @@ class CellClosure {
               const std::optional<SlipExchange>& slip)
       : equilibration_(fluids), collapse_(fluids), heat_(fluids, heat, slip) {}
 
+  // The law of a gas in the next cell, where it is another in every cell.
+  void set_law(int m, const Fluid& fluid) {
+    equilibration_.set_law(m, fluid);
+    collapse_.set_law(m, fluid);
+    heat_.set_law(m, fluid);
+  }
+
   bool exchanges_heat() const { return heat_.on(); }
   // Of mass `density` per volume, after a step of dt.
   Equilibration::Result close(const Equilibration::Cell& cell, double density, double dt,

@@ -7,16 +7,26 @@ namespace {
 constexpr double trace_of_mass = 1e-6;  // of the cell: air of 1 bar in 1e-3 of a cell of water
 constexpr double closing = 4.0;         // times the pressure it had
 
+// gamma - 1; of what is no gas 0.
+double gas_ratio(const Fluid& fluid) {
+  const eos::IdealGas* law = fluid.heat ? nullptr : fluid.ideal();
+  return law == nullptr ? 0.0 : law->gamma - 1.0;
+}
+
 }  // namespace
 
 Collapse::Collapse(const std::vector<Fluid>& fluids) : fluids_(fluids) {
   bool gas = false, liquid = false;
   for (const Fluid& fluid : fluids) {
-    const eos::IdealGas* law = fluid.heat ? nullptr : fluid.ideal();
-    G_.push_back(law == nullptr ? 0.0 : law->gamma - 1.0);
-    (law == nullptr ? liquid : gas) = true;
+    G_.push_back(gas_ratio(fluid));
+    (G_.back() > 0.0 ? gas : liquid) = true;
   }
   possible_ = gas && liquid;
+}
+
+void Collapse::set_law(int m, const Fluid& fluid) {
+  fluids_[static_cast<std::size_t>(m)] = fluid;
+  G_[static_cast<std::size_t>(m)] = gas_ratio(fluid);
 }
 
 std::uint64_t Collapse::traces_of_gas(const Equilibration::Cell& cell, double density) const {

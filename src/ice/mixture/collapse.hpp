@@ -15,6 +15,7 @@ namespace sluice::ice::mixture {
 class Collapse {
  public:
   explicit Collapse(const std::vector<Fluid>& fluids);
+  void set_law(int m, const Fluid& fluid);
 
   // Are there gases and liquids.
   bool possible() const { return possible_; }

@@ -16,27 +16,29 @@
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/transport/viscosity.hpp"
 #include "ice/wall_faces.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-// T and rho_m cv_m of each material that conducts, where it is; with eddies its conductivity too,
-//   k_m + cp_m mu_t/Pr_t (rho_m/rho).
+// T and rho_m cv_m of each material that conducts, where it is; where it varies its k too,
+//   k_m + cp_m mu_t/Pr_t (rho_m/rho), k_m of a mixed gas that of its fraction.
 void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature of each material", effect);
   const StateReads state = read_state(task, v);
   const In presence = task.read(v.presence);
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
   const Out own = task.write(list.temporary("density and energy of a material", 2));
-  const bool turbulent = o.conductivity_varies;
+  const bool varies = o.conductivity_varies, turbulent = o.transport.turbulence.has_value();
+  const In fraction = o.mixed != nullptr ? task.read(scalars::old_fraction(list, o)) : In{};
   const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
   const In rho = turbulent ? task.read(v.common.rho) : In{};
-  const Out conductivity = turbulent ? task.write(v.common.conductivity) : Out{};
+  const Out conductivity = varies ? task.write(v.common.conductivity) : Out{};
   task.kernel([=](const Row& row) {
     // The end of the step asks for it where a material may have come in.
-    for (int m = 0; turbulent && m < static_cast<int>(o.fluids.size()); ++m)
+    for (int m = 0; varies && m < static_cast<int>(o.fluids.size()); ++m)
       std::fill_n(row(conductivity, m), row.count(), 0.0);
     for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
@@ -46,16 +48,25 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
-        temperature_row(o.fluids[n], count, r, e, part(temperature, m));
         double* __restrict C = part(capacity, m);
-        heat_capacity_row(o.fluids[n], count, r, e, C);
+        if (scalars::is_mixed(o, n)) {
+          const double* f = part(fraction);
+          scalars::mixed_temperature_row(*o.mixed, count, f, r, e, part(temperature, m));
+          scalars::property_row(*o.mixed, &models::MixedGas::Node::cv, count, f, C);
+          if (varies)
+            scalars::property_row(*o.mixed, &models::MixedGas::Node::conductivity, count, f,
+                                  part(conductivity, m));
+        } else {
+          temperature_row(o.fluids[n], count, r, e, part(temperature, m));
+          heat_capacity_row(o.fluids[n], count, r, e, C);
+          if (varies) std::fill_n(part(conductivity, m), count, o.conductivities[n]);
+        }
         if (turbulent) {
           const double scale = heat_ratio(o.fluids[n]) / o.transport.turbulence->prandtl;
           const double* __restrict mu_t = part(eddy);
           const double* __restrict all = part(rho);
           double* __restrict k = part(conductivity, m);
-          for (int i = 0; i < count; ++i)
-            k[i] = o.conductivities[n] + scale * C[i] * (mu_t[i] * (r[i] / all[i]));
+          for (int i = 0; i < count; ++i) k[i] += scale * C[i] * (mu_t[i] * (r[i] / all[i]));
         }
         for (int i = 0; i < count; ++i) C[i] *= r[i];
       });
@@ -274,13 +285,20 @@ class FaceHeat {
         const WallHeat& wall =
             o_.boundary->wall_heat(side_of(o_.axes.direction[axis_], plus), cell, m);
         const bool alone = is_single(static_cast<double>(set));
-        const double conductivity = alone ? k(m) : smaller(k(m), g.most[m]);
+        const double k_m = conductivity_on_wall(row, m, i);
+        const double conductivity = alone ? k_m : smaller(k_m, g.most[m]);
         const double outward =
             g.share[m] * heat_to_wall(wall, conductivity, g.temperature[m], length, inverse);
         q[m] = plus ? outward : -outward;
       }
       put(flows(row), i, q, q);
     });
+  }
+
+  // Subgrid motion ends at walls.
+  double conductivity_on_wall(const Row& row, int m, int i) const {
+    if (!scalars::is_mixed(o_, static_cast<std::size_t>(m))) return k(m);
+    return harmonic_mean(row(h_.conductivity, m, axis_, -1)[i], row(h_.conductivity, m)[i]);
   }
 
   SchemeOptions o_;

@@ -14,19 +14,26 @@ constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
 
 }  // namespace
 
-Equilibration::Equilibration(const std::vector<Fluid>& fluids) : fluids_(fluids) {
-  for (const Fluid& fluid : fluids) {
-    Linear l;
-    if (const auto* gas = std::get_if<eos::IdealGas>(&fluid.law)) {
-      l = {true, gas->gamma - 1.0, (gas->gamma - 1.0) / gas->gamma, 0.0, 0.0, 0.0};
-    } else if (const auto* stiff = std::get_if<eos::StiffenedGas>(&fluid.law)) {
-      const double G = stiff->gamma - 1.0;
-      l = {true, G, G / stiff->gamma, stiff->gamma * stiff->pinf, stiff->pinf, stiff->q};
-    } else {
-      l.pi = -fluid.lowest_pressure();
-    }
-    linear_.push_back(l);
+Equilibration::Linear Equilibration::linear_of(const Fluid& fluid) {
+  Linear l;
+  if (const auto* gas = std::get_if<eos::IdealGas>(&fluid.law)) {
+    l = {true, gas->gamma - 1.0, (gas->gamma - 1.0) / gas->gamma, 0.0, 0.0, 0.0};
+  } else if (const auto* stiff = std::get_if<eos::StiffenedGas>(&fluid.law)) {
+    const double G = stiff->gamma - 1.0;
+    l = {true, G, G / stiff->gamma, stiff->gamma * stiff->pinf, stiff->pinf, stiff->q};
+  } else {
+    l.pi = -fluid.lowest_pressure();
   }
+  return l;
+}
+
+Equilibration::Equilibration(const std::vector<Fluid>& fluids) : fluids_(fluids) {
+  for (const Fluid& fluid : fluids) linear_.push_back(linear_of(fluid));
+}
+
+void Equilibration::set_law(int m, const Fluid& fluid) {
+  fluids_[static_cast<std::size_t>(m)] = fluid;
+  linear_[static_cast<std::size_t>(m)] = linear_of(fluid);
 }
 
 bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const {

@@ -29,6 +29,8 @@ constexpr double same_pressure = 4e-15;
 class Equilibration {
  public:
   explicit Equilibration(const std::vector<Fluid>& fluids);
+  // Of a gas whose law is another in every cell.
+  void set_law(int m, const Fluid& fluid);
 
   struct Cell {
     double* M;  // mass, volume, energy of each material, per volume of the cell
@@ -56,6 +58,7 @@ class Equilibration {
     // (p + pi) V/gamma: what its volume goes by beside g V.
     double thermal(double M, double V, double E) const { return g * (E - q * M - pi * V); }
   };
+  static Linear linear_of(const Fluid& fluid);
   struct Stiffness {
     double pressure, modulus;
   };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ice/scalars/mixed_gas.hpp"
+
 namespace sluice::ice::mixture {
 
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
@@ -24,6 +26,7 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   h.stretch = task.read(v.stretch, both);
   if (o.second_order && o.axes.count > 1)
     h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
+  if (o.mixed != nullptr && o.second_order) h.alike = task.read(v.alike, both);
   return h;
 }
 
@@ -67,6 +70,7 @@ void MaterialFaces::bind(int m) {
   look_up(k.energy_L, h_.energy_L, m);
   look_up(k.eps_L, h_.specific_energy_L, m);
   look_up(k.scale, h_.scale, m);
+  if (scalars::is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {
     look_up(k.base_V, h_.base, component(m, of_volume));
     look_up(k.base_r, h_.base, component(m, of_mass));

@@ -30,6 +30,7 @@ struct MaterialHandles {
   In presence, pure;
   In density, specific_energy;  // old, per own volume, next to faces
   In energy_L, specific_energy_L, scale, stretch, base;
+  In alike;  // of a mixed gas
 };
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
                                int axis);
@@ -41,6 +42,7 @@ struct MaterialFaceRows {
   const double *r[2], *e[2];  // density and energy per own volume, cells -1 and 0
   const double *energy_L[2], *eps_L[2], *scale[2];
   const double *base_V[2], *base_r[2], *base_e[2];
+  const double* alike[2] = {nullptr, nullptr};  // of a mixed gas alone
   double *FV, *FM, *FE;
 };
 

@@ -54,11 +54,9 @@ class FaceShares {
     for (int k = 0; k < count_; ++k) keep_traces_together(materials_[k], k);
     for (int k = 0; k < count_; ++k) {
       if (faces_.based_)
-        takes_all_ != 0 ? carry<true, true>(materials_[k], k)
-                        : carry<true, false>(materials_[k], k);
+        takes_all_ != 0 ? carry<true, true>(k) : carry<true, false>(k);
       else
-        takes_all_ != 0 ? carry<false, true>(materials_[k], k)
-                        : carry<false, false>(materials_[k], k);
+        takes_all_ != 0 ? carry<false, true>(k) : carry<false, false>(k);
     }
   }
 
@@ -76,6 +74,7 @@ class FaceShares {
     const double* M[2];
     Around r, e;  // density and energy per own volume
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
+    Pair alike{nullptr, nullptr};
     double *FV, *FM, *FE;
   };
 
@@ -119,6 +118,7 @@ class FaceShares {
       k.base_r = two(x.base_r);
       k.base_e = two(x.base_e);
     }
+    if (x.alike[0] != nullptr) k.alike = two(x.alike);
     k.FV = x.FV + first_;
     k.FM = x.FM + first_;
     k.FE = x.FE + first_;
@@ -246,13 +246,18 @@ class FaceShares {
 
   // Steps 4 and 5; first the largest share takes what round-off and the rules left.
   template <bool Based, bool All>
+  void carry(int number) {
+    const Material& k = materials_[number];
+    k.alike.a == nullptr ? carry<Based, All, false>(k, number) : carry<Based, All, true>(k, number);
+  }
+  template <bool Based, bool All, bool Mixed>
   void carry(const Material& k, int number) {
     const int n = size();
     const double *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4];
     const Pair masses{k.M[0], k.M[1]};
     const Around r = k.r, e = k.e;
     const Pair rho{r.m, r.p}, eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
-    const Pair base_r = k.base_r, base_e = k.base_e;
+    const Pair base_r = k.base_r, base_e = k.base_e, alike = k.alike;
     double *FV = k.FV, *FM = k.FM, *FE = k.FE;
     const double which = number;
 #pragma GCC ivdep
@@ -273,6 +278,11 @@ class FaceShares {
         const double slope_e = donor_slope(e, i, left, nu, 2.0);
         rho_s += full ? weight * slope_r : 0.0;
         eps_s += full ? weight * slope_e : 0.0;
+      }
+      if constexpr (Mixed) {
+        const bool same = alike.at(i, left) != 0.0;
+        rho_s = same ? rho_s : rho_L;
+        eps_s = same ? eps_s : e_L;
       }
       // Bounds of a donor with one material, and of a share: (1 - phi)/max(phi, .05).
       const double gone = N_out * share;

@@ -3,6 +3,7 @@
 #include "ice/mixture/drag.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/step_labels.hpp"
 
 namespace sluice::ice::mixture {
@@ -120,6 +121,10 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
       if (o.viscous) one.motion->friction = declare_friction(list, v, o, m);
     }
     materials.each.push_back(std::move(one));
+  }
+  if (o.mixed != nullptr) {
+    materials.f = scalars::old_fraction(list, o);
+    materials.f_new = v.common.scalars.fraction;
   }
   return materials;
 }

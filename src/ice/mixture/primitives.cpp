@@ -14,6 +14,7 @@
 #include "ice/limiters.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -79,9 +80,34 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   });
 }
 
+// 1 where the fraction of a mixed gas is that of all cells around which hold the gas.
+void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("the same fraction around", effect);
+  const In fraction = task.read(scalars::old_fraction(list, o), Stencil::box(1));
+  const In mass = task.read(v.mass[static_cast<std::size_t>(o.mixed->material)], Stencil::box(1));
+  const Out alike = task.write(v.alike);
+  task.kernel([=, axes = o.axes.count](const Row& row) {
+    const int n = row.count();
+    const double* __restrict f = row(fraction);
+    double* __restrict same = row(alike);
+    for (int i = 0; i < n; ++i) same[i] = 1.0;
+    for (int axis = 0; axis < axes; ++axis)
+      for (const int shift : {-1, 1}) {
+        const double* __restrict other = row(fraction, 0, axis, shift);
+        const double* __restrict M = row(mass, 0, axis, shift);
+        for (int i = 0; i < n; ++i) {
+          const bool differs = (int{M[i] > 0.0} & int{other[i] != f[i]}) != 0;
+          same[i] = differs ? 0.0 : same[i];
+        }
+      }
+  });
+}
+
 struct Handles {
   StateReads state;
   In momentum, presence;
+  const models::MixedGas* gas = nullptr;  // a material that is a mixture itself
+  In fraction;
   Out rho, total_energy, velocity, pressure, sound, inverse_rho, shock_slope, pi;
   Out scratch;
 };
@@ -92,7 +118,11 @@ void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict M = row(h.state.mass[k]);
   const double* __restrict E = row(h.state.energy[k]);
-  primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
+  if (scalars::is_mixed(h.gas, k))
+    scalars::mixed_primitive_row(*h.gas, n, row(h.fraction), M, E, row(h.inverse_rho),
+                                 row(h.pressure), row(h.sound));
+  else
+    primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
   double* __restrict rho = row(h.rho);
   double* __restrict energy = row(h.total_energy);
   double* __restrict slope = row(h.shock_slope);
@@ -140,7 +170,10 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
       r[i] = M[i] * inverse;
       e[i] = E[i] * inverse;
     }
-    pressure_and_modulus_row(fluid, n, r, e, pm, Km);
+    if (scalars::is_mixed(h.gas, k))
+      scalars::mixed_pressure_and_modulus_row(*h.gas, n, row(h.fraction), e, pm, Km);
+    else
+      pressure_and_modulus_row(fluid, n, r, e, pm, Km);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double softness = V[i] / Km[i];
@@ -167,7 +200,10 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
     const double* __restrict V = row(h.state.volume[k]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) r[i] = M[i] / V[i];
-    modulus_row(fluids[k], n, r, p, Km);
+    if (scalars::is_mixed(h.gas, k))
+      scalars::mixed_modulus_row(*h.gas, n, row(h.fraction), p, Km);
+    else
+      modulus_row(fluids[k], n, r, p, Km);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) c[i] += V[i] / Km[i];
   });
@@ -263,9 +299,12 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.shock_slope = task.write(v.common.shock_slope);
   h.pi = task.write(v.common.pi);
   h.scratch = task.write(list.temporary("closure of a material", 5));
+  h.gas = o.mixed;
+  if (o.mixed != nullptr) h.fraction = task.read(scalars::old_fraction(list, o));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
-  const bool gases = std::all_of(fluids.begin(), fluids.end(),
+  const bool gases = o.mixed == nullptr &&
+                     std::all_of(fluids.begin(), fluids.end(),
                                  [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   task.kernel([=](const Row& row) {
     for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
@@ -292,6 +331,7 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
   add_near(list, v, o, effect);
   add_mixture_values(list, v, o, effect);
   add_material_values(list, v, effect, everywhere);
+  if (o.mixed != nullptr && o.second_order) add_alike(list, v, o, effect);
 }
 
 }  // namespace sluice::ice::mixture

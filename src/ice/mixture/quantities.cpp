@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ice/mixture/variables.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice::mixture {
@@ -82,16 +83,55 @@ class Declarer {
   // f(density, energy per volume) of the material itself, 0 where it is absent.
   template <class F>
   VariableId closure(Label label, int m, F f) {
+    return law_closure(label, m, [f](const Fluid&, double r, double e) { return f(r, e); });
+  }
+  // f(law, density, energy per volume), the law of a mixed gas being that of its fraction.
+  template <class F>
+  VariableId law_closure(Label label, int m, F f) {
     const VariableId to = q_.fresh(label, m);
     TaskBuilder t = q_.task(label, m);
     const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
+    const CellLaws laws = read_laws(t);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       const double *r = row(density, m), *e = row(energy, m);
       double* value = row(out);
-      for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? f(r[i], e[i]) : 0.0;
+      Fluid room;
+      for (int i = 0; i < row.count(); ++i)
+        value[i] = r[i] > 0.0 ? f(laws.at(row, m, i, room), r[i], e[i]) : 0.0;
     });
     return to;
+  }
+  // g(the mixed gas at its fraction), 0 where it is absent.
+  template <class G>
+  void of_fraction(Label label, int m, G g) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In density = t.read(v_.density);
+    const In fraction = t.read(scalars::old_fraction(q_.list(), o_));
+    const Out out = t.write(to);
+    t.kernel([=, gas = o_.mixed](const Row& row) {
+      const double *r = row(density, m), *f = row(fraction);
+      double* value = row(out);
+      for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? g(gas->at(f[i])) : 0.0;
+    });
+  }
+  // The law of each material in a cell.
+  struct CellLaws {
+    std::vector<Fluid> fluids;
+    const models::MixedGas* gas = nullptr;
+    In fraction;
+
+    const Fluid& at(const Row& row, int m, int i, Fluid& room) const {
+      const auto k = static_cast<std::size_t>(m);
+      if (!scalars::is_mixed(gas, k)) return fluids[k];
+      return room = scalars::fluid_of(*gas, row(fraction)[i]);
+    }
+  };
+  CellLaws read_laws(TaskBuilder& t) {
+    CellLaws laws{o_.fluids, o_.mixed, {}};
+    if (o_.mixed != nullptr) laws.fraction = t.read(scalars::old_fraction(q_.list(), o_));
+    return laws;
   }
 
   // Of a mass that no sum over the cell knows of, energy over mass says nothing: such a trace is as
@@ -104,11 +144,12 @@ class Declarer {
     const In total = t.read(v_.common.rho);
     std::vector<In> mass;
     for (const VariableId id : v_.mass) mass.push_back(t.read(id));
+    const CellLaws laws = read_laws(t);
     const Out out = t.write(to);
-    t.kernel([=, fluids = o_.fluids](const Row& row) {
+    t.kernel([=](const Row& row) {
+      Fluid room;
       const auto own = [&](int k, int i) {
-        return fluids[static_cast<std::size_t>(k)].temperature(row(density, k)[i],
-                                                               row(energy, k)[i]);
+        return laws.at(row, k, i, room).temperature(row(density, k)[i], row(energy, k)[i]);
       };
       const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
       double* T = row(out);
@@ -171,18 +212,28 @@ class Declarer {
     single(v_.density, m, l.rho_micro, m);
     closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
     const VariableId T = temperature(m);
-    closure(l.sound_speed, m,
-            [fluid](double r, double e) { return fluid.sound_speed(r, fluid.pressure(r, e)); });
-    compressibility_.push_back(closure(l.compressibility, m, [fluid](double r, double e) {
-      return 1.0 / fluid.bulk_modulus(r, fluid.pressure(r, e));
-    }));
+    law_closure(l.sound_speed, m, [](const Fluid& law, double r, double e) {
+      return law.sound_speed(r, law.pressure(r, e));
+    });
+    compressibility_.push_back(
+        law_closure(l.compressibility, m, [](const Fluid& law, double r, double e) {
+          return 1.0 / law.bulk_modulus(r, law.pressure(r, e));
+        }));
     const auto constant = [&](Label label, double value) {
       closure(label, m, [value](double, double) { return value; });
     };
     declare_viscosities(m);
-    constant(l.thermal_conductivity, o_.conductivities[k]);
-    constant(l.gamma, fluid.gamma);
-    constant(l.specific_heat, fluid.specific_heat);
+    if (scalars::is_mixed(o_, k)) {
+      using At = models::MixedGas::Between;
+      of_fraction(l.thermal_conductivity, m,
+                  [](const At& at) { return at(&models::MixedGas::Node::conductivity); });
+      of_fraction(l.gamma, m, [](const At& at) { return 1.0 + at.ratio(); });
+      of_fraction(l.specific_heat, m, [](const At& at) { return at(&models::MixedGas::Node::cv); });
+    } else {
+      constant(l.thermal_conductivity, o_.conductivities[k]);
+      constant(l.gamma, fluid.gamma);
+      constant(l.specific_heat, fluid.specific_heat);
+    }
     q_.slopes(v_.mass[k], l.gradient_rho, m);
     q_.slopes(T, l.gradient_temperature, m);
     q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);

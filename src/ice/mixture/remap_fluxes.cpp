@@ -13,6 +13,8 @@
 //      where V_m > 1e-10 in donor, upwind and downwind cell; both bounded by the share
 //      phi = N theta_m/V_m of the material that leaves: q = (1-phi)/max(phi,.05),
 //      |rho_m/rho_mL - 1| <= min(.9, .5 q), |eps_m - eps_mL| <= min(.9, .5 q) (p_m + pi_m)/G_m
+//      A gas that is a mixture has rho_mL and eps_mL where its fraction is not the same around:
+//      with the donor's fraction they keep pressure and temperature.
 //   5. FV = H theta, FM = FV rho_m, FE = FV eps_m; F = sum FM; U, f, K of the mixture as for one
 //      material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
@@ -22,6 +24,7 @@
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -32,6 +35,8 @@ struct Handles {
   In pure;
   Out flux;  // of each material
 };
+
+constexpr int of_mixed_gas = 2;  // beside 0 and 1 of other ideal gases and of further laws
 
 // Faces beside cells that are not of pure neighbourhood; rows are looked up once for all of them.
 template <int D, int C>
@@ -189,10 +194,14 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
         const auto runs = [&](auto&& f) {
           for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
         };
-        const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
-        for_each_pure_piece(runs, scaled, [&](int first, int count, int of) {
+        const auto kind = [&](std::size_t m) {
+          return scalars::is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
+        };
+        for_each_pure_piece(runs, kind, [&](int first, int count, int of) {
           const Row part = row.part(first, count);
-          if (of != 0)
+          if (of == of_mixed_gas)
+            flux_row_of<D, C, false, DensityBound::as_energy>(part, h.common, axis, l, o);
+          else if (of != 0)
             flux_row_of<D, C, true>(part, h.common, axis, l, o);
           else
             flux_row_of<D, C, false>(part, h.common, axis, l, o);

@@ -6,7 +6,8 @@
 // the kinetic energy that the remap loses goes to the materials by mass. A material that ended with
 // no mass is gone: what is left of its energy goes into k. Then sources act (sources/sources.hpp),
 // then one pressure and heat between the materials (cell_closure.hpp).
-// Cells of pure neighbourhood run the rows of one material.
+// Cells of pure neighbourhood run the rows of one material. With a gas that is a mixture one
+// pressure waits for its new fraction: one_pressure.cpp.
 #include <algorithm>
 #include <optional>
 
@@ -36,15 +37,14 @@ class MixedCells {
       : row_(row),
         h_(h),
         o_(o),
-        axes_(o.axes),
         laws_(laws),
         materials_(static_cast<int>(h.state.size())),
         motion_(row, h.common),
         J_(row(h.stretch, 0)),
         iJ_(row(h.common.inverse_J)),
         density_(row(h.end, 0)),
-        pressure_(row(h.pressure)),
         modulus_(row(h.end, 1)) {
+    if (h.closes) pressure_ = row(h.pressure);
     for (int m = 0; m < materials_; ++m) {
       const MaterialState& s = h.state[static_cast<std::size_t>(m)];
       Material& k = rows_[m];
@@ -67,13 +67,14 @@ class MixedCells {
   void run(int first, int count, int room) {
     constexpr int most = IdealRelaxation::most_cells;
     const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
-    mark_alone(row_.part(first, all), -1);
+    if (h_.closes) mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done), whole = std::min(most, all - done);
       remap_materials(first + done, whole);
       move_mixture(first + done, whole);
       share_defect(first + done, whole);
       if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
+      if (!h_.closes) continue;
       repeat_first(first + done, some, whole);
       find_pressure(first + done, some, whole);
     }
@@ -181,7 +182,8 @@ class MixedCells {
       }
       if (laws_.ideal.relax(whole, gases, pressure_ + first, modulus_ + first)) return;
     }
-    for (int i = first; i < first + n; ++i) find_pressure_of_cell(i);
+    if (!closing_) closing_.emplace(row_, h_, o_);
+    for (int i = first; i < first + n; ++i) closing_->close(i, laws_.closure);
   }
 
   bool is_sound(int first, int n) const {
@@ -194,33 +196,15 @@ class MixedCells {
     return sound != 0;
   }
 
-  void find_pressure_of_cell(int i) {
-    double M[most_materials], V[most_materials], E[most_materials];
-    for (int m = 0; m < materials_; ++m) {
-      M[m] = rows_[m].next[of_mass][i];
-      V[m] = rows_[m].next[of_volume][i];
-      E[m] = rows_[m].next[of_energy][i];
-    }
-    const Equilibration::Result result =
-        laws_.closure.close({M, V, E}, density_[i], row_.step().dt, surface_of(row_, h_, o_, i));
-    tell_faults(row_, axes_, i, density_[i], iJ_[i], result, E);
-    modulus_[i] = result.modulus;
-    pressure_[i] = result.pressure;
-    for (int m = 0; m < materials_; ++m) {
-      rows_[m].next[of_volume][i] = V[m];
-      rows_[m].next[of_energy][i] = E[m];
-    }
-  }
-
   const Row& row_;
   const UpdateState& h_;
   const SchemeOptions& o_;
-  const Axes& axes_;
   const Laws& laws_;
   int materials_;
   MotionRows<D, C> motion_;
   const double *J_, *iJ_;
-  double *density_, *pressure_, *modulus_;
+  double *density_, *modulus_, *pressure_ = nullptr;
+  std::optional<ClosingCells> closing_;
   Material rows_[most_materials];
 };
 
@@ -243,11 +227,12 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
                                                              of_material[m], static_cast<int>(m));
         if (done) return;
         if (!mixed) mixed.emplace(row, h, o, laws);
-        if (pure >= 0.0)
-          mixed->relax(first, count);
-        else
+        if (pure < 0.0)
           mixed->run(first, count, row.count() - first);  // cells beyond come after these
+        else if (h.closes)
+          mixed->relax(first, count);
       });
+      if (!h.closes) return;
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
     });

@@ -26,6 +26,7 @@ void fill_where_other(double* to, int n, double value) {
 }  // namespace
 
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h) {
+  h.closes = o.mixed == nullptr;
   h.common = read_update(task, v.common, o);
   h.common.energy_scale = task.read(v.common.energy_scale);
   h.stretch = task.read(v.stretch);
@@ -36,23 +37,24 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
     const auto a = static_cast<std::size_t>(axis);
     h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
-  h.common.next.momentum = task.write(v.common.momentum_new);
+  h.common.next.momentum = task.write(v.common.momentum_remap);
   for (std::size_t m = 0; m < o.fluids.size(); ++m) {
     MaterialState s;
     s.mass = task.read(v.mass[m]);
     s.volume = task.read(v.volume[m]);
-    s.mass_new = task.write(v.mass_new[m]);
-    s.volume_new = task.write(v.volume_new[m]);
-    s.energy_new = task.write(v.energy_new[m]);
+    s.mass_new = task.write(v.mass_remap[m]);
+    s.volume_new = task.write(v.volume_remap[m]);
+    s.energy_new = task.write(v.energy_remap[m]);
     h.state.push_back(s);
   }
   if (o.own_velocities)
     for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
   h.sources = declare_sources(task, v.common, o);
-  h.end = task.write(v.end);
+  h.end = task.write(v.end_remap);
+  h.common.next.rho = h.end;
+  if (!h.closes) return;
   h.pressure = task.write(v.common.new_pressure);
   h.closure = task.write(v.common.closure);
-  h.common.next.rho = h.end;
 }
 
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o) {
@@ -77,7 +79,7 @@ void leave_alone(const Row& row, const UpdateState& h, int m, int components) {
   const auto fill = [&](Out variable, int c, int first, int count, double value) {
     fill_where_other(row(variable, c) + first, count, value);
   };
-  for_each_marked(row, row.new_marks(), [&](int first, int count, int alone) {
+  for_each_marked(row, h.closes ? row.new_marks() : nullptr, [&](int first, int count, int alone) {
     if (alone == m) return;
     for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
       const MaterialState& s = h.state[static_cast<std::size_t>(other)];
@@ -148,6 +150,41 @@ void tell_faults(const Row& row, const Axes& axes, int i, double rho, double inv
   f.cell[axes.direction[0]] += i;
   f.level = row.step().level;
   row.reductions().fault(f);
+}
+
+ClosingCells::ClosingCells(const Row& row, const UpdateState& h, const SchemeOptions& o)
+    : row_(row),
+      h_(h),
+      o_(o),
+      materials_(static_cast<int>(h.state.size())),
+      inverse_J_(row(h.common.inverse_J)),
+      density_(row(h.end, 0)),
+      pressure_(row(h.pressure)),
+      modulus_(row(h.end, 1)) {
+  for (int m = 0; m < materials_; ++m) {
+    const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+    mass_[m] = row(s.mass_new);
+    volume_[m] = row(s.volume_new);
+    energy_[m] = row(s.energy_new);
+  }
+}
+
+void ClosingCells::close(int i, const CellClosure& closure) const {
+  double M[most_materials], V[most_materials], E[most_materials];
+  for (int m = 0; m < materials_; ++m) {
+    M[m] = mass_[m][i];
+    V[m] = volume_[m][i];
+    E[m] = energy_[m][i];
+  }
+  const Equilibration::Result result =
+      closure.close({M, V, E}, density_[i], row_.step().dt, surface_of(row_, h_, o_, i));
+  tell_faults(row_, o_.axes, i, density_[i], inverse_J_[i], result, E);
+  modulus_[i] = result.modulus;
+  pressure_[i] = result.pressure;
+  for (int m = 0; m < materials_; ++m) {
+    volume_[m][i] = V[m];
+    energy_[m][i] = E[m];
+  }
 }
 
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion) {

@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "ice/conservative/update_rows.hpp"
+#include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/equilibrate.hpp"
-#include "ice/mixture/heat_exchange.hpp"
 #include "ice/mixture/runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
@@ -23,6 +22,7 @@ struct UpdateState {
   UpdateHandles common;
   In stretch, energy_L, pure;
   In surface;              // where a gas slips along one
+  bool closes = true;      // else one pressure is found later: one_pressure.cpp
   std::array<In, 3> flux;  // of each material
   std::vector<MaterialState> state;
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
@@ -56,11 +56,12 @@ bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, 
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
   leave_alone(row, h, m, C);
-  mark_alone(row, o.sources == nullptr ? m : -1);
+  if (h.closes) mark_alone(row, o.sources == nullptr ? m : -1);
   if (o.sources != nullptr) {
     add_sources(row, h, o);
     if (o.sources->takes_from(m, row.step())) return true;
   }
+  if (!h.closes) return false;
   check_row(row, u, o);
   end_alone(row, h, u, o.fluid);
   return false;
@@ -69,6 +70,22 @@ bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, 
 // Tells the step what is not admissible about the new state of cell i. `E`: of each material.
 void tell_faults(const Row& row, const Axes& axes, int i, double rho, double inverse_J,
                  const Equilibration::Result& closed, const double* E);
+
+// Finds the one pressure of cell i, whose new state is there but for that.
+class ClosingCells {
+ public:
+  ClosingCells(const Row& row, const UpdateState& h, const SchemeOptions& o);
+  void close(int i, const CellClosure& closure) const;
+
+ private:
+  const Row& row_;
+  const UpdateState& h_;
+  const SchemeOptions& o_;
+  int materials_;
+  const double *inverse_J_, *density_;
+  double *pressure_, *modulus_;
+  double *mass_[most_materials], *volume_[most_materials], *energy_[most_materials];
+};
 
 // Over the whole row: in runs of one material alone too.
 void diffusion_rates_of_row(const Row& row, const UpdateState& h, const DiffusionRates& diffusion);

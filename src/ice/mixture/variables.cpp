@@ -34,6 +34,22 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   return v;
 }
 
+void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
+  v.common.momentum_remap = v.common.momentum_new;
+  v.mass_remap = v.mass_new;
+  v.volume_remap = v.volume_new;
+  v.energy_remap = v.energy_new;
+  if (o.mixed == nullptr) return;
+  v.alike = list.temporary("the same fraction around");
+  v.common.momentum_remap = list.temporary("momentum after the remap", o.components);
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    const std::string of = " after the remap, material " + std::to_string(m);
+    v.mass_remap[m] = list.temporary("mass" + of);
+    v.volume_remap[m] = list.temporary("volume" + of);
+    v.energy_remap[m] = list.temporary("energy" + of);
+  }
+}
+
 }  // namespace
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o) {
@@ -76,9 +92,11 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
     v.own_viscosity = list.temporary("viscosity of each material", M);
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
   v.common.pure = v.pure;
+  declare_remap(list, o, v);
   if (o.own_velocities) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;
   v.end = list.temporary("density and modulus of the new mixture", 2);
+  v.end_remap = o.mixed == nullptr ? v.end : list.temporary("density after the remap", 2);
   return v;
 }
 

@@ -38,6 +38,11 @@ struct Variables {
   SchemeVariables common;  // of the mixture: rho, energy, p, faces, Lagrangian phase, total fluxes
   // State, by material.
   std::vector<VariableId> mass, volume, energy, mass_new, volume_new, energy_new;
+  // What the remap leaves: the new state, but where the fraction of a mixed gas must be known
+  // before one pressure can be found (one_pressure.cpp).
+  std::vector<VariableId> mass_remap, volume_remap, energy_remap;
+  // Of a mixed gas: 1 where its fraction is the same in all cells around, else 0.
+  VariableId alike;
   // Keys of cells; their second component is what is left of the run (runs.hpp).
   VariableId presence;  // bit set of the materials in a cell, as a number
   VariableId pure;      // the material that is alone in a cell and all around it; -1: none
@@ -63,7 +68,8 @@ struct Variables {
   // cell gives and what the high cell takes. What friction and conduction bring each.
   VariableId temperature, heat_capacity, heat;
   std::array<VariableId, 3> heat_flux;
-  VariableId end;  // density, modulus of the new mixture
+  VariableId end;        // density, modulus of the new mixture
+  VariableId end_remap;  // density after the remap
   SlipVariables slip;
 };
 
@@ -101,6 +107,7 @@ void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effec
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_one_pressure(TaskList&, const Variables&, const SchemeOptions&, int effect);
 // The materials as the labels of a step know them.
 MaterialsOfStep materials_of_step(TaskList&, const Variables&, const SchemeOptions&);
 

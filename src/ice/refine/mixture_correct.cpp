@@ -19,6 +19,7 @@
 #include "ice/mixture/traces.hpp"
 #include "ice/refine/correction.hpp"
 #include "ice/refine/mixture_transfer.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -33,9 +34,11 @@ struct Part {
 
 class MixtureCorrector {
  public:
-  MixtureCorrector(const MixtureLayout& layout, const std::vector<Fluid>& fluids)
+  MixtureCorrector(const MixtureLayout& layout, const std::vector<Fluid>& fluids,
+                   const MixedGasView& mixed)
       : layout_(layout),
         fluids_(fluids),
+        mixed_(mixed),
         components_(static_cast<int>(layout.components)),
         part_(layout.materials),
         change_(layout.materials),
@@ -86,6 +89,11 @@ class MixtureCorrector {
       total_.m[c] = change.amount[layout_.momentum(c)][n];
     }
     total_.E = change.amount[layout_.total_energy()][n];
+    if (mixed_.gas != nullptr)
+      mixed_law_ = scalars::fluid_of(*mixed_.gas, state[mixed_.fraction](cell));
+  }
+  const Fluid& law(std::size_t m) const {
+    return scalars::is_mixed(mixed_.gas, m) ? mixed_law_ : fluids_[m];
   }
   void write(const StateViews& state, IntVec3 cell) const {
     for (std::size_t m = 0; m < part_.size(); ++m) {
@@ -116,7 +124,7 @@ class MixtureCorrector {
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part& s = part_[m];
       if (s.M == 0.0) continue;
-      work += s.V * fluids_[m].pressure(s.M / s.V, s.E / s.V);
+      work += s.V * law(m).pressure(s.M / s.V, s.E / s.V);
       volume += s.V;
     }
     pressure_ = work / volume;
@@ -242,6 +250,8 @@ class MixtureCorrector {
 
   const MixtureLayout& layout_;
   const std::vector<Fluid>& fluids_;
+  const MixedGasView& mixed_;
+  Fluid mixed_law_;  // of the cell before
   int components_;
   std::vector<Part> part_, change_, now_;
   GasCell mixture_{}, total_{};  // all materials together: density, momentum; their change
@@ -252,7 +262,7 @@ class MixtureCorrector {
 
 void MixtureTransfer::correct(const StateViews& state, const ConservedChange& change,
                               std::span<double> share) const {
-  MixtureCorrector corrector(layout_, fluids_);
+  MixtureCorrector corrector(layout_, fluids_, mixed_);
   for (std::size_t n = 0; n < change.cells.size(); ++n) share[n] = corrector.run(state, change, n);
 }
 

@@ -4,15 +4,21 @@
 #include "framework/grid/box_list.hpp"
 #include "ice/refine/children.hpp"
 #include "ice/refine/mixture_transfer.hpp"
+#include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
 
 MixtureTransfer::MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes,
-                                 bool own_velocities)
+                                 bool own_velocities, MixedGasView gas)
     : layout_{fluids.size(), static_cast<std::size_t>(components), own_velocities},
       fluids_(std::move(fluids)),
+      mixed_(gas),
       matches_fluxes_(matches_fluxes) {
-  for (const Fluid& fluid : fluids_) alone_.emplace_back(components, false, matches_fluxes, fluid);
+  const std::size_t behind_energy = layout_.components + 2;
+  for (std::size_t m = 0; m < fluids_.size(); ++m)
+    alone_.emplace_back(
+        components, false, matches_fluxes, fluids_[m],
+        scalars::is_mixed(mixed_.gas, m) ? std::vector{behind_energy} : std::vector<std::size_t>{});
 }
 
 namespace {
@@ -92,11 +98,13 @@ void write(const RealView& view, const IndexBox& cells, int along, double value)
   });
 }
 
-// The views of one material and of the momentum.
-StateViews views_of(const StateViews& state, const MixtureLayout& layout, std::size_t material) {
+// The views of one material and of the momentum; behind them its fraction, if it is a mixture.
+StateViews views_of(const StateViews& state, const MixtureLayout& layout, std::size_t material,
+                    const MixedGasView& gas) {
   StateViews views = {state[layout.mass(material)]};
   for (std::size_t c = 0; c < layout.components; ++c) views.push_back(state[layout.momentum(c)]);
   views.push_back(state[layout.energy(material)]);
+  if (scalars::is_mixed(gas.gas, material)) views.push_back(state[gas.fraction]);
   return views;
 }
 
@@ -120,8 +128,10 @@ void MixtureTransfer::prolong(const StateViews& coarse, const StateViews& fine,
   const auto prolong_part = [&](const IndexBox& part, int material) {
     if (material == mixed) return alone_.front().prolong(coarse, fine, part, geometry, 0);
     const auto present = static_cast<std::size_t>(material);
-    alone_[present].prolong(views_of(coarse, layout_, present), views_of(fine, layout_, present),
-                            part, geometry, order);
+    alone_[present].prolong(views_of(coarse, layout_, present, mixed_),
+                            views_of(fine, layout_, present, mixed_), part, geometry, order);
+    if (mixed_.gas != nullptr && !scalars::is_mixed(mixed_.gas, present))
+      write(fine[mixed_.fraction], part, along, 0.0);
     for (std::size_t m = 0; m < layout_.materials; ++m) {
       write(fine[layout_.volume(m)], part, along, m == present ? 1.0 : 0.0);
       for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)

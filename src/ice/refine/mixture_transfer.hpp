@@ -7,11 +7,13 @@
 // Changes of a flux register, in order: mass of each material, momentum, internal energy of each
 // material (what passes with it, without work), volume of each material, total energy. Materials
 // with velocities of their own have their slip, momentum relative to the mixture, behind the rest,
-// and in the register the momentum that passes with each.
+// and in the register the momentum that passes with each. The fraction of a mixed gas stands behind
+// the flow's views; where that gas is alone it is prolonged with its mass and energy.
 #pragma once
 #include <vector>
 
 #include "ice/refine/ice_transfer.hpp"
+#include "models/mixed_gas.hpp"
 
 namespace sluice::ice {
 
@@ -37,11 +39,17 @@ struct MixtureLayout {
   }
 };
 
+// The fraction of a material that is a mixture itself: its view.
+struct MixedGasView {
+  const models::MixedGas* gas = nullptr;  // null: none is
+  std::size_t fraction = 0;
+};
+
 class MixtureTransfer final : public TransferOperators {
  public:
   // `fluids`: of each material.
   MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes = true,
-                  bool own_velocities = false);
+                  bool own_velocities = false, MixedGasView mixed = {});
 
   // A coarse cell whose neighbours, across edges and corners too, hold nothing but its own one
   // material is treated as a gas; elsewhere the fine cells are as the coarse one: whatever is in
@@ -63,6 +71,7 @@ class MixtureTransfer final : public TransferOperators {
  private:
   MixtureLayout layout_;
   std::vector<Fluid> fluids_;
+  MixedGasView mixed_;
   std::vector<IceTransfer> alone_;  // each material where there is no other
   bool matches_fluxes_;
 };

@@ -26,6 +26,7 @@ struct Each {
 struct Handles {
   std::vector<Each> each;
   In carrier, face_velocity, inverse_J, courant, base, half, mask;
+  In pure;  // of a mixture with a mixed gas
   Out face, spread;
 };
 
@@ -132,6 +133,23 @@ void donor_row(const Row& row, const Handles& h, const Each& e, int axis) {
   for (int i = 0; i < row.count(); ++i) face[i] = uf[i] < 0.0 ? qp[i] : qm[i];
 }
 
+// Beside other materials the donor's value goes with its density and energy
+// (mixture/face_shares.cpp).
+void donors_beside_others(const Row& row, const Handles& h, const Each& e, int axis) {
+  const double* __restrict pure_a = row(h.pure, 0, axis, -1);
+  const double* __restrict pure_b = row(h.pure);
+  const double* __restrict qa = row(e.q, 0, axis, -1);
+  const double* __restrict qb = row(e.q);
+  const double* __restrict uf = row(h.face_velocity, e.motion);
+  double* __restrict face = row(h.face, e.place);
+#pragma GCC ivdep
+  for (int i = 0; i < row.count(); ++i) {
+    const bool alone = (int{pure_a[i] == pure_b[i]} & int{pure_b[i] >= 0.0}) != 0;
+    const double donor = uf[i] < 0.0 ? qb[i] : qa[i];
+    face[i] = alone ? face[i] : donor;
+  }
+}
+
 // Positive along the axis. Of a scalar that does not spread: nothing.
 void spread_row(const Row& row, const Handles& h, const Each& e, int axis, double weight,
                 bool second_order) {
@@ -187,6 +205,7 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
     if (o.masked) h.mask = task.read(v.mask, both);
   }
+  if (o.mixture && o.mixed != nullptr) h.pure = task.read(v.pure, both);
   h.face = task.write(v.scalars.face[a]);
   if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[a]);
   return h;
@@ -201,7 +220,8 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
     TaskBuilder task = list.task(names[axis], effect);
     const Handles h = declare(task, v, o, axis);
     const int direction = o.axes.direction[axis], axes = o.axes.count;
-    const bool second = o.second_order, masked = o.masked, diffusive = v.scalars.diffusive;
+    const bool second = o.second_order, masked = o.masked, diffusive = v.scalars.diffusive,
+               mixture = o.mixture;
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[direction], l = row.step().dt / dx;
       for (const Each& e : h.each) {
@@ -215,6 +235,7 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
           face_row<true>(row, h, e, axis, axes, l);
         else
           face_row<false>(row, h, e, axis, axes, l);
+        if (e.by_volume && second && mixture) donors_beside_others(row, h, e, axis);
         if (diffusive) spread_row(row, h, e, axis, l / dx, second);
       }
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ice/quantity_list.hpp"
+#include "ice/transport/viscosity.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice::ice::scalars {
@@ -15,11 +16,15 @@ void take_mixed_gas(const MixedGas& gas, SchemeOptions& o) {
   o.mixed = &gas;
   o.releases_heat = !gas.released.empty();
   o.density_bound = DensityBound::as_energy;
-  o.fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
-  o.fluids = {o.fluid};
+  Fluid& fluid = o.fluids[static_cast<std::size_t>(gas.material)];
+  fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
+  if (o.fluids.size() == 1) o.fluid = fluid;
   // What spreads of the fraction carries enthalpy.
   o.conducting = o.conducting || fraction_of(o).diffusivity > 0;
-  o.conductivity_varies = o.conducting;
+  const bool several = o.fluids.size() > 1;
+  const bool conducts =
+      several ? o.conductivities[static_cast<std::size_t>(gas.material)] > 0 : o.conducting;
+  o.conductivity_varies = o.conductivity_varies || conducts;
 }
 
 const models::TransportedScalar& fraction_of(const SchemeOptions& o) {
@@ -43,12 +48,39 @@ void mixed_primitive_row(const MixedGas& gas, int n, const double* __restrict f,
   });
 }
 
+void mixed_pressure_and_modulus_row(const MixedGas& gas, int n, const double* __restrict f,
+                                    const double* __restrict E, double* __restrict p,
+                                    double* __restrict K) {
+  gas.for_row(n, f, [=](int i, const MixedGas::Between& at) {
+    const double ratio = at.ratio();
+    p[i] = ratio * E[i];
+    K[i] = (1.0 + ratio) * p[i];
+  });
+}
+
+void mixed_modulus_row(const MixedGas& gas, int n, const double* __restrict f,
+                       const double* __restrict p, double* __restrict K) {
+  gas.for_row(n, f, [=](int i, const MixedGas::Between& at) { K[i] = (1.0 + at.ratio()) * p[i]; });
+}
+
 void mixed_temperature_row(const MixedGas& gas, int n, const double* __restrict f,
                            const double* __restrict rho, const double* __restrict E,
                            double* __restrict T) {
   gas.for_row(n, f, [=](int i, const MixedGas::Between& at) {
     T[i] = E[i] / (rho[i] * at(&MixedGas::Node::cv));
   });
+}
+
+void mixed_viscosity_row(const MixedGas& gas, const MolecularViscosity& law, const Row& row,
+                         const double* f, const double* rho, const double* E, double* mu) {
+  const int n = row.count();
+  if (law.models.sutherland) {
+    mixed_temperature_row(gas, n, f, rho, E, mu);
+    for (int i = 0; i < n; ++i) mu[i] = law.models.sutherland->viscosity(mu[i]);
+  } else {
+    property_row(gas, &MixedGas::Node::viscosity, n, f, mu);
+  }
+  law.take_sponges(row, mu);
 }
 
 void property_row(const MixedGas& gas, double MixedGas::Node::*property, int n,

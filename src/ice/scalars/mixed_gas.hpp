@@ -10,12 +10,22 @@
 
 namespace sluice::ice {
 class QuantityList;
-}
+struct MolecularViscosity;
+}  // namespace sluice::ice
 
 namespace sluice::ice::scalars {
 
 inline Fluid fluid_of(const models::MixedGas& gas, double f) {
   return ideal_gas(gas.gamma(f), gas.specific_heat(f));
+}
+
+// Whether material m of a scene is a mixture itself.
+inline bool is_mixed(const models::MixedGas* gas, std::size_t m) {
+  return gas != nullptr && static_cast<std::size_t>(gas->material) == m;
+}
+// Likewise of the options of a graph.
+inline bool is_mixed(const SchemeOptions& o, std::size_t m) {
+  return is_mixed(o.mixed, m);
 }
 
 // Sets what the gas changes in the options of a scene; `o` has the scalars and coefficients of the
@@ -29,9 +39,17 @@ VariableId old_fraction(TaskList& list, const SchemeOptions& o);
 // p and c of the old state.
 void mixed_primitive_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
                          const double* E, double* w, double* p, double* c);
+// p and rho c^2, and that at another pressure.
+void mixed_pressure_and_modulus_row(const models::MixedGas& gas, int n, const double* f,
+                                    const double* E, double* p, double* K);
+void mixed_modulus_row(const models::MixedGas& gas, int n, const double* f, const double* p,
+                       double* K);
 // T = E/(rho cv).
 void mixed_temperature_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
                            const double* E, double* T);
+// As `law` has it at the gas's own temperature, or that of its fraction.
+void mixed_viscosity_row(const models::MixedGas& gas, const MolecularViscosity& law, const Row& row,
+                         const double* f, const double* rho, const double* E, double* mu);
 void property_row(const models::MixedGas& gas, double models::MixedGas::Node::*property, int n,
                   const double* f, double* values);
 

@@ -176,7 +176,7 @@ void ScalarTransfer::restrict_to(const StateViews& fine, const StateViews& coars
 
 void ScalarTransfer::correct(const StateViews& state, const ConservedChange& change,
                              std::span<double> share) const {
-  flow_->correct(of_flow(state), change, share);
+  flow_->correct(by_volume_.empty() ? of_flow(state) : state, change, share);
   const auto first = static_cast<std::size_t>(flow_->flux_quantities());
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     const RealView &q = state[views_ + s], &M = state[mass_[s]];

@@ -38,8 +38,21 @@ Answer answer(const Fluid& fluid, const Given& g) {
           slopes.first * (g.dM - rho * g.dV) + slopes.second / rho * (g.dE - e * g.dM)};
 }
 
+// Of all materials; a gas that is a mixture itself by its new fraction.
+struct Laws {
+  std::vector<Fluid> fluids;
+  const models::MixedGas* gas = nullptr;
+  In fraction;
+
+  const Fluid& at(const Row& row, std::size_t m, int i, Fluid& room) const {
+    if (!scalars::is_mixed(gas, m)) return fluids[m];
+    return room = scalars::fluid_of(*gas, row(fraction)[i]);
+  }
+};
+
 void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, In change,
-                       const SourceChange& layout, const std::vector<Fluid>& fluids, double* dp) {
+                       const SourceChange& layout, const Laws& laws, double* dp) {
+  Fluid room;
   using C = SourceChange;
   for (int i = 0; i < row.count(); ++i) {
     double pressed = 0, compliance = 0;
@@ -50,8 +63,8 @@ void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, I
         return row(change, layout.of(static_cast<int>(m), what))[i];
       };
       const double V = row(state[m].volume)[i];
-      const Answer a = answer(
-          fluids[m], {M, V, row(state[m].energy)[i], of(C::mass), of(C::volume), of(C::energy)});
+      const Answer a = answer(laws.at(row, m, i, room), {M, V, row(state[m].energy)[i], of(C::mass),
+                                                         of(C::volume), of(C::energy)});
       pressed += a.pressed / a.modulus;
       compliance += V / a.modulus;
     }
@@ -76,9 +89,9 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
     std::vector<MaterialRows> state;
     for (const MaterialOfStep& m : materials.each)
       state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
-    task.kernel([=, fluids = o.fluids](const Row& row) {
-      answer_of_mixture(row, state, change, layout, fluids, row(out));
-    });
+    const Laws laws{o.fluids, o.mixed, o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
+    task.kernel(
+        [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;
   }
   const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);

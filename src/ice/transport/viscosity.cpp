@@ -112,15 +112,7 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   if (o.mixed != nullptr) {
     const In f = task.read(scalars::old_fraction(t.list, o));
     task.kernel([=, gas = o.mixed](const Row& row) {
-      const auto& law_of_T = law.models.sutherland;
-      double* mu = row(out);
-      if (law_of_T) {
-        scalars::mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(E), mu);
-        for (int i = 0; i < row.count(); ++i) mu[i] = law_of_T->viscosity(mu[i]);
-      } else {
-        scalars::property_row(*gas, &models::MixedGas::Node::viscosity, row.count(), row(f), mu);
-      }
-      law.take_sponges(row, mu);
+      scalars::mixed_viscosity_row(*gas, law, row, row(f), row(rho), row(E), row(out));
     });
     return;
   }
