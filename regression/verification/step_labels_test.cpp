@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <regex>
 
 #include "verification/amr_case.hpp"
 
@@ -87,6 +90,48 @@ TEST(StepLabels, MomentumOfPressureIsTheDifference) {
     for (const int m : {0, 1})
       EXPECT_EQ(run.field("int_eng_L_CC", 0, "last", m).values,
                 run.field("eng_L_ME_CC", 0, "last", m).values);
+  }
+}
+
+// A deck of inputs/ice that keeps these too, after each of two steps.
+CaseRun run_that_saves(const std::string& deck, const std::vector<std::string>& labels) {
+  const TemporaryFolder folder;
+  std::ifstream file(std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + deck + ".ups");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string saves;
+  for (const std::string& label : labels) saves += "<save label=\"" + label + "\"/>";
+  text.insert(text.find("<save "), saves);
+  const std::regex interval("<output(Timestep)?Interval>[^<]*</output(Timestep)?Interval>");
+  text = std::regex_replace(text, interval, "<outputTimestepInterval>1</outputTimestepInterval>");
+  std::ofstream(folder / (deck + ".ups")) << text;
+  std::vector<std::string> overrides = {"Time/max_Timesteps=2"};
+  if (text.find("<AMR>") != std::string::npos) overrides.push_back(one_level());
+  return CaseRun((folder / (deck + ".ups")).string(), overrides);
+}
+
+// A mixed gas, a liquid beside a gas, drops with a velocity of their own; on one level, for finer
+// ones change coarse cells after the step.
+TEST(StepLabels, RatesAreTheChangeBetweenOutputs) {
+  for (const auto& [deck, materials] :
+       {std::pair{"air_helium", 1}, std::pair{"water_air", 2}, std::pair{"amr_drops", 2}}) {
+    const CaseRun run =
+        run_that_saves(deck, {"temp_CC", "vel_CC", "vol_frac_CC", "dTdt_CC", "dVdt_CC"});
+    for (int m = 0; m < materials; ++m) {
+      const CellValues T = run.field("temp_CC", 0, "#1", m), now = run.field("temp_CC", 0, "#2", m);
+      const CellValues u = run.field("vel_CC", 0, "#1", m), u_now = run.field("vel_CC", 0, "#2", m);
+      const CellValues V = run.field("vol_frac_CC", 0, "#1", m);
+      const CellValues V_now = run.field("vol_frac_CC", 0, "#2", m);
+      const CellValues rate = run.field("dTdt_CC", 0, "#2", m);
+      const CellValues force = run.field("dVdt_CC", 0, "#2", m);
+      const double dt = now.time - T.time, fast = highest(u) - lowest(u) + 1;
+      for (std::size_t n = 0; n < T.values.size(); ++n) {
+        if (V.values[n] < 1e-6 || V_now.values[n] < 1e-6) continue;
+        EXPECT_NEAR(rate.values[n] * dt, now.values[n] - T.values[n], round_off * T.values[n])
+            << deck << ' ' << m << ' ' << n;
+        EXPECT_NEAR(force.values[n] * dt, u_now.values[n] - u.values[n], round_off * fast)
+            << deck << ' ' << m << ' ' << n;
+      }
+    }
   }
 }
 

@@ -193,10 +193,12 @@ void declare_step_labels(Labels& l) {
   }
   l.temperature_rate = cell("dTdt_CC", "K/s",
                             "Change of temp_CC over the step by its length: work, heat, exchange "
-                            "and flow; 0 where the material is new, gone or a trace.");
+                            "and flow, without what finer levels change then; 0 where the "
+                            "material is new, gone or a trace.");
   l.velocity_rate = cell_vector("dVdt_CC", "m/s^2",
                                 "Change of vel_CC over the step by its length: forces, exchange "
-                                "and flow; 0 where the material is new or gone.");
+                                "and flow, without what finer levels change then; 0 where the "
+                                "material is new or gone.");
   l.viscous_source =
       cell_vector("viscous_src_CC", "N", "Viscous force on the cell, from its faces.");
   l.heat_source =

@@ -331,6 +331,33 @@ TEST(StepLabels, OnFaces) {
   EXPECT_EQ(run.saved(l.face_pressure_gradient[1], 0, {3, 0, 0}), 0);
 }
 
+// Functions of a state: amounts add up to those of the whole, shares of the compressibility to one,
+// and that of the cell is the sum of V/(gamma (p + pi)).
+TEST(StepLabels, AmountsAndCompressibilityOfAState) {
+  const Labels& l = labels();
+  MixtureBox run(box_of({24, 20, 1}, true, &GasBox::walls), {water, air}, stirred);
+  run.steps(2);
+  run.solver().fill_ghosts(run.time());
+  run.solver().compute_diagnostics(run.time(),
+                                   {l.energy_of_cell, l.volume_of_cell, l.compressibility_of_cell,
+                                    l.compressibility_share, l.pressure});
+  const double volume = 1. / (24 * 20);
+  double energy = 0;
+  for_each_cell(run.domain(), [&](IntVec3 c) {
+    const double p = run.saved(l.pressure, 0, c);
+    const double wet = run.volume(0, c), dry = run.volume(1, c);
+    const double sum = wet / (4.4 * (p + 6e8)) + dry / (1.4 * p);
+    EXPECT_NEAR(run.saved(l.compressibility_of_cell, 0, c) / sum, 1, 1e-12);
+    EXPECT_NEAR(run.saved(l.compressibility_share, 1, c), dry / (1.4 * p) / sum, 1e-12);
+    EXPECT_NEAR(run.saved(l.compressibility_share, 0, c) + run.saved(l.compressibility_share, 1, c),
+                1, 1e-14);
+    EXPECT_NEAR((run.saved(l.volume_of_cell, 0, c) + run.saved(l.volume_of_cell, 1, c)) / volume, 1,
+                1e-14);
+    energy += run.saved(l.energy_of_cell, 0, c) + run.saved(l.energy_of_cell, 1, c);
+  });
+  EXPECT_NEAR(energy / run.totals().internal_energy.sum.value(), 1, round_off);
+}
+
 // What nobody saves is not computed.
 TEST(StepLabels, CostNothingUnsaved) {
   for (const double drag : {one_velocity_coefficient, 1e4}) {
