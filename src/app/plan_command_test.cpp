@@ -73,7 +73,7 @@ TEST_F(PlanCommand, SwitchesEffectsByTheDeckAlone) {
 TEST_F(PlanCommand, NamesFieldsThatAnAnalysisGives) {
   const json planned = plan({deck("observed_vortex")});
   std::map<std::string, json> outputs;
-  for (const json& o : planned.at("outputs")) outputs[o.at("label")] = o;
+  for (const json& o : planned.at("outputs").at("saves")) outputs[o.at("label")] = o;
   for (const char* name : {"mean_press_CC", "skewness_press_CC", "uv_vw_wu_prime"})
     ASSERT_EQ(outputs.count(name), 1u) << name;
   EXPECT_EQ(outputs["mean_press_CC"].at("bytes_per_cell"), 8);
