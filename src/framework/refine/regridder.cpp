@@ -12,7 +12,7 @@ namespace sluice {
 namespace {
 
 // Looks without a flag nearby before a tile may go: flags that come and go keep their tiles.
-constexpr int looks_idle = 2;
+constexpr int looks_idle = 4;
 
 template <class F>
 void for_each_tile(const FlagField& tiles, F&& f) {

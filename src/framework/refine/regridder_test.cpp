@@ -225,21 +225,10 @@ TEST(Regridder, WhatIsNoLongerAskedForGoesWhenItHasCostAStep) {
   const auto none = c.flags(1);
   int step = 2;
   while (!r.regrid(step, none) && step < 50) ++step;
-  EXPECT_EQ(step, 5);  // 4 * 16 >= 56
+  EXPECT_EQ(step, 5);  // 4 * 16 >= 56, at the fourth look
   EXPECT_EQ(r.cells(1), 0);
   EXPECT_TRUE(r.boxes(1).empty());
   EXPECT_TRUE(r.state().idle[1].empty());
-}
-
-TEST(Regridder, WhatAWaveLeavesBehindGoesWithTheSecondRegrid) {
-  const Case c = make_case({40, 1, 1}, 2, {2, 1, 1}, {4, 1, 1});
-  Regridder r = c.regridder();
-  for (int step = 1, at = 4; step < 8; ++step, at += 4) {  // two new tiles a look
-    auto flags = c.flags(1);
-    flags[0].set(IntVec3{at, 0, 0});
-    ASSERT_TRUE(r.regrid(step, flags));
-    EXPECT_EQ(r.cells(1), step == 1 ? 8 : 16) << step;
-  }
 }
 
 TEST(Regridder, FlagsThatComeAndGoKeepTheirTiles) {

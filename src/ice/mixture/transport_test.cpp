@@ -69,7 +69,8 @@ bool has_task(const Transport& transport, int kind, const std::string& part) {
 
 TEST(MixtureTransport, WhatIsOffAddsNoTask) {
   const std::string friction[] = {"stress", "viscosity", "heat of friction"};
-  const std::string heat[] = {"heat flux", "contacts", "temperature", "heat of friction"};
+  const std::string heat[] = {"heat flux", "contacts", "temperature of each material",
+                              "heat of friction"};
   for (const int kind : {0, 1, 2})
     for (const auto& names : {std::vector(std::begin(friction), std::end(friction)),
                               std::vector(std::begin(heat), std::end(heat))})
