@@ -26,8 +26,7 @@ class MemoryPlanner {
     PlannedMemory m;
     PlannedMessages messages;
     m.base = r_.ranks > 1 ? base_bytes_with_ranks : base_bytes;
-    std::set<Label> kept = r_.always;
-    kept.insert(r_.stored.begin(), r_.stored.end());
+    std::set<Label> kept = r_.stored;
     m.scratch = scratch_bytes_of_all(kept);
     kept.insert(r_.computed.begin(), r_.computed.end());
     m.state_doubles_per_cell = state_components(r_.component);
@@ -49,8 +48,8 @@ class MemoryPlanner {
   // Plain steps, those that store more, and diagnostics have sweeps of their own.
   double scratch_bytes_of_all(const std::set<Label>& kept) const {
     const Level& level = r_.scene.grid.levels.front();
-    double bytes = scratch_bytes(plan_step_graph(r_.component, level, r_.always));
-    if (kept != r_.always) bytes += scratch_bytes(plan_step_graph(r_.component, level, kept));
+    double bytes = scratch_bytes(plan_step_graph(r_.component, level, {}));
+    if (!kept.empty()) bytes += scratch_bytes(plan_step_graph(r_.component, level, kept));
     if (!r_.computed.empty())
       bytes += scratch_bytes(plan_diagnostic_graph(r_.component, level, r_.computed));
     return bytes;

@@ -35,8 +35,8 @@ struct MemoryRequest {
   const PlannedHierarchy& hierarchy;
   int ranks = 1, threads = 1;
   IntVec3 block{};  // 0: the default of each level
-  // Stored in every step; in steps that save or analyse them; computed from a state.
-  std::set<Label> always, stored, computed;
+  // Stored in steps that save or analyse them; computed from a state.
+  std::set<Label> stored, computed;
   MaterialsOfLabels materials;
 };
 

@@ -41,7 +41,7 @@ class Planner {
     diagnostic_labels_ = output_labels(diagnostics);
     add_outputs(all_step.list, materials_of_);
     add_outputs(diagnostics, materials_of_);
-    plain_ = plan_step_graph(component_, level_, stored_always());
+    plain_ = plan_step_graph(component_, level_, {});
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
     describe_effects();
@@ -54,10 +54,6 @@ class Planner {
   }
 
  private:
-  std::set<Label> stored_always() const {
-    return options_.force_all ? step_labels_ : std::set<Label>{};
-  }
-
   void describe_grid() {
     plan_.title = scene_.title;
     plan_.component = component_.name();
@@ -74,8 +70,8 @@ class Planner {
   // What a block of each kind runs.
   void describe_kinds() {
     for (int kind = 0; kind < component_.step_kinds(); ++kind)
-      plan_.kind_tasks.push_back(static_cast<int>(
-          plan_step_graph(component_, level_, stored_always(), kind).plan.tasks.size()));
+      plan_.kind_tasks.push_back(
+          static_cast<int>(plan_step_graph(component_, level_, {}, kind).plan.tasks.size()));
   }
 
   void describe_effects() {
@@ -273,7 +269,6 @@ class Planner {
                                                           .ranks = options_.ranks,
                                                           .threads = options_.threads,
                                                           .block = options_.block,
-                                                          .always = stored_always(),
                                                           .stored = stored_,
                                                           .computed = computed_,
                                                           .materials = materials_of_});

@@ -1,6 +1,6 @@
 """What ./dev bench measures: whole runs of decks, with the figure that each may cost at most.
 
-A run case gives nanoseconds per cell and step as `sluice run --json` reports it, all savings off
+A run case gives nanoseconds per cell and step as `sluice run --json` reports it; no block sleeps
 unless `savings` is true. A ratio case divides two other cases. Limits are for a quiet machine of
 the kind named in recorded.json.
 """

@@ -240,7 +240,7 @@ void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>
 
 const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vector<Label>& wanted,
                                         const RunControl* control, bool rates) {
-  std::vector<Label> stored = options_.force_all ? step_labels_ : wanted;
+  std::vector<Label> stored = wanted;
   std::sort(stored.begin(), stored.end());
   if (advanced_ == 1 && options_.substeps > 1 && !start_kept_) {
     next_.swap(start_);

@@ -23,7 +23,7 @@ namespace sluice {
 
 struct SolverOptions {
   int threads = 1;
-  bool force_all = false;           // savings 2 to 5 off: every output computed, no block sleeps
+  bool force_all = false;           // no block sleeps, nothing of a step is left out
   int sample_every = 0;             // time every n-th block; 0: never
   IntVec3 block{};                  // extents of a block; 0: chosen
   std::int64_t most_box_cells = 0;  // of boxes of adaptive levels; 0: no limit
