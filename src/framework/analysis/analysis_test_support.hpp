@@ -28,6 +28,13 @@ inline Level fine_level(const std::vector<GridBox>& boxes) {
 inline IndexBox columns(int from, int to) {
   return {{from, 0, 0}, {to, 8, 1}};
 }
+// Columns 2 to 10 in boxes of three ranks.
+inline Level cut_level() {
+  return fine_level({{columns(6, 8), 1, 0},
+                     {columns(2, 4), 2, 1},
+                     {columns(8, 10), 0, 2},
+                     {columns(4, 6), 1, 3}});
+}
 
 inline double value_at(IntVec3 c, int component) {
   return c.x + 100 * c.y - 1000 * component;

@@ -72,10 +72,7 @@ TEST_F(Averages, CovariancesOfAPlane) {
 
 TEST_F(Averages, RanksAndBoxesDoNotShow) {
   const Level whole = fine_level({{columns(2, 10), 0, 0}});
-  const Level cut = fine_level({{columns(6, 8), 1, 0},
-                                {columns(2, 4), 2, 1},
-                                {columns(8, 10), 0, 2},
-                                {columns(4, 6), 1, 3}});
+  const Level cut = cut_level();
   for (int normal = 0; normal < 3; ++normal) {
     AveragePlan plan;
     plan.normal = normal;

@@ -64,10 +64,7 @@ TEST_F(Samples, OfALineAreThoseCellsThatTheLevelHolds) {
 
 TEST_F(Samples, RanksAndBoxesDoNotShow) {
   const Level whole = fine_level({{columns(2, 10), 0, 0}});
-  const Level cut = fine_level({{columns(6, 8), 1, 0},
-                                {columns(2, 4), 2, 1},
-                                {columns(8, 10), 0, 2},
-                                {columns(4, 6), 1, 3}});
+  const Level cut = cut_level();
   const std::vector<AnalysedQuantity> quantities = {{labels().flux, 0, 1}, {labels().wind, 0, 3}};
   for (const auto& [level, ranks, name] : {std::tuple{whole, 1, "whole"}, {cut, 3, "cut"}}) {
     PointsSampler points(level, quantities, row());

@@ -91,14 +91,15 @@ class Declarer {
     const VariableId to = q_.fresh(label, m);
     TaskBuilder t = q_.task(label, m);
     const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
-    const CellLaws laws = read_laws(t);
+    const scalars::LawsOfCells laws = read_laws(t);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       const double *r = row(density, m), *e = row(energy, m);
       double* value = row(out);
       Fluid room;
       for (int i = 0; i < row.count(); ++i)
-        value[i] = r[i] > 0.0 ? f(laws.at(row, m, i, room), r[i], e[i]) : 0.0;
+        value[i] =
+            r[i] > 0.0 ? f(laws.at(row, static_cast<std::size_t>(m), i, room), r[i], e[i]) : 0.0;
     });
     return to;
   }
@@ -116,20 +117,8 @@ class Declarer {
       for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? g(gas->at(f[i])) : 0.0;
     });
   }
-  // The law of each material in a cell.
-  struct CellLaws {
-    std::vector<Fluid> fluids;
-    const models::MixedGas* gas = nullptr;
-    In fraction;
-
-    const Fluid& at(const Row& row, int m, int i, Fluid& room) const {
-      const auto k = static_cast<std::size_t>(m);
-      if (!scalars::is_mixed(gas, k)) return fluids[k];
-      return room = scalars::fluid_of(*gas, row(fraction)[i]);
-    }
-  };
-  CellLaws read_laws(TaskBuilder& t) {
-    CellLaws laws{o_.fluids, o_.mixed, {}};
+  scalars::LawsOfCells read_laws(TaskBuilder& t) {
+    scalars::LawsOfCells laws{o_.fluids, o_.mixed, {}};
     if (o_.mixed != nullptr) laws.fraction = t.read(scalars::old_fraction(q_.list(), o_));
     return laws;
   }
@@ -144,12 +133,13 @@ class Declarer {
     const In total = t.read(v_.common.rho);
     std::vector<In> mass;
     for (const VariableId id : v_.mass) mass.push_back(t.read(id));
-    const CellLaws laws = read_laws(t);
+    const scalars::LawsOfCells laws = read_laws(t);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       Fluid room;
       const auto own = [&](int k, int i) {
-        return laws.at(row, k, i, room).temperature(row(density, k)[i], row(energy, k)[i]);
+        return laws.at(row, static_cast<std::size_t>(k), i, room)
+            .temperature(row(density, k)[i], row(energy, k)[i]);
       };
       const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
       double* T = row(out);

@@ -31,14 +31,6 @@ struct Handles : UpdateState {
   FrictionOnSlip friction;
 };
 
-// Nothing is left of a material, to the round-off of what was there (update.cpp).
-bool is_gone(double M, double V, double M_before, double V_before) {
-  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-  return std::fabs(M) < least_mass || std::fabs(V) < least_volume ||
-         std::fabs(M) <= round_off * M_before ||
-         (std::fabs(V) <= round_off * V_before && V_before > 0.0);
-}
-
 template <int D, int C>
 class Cells {
  public:

@@ -129,11 +129,8 @@ class MixedCells {
       defect[i] = motion.heat(i, rho[i], 1.0 / rho[i], [](int) { return 0.0; });
   }
 
-  // k by mass, with what materials leave that are gone: to the round-off of what was there. Through
-  // one outlet a material leaves to the bit (remap_fluxes.cpp), through several only the sum of
-  // their fluxes is all of it.
+  // k by mass, with what materials leave that are gone.
   void share_defect(int first, int n) const {
-    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
     double* __restrict defect = modulus_ + first;
     const double* __restrict density = density_ + first;
     for (int m = 0; m < materials_; ++m) {
@@ -146,10 +143,7 @@ class MixedCells {
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
         M[i] = vapour_kept(M[i], V[i]);
-        const int light = int{std::fabs(M[i]) <= round_off * M_before[i]};
-        const int thin = int{std::fabs(V[i]) <= round_off * V_before[i]} & int{V_before[i] > 0.0};
-        const int empty = int{std::fabs(M[i]) < least_mass} | int{std::fabs(V[i]) < least_volume};
-        const bool gone = (empty | light | thin) != 0;
+        const bool gone = is_gone(M[i], V[i], M_before[i], V_before[i]);
         defect[i] += gone ? E[i] : 0.0;
         M[i] = gone ? 0.0 : M[i];
         V[i] = gone ? 0.0 : V[i];

@@ -5,6 +5,8 @@
 // alike, so that where pressure, temperature and velocity are uniform, density, energy and rho f
 // are linear in each other on every face and stay so: no waves start where the gases meet.
 #pragma once
+#include <vector>
+
 #include "ice/conservative/variables.hpp"
 #include "models/mixed_gas.hpp"
 
@@ -27,6 +29,19 @@ inline bool is_mixed(const models::MixedGas* gas, std::size_t m) {
 inline bool is_mixed(const SchemeOptions& o, std::size_t m) {
   return is_mixed(o.mixed, m);
 }
+
+// The law of each material in a cell, that of a mixed gas by its fraction.
+struct LawsOfCells {
+  std::vector<Fluid> fluids;
+  const models::MixedGas* gas = nullptr;
+  In fraction;  // with a mixed gas only
+
+  // `room` holds a law that is made for the cell.
+  const Fluid& at(const Row& row, std::size_t m, int i, Fluid& room) const {
+    if (!is_mixed(gas, m)) return fluids[m];
+    return room = fluid_of(*gas, row(fraction)[i]);
+  }
+};
 
 // Sets what the gas changes in the options of a scene; `o` has the scalars and coefficients of the
 // deck.

@@ -38,20 +38,8 @@ Answer answer(const Fluid& fluid, const Given& g) {
           slopes.first * (g.dM - rho * g.dV) + slopes.second / rho * (g.dE - e * g.dM)};
 }
 
-// Of all materials; a gas that is a mixture itself by its new fraction.
-struct Laws {
-  std::vector<Fluid> fluids;
-  const models::MixedGas* gas = nullptr;
-  In fraction;
-
-  const Fluid& at(const Row& row, std::size_t m, int i, Fluid& room) const {
-    if (!scalars::is_mixed(gas, m)) return fluids[m];
-    return room = scalars::fluid_of(*gas, row(fraction)[i]);
-  }
-};
-
 void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, In change,
-                       const SourceChange& layout, const Laws& laws, double* dp) {
+                       const SourceChange& layout, const scalars::LawsOfCells& laws, double* dp) {
   Fluid room;
   using C = SourceChange;
   for (int i = 0; i < row.count(); ++i) {
@@ -89,7 +77,8 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
     std::vector<MaterialRows> state;
     for (const MaterialOfStep& m : materials.each)
       state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
-    const Laws laws{o.fluids, o.mixed, o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
+    const scalars::LawsOfCells laws{o.fluids, o.mixed,
+                                    o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
     task.kernel(
         [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;
