@@ -12,8 +12,8 @@
 #include "ice/fluid_laws.hpp"
 #include "ice/ice_scene.hpp"
 #include "ice/ice_schema.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixed_gas_rules.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/read_fluid.hpp"
 #include "models/models.hpp"
 
@@ -224,7 +224,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   const auto materials = ice_materials(root);
   check_names(materials, faults);
   check_surrounding(root, materials, faults);
-  constexpr std::size_t most = ice::mixture::most_materials;
+  constexpr std::size_t most = ice::most_materials;
   if (materials.size() > most)
     add_error(faults, materials[most]->where,
               fmt::format("{} materials are more than the {} of one deck", materials.size(), most),

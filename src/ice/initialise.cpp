@@ -98,7 +98,7 @@ void Ice::initialise_materials(Warehouse& state) const {
         fill_materials(ice_, scene_->constants, scene_->grid.levels.front(), state.level(), cells);
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
-      double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
+      double M[most_materials], V[most_materials], E[most_materials];
       double momentum[3] = {0, 0, 0}, rho = 0;
       for (std::size_t m = 0; m < fill.materials.size(); ++m) {
         const MaterialFill& f = fill.materials[m];

@@ -38,7 +38,7 @@ class CellStates {
   };
   State at(IntVec3 cell) {
     if (fluids_.size() == 1) return of_one(0, mass_[0](cell), energy_[0](cell));
-    double M[mixture::most_materials], V[mixture::most_materials], E[mixture::most_materials];
+    double M[most_materials], V[most_materials], E[most_materials];
     double rho = 0;
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
       M[m] = mass_[m](cell);
@@ -133,7 +133,7 @@ class Diffusion {
   double rate(const CellStates& states, const mixture::DiffusionRates& rates, IntVec3 cell) const {
     mixture::MaterialRows s = states.materials(cell);
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0, rho = density(cell);
-    double viscosity = eddy, conductivity[mixture::most_materials] = {};
+    double viscosity = eddy, conductivity[most_materials] = {};
     s.viscosity = &viscosity;
     for (std::size_t m = 0; m < o_.fluids.size(); ++m) {
       s.conductivity[m] = conductivity + m;

@@ -17,7 +17,7 @@
 // to the bit, whatever the ghosts hold.
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/runs.hpp"
 #include "ice/wall_faces.hpp"
 
 namespace sluice::ice {
@@ -215,16 +215,15 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
   const LawOfCells of_cells{{row(h.shock_slope, 0, axis, -1), row(h.shock_slope)},
                             {row(h.pi, 0, axis, -1), row(h.pi)}};
   const int n = row.count(), room = row.whole_vectors();
-  mixture::for_each_face_run(mixture::runs_of(row, h.pure, axis, -1), mixture::runs_of(row, h.pure),
-                             n, [&](int first, int count, double pure) {
-                               // What is computed for faces beyond is overwritten by the next run.
-                               const int end = first + mixture::whole_vectors(count, room - first);
-                               if (pure < 0.0)
-                                 faces.run(first, end, of_cells);
-                               else
-                                 faces.run(first, end,
-                                           law_of(o.fluids[static_cast<std::size_t>(pure)]));
-                             });
+  for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), n,
+                    [&](int first, int count, double pure) {
+                      // What is computed for faces beyond is overwritten by the next run.
+                      const int end = first + whole_vectors(count, room - first);
+                      if (pure < 0.0)
+                        faces.run(first, end, of_cells);
+                      else
+                        faces.run(first, end, law_of(o.fluids[static_cast<std::size_t>(pure)]));
+                    });
   faces.walls(row, o, axis, of_cells);
 }
 

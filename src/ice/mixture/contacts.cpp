@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ice/conservative/face_mean.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {

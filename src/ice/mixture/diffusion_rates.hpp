@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ice/conservative/variables.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "ice/exchange_settings.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 

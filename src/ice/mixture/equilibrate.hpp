@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ice/fluid.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -5,7 +5,7 @@
 // part.
 #pragma once
 #include "ice/conservative/remap_flux_rows.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {

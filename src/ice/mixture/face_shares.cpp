@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/material_runs.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/interface_band.hpp"
-#include "ice/mixture/runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

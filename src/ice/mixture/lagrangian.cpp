@@ -11,7 +11,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/end_of_step.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {

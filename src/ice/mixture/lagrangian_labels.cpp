@@ -1,7 +1,7 @@
 // What the labels of a step read of each material of a mixture.
 #include "ice/ice.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/drag.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 #include "ice/step_labels.hpp"

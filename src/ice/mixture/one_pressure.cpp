@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "ice/material_runs.hpp"
 #include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

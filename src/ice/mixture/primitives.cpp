@@ -12,7 +12,7 @@
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/primitives_rows.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "ice/conservative/remap_base_rows.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {

@@ -21,8 +21,8 @@
 #include <optional>
 
 #include "ice/conservative/remap_flux_rows.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/face_donors.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "framework/base/infinity.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/slip.hpp"
 
 namespace sluice::ice::mixture {

@@ -11,9 +11,9 @@
 
 #include "framework/refine/coverage.hpp"
 #include "ice/conservative/remap_flux_rows.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/interface_band.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/slip.hpp"
 
 namespace sluice::ice::mixture {

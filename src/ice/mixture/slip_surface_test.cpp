@@ -65,7 +65,7 @@ TEST(SlipSurface, HoldsAcrossAndSlipsAlong) {
   for (const double* n : normals)
     for (const double K : {0., 1e3, 1e9, 1e20}) {
       const DragCell cell = surface_cell(2, 1, h, n);
-      double w[directions][mixture::most_materials], before[directions][mixture::most_materials];
+      double w[directions][most_materials], before[directions][most_materials];
       start(cell, w);
       start(cell, before);
       drag_of(K, 2).decay(cell, dt, 1, directions, w);
@@ -86,7 +86,7 @@ TEST(SlipSurface, KeepsMomentumAndTakesEnergyWithThreeMaterials) {
     for (const double K : {0., 1e-3, 1e6, 1e20})
       for (const double share : {0., .3, 1.}) {
         const DragCell cell = surface_cell(3, share, 1e4, n);
-        double w[directions][mixture::most_materials], v[directions][mixture::most_materials];
+        double w[directions][most_materials], v[directions][most_materials];
         start(cell, w);
         const auto energy = [&] {
           double sum = 0;
@@ -97,7 +97,7 @@ TEST(SlipSurface, KeepsMomentumAndTakesEnergyWithThreeMaterials) {
         drag_of(K, 3).decay(cell, 1e-3, .5, directions, w);
         EXPECT_TRUE(std::isfinite(energy()));
         EXPECT_LE(energy(), before);
-        double push[directions][mixture::most_materials];
+        double push[directions][most_materials];
         start(cell, push);
         for (auto& one : push)
           for (int m = 0; m < 3; ++m) one[m] *= cell.M[m];
@@ -123,14 +123,14 @@ TEST(SlipSurface, LimitsAreNoSlipAndFreeSlip) {
   const auto along = [&](double passes, double lock) {
     DragCell cell = surface_cell(2, 1, passes, n);
     cell.lock = lock;
-    double w[directions][mixture::most_materials];
+    double w[directions][most_materials];
     start(cell, w);
     drag_of(K, 2).decay(cell, dt, 1, directions, w);
     return w[2][0] - w[2][1];
   };
   DragCell plain = surface_cell(2, 0, 0, n);
   plain.lock = 0;
-  double w[directions][mixture::most_materials], first[directions][mixture::most_materials];
+  double w[directions][most_materials], first[directions][most_materials];
   start(plain, w);
   start(plain, first);
   drag_of(K, 2).decay(plain, dt, 1, directions, w);

@@ -9,7 +9,7 @@
 
 #include "ice/conservative/face_mean.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

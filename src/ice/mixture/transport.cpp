@@ -13,7 +13,7 @@
 // The rest, and a defect below zero (where a wave accelerates the cell), goes by mass. Absent
 // without friction and conduction.
 #include "ice/limiters.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {

@@ -12,10 +12,10 @@
 #include <optional>
 
 #include "ice/conservative/update_rows.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/ideal_relaxation.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/traces.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "ice/conservative/update_rows.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/sources/source_tasks.hpp"

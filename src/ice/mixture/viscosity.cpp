@@ -9,7 +9,7 @@
 #include <string>
 
 #include "ice/ice.hpp"
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"

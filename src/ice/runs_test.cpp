@@ -1,12 +1,12 @@
 // Runs of equal keys, pieces across short gaps, sets of materials: against a look at each cell.
-#include "ice/mixture/runs.hpp"
+#include "ice/material_runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-namespace sluice::ice::mixture {
+namespace sluice::ice {
 namespace {
 
 // Keys that change seldom, so that runs are longer and shorter than what is looked at in one go.
@@ -180,4 +180,4 @@ TEST(Runs, SetsOfOneTellTheirMaterial) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice
