@@ -26,34 +26,88 @@ double velocity_at(const MixtureBox& run, double x) {
 }
 
 struct Fragment {
-  double left = .4, right = .6;  // edges that move with the flow
-  // Largest distance in cells, outside the edges, of a cell with the material.
+  double left, right;  // edges that move with the flow
+  // Outside the edges.
+  double distance(double x) const {
+    double off = 1e9;
+    for (int image = -3; image <= 3; ++image)
+      off = std::fmin(off, std::fmax(0.0, std::fmax(left - x - image, x + image - right)));
+    return off;
+  }
+};
+
+// Where the material is at the start: a block of 20 cells, or single cells and pairs 5 apart.
+enum class Start { block, cells_apart };
+bool holds_some(int i, Start start) {
+  return start == Start::block ? i >= 40 && i < 60 : (i * 7919) % 13 < 3;
+}
+
+class Fragments {
+ public:
+  explicit Fragments(Start start) {
+    for (int i = 0; i < cells; ++i) {
+      if (!holds_some(i, start)) continue;
+      const double left = static_cast<double>(i) / cells, right = (i + 1.0) / cells;
+      if (i > 0 && holds_some(i - 1, start))
+        all_.back().right = right;
+      else
+        all_.push_back({left, right});
+    }
+  }
+  // The edges by Heun's rule.
+  void step(MixtureBox& run) {
+    std::vector<double> speed;
+    for_each_edge([&](double& x) { speed.push_back(velocity_at(run, x)); });
+    const double start = run.time();
+    run.steps(1);
+    const double dt = run.time() - start;
+    std::size_t n = 0;
+    for_each_edge([&](double& x) {
+      const double u = speed[n++];
+      x += .5 * dt * (u + velocity_at(run, x + dt * u));
+    });
+  }
+  // Largest distance in cells from the nearest fragment of a cell with the material.
   double reach(const MixtureBox& run, int m) const {
     double worst = 0;
     for (int i = 0; i < cells; ++i) {
       if (run.mass(m, {i, 0, 0}) == 0) continue;
       double off = 1e9;
-      for (int image = -3; image <= 3; ++image) {
-        const double x = (i + .5) / cells + image;
-        off = std::fmin(off, std::fmax(0.0, std::fmax(left - x, x - right)));
-      }
+      for (const Fragment& f : all_) off = std::fmin(off, f.distance((i + .5) / cells));
       worst = std::fmax(worst, off * cells);
     }
     return worst;
   }
+
+ private:
+  template <class F>
+  void for_each_edge(F f) {
+    for (Fragment& fragment : all_) {
+      f(fragment.left);
+      f(fragment.right);
+    }
+  }
+
+  std::vector<Fragment> all_;
 };
 
-MixtureBox swept_fragments(double p, double trace, bool water_in_air) {
+struct Sweep {
+  double pressure;
+  Start start;
+};
+
+MixtureBox swept_fragments(const Sweep& sweep, double trace, bool water_in_air) {
   GasBox box;
   box.cells = {cells, 1, 1};
   box.scheme = "conservative";
   return {
       box, {water, air}, [=](Vec3 x) {
         MixtureCell c;
-        const double little = x.x > .4 && x.x < .6 ? trace : 0.0;
+        const int i = static_cast<int>(cells * x.x);
+        const double little = holds_some(i, sweep.start) ? trace : 0.0;
         c.volume = water_in_air ? std::vector{little, 1 - little} : std::vector{1 - little, little};
         c.density = {1000, 1.2};
-        const double here = x.x < .2 ? p : 1e5;
+        const double here = x.x < .2 ? sweep.pressure : 1e5;
         c.pressure = {here, here};
         return c;
       }};
@@ -67,39 +121,52 @@ double lowest_pressure(const MixtureBox& run, int m) {
   return p;
 }
 
-class CompactSupport : public testing::TestWithParam<std::tuple<double, double, bool>> {};
+class CompactSupport : public testing::TestWithParam<std::tuple<Sweep, double, bool>> {};
 
-// Where water is torn apart the air becomes the cavity, several cells wide: then there is no front
-// to be near to. Nor is there one where fragments are cells five apart, as in the random starts of
-// TracesSurviveWaves: nothing can be farther than that.
+// Measured: 5.2 cells (cells of 1e-15 of water under 10 MPa, beside the 42), 3.0 in the others;
+// masses to 5.2e-16. Where water is torn apart the air becomes the cavity, several cells wide: then
+// there is no front to be near to.
 TEST_P(CompactSupport, FragmentsStayTogether) {
   constexpr double farthest = 6, cavity = 100;  // cells, Pa
-  const auto [p, trace, water_in_air] = GetParam();
+  constexpr double limit = 1e-15;               // of the mass
+  const auto [sweep, trace, water_in_air] = GetParam();
   const int m = water_in_air ? 0 : 1;
-  MixtureBox run = swept_fragments(p, trace, water_in_air);
-  Fragment fragment;
+  MixtureBox run = swept_fragments(sweep, trace, water_in_air);
+  const Totals before = run.totals();
+  Fragments fragments(sweep.start);
   double worst = 0;
-  int steps = 0;
-  for (; steps < 1500 && lowest_pressure(run, m) > cavity; ++steps) {
-    const double l = velocity_at(run, fragment.left), r = velocity_at(run, fragment.right);
-    const double start = run.time();
-    run.steps(1);
-    const double dt = run.time() - start;  // Heun's rule
-    fragment.left += .5 * dt * (l + velocity_at(run, fragment.left + dt * l));
-    fragment.right += .5 * dt * (r + velocity_at(run, fragment.right + dt * r));
-    worst = std::fmax(worst, fragment.reach(run, m));
+  int steps = 0, with_front = 0;
+  bool torn = false;
+  for (; steps < 1500; ++steps) {
+    torn = torn || lowest_pressure(run, m) <= cavity;
+    fragments.step(run);
+    if (torn) continue;
+    ++with_front;
+    worst = std::fmax(worst, fragments.reach(run, m));
   }
   RecordProperty("cells", std::to_string(worst));
-  RecordProperty("steps", steps);
+  RecordProperty("steps", with_front);
   EXPECT_LE(worst, farthest);
-  EXPECT_GE(steps, 300);
+  EXPECT_GE(with_front, water_in_air ? 1500 : 300);
+  const Totals after = run.totals();
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double all = before.mass[n].sum.value();
+    EXPECT_LE(std::fabs(after.mass[n].sum.value() - all), limit * all) << n;
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, CompactSupport,
-                         testing::Combine(testing::Values(1e7, 1e9),
+INSTANTIATE_TEST_SUITE_P(
+    Of, CompactSupport,
+    testing::Combine(testing::Values(Sweep{1e7, Start::block}, Sweep{1e9, Start::block},
+                                     Sweep{1e9, Start::cells_apart}),
+                     testing::Values(1e-4, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 1e-30),
+                     testing::Bool()));
+// Water under a weaker wave; air there would be torn apart within 40 steps.
+INSTANTIATE_TEST_SUITE_P(OfWaterUnderAWeakWave, CompactSupport,
+                         testing::Combine(testing::Values(Sweep{1e7, Start::cells_apart}),
                                           testing::Values(1e-4, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15,
                                                           1e-30),
-                                          testing::Bool()));
+                                          testing::Values(true)));
 
 // Oblique flow: cells have two outlets, and what leaves through both leaves a share of a share.
 TEST(CompactSupport, NothingStaysBehindInObliqueFlow) {

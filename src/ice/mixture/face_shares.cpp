@@ -5,15 +5,18 @@
 #include "ice/material_runs.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/interface_band.hpp"
+#include "ice/mixture/whole_masses.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double least_entry = 1e-16;  // of a cell's volume: what enters an empty cell
-constexpr double least_rest = 1e-10;   // of a material's volume that may stay behind
-constexpr double tiny = 1e-14;         // of a cell's volume: what leaves by one outlet alone
-constexpr double least_fill = 0.5;     // of the volume behind it, for a front to move on
-constexpr double trace = 1e-10;        // differences of smaller fractions are not trusted
+constexpr double least_entry = 1e-16;   // of a cell's volume: what enters an empty cell
+constexpr double least_of_most = 1e-2;  // of the most around, where that is next to nothing
+constexpr double least_rest = 1e-10;    // of a material's volume that may stay behind
+constexpr double tiny = 1e-14;          // of a cell's volume: what leaves by one outlet alone
+constexpr double least_fill = 0.5;      // of the volume behind it, for a front to move on
+constexpr double thinned = 0.1;         // of the volume ahead: the last cell of a trail
+constexpr double trace = 1e-10;         // differences of smaller fractions are not trusted
 
 // Without a branch, so that rows vectorise.
 inline bool both(bool a, bool b) {
@@ -21,6 +24,10 @@ inline bool both(bool a, bool b) {
 }
 inline bool either(bool a, bool b) {
   return (int{a} | int{b}) != 0;
+}
+
+inline double largest(double a, double b, double c) {
+  return larger(larger(a, b), c);
 }
 
 // Compressive slope: the bound itself.
@@ -155,8 +162,9 @@ class FaceShares {
   // Step 1: FV holds the share, FE how much more the cell could give, FM the receiving mass. Where
   // a cell has none of a material, it waits until the donor is filled as against the cell behind,
   // if the others can make up the outflow: else the foot of a front would run ahead, a cell a step,
-  // and flows that spread would carry it away. Tiny amounts pass the main outlet only: through
-  // several they would leave to a share, never all.
+  // and flows that spread would carry it away. The thinned last cell of a trail lies against what
+  // goes ahead of it and leaves as densely: else flows that spread would draw the trail out. Tiny
+  // amounts pass the main outlet only: through several they would leave to a share, never all.
   template <bool Based>
   void propose(const Material& k) {
     const int n = size();
@@ -183,6 +191,9 @@ class FaceShares {
       }
       const double behind = left ? pp[i] : mm[i], received = masses.at(i, !left);
       const double main = main_outlet_[i];
+      const double most = left ? largest(a[i], mm[i], mmm[i]) : largest(b[i], pp[i], ppp[i]);
+      const bool last = both(behind == 0.0, V < thinned * most);
+      value = both(last, std::fabs(main) == std::fabs(H)) ? larger(value, most) : value;
       const bool unfilled = V < least_fill * behind;
       const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
       const bool waits = either(both(received == 0.0, unfilled), aside);
@@ -214,6 +225,7 @@ class FaceShares {
   void keep_traces_together(const Material& k, int number) {
     const int n = size();
     const Pair fraction{k.V[2], k.V[3]};
+    const double *V0 = k.V[0], *V1 = k.V[1], *V2 = k.V[2], *V3 = k.V[3], *V4 = k.V[4], *V5 = k.V[5];
     const double *shrink = sum_, *fill = room_, *more = k.FE;
     double *share = k.FV, *FM = k.FM;
     const double which = number;
@@ -224,10 +236,12 @@ class FaceShares {
       const double V = fraction.at(i, H < 0.0), receiver = FM[i];
       const double wanted = share[i] * shrink[i] + fill[i] * more[i];
       const bool shared = both(V != 1.0, V != 0.0);  // else the donor has one material
-      const bool stays = both(shared, both(receiver == 0.0, flow * wanted < least_entry));
+      const double most = larger(largest(V0[i], V1[i], V2[i]), largest(V3[i], V4[i], V5[i]));
+      const double little = smaller(least_entry, least_of_most * most);
+      const bool stays = both(shared, both(receiver == 0.0, flow * wanted < little));
       const double V_L = V * J_[i];
       const double rest = V_L - flow * wanted;
-      const bool leaves = either(rest <= least_entry, rest <= least_rest * V_L);
+      const bool leaves = either(rest <= little, rest <= least_rest * V_L);
       const bool only_outlet = either(main == flow, both(V < tiny, main == -flow));
       const bool all = both(both(both(shared, !stays), wanted > 0.0),
                             both(both(flow > 0.0, only_outlet), leaves));
@@ -295,7 +309,9 @@ class FaceShares {
       eps_s = smaller(larger(eps_s, e_L - least_e * sc), e_L + most_e * sc);
       const bool none = share == 0.0;
       const double volume = none ? 0.0 : H * share;
-      double mass = none ? 0.0 : volume * rho_s, energy = none ? 0.0 : volume * eps_s;
+      const bool drains = gone > 0.5 * here;
+      const double booked = whole_mass(volume * rho_s, masses.a[i], masses.b[i], drains);
+      double mass = none ? 0.0 : booked, energy = none ? 0.0 : volume * eps_s;
       if constexpr (All) {
         const bool all = FM[i] != 0.0;
         const double sign = left ? -1.0 : 1.0;

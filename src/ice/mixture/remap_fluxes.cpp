@@ -7,15 +7,17 @@
 //      where one of five cells has V_m < .01 or > .99, else Q3(dm, dp; nu, B);
 //      0 <= theta_m <= min(1, V_m/max(N,1e-12)): never more than the cell holds
 //   2. sum_m theta_m = 1: divided by the sum where it is more, filled up to the caps where less
-//   3. traces: what would enter a cell without the material below 1e-16 stays; where the face is
-//      the donor's only outlet and would leave a trace, it takes all, to the bit
+//   3. traces: what would enter a cell without the material below 1e-16 stays (1e-2 of the most
+//      around, where that is less); where the face is the donor's only outlet and would leave a
+//      trace, it takes all, to the bit; a front waits for its donor to be filled, the last cell of
+//      a trail leaves as densely as what goes ahead (face_shares.cpp)
 //   4. rho_m = rho_mL + s (1-nu)/2 Q3(D rho_m; B)/J, eps_m likewise with bound 2, differences only
 //      where V_m > 1e-10 in donor, upwind and downwind cell; both bounded by the share
 //      phi = N theta_m/V_m of the material that leaves: q = (1-phi)/max(phi,.05),
 //      |rho_m/rho_mL - 1| <= min(.9, .5 q), |eps_m - eps_mL| <= min(.9, .5 q) (p_m + pi_m)/G_m
 //      A gas that is a mixture has rho_mL and eps_mL where its fraction is not the same around:
 //      with the donor's fraction they keep pressure and temperature.
-//   5. FV = H theta, FM = FV rho_m, FE = FV eps_m; F = sum FM; U, f, K of the mixture as for one
+//   5. FV = H theta, FM = FV rho_m (rounded: whole_masses.hpp), FE = FV eps_m; F = sum FM; U, f, K of the mixture as for one
 //      material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
 #include <optional>
