@@ -252,14 +252,7 @@ TEST(StepLabels, TemperatureRateIsThatOfTheExchange) {
     transport.heat_exchange = H;
     MixtureBox run(
         box_of({4, 1, 1}, true, &GasBox::walls), {air, other},
-        [&](Vec3) {
-          MixtureCell c;
-          c.volume = {V[0], V[1]};
-          c.density = {rho[0], rho[1]};
-          c.pressure = {p, p};
-          return c;
-        },
-        {}, {}, transport);
+        [&](Vec3) { return pair_at_rest(V[0], rho[0], rho[1], p); }, {}, {}, transport);
     run.save(all_labels_of_a_step());
     run.step(dt);
     double T[2], C[2], k = 0;
@@ -287,10 +280,7 @@ TEST(StepLabels, VelocityRateIsThatOfTheDrag) {
   MixtureBox run(
       box_of({8, 1, 1}, true, &GasBox::walls), {water, air},
       [&](Vec3) {
-        MixtureCell c;
-        c.volume = {.3, .7};
-        c.density = {1000, 1};
-        c.pressure = {1e5, 1e5};
+        MixtureCell c = pair_at_rest(.3, 1000, 1, 1e5);
         c.slip = {slip, 0};
         return c;
       },

@@ -24,10 +24,7 @@ std::function<MixtureCell(Vec3)> slab(double rho_a, double rho_b, double p, Vec3
   return [=](Vec3 x) {
     const auto inside = [](double s) { return s > .3 && s < .7; };
     const bool in = inside(x.x) && (!square || inside(x.y));
-    MixtureCell c;
-    c.volume = {in ? 1.0 : 0.0, in ? 0.0 : 1.0};
-    c.density = {rho_a, rho_b};
-    c.pressure = {p, p};
+    MixtureCell c = pair_at_rest(in ? 1.0 : 0.0, rho_a, rho_b, p);
     for (int d = 0; d < 3; ++d) c.velocity[d] = u[d];
     return c;
   };

@@ -17,6 +17,15 @@ struct MixtureCell {
   std::vector<double> slip{};  // of each material along x, beside that velocity; may be left out
 };
 
+// Two materials of one pressure, at rest; V: volume fraction of the first.
+inline MixtureCell pair_at_rest(double V, double rho_a, double rho_b, double p) {
+  MixtureCell c;
+  c.volume = {V, 1 - V};
+  c.density = {rho_a, rho_b};
+  c.pressure = {p, p};
+  return c;
+}
+
 // Friction, conduction and heat exchange; of each material, 0 where nothing is given.
 struct Transport {
   std::vector<double> viscosity, conductivity;

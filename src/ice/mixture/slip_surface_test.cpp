@@ -244,10 +244,7 @@ TEST(SlipSurface, LessPassesTheMoreSlips) {
         box, {heavy, air},
         [](Vec3 x) {
           const double V = std::fabs(x.y) < .2 ? 1. : std::fabs(x.y) < .21 ? .5 : 0.;
-          MixtureCell c;
-          c.volume = {V, 1 - V};
-          c.density = {20, 1};
-          c.pressure = {1e5, 1e5};
+          MixtureCell c = pair_at_rest(V, 20, 1, 1e5);
           c.slip = {0, 10};
           return c;
         },

@@ -32,10 +32,7 @@ TEST(Slip, ExchangeAloneIsTheExponential) {
     MixtureBox run(
         tube({8, 1, 1}, true), {water, air},
         [&](Vec3) {
-          MixtureCell c;
-          c.volume = {.3, .7};
-          c.density = {1000, 1};
-          c.pressure = {1e5, 1e5};
+          MixtureCell c = pair_at_rest(.3, 1000, 1, 1e5);
           c.slip = {slip, 0};
           return c;
         },
@@ -56,10 +53,7 @@ TEST(Slip, DragHeats) {
   MixtureBox run(
       tube({4, 1, 1}, true), {heavy, air},
       [](Vec3) {
-        MixtureCell c;
-        c.volume = {.4, .6};
-        c.density = {3, 1};
-        c.pressure = {1, 1};
+        MixtureCell c = pair_at_rest(.4, 3, 1, 1);
         c.slip = {1, -2};
         return c;
       },
@@ -81,10 +75,7 @@ Cloud fly(double K, double time) {
       tube({n, 1, 1}, true), {water, air},
       [](Vec3 x) {
         const bool in = x.x > .3 && x.x < .5;
-        MixtureCell c;
-        c.volume = {in ? .01 : 0.0, in ? .99 : 1.0};
-        c.density = {1000, 1.2};
-        c.pressure = {1e5, 1e5};
+        MixtureCell c = pair_at_rest(in ? .01 : 0.0, 1000, 1.2, 1e5);
         c.slip = {50, 0};
         return c;
       },
@@ -201,20 +192,12 @@ TEST(Slip, InterfacesHoldAtStrongJumpsWithoutDrag) {
   }
 }
 
-MixtureCell two(double V, double rho_a, double rho_b, double p) {
-  MixtureCell c;
-  c.volume = {V, 1 - V};
-  c.density = {rho_a, rho_b};
-  c.pressure = {p, p};
-  return c;
-}
-
 // Clouds of drops and a slab, moving against the gas: everything that slip does.
 Start busy(bool turned) {
   return [turned](Vec3 x) {
     const double s = turned ? -x.x : x.x;
     const double V = s > -.4 && s < -.1 ? .02 : s > .1 && s < .3 && x.y < .2 ? 1.0 : 0.0;
-    MixtureCell c = two(V, 1000, 1.2, s < -.3 ? 1e6 : 1e5);
+    MixtureCell c = pair_at_rest(V, 1000, 1.2, s < -.3 ? 1e6 : 1e5);
     c.velocity[0] = turned ? -20 : 20;
     c.velocity[1] = 5;
     c.slip = {turned ? -60. : 60., 0};
@@ -231,7 +214,7 @@ double shear_error(int n, double K) {
   MixtureBox run(
       tube({4, n, 1}, true), {heavy, air},
       [&](Vec3 x) {
-        MixtureCell c = two(V, 3, 1, 1);
+        MixtureCell c = pair_at_rest(V, 3, 1, 1);
         c.slip = {A * std::sin(2 * M_PI * x.y), 0};
         return c;
       },
@@ -296,31 +279,31 @@ std::vector<Hard> hard_cases() {
   for (const double theta : {1e-5, .01, .3, .9})
     all.push_back({"shock into drops", water, air, {200, 1, 1}, 3e-3, [theta](Vec3 x) {
                      const bool shocked = x.x < .2;
-                     return two(std::fabs(x.x - .5) < .1 ? theta : 0.0, 1000, shocked ? 12 : 1.2,
-                                shocked ? 2e6 : 1e5);
+                     return pair_at_rest(std::fabs(x.x - .5) < .1 ? theta : 0.0, 1000,
+                                         shocked ? 12 : 1.2, shocked ? 2e6 : 1e5);
                    }});
   for (const double theta : {.01, .3})
     all.push_back({"shock into bubbles", air, water, {200, 1, 1}, 3e-4, [theta](Vec3 x) {
-                     return two(std::fabs(x.x - .5) < .1 ? theta : 0.0, 1.2, 1000,
-                                x.x < .2 ? 1e9 : 1e5);
+                     return pair_at_rest(std::fabs(x.x - .5) < .1 ? theta : 0.0, 1.2, 1000,
+                                         x.x < .2 ? 1e9 : 1e5);
                    }});
   for (const double way : {1., -1.})
     all.push_back({"streams of drops", water, air, {100, 1, 1}, 4e-3, [way](Vec3 x) {
-                     MixtureCell c = two(.1, 1000, 1.2, 1e5);
+                     MixtureCell c = pair_at_rest(.1, 1000, 1.2, 1e5);
                      c.slip = {x.x < .5 ? 100 * way : -100 * way, 0};
                      return c;
                    }});
   all.push_back({"mixed gases", air, heavy, {200, 1, 1}, .2, [](Vec3 x) {
-                   return two(x.x < .5 ? .7 : .2, 1, .3, x.x < .5 ? 10 : .1);
+                   return pair_at_rest(x.x < .5 ? .7 : .2, 1, .3, x.x < .5 ? 10 : .1);
                  }});
   all.push_back({"near vacuum", water, air, {100, 1, 1}, 1e-3, [](Vec3 x) {
                    const bool left = x.x < .5;
-                   return two(left ? .01 : 1e-6, 1000, left ? 1.2 : 1e-6, left ? 1e5 : .1);
+                   return pair_at_rest(left ? .01 : 1e-6, 1000, left ? 1.2 : 1e-6, left ? 1e5 : .1);
                  }});
   all.push_back({"shock around a column", water, air, {48, 48, 1}, 2e-4, [](Vec3 x) {
                    const bool shocked = x.x < .2;
-                   return two(std::hypot(x.x - .6, x.y - .5) < .2 ? 1 : 0, 1000, shocked ? 50 : 1.2,
-                              shocked ? 1e8 : 1e5);
+                   return pair_at_rest(std::hypot(x.x - .6, x.y - .5) < .2 ? 1 : 0, 1000,
+                                       shocked ? 50 : 1.2, shocked ? 1e8 : 1e5);
                  }});
   return all;
 }
@@ -370,7 +353,7 @@ TEST(Slip, CostsNothingWhereAllMoveTogether) {
   const auto look = [](double K) {
     MixtureBox run(
         around_zero(32, 16), {water, air},
-        [](Vec3 x) { return two(x.x < 0 ? 1 : 0, 1000, 1.2, 1e5); }, {}, {}, {}, K);
+        [](Vec3 x) { return pair_at_rest(x.x < 0 ? 1 : 0, 1000, 1.2, 1e5); }, {}, {}, {}, K);
     run.steps(2);
     int slots = 0;
     for (const SlotInfo& slot : run.ice().state_slots()) slots += slot.label == labels().slip;
