@@ -17,8 +17,8 @@
 //      |rho_m/rho_mL - 1| <= min(.9, .5 q), |eps_m - eps_mL| <= min(.9, .5 q) (p_m + pi_m)/G_m
 //      A gas that is a mixture has rho_mL and eps_mL where its fraction is not the same around:
 //      with the donor's fraction they keep pressure and temperature.
-//   5. FV = H theta, FM = FV rho_m (rounded: whole_masses.hpp), FE = FV eps_m; F = sum FM; U, f, K of the mixture as for one
-//      material with its energy scale; G_m = FE + FM K, G = sum G_m.
+//   5. FV = H theta, FM = FV rho_m (rounded: whole_masses.hpp), FE = FV eps_m; F = sum FM; U, f, K
+//      of the mixture as for one material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
 #include <optional>
 
