@@ -13,8 +13,8 @@ namespace {
 constexpr std::int64_t cells_per_chunk = 2048;
 
 // Targets that the component gets at a time: enough to fill vectors, few enough for the cache.
-constexpr std::size_t group = 16;
-constexpr std::int64_t group_cells = 2048;  // coarse ones, of several targets
+constexpr std::size_t group = 64;
+constexpr std::int64_t group_cells = 2048;  // coarse ones that are gathered, of several targets
 
 // Coarse values at a time between two states.
 class CoarseState {
@@ -29,10 +29,12 @@ class CoarseState {
     if (share > 0) view_boxes(*after, slots, after_);
   }
   bool blends() const { return share_ > 0 && share_ < 1; }
-  // Where nothing is to be blended.
+  double share() const { return share_; }
+  // The state that is read first: the only one where nothing is to be blended.
   const StateViews& of(int box) const {
-    return (share_ > 0 ? after_ : before_)[static_cast<std::size_t>(box)];
+    return (share_ < 1 ? before_ : after_)[static_cast<std::size_t>(box)];
   }
+  const StateViews& later(int box) const { return after_[static_cast<std::size_t>(box)]; }
   void write(const StateViews& to, const IndexBox& region, int box, IntVec3 shift) const {
     const auto b = static_cast<std::size_t>(box);
     if (blends())
@@ -49,11 +51,20 @@ class CoarseState {
 // What one thread needs to gather the coarse cells of a group of targets.
 struct Gather {
   AlignedArray memory;
-  std::ptrdiff_t used = 0;              // of the memory
-  std::array<StateViews, group> views;  // by target of the group
+  std::ptrdiff_t used = 0;                     // of the memory
+  std::array<StateViews, group> views, later;  // by target of the group
   StateViews piece;
   std::vector<Prolongation> regions;
 };
+
+// Views of a box in the indices of a target; `room` holds them where they are shifted.
+const StateViews& in_indices_of(const InterpolationPlan::Target& target, const StateViews& box,
+                                StateViews& room) {
+  if (target.shift == IntVec3{}) return box;
+  room = box;
+  for (RealView& v : room) v.box = v.box.shifted(IntVec3{} - target.shift);
+  return room;
+}
 
 }  // namespace
 
@@ -70,7 +81,7 @@ struct Interpolation::Plan : InterpolationPlan {
   void send_parts();
   void interpolate(std::size_t first, std::size_t last, const TransferOperators& operators,
                    int order, const ThreadTeam* team);
-  const StateViews& coarse_cells(const Target& target, Gather& gather, StateViews& views);
+  Prolongation coarse_cells(const Target& target, Gather& gather, bool blends);
   void prolong(std::span<const Target> some, Gather& gather, const TransferOperators& operators,
                int order);
 };
@@ -92,16 +103,22 @@ void Interpolation::Plan::send_parts() {
   messages.send();
 }
 
-// The coarse cells of a target, as views in its own indices.
-const StateViews& Interpolation::Plan::coarse_cells(const Target& target, Gather& gather,
-                                                    StateViews& views) {
-  if (target.direct >= 0 && !state.blends()) {
-    const StateViews& box = state.of(target.direct);
-    if (target.shift == IntVec3{}) return box;
-    views = box;
-    for (RealView& v : views) v.box = v.box.shifted(IntVec3{} - target.shift);
-    return views;
+// A target with its coarse cells. Where one box holds all of them they are read there, also between
+// two states if the operator `blends` them.
+Prolongation Interpolation::Plan::coarse_cells(const Target& target, Gather& gather, bool blends) {
+  StateViews& views = gather.views[gather.regions.size()];
+  StateViews& later = gather.later[gather.regions.size()];
+  Prolongation region;
+  region.fine = &fine_views[static_cast<std::size_t>(target.box)];
+  region.cells = target.cells;
+  if (target.direct >= 0 && (blends || !state.blends())) {
+    region.coarse = &in_indices_of(target, state.of(target.direct), views);
+    if (!state.blends()) return region;
+    region.later = &in_indices_of(target, state.later(target.direct), later);
+    region.share = state.share();
+    return region;
   }
+  region.coarse = &views;
   view_array(gather.memory.data() + gather.used, target.coarse, coarse, components, views);
   gather.used += target.coarse.volume() * components;
   if (target.direct >= 0) state.write(views, target.coarse, target.direct, target.shift);
@@ -114,25 +131,23 @@ const StateViews& Interpolation::Plan::coarse_cells(const Target& target, Gather
       copy_state(views, s.cells, gather.piece, {});
     }
   }
-  return views;
+  return region;
 }
 
 // In groups whose coarse cells fit the memory.
 void Interpolation::Plan::prolong(std::span<const Target> some, Gather& gather,
                                   const TransferOperators& operators, int order) {
-  std::int64_t cells = 0;
   const auto flush = [&] {
     if (gather.regions.empty()) return;
     operators.prolong_all(gather.regions, geometry, order);
     gather.regions.clear();
-    gather.used = cells = 0;
+    gather.used = 0;
   };
   for (const Target& t : some) {
-    if (gather.regions.size() == group || cells + t.coarse.volume() > group_cells) flush();
-    StateViews& views = gather.views[gather.regions.size()];
-    const StateViews& from = coarse_cells(t, gather, views);
-    gather.regions.push_back({&from, &fine_views[static_cast<std::size_t>(t.box)], t.cells});
-    cells += t.coarse.volume();
+    const bool full = gather.used + t.coarse.volume() * components >
+                      static_cast<std::ptrdiff_t>(gather.memory.size());
+    if (gather.regions.size() == group || full) flush();
+    gather.regions.push_back(coarse_cells(t, gather, operators.blends()));
   }
   flush();
 }

@@ -24,6 +24,10 @@ struct Prolongation {
   const StateViews* coarse = nullptr;
   const StateViews* fine = nullptr;
   IndexBox cells;
+  // Of the same coarse cells: values between two states, (1 - share) coarse + share later. Null for
+  // an operator that does not blend.
+  const StateViews* later = nullptr;
+  double share = 0;
 };
 
 // Changes of conserved quantities in a list of cells: mass, momentum components and total energy of
@@ -49,6 +53,9 @@ class TransferOperators {
                            int order) const {
     for (const Prolongation& r : regions) prolong(*r.coarse, *r.fine, r.cells, geometry, order);
   }
+
+  // Does prolong_all take coarse values between two states.
+  virtual bool blends() const { return false; }
 
   // Coarse cells as exact means of mass, momentum and total energy of their fine cells; kinetic
   // energy that the mean loses becomes internal energy. The order of summation is mirror-exact.

@@ -37,7 +37,7 @@ void Children::add_block(std::array<int, 3> low, std::array<int, 3> size) {
     for (std::size_t h = 0; h < axes; ++h)
       if ((p >> h & 1U) != 0) corner[halved[h]] += half[halved[h]];
     add_block(corner, half);
-    part[p] = child(corner);
+    part[p] = number(corner[0], corner[1], corner[2]);
   }
   // Opposite parts first.
   const unsigned last = (1U << axes) - 1U;

@@ -26,6 +26,20 @@ inline void copy_strided(const double* __restrict from, std::ptrdiff_t step, int
     for (int i = 0; i < n; ++i) to[i] = from[i * step];
 }
 
+// Between two states in time, as blend_state does.
+inline double blended(double a, double b, double share) {
+  return (1 - share) * a + share * b;
+}
+
+// to[i] = a[i * step] and b[i * step], blended.
+inline void blend_strided(const double* a, const double* b, double share, std::ptrdiff_t step,
+                          int n, double* __restrict to) {
+  if (step == 1)
+    for (int i = 0; i < n; ++i) to[i] = blended(a[i], b[i], share);
+  else
+    for (int i = 0; i < n; ++i) to[i] = blended(a[i * step], b[i * step], share);
+}
+
 class Children {
  public:
   static constexpr int most = 64;
@@ -42,6 +56,8 @@ class Children {
     if (axis == 0) return child % ratio_[0];
     return axis == 1 ? child / ratio_[0] % ratio_[1] : child / (ratio_[0] * ratio_[1]);
   }
+  // The child at a position.
+  int number(int x, int y, int z) const { return x + ratio_[0] * (y + ratio_[1] * z); }
   // Of its centre from the coarse cell's, in coarse cells.
   double offset(int child, int axis) const {
     const int r = ratio_[axis];
@@ -85,9 +101,6 @@ class Children {
   struct Sum {
     std::uint8_t to, from;
   };
-  int child(const std::array<int, 3>& place) const {
-    return place[0] + ratio_[0] * (place[1] + ratio_[1] * place[2]);
-  }
   void add_block(std::array<int, 3> low, std::array<int, 3> size);
   void add(int to, int from);
 

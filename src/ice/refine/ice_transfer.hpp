@@ -24,11 +24,12 @@ class IceTransfer final : public TransferOperators {
 
   void prolong(const StateViews& coarse, const StateViews& fine, const IndexBox& cells,
                const TransferGeometry& geometry, int order) const override {
-    const Prolongation one{&coarse, &fine, cells};
+    const Prolongation one{&coarse, &fine, cells, nullptr, 0};
     prolong_all({&one, 1}, geometry, order);
   }
   void prolong_all(std::span<const Prolongation> regions, const TransferGeometry& geometry,
                    int order) const override;
+  bool blends() const override { return true; }
   void restrict_to(const StateViews& fine, const StateViews& coarse, const IndexBox& coarse_cells,
                    const TransferGeometry& geometry) const override;
   int flux_quantities() const override { return matches_fluxes_ ? 2 + components_ : 0; }

@@ -43,6 +43,21 @@ struct PolynomialBasis {
     }
   }
 
+  // Sum of a polynomial's products `term(k)`, each a function with its factor. Two axes may be
+  // exchanged without a trace in the bits.
+  template <class Term>
+  [[gnu::always_inline]] static double sum(Term&& term) {
+    double sum = term(0);
+    for (int a = 1; a < D; ++a) sum += term(a);
+    if constexpr (Order == 2) {
+      double curved = term(D);
+      for (int a = 1; a < D; ++a) curved += term(D + a);
+      sum += curved;
+    }
+    for (int p = 0; p < pairs; ++p) sum += term(2 * D + p);
+    return sum;
+  }
+
   double value[Children::most_in(D)][terms];
   double most[terms];
 };

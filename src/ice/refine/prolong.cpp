@@ -5,20 +5,21 @@ namespace sluice::ice {
 namespace {
 
 // Order 0: every fine cell is its coarse cell.
-void copy_to_children(const RealView& coarse, const RealView& fine, const IndexBox& cells,
-                      const TransferGeometry& geometry) {
+void copy_to_children(const Prolongation& region, std::size_t q, const TransferGeometry& geometry) {
+  const IndexBox& cells = region.cells;
+  const RealView &coarse = (*region.coarse)[q], &fine = (*region.fine)[q];
   const int along = longest_direction(cells, Children(geometry).axes());
   const int ratio = geometry.ratio[along];
   for_each_line(cells, along, cells.size()[along], [&](IntVec3 first, int n) {
     const IntVec3 parent = coarsen(first, geometry.ratio);
-    const double* from = coarse.data + coarse.offset(parent);
+    const std::ptrdiff_t at = coarse.offset(parent), step = coarse.stride[along];
+    const double* from = coarse.data + at;
+    const double* later = region.later == nullptr ? nullptr : (*region.later)[q].data + at;
     double* to = fine.data + fine.offset(first);
-    int left = (parent[along] + 1) * ratio - first[along];  // fine cells of this coarse one
+    int place = first[along] - parent[along] * ratio;
     for (int i = 0; i < n; ++i, to += fine.stride[along]) {
-      *to = *from;
-      if (--left > 0) continue;
-      left = ratio;
-      from += coarse.stride[along];
+      const std::ptrdiff_t cell = place++ / ratio * step;
+      *to = later == nullptr ? from[cell] : blended(from[cell], later[cell], region.share);
     }
   });
 }
@@ -47,7 +48,7 @@ void IceTransfer::prolong_all(std::span<const Prolongation> regions,
   if (order > 0) return with.template operator()<0>();
   for (const Prolongation& r : regions)
     for (std::size_t q = 0; q < r.coarse->size() && !r.cells.empty(); ++q)
-      copy_to_children((*r.coarse)[q], (*r.fine)[q], r.cells, geometry);
+      copy_to_children(r, q, geometry);
 }
 
 }  // namespace sluice::ice

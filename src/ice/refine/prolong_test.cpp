@@ -91,6 +91,29 @@ TEST_P(Prolongation, DependsOnTheCoarseCellsAlone) {
   }
 }
 
+// Between two states in time the fine cells come from coarse ones that are blended.
+TEST_P(Prolongation, OfTwoStatesIsThatOfTheirBlend) {
+  const TransferCase& c = GetParam();
+  BoxState before(with_layer(parents(9), c), c), after(before.box(), c), blend(before.box(), c);
+  BoxState expected(fine_cells(9), c), fine(fine_cells(9), c);
+  fill_wildly(before, 5);
+  fill_wildly(after, 6);
+  const double share = 0.25;
+  for_each_cell(before.box(), [&](IntVec3 cell) {
+    for (int q = 0; q < before.quantities(); ++q)
+      blend.at(q, cell) = (1 - share) * before.at(q, cell) + share * after.at(q, cell);
+  });
+  const IceTransfer transfer(c.components, false);
+  ASSERT_TRUE(transfer.blends());
+  const sluice::Prolongation both{&before.views(), &fine.views(), fine.box(), &after.views(),
+                                  share};
+  for (int order = 0; order <= 2; ++order) {
+    prolong(blend, expected, expected.box(), order);
+    transfer.prolong_all({&both, 1}, c.geometry(), order);
+    EXPECT_EQ(different(expected, fine, fine.box()), 0) << "order " << order;
+  }
+}
+
 IntVec3 mirrored(IntVec3 cell, int d, const IndexBox& box) {
   cell[d] = box.lower[d] + box.upper[d] - 1 - cell[d];
   return cell;

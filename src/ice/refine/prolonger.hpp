@@ -27,6 +27,8 @@
 #include "framework/grid/box_list.hpp"
 #include "ice/closure_rows.hpp"
 #include "ice/conservative/variables.hpp"
+#include "ice/refine/child_rows.hpp"
+#include "ice/refine/coarse_lines.hpp"
 #include "ice/refine/ice_transfer.hpp"
 #include "ice/refine/limited_polynomial.hpp"
 
@@ -40,6 +42,7 @@ class Prolonger {
   static constexpr int width = D == 3 ? 16 : 64;
   static constexpr int quantities = C + 2, energy = C + 1;
   using Functions = PolynomialBasis<D, Order>;
+  using Lines = CoarseLines<D, width>;
 
  public:
   Prolonger(std::span<const Prolongation> regions, const TransferGeometry& geometry,
@@ -50,6 +53,8 @@ class Prolonger {
         ratio_(geometry.ratio),
         children_(children),
         basis_(children),
+        lines_(regions, children.axes()),
+        rows_of_children_(regions, children),
         by_volume_(by_volume) {}
 
   void run() {
@@ -66,85 +71,67 @@ class Prolonger {
   // The coarse cells of a batch.
   void run(const Batch<width>& batch) {
     const int n = batch.padded();
-    find_sources(batch);
+    lines_.find(batch);
     for (int s = 0; s < S; ++s) find_range(s, batch);
     for (int q = 0; q < quantities + S; ++q) find_terms(q, batch);
     if (!ideal_) set_energy_aside(n);
     keep_positive(n);
     take_kinetic_energy(n);
     if (!ideal_) withdraw_inadmissible(n);
-    for (int child = 0; child < children_.count(); ++child) emit(child, batch);
-  }
-
-  // Where the coarse cells of a part of a batch lie, the same in the array of every quantity.
-  struct Source {
-    const StateViews* views = nullptr;
-    std::ptrdiff_t first = 0, step = 0;  // along the line
-    std::ptrdiff_t stride[D];            // by axis
-  };
-  void find_sources(const Batch<width>& batch) {
-    std::size_t k = 0;
-    for (const LinePart& line : batch.parts()) {
-      Source& s = sources_[k++];
-      s.views = regions_[line.region].coarse;
-      const RealView& v = s.views->front();
-      s.first = v.offset(line.first);
-      s.step = v.stride[line.along];
-      for (int a = 0; a < D; ++a) s.stride[a] = v.stride[children_.axes().direction[a]];
-    }
+    if (children_.ratio(0) == 4)
+      emit<4>(batch);
+    else if (children_.ratio(0) == 2)
+      emit<2>(batch);
+    else
+      emit<1>(batch);
   }
 
   std::size_t view(int q) const {
     return q < quantities ? static_cast<std::size_t>(q) : by_volume_[q - quantities];
   }
-  // The coarse cells of a batch, shifted along two axes; of a scalar its amount.
+  // The coarse cells of a batch and their neighbours, or cells shifted along two axes; of a scalar
+  // its amount.
+  void gather_star(int q, const Batch<width>& batch, double (*to)[width]) const {
+    lines_.gather_star(view(q), batch, to);
+    if (q < quantities) return;
+    double mass[Lines::star][width];
+    lines_.gather_star(0, batch, mass);
+    for (int k = 0; k < Lines::star; ++k) take_amount(q - quantities, batch, mass[k], to[k]);
+  }
   void gather(int q, const Batch<width>& batch, int axis, int shift, int other, int move,
               double* to) const {
-    gather_view(view(q), batch, axis, shift, other, move, to);
+    lines_.gather(view(q), batch, axis, shift, other, move, to);
     if (q < quantities) return;
     double mass[width];
-    gather_view(0, batch, axis, shift, other, move, mass);
-    const double* f0 = scalar_[q - quantities];
-    for (int i = 0; i < batch.padded(); ++i) to[i] = mass[i] * (to[i] - f0[i]);
+    lines_.gather(0, batch, axis, shift, other, move, mass);
+    take_amount(q - quantities, batch, mass, to);
   }
-  void gather_view(std::size_t view, const Batch<width>& batch, int axis, int shift, int other,
-                   int move, double* to) const {
-    const Source* s = sources_;
-    for (const LinePart& line : batch.parts()) {
-      const double* from =
-          (*s->views)[view].data + s->first + shift * s->stride[axis] + move * s->stride[other];
-      copy_strided(from, s->step, line.count, to + line.place);
-      ++s;
-    }
-    batch.repeat_last(to);
+  void take_amount(int s, const Batch<width>& batch, const double* mass, double* scalar) const {
+    for (int i = 0; i < batch.padded(); ++i) scalar[i] = mass[i] * (scalar[i] - scalar_[s][i]);
   }
 
   // The scalar of the coarse cells, and its lowest and highest value around.
   void find_range(int s, const Batch<width>& batch) {
     const int n = batch.padded();
-    double around[width];
-    gather_view(by_volume_[s], batch, 0, 0, 0, 0, scalar_[s]);
-    std::copy(scalar_[s], scalar_[s] + n, lowest_[s]);
-    std::copy(scalar_[s], scalar_[s] + n, highest_[s]);
-    for (int a = 0; a < D; ++a)
-      for (const int shift : {-1, 1}) {
-        gather_view(by_volume_[s], batch, a, shift, a, 0, around);
-        for (int i = 0; i < n; ++i) {
-          lowest_[s][i] = smaller(lowest_[s][i], around[i]);
-          highest_[s][i] = larger(highest_[s][i], around[i]);
-        }
+    double star[Lines::star][width];
+    lines_.gather_star(by_volume_[s], batch, star);
+    for (double* of : {scalar_[s], lowest_[s], highest_[s]}) std::copy(star[0], star[0] + n, of);
+    for (int k = 1; k < Lines::star; ++k)
+      for (int i = 0; i < n; ++i) {
+        lowest_[s][i] = smaller(lowest_[s][i], star[k][i]);
+        highest_[s][i] = larger(highest_[s][i], star[k][i]);
       }
   }
 
   // With a call for every slope this takes thrice as long.
   [[gnu::flatten]] void find_terms(int q, const Batch<width>& batch) {
     const int n = batch.padded();
-    double smooth[D][width], low[width], high[width];
-    gather(q, batch, 0, 0, 0, 0, centre_[q]);
-    const double* __restrict m = centre_[q];
+    double smooth[D][width], star[Lines::star][width];
+    gather_star(q, batch, star);
+    const double* __restrict m = star[0];
+    for (int i = 0; i < n; ++i) centre_[q][i] = m[i];
     for (int a = 0; a < D; ++a) {
-      gather(q, batch, a, -1, a, 0, low);
-      gather(q, batch, a, 1, a, 0, high);
+      const double *low = star[1 + 2 * a], *high = star[2 + 2 * a];
       double* __restrict slope = term_[q][a];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) slope[i] = central_slope(m[i] - low[i], high[i] - m[i]);
@@ -177,9 +164,8 @@ class Prolonger {
     std::copy(centre_[energy], centre_[energy] + n, energy_);
     energy_scale_row(fluid_, n, centre_[0], energy_, centre_[energy]);
   }
-  double fine_energy(const double* f, int i) const {
-    return energy_[i] +
-           (deviation(term_[energy], f, i) * rest_[i] - centre_[energy][i] * (1.0 - rest_[i]));
+  double fine_energy(double change, int i) const {
+    return energy_[i] + (change * rest_[i] - centre_[energy][i] * (1.0 - rest_[i]));
   }
   // No terms in cells with a child that is no state of the law.
   void withdraw_inadmissible(int n) {
@@ -189,7 +175,7 @@ class Prolonger {
       const double* f = basis_.value[child];
       for (int i = 0; i < n; ++i) {
         rho[i] = centre_[0][i] + deviation(term_[0], f, i);
-        E[i] = fine_energy(f, i);
+        E[i] = fine_energy(deviation(term_[energy], f, i), i);
       }
       admissible_row(fluid_, n, rho, E, admissible);
       for (int i = 0; i < n; ++i) kept[i] = smaller(kept[i], admissible[i]);
@@ -245,18 +231,10 @@ class Prolonger {
     scale(energy, n, factor);
   }
 
-  // What the polynomial adds in a child; two axes may be exchanged without a trace in the bits.
+  // What the polynomial adds in a child.
   template <class Terms>
   static double deviation(const Terms& term, const double* f, int i) {
-    double sum = term[0][i] * f[0];
-    for (int a = 1; a < D; ++a) sum += term[a][i] * f[a];
-    if constexpr (Order == 2) {
-      double curved = term[D][i] * f[D];
-      for (int a = 1; a < D; ++a) curved += term[D + a][i] * f[D + a];
-      sum += curved;
-    }
-    for (int p = 0; p < Functions::pairs; ++p) sum += term[2 * D + p][i] * f[2 * D + p];
-    return sum;
+    return Functions::sum([&](int k) { return term[k][i] * f[k]; });
   }
 
   void take_kinetic_energy(int n) {
@@ -299,68 +277,56 @@ class Prolonger {
         }
   }
 
-  // What is asked for of one fine cell of each coarse cell of a line.
-  struct Wanted {
-    const StateViews* views = nullptr;
-    std::ptrdiff_t first = 0, step = 0;  // in the array of every quantity
-    int place = 0, count = 0;            // in the batch
-  };
-  Wanted wanted(int child, const LinePart& line) const {
-    const IndexBox& asked = regions_[line.region].cells;
-    const int d = line.along, ratio = ratio_[d];
-    IntVec3 cell = line.first;
-    for (int a = 0; a < D; ++a) {
-      const int e = children_.axes().direction[a];
-      cell[e] = line.first[e] * children_.ratio(a) + children_.place(child, a);
-      if (e != d && (cell[e] < asked.lower[e] || cell[e] >= asked.upper[e])) return {};
-    }
-    int begin = 0, end = line.count;
-    while (begin < end && cell[d] + begin * ratio < asked.lower[d]) ++begin;
-    while (begin < end && cell[d] + (end - 1) * ratio >= asked.upper[d]) --end;
-    cell[d] += begin * ratio;
-    Wanted w;
-    w.views = regions_[line.region].fine;
-    w.first = w.views->front().offset(cell);
-    w.step = w.views->front().stride[d] * ratio;
-    w.place = line.place + begin;
-    w.count = end - begin;
-    return w;
-  }
-
-  // f0 + amount/rho; of round-off alone beyond the values around.
-  void fine_scalar(int s, const double* f, int n, double* value) const {
-    for (int i = 0; i < n; ++i) {
-      const double rho = centre_[0][i] + deviation(term_[0], f, i);
-      const double x = scalar_[s][i] + deviation(term_[quantities + s], f, i) / rho;
-      value[i] = larger(smaller(x, highest_[s][i]), lowest_[s][i]);
-    }
-  }
-  // One fine cell of each coarse cell, where it is asked for.
-  void emit(int child, const Batch<width>& batch) {
-    std::size_t count = 0;
-    for (const LinePart& line : batch.parts()) {
-      wanted_[count] = wanted(child, line);
-      if (wanted_[count].count > 0) ++count;
-    }
-    if (count == 0) return;
-    const double* f = basis_.value[child];
-    const int n = batch.padded();
-    for (int q = 0; q < quantities + S; ++q) {
-      double value[width];
+  // row[i * Each + x] = f(i, what the polynomial of q adds there): child x on from `child` of cell i.
+  template <int Each, class F>
+  void for_row(int q, int child, int n, double* __restrict row, F&& f) const {
+    double of[Functions::terms][Each];
+    for (int x = 0; x < Each; ++x)
+      for (int k = 0; k < Functions::terms; ++k) of[k][x] = basis_.value[child + x][k];
+    const auto& term = term_[q];
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) value[i] = centre_[q][i] + deviation(term_[q], f, i);
-      if (q == energy)
-        for (int i = 0; i < n; ++i) value[i] *= rest_[i];
-      if (q == energy && !ideal_)
-        for (int i = 0; i < n; ++i) value[i] = fine_energy(f, i);
-      if (q >= quantities) fine_scalar(q - quantities, f, n, value);
-      for (std::size_t k = 0; k < count; ++k) {
-        const Wanted& w = wanted_[k];
-        double* __restrict to = (*w.views)[view(q)].data + w.first;
-        const double* __restrict from = value + w.place;
-        for (int i = 0; i < w.count; ++i) to[i * w.step] = from[i];
+    for (int i = 0; i < n; ++i)
+      for (int x = 0; x < Each; ++x)
+        row[i * Each + x] = f(i, Functions::sum([&](int k) { return term[k][i] * of[k][x]; }));
+  }
+  // A row of children of all cells of a batch.
+  template <int Each>
+  void find_row(int q, int child, int n, double* row) const {
+    const double* centre = centre_[q];
+    if (q < energy)
+      for_row<Each>(q, child, n, row, [=](int i, double change) { return centre[i] + change; });
+    else if (q > energy)
+      find_scalar_row<Each>(q - quantities, child, n, row);
+    else if (ideal_)
+      for_row<Each>(q, child, n, row,
+                    [=, this](int i, double change) { return (centre[i] + change) * rest_[i]; });
+    else
+      for_row<Each>(q, child, n, row,
+                    [this](int i, double change) { return fine_energy(change, i); });
+  }
+  // f0 + amount/rho; of round-off alone beyond the values around.
+  template <int Each>
+  void find_scalar_row(int s, int child, int n, double* row) const {
+    double mass[width * Each];
+    for_row<Each>(0, child, n, mass,
+                  [this](int i, double change) { return centre_[0][i] + change; });
+    for_row<Each>(quantities + s, child, n, row, [](int, double change) { return change; });
+    for (int i = 0; i < n; ++i)
+      for (int k = i * Each; k < (i + 1) * Each; ++k)
+        row[k] = larger(smaller(scalar_[s][i] + row[k] / mass[k], highest_[s][i]), lowest_[s][i]);
+  }
+  // The fine cells that are asked for.
+  template <int Each>
+  void emit(const Batch<width>& batch) {
+    double row[width * Each];
+    for (int z = 0; z < children_.ratio(2); ++z)
+      for (int y = 0; y < children_.ratio(1); ++y) {
+        if (!rows_of_children_.find(batch, y, z)) continue;
+        for (int q = 0; q < quantities + S; ++q) {
+          find_row<Each>(q, children_.number(0, y, z), batch.padded(), row);
+          rows_of_children_.write(view(q), row);
+        }
       }
-    }
   }
 
   const Fluid& fluid_;
@@ -370,8 +336,8 @@ class Prolonger {
   const Children& children_;
   Functions basis_;
   Batch<width> batch_;
-  Source sources_[width];
-  Wanted wanted_[width];  // by line, of one child
+  Lines lines_;
+  ChildRows<D, width> rows_of_children_;
   const std::size_t* by_volume_;
   double centre_[quantities + S][width];
   double term_[quantities + S][Functions::terms][width];
