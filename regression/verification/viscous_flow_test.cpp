@@ -1,4 +1,4 @@
-// Viscous stress: a decaying shear wave, plane Couette flow, a decaying vortex array; energy kept. Curl.
+// Viscous stress: a shear wave, Couette flow, vortex arrays that decay; energy kept, curls saved.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Fine cells that are asked for, in rows of children along axis 0: where they go.
 //
-// A row of a batch holds, for one place along each of the other axes, the children of all its coarse
-// cells, cell by cell. Of a line along axis 0 they lie side by side in the fine array, too.
+// A row of a batch holds, for one place along each of the other axes, the children of all its
+// coarse cells, cell by cell. Of a line along axis 0 they lie side by side in the fine array, too.
 #pragma once
 #include <algorithm>
 #include <span>

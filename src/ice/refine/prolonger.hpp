@@ -277,7 +277,8 @@ class Prolonger {
         }
   }
 
-  // row[i * Each + x] = f(i, what the polynomial of q adds there): child x on from `child` of cell i.
+  // row[i * Each + x] = f(i, what the polynomial of q adds there): child x on from `child` of
+  // cell i.
   template <int Each, class F>
   void for_row(int q, int child, int n, double* __restrict row, F&& f) const {
     double of[Functions::terms][Each];
