@@ -11,8 +11,24 @@
 
 namespace sluice {
 namespace {
+
 constexpr std::size_t alignment = 64;
+constexpr std::size_t vector = alignment / sizeof(double);
+
+// Numbers that arrays may fill together. A piece of memory for every array of every box would be
+// hundreds, with each level that is laid out; sanitizers shall see where each ends.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t most_together = 0;
+#else
+constexpr std::size_t most_together = std::size_t{1} << 19;
+#endif
+
+// Of an array, with one vector beyond its last number.
+std::size_t room_of(std::size_t count) {
+  return (count + vector - 1) / vector * vector + vector;
 }
+
+}  // namespace
 
 AlignedArray::AlignedArray(std::size_t count, Contents contents) : count_(count) {
   // Rows are read in whole vectors: one of them beyond the last number.
@@ -66,12 +82,20 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   }
   Slot slot;
   slot.info = info;
-  for (const GridBox& b : local_) {
-    const IndexBox box = b.cells.grown(level_->ghosts(info.ghosts));
-    for (int c = 0; c < info.components; ++c) {
-      slot.arrays.emplace_back(static_cast<std::size_t>(box.volume()), contents);
-      slot.views.push_back(lay_out(slot.arrays.back().data(), box, *level_));
-    }
+  std::vector<IndexBox> boxes;  // by box and component
+  for (const GridBox& b : local_)
+    boxes.insert(boxes.end(), static_cast<std::size_t>(info.components),
+                 b.cells.grown(level_->ghosts(info.ghosts)));
+  const auto room = [&](std::size_t n) {
+    return room_of(static_cast<std::size_t>(boxes[n].volume()));
+  };
+  for (std::size_t first = 0, last = 0; first < boxes.size(); first = last) {
+    std::size_t count = room(last++);
+    while (last < boxes.size() && count + room(last) <= most_together) count += room(last++);
+    slot.arrays.emplace_back(count, contents);
+    double* data = slot.arrays.back().data();
+    for (std::size_t n = first; n < last; data += room(n++))
+      slot.views.push_back(lay_out(data, boxes[n], *level_));
   }
   slot.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
   slots_.push_back(std::move(slot));
@@ -114,7 +138,8 @@ void Warehouse::forget() {
 std::size_t Warehouse::bytes() const {
   std::size_t n = 0;
   for (const Slot& s : slots_)
-    for (const AlignedArray& a : s.arrays) n += a.size() * sizeof(double);
+    for (const RealView& v : s.views)
+      n += static_cast<std::size_t>(v.box.volume()) * sizeof(double);
   return n;
 }
 
