@@ -343,9 +343,12 @@ bool Ice::quiet_blocks_allowed() const {
   return !options_.gravity_on && sources_.empty() && control_volumes(scene_->analysis).empty();
 }
 
-// A regridder follows shocks: they do not leave its levels.
+// Shocks do not leave levels that follow them.
 IntVec3 Ice::interface_depth(const Level& level) const {
-  if (options_.classic || !options_.second_order || scene_->refinement.adaptive) return {};
+  const RefinementSettings& r = scene_->refinement;
+  const bool follow =
+      r.adaptive && !r.once && !(ice_.criteria.empty() && r.errors.empty() && r.interfaces.empty());
+  if (options_.classic || !options_.second_order || follow) return {};
   return leaving_depth(level);
 }
 

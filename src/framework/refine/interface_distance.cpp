@@ -41,7 +41,7 @@ IndexBox inside_walls(const Level& level, IndexBox region) {
 }  // namespace
 
 InterfaceDistance::InterfaceDistance(const Level& level, int rank, IntVec3 depth, int ghosts)
-    : axes_(active_axes(level)) {
+    : axes_(active_axes(level)), depth_(depth) {
   if (depth == IntVec3{} || level.boxes.empty()) return;
   const IntVec3 around = level.ghosts(ghosts);
   const BoxFinder all = with_images(level, depth + around);

@@ -23,6 +23,7 @@ class InterfaceDistance {
   InterfaceDistance(const Level& level, int rank, IntVec3 depth, int ghosts);
 
   bool empty() const { return bytes_.empty(); }
+  int depth(int axis) const { return depth_[axes_.direction[axis]]; }
   // Of the cells of the row through `cell`, from `cell` on; null: none has an end ahead.
   const std::uint8_t* ahead(int box, int axis, bool high, IntVec3 cell) const;
 
@@ -37,6 +38,7 @@ class InterfaceDistance {
   std::size_t row_count(const IndexBox& cells) const;
 
   Axes axes_;
+  IntVec3 depth_;
   std::vector<IndexBox> boxes_;  // with ghosts
   std::vector<Rows> rows_;       // by box, axis, side
   std::vector<std::uint8_t> bytes_;
