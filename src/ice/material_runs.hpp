@@ -1,5 +1,6 @@
 // Which materials the cells of a row hold: runs of one material, and what rows remember of them.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +14,14 @@ namespace sluice::ice {
 // Rows of one material over runs that hold one (key >= 0), but in one piece across those that do
 // not, where these are short and the materials on both sides run the same rows, kind(key): what a
 // piece leaves in cells or faces of several materials is computed again. Looking rows up takes
-// longer than a few dozen of them. Calls one(first, count, kind).
+// longer than a few dozen of them. Calls one(first, count, kind). True: some hold several.
 template <class Runs, class Kind, class One>
-void for_each_pure_piece(Runs runs, Kind kind, One&& one) {
+bool for_each_pure_piece(Runs runs, Kind kind, One&& one) {
   constexpr int most_between = 32;
   int begin = 0, end = 0, of = 0;
+  bool mixed = false;
   runs([&](int first, int count, double key) {
+    mixed = mixed || key < 0.0;
     if (key < 0.0) return;
     const int here = kind(static_cast<std::size_t>(key));
     if (end > begin && here == of && first - end <= most_between) {
@@ -31,6 +34,7 @@ void for_each_pure_piece(Runs runs, Kind kind, One&& one) {
     of = here;
   });
   if (end > begin) one(begin, end - begin, of);
+  return mixed;
 }
 
 // Parts of a row that cover it, each with the rows of the materials that are alone in it; what is
@@ -102,31 +106,46 @@ inline double single_of(double presence) {
 }
 // Materials of cells that hold the same one alone in all of them and in both cells aside; -1
 // elsewhere. `around`: the rows of presence around a row, from the cell before it on.
-inline void write_pure(const RunRow* around, int rows, int n, double* pure, double* left) {
-  RunWriter runs(pure, left);
+// `room`: of RunWriter.
+inline void write_pure(const RunRow* around, int rows, int n, double* pure, double* left,
+                       int room = 0) {
+  RunWriter runs(pure, left, room);
   for (int i = 0; i < n;) {
-    const double set = around[0].key[i];
+    const double set = around[0].key[i], material = single_of(set);
+    const int here = around[0].end(i, n);
     int end = n + 2;  // of the cells from i - 1 on that hold the same in all rows
-    for (int r = 0; r < rows; ++r) end = around[r].key[i] == set ? around[r].reach(i, end) : i;
-    const int count = end - i > 2 ? end - i - 2 : 1;
-    runs.add(count, end - i > 2 ? single_of(set) : -1.0);
-    i += count;
+    int mixed = material < 0 ? here : 0;  // of those that hold others somewhere
+    for (int r = 1; r < rows; ++r) {
+      const bool same = around[r].key[i] == set;
+      if (!same) mixed = std::max(mixed, around[r].end(i, here));
+    }
+    if (mixed == 0)
+      for (int r = 0; r < rows; ++r) end = around[r].reach(i, end);
+    const bool pure_here = mixed == 0 && end - i > 2;
+    // All cells that have a change between them and the next but one.
+    const int next = pure_here ? end - 2 : mixed > 0 ? mixed : std::min(end, n);
+    runs.add(next - i, pure_here ? material : -1.0);
+    i = next;
   }
   runs.close();
 }
 
 // 1 in cells of which any row has a key below zero, else 0.
-inline void write_near(const RunRow* around, int rows, int n, double* near, double* left) {
-  RunWriter runs(near, left);
+inline void write_near(const RunRow* around, int rows, int n, double* near, double* left,
+                       int room = 0) {
+  RunWriter runs(near, left, room);
   for (int i = 0; i < n;) {
-    bool any = false;
-    int end = n;
+    int near_to = 0, end = n;
     for (int r = 0; r < rows; ++r) {
-      any = any || around[r].key[i] < 0.0;
-      end = around[r].end(i, end);
+      const int here = around[r].end(i, n);
+      if (around[r].key[i] < 0.0)
+        near_to = std::max(near_to, here);
+      else
+        end = std::min(end, here);
     }
-    runs.add(end - i, any ? 1.0 : 0.0);
-    i = end;
+    const int next = near_to > 0 ? near_to : end;
+    runs.add(next - i, near_to > 0 ? 1.0 : 0.0);
+    i = next;
   }
   runs.close();
 }

@@ -39,15 +39,36 @@ struct RunRow {
   }
 };
 
+// Has the whole row one key.
+inline bool is_one_run(RunRow row, int n) {
+  return row.reach(0, n) == n;
+}
+
 // A variable of two components: keys and what is left of their runs.
 inline RunRow runs_of(const Row& row, In keys, int axis = 0, int shift = 0) {
   return {row(keys, 0, axis, shift), row(keys, 1, axis, shift)};
 }
 
+// So many of at most `most` elements that loops end with whole vectors: what remains of a short run
+// would take longer than the run.
+inline int whole_vectors(int count, int most) {
+  constexpr int lanes = 8;
+  const int rounded = (count + lanes - 1) / lanes * lanes;
+  return rounded < most ? rounded : most;
+}
+
+// So many elements will be read soon, and are not in the cache: a few of a row are no stream that
+// the machine would foresee. They need not be there.
+inline void ask_for(const double* row, int n) {
+  constexpr int line = 8;
+  for (int i = 0; i < n; i += line) __builtin_prefetch(row + i);
+}
+
 // Writes keys run by run; one that goes on with the key of the last joins it.
 class RunWriter {
  public:
-  RunWriter(double* key, double* left) : key_(key), left_(left) {}
+  // `room`: so many cells are there, and what a run leaves beyond itself is written after it.
+  RunWriter(double* key, double* left, int room = 0) : key_(key), left_(left), room_(room) {}
   void add(int count, double key) {
     if (key != run_key_) close();
     run_key_ = key;
@@ -61,19 +82,21 @@ class RunWriter {
   }
   void close() {
     const double key = run_key_;
-    const int end = end_;
-    double* __restrict keys = key_;
-    double* __restrict left = left_;
-    for (int i = begin_; i < end; ++i) {
+    const int count = end_ - begin_;
+    const int n = room_ > end_ ? whole_vectors(count, room_ - begin_) : count;
+    double* __restrict keys = key_ + begin_;
+    double* __restrict left = left_ + begin_;
+    for (int i = 0; i < n; ++i) {
       keys[i] = key;
-      left[i] = end - i;
+      left[i] = count - i;
     }
-    begin_ = end;
+    begin_ = end_;
   }
 
  private:
   double *key_, *left_;
   double run_key_ = 0.0;
+  int room_;
   int begin_ = 0, end_ = 0;
 };
 
@@ -101,17 +124,6 @@ void for_each_face_run(RunRow a, RunRow b, int n, F&& f) {
     f(begin, end - begin, here);
     begin = end;
   }
-}
-
-// More than `count` elements that whole_vectors may add.
-constexpr int most_beyond = 7;
-
-// So many of at most `most` elements that loops end with whole vectors: what remains of a short run
-// would take longer than the run.
-inline int whole_vectors(int count, int most) {
-  constexpr int lanes = 8;
-  const int rounded = (count + lanes - 1) / lanes * lanes;
-  return rounded < most ? rounded : most;
 }
 
 }  // namespace sluice::ice

@@ -70,6 +70,7 @@ void MaterialFaces::bind(int m) {
   look_up(k.energy_L, h_.energy_L, m);
   look_up(k.eps_L, h_.specific_energy_L, m);
   look_up(k.scale, h_.scale, m);
+  k.alike[0] = k.alike[1] = nullptr;
   if (scalars::is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {
     look_up(k.base_V, h_.base, component(m, of_volume));

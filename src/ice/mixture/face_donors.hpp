@@ -42,7 +42,7 @@ struct MaterialFaceRows {
   const double *r[2], *e[2];  // density and energy per own volume, cells -1 and 0
   const double *energy_L[2], *eps_L[2], *scale[2];
   const double *base_V[2], *base_r[2], *base_e[2];
-  const double* alike[2] = {nullptr, nullptr};  // of a mixed gas alone
+  const double* alike[2];  // of a mixed gas, else null
   double *FV, *FM, *FE;
 };
 

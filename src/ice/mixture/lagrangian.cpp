@@ -62,7 +62,9 @@ void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
 void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   double* scale = row(h.scale, m);
   if (fluid.ideal() != nullptr) {
-    std::copy_n(row(h.specific_energy_L, m), row.count(), scale);
+    const double* eps = row(h.specific_energy_L, m);
+#pragma GCC ivdep
+    for (int i = 0; i < row.count(); ++i) scale[i] = eps[i];
     return;
   }
   for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {

@@ -19,17 +19,23 @@
 namespace sluice::ice::mixture {
 namespace {
 
-void add_presence(TaskList& list, const Variables& v, int effect) {
+void add_presence(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("presence of materials", effect);
-  std::vector<In> mass;
-  for (const VariableId m : v.mass) mass.push_back(task.read(m));
+  const auto [mass, volume, energy] = read_state(task, v);
   const Out presence = task.write(v.presence);
+  const int last_axis = o.axes.count - 1;
   task.kernel([=](const Row& row) {
     double* __restrict set = row(presence);
     RunWriter runs(set, row(presence, 1));
     for_each_marked(row, row.old_marks(), [&](int first, int count, int alone) {
       if (alone >= 0) return runs.add(count, only(alone));
       const int end = first + count;
+      // Few cells of a row: what this task and the next read soon is asked for now.
+      for (std::size_t m = 0; m < mass.size(); ++m) {
+        ask_for(row(mass[m], 0, last_axis, 1) + first, count);
+        ask_for(row(volume[m]) + first, count);
+        ask_for(row(energy[m]) + first, count);
+      }
       for (std::size_t m = 0; m < mass.size(); ++m) {
         const double* __restrict M = row(mass[m]);
         const double bit = only(static_cast<int>(m));
@@ -56,7 +62,7 @@ void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& 
       for (int dj = axes > 1 ? -1 : 0; dj <= (axes > 1 ? 1 : 0); ++dj)
         around[rows++] = {row.at_offset(presence, 0, {-1, dj, dk}),
                           row.at_offset(presence, 1, {-1, dj, dk})};
-    write_pure(around, rows, row.count(), row(pure), row(pure, 1));
+    write_pure(around, rows, row.count(), row(pure), row(pure, 1), row.whole_vectors());
   });
 }
 
@@ -76,7 +82,7 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
     for (int axis = 0; axis < axes; ++axis)
       for (const int shift : {-1, 1})
         around[rows++] = runs_of(row, pure[static_cast<std::size_t>(axis)], axis, shift);
-    write_near(around, rows, row.count(), row(near), row(near, 1));
+    write_near(around, rows, row.count(), row(near), row(near, 1), row.whole_vectors());
   });
 }
 
@@ -307,14 +313,15 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
                      std::all_of(fluids.begin(), fluids.end(),
                                  [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   task.kernel([=](const Row& row) {
+    const int room = row.whole_vectors();
     for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
-      const Row part = row.part(first, count);
+      // Cells beyond come after these. Other laws may search for a root there.
+      const Row part = row.part(first, gases ? whole_vectors(count, room - first) : count);
       const int m = first_of(presence);
       if (is_single(presence))
         pure_cells(part, h, m, fluids[static_cast<std::size_t>(m)]);
-      else if (gases)  // cells beyond come after these
-        mixed_gases(row.part(first, whole_vectors(count, row.count() - first)), h, as_set(presence),
-                    fluids);
+      else if (gases)
+        mixed_gases(part, h, as_set(presence), fluids);
       else
         mixed_cells(part, h, as_set(presence), fluids);
     });
@@ -326,7 +333,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
 
 void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
                     bool everywhere) {
-  add_presence(list, v, effect);
+  add_presence(list, v, o, effect);
   add_neighbourhood(list, v, o, effect);
   add_near(list, v, o, effect);
   add_mixture_values(list, v, o, effect);

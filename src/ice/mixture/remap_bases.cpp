@@ -7,7 +7,6 @@
 // fills more than a trace of the cell and of both neighbours. Density is floored at a tenth,
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
-#include <optional>
 
 #include "ice/conservative/remap_base_rows.hpp"
 #include "ice/material_runs.hpp"
@@ -166,12 +165,12 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
   for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
     base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
   });
-  std::optional<MixedBases<D, Masked>> mixed;
-  for_each_run(runs_of(row, h.near), row.count(), [&](int first, int count, double near) {
-    if (near == 0.0) return;
-    if (!mixed) mixed.emplace(row, h, o.axes);
+  const RunRow near_runs = runs_of(row, h.near);
+  if (near_runs.key[0] == 0.0 && is_one_run(near_runs, row.count())) return;
+  const MixedBases<D, Masked> mixed(row, h, o.axes);
+  for_each_run(near_runs, row.count(), [&](int first, int count, double near) {
     // Nobody reads what is computed for cells further away.
-    mixed->run(first, whole_vectors(count, row.count() - first));
+    if (near != 0.0) mixed.run(first, whole_vectors(count, row.count() - first));
   });
 }
 

@@ -20,7 +20,6 @@
 //   5. FV = H theta, FM = FV rho_m (rounded: whole_masses.hpp), FE = FV eps_m; F = sum FM; U, f, K
 //      of the mixture as for one material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
-#include <optional>
 
 #include "ice/conservative/remap_flux_rows.hpp"
 #include "ice/material_runs.hpp"
@@ -68,11 +67,12 @@ class MixedFaces {
 
   // Up to `most` faces from `first` on are there; those beyond `count` keep what they have.
   void run(int first, int count, int most) {
-    const int whole = whole_vectors(count, most), beyond = first + count, more = whole - count;
-    double kept[2 + C][most_beyond];
-    for (int r = 0; r < 2 + C; ++r) std::copy_n(total_row(r) + beyond, more, kept[r]);
+    constexpr int vector = 8;  // what whole_vectors adds at most, and rows have beyond their end
+    const int whole = whole_vectors(count, most), beyond = first + count;
+    double kept[2 + C][vector];
+    for (int r = 0; r < 2 + C; ++r) std::copy_n(total_row(r) + beyond, vector, kept[r]);
     run_chunks(first, whole);
-    for (int r = 0; r < 2 + C; ++r) std::copy_n(kept[r], more, total_row(r) + beyond);
+    for (int r = 0; r < 2 + C; ++r) std::copy_n(kept[r], vector, total_row(r) + beyond);
   }
 
  private:
@@ -199,7 +199,7 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
         const auto kind = [&](std::size_t m) {
           return scalars::is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
         };
-        for_each_pure_piece(runs, kind, [&](int first, int count, int of) {
+        const auto pure_faces = [&](int first, int count, int of) {
           const Row part = row.part(first, count);
           if (of == of_mixed_gas)
             flux_row_of<D, C, false, DensityBound::as_energy>(part, h.common, axis, l, o);
@@ -207,12 +207,11 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
             flux_row_of<D, C, true>(part, h.common, axis, l, o);
           else
             flux_row_of<D, C, false>(part, h.common, axis, l, o);
-        });
-        std::optional<MixedFaces<D, C>> mixed;
+        };
+        if (!for_each_pure_piece(runs, kind, pure_faces)) return;
+        MixedFaces<D, C> mixed(row, h, o, axis, l);
         runs([&](int first, int count, double pure) {
-          if (pure >= 0) return;
-          if (!mixed) mixed.emplace(row, h, o, axis, l);
-          mixed->run(first, count, row.count() - first);
+          if (pure < 0) mixed.run(first, count, row.count() - first);
         });
       });
     });

@@ -9,7 +9,6 @@
 // Cells of pure neighbourhood run the rows of one material. With a gas that is a mixture one
 // pressure waits for its new fraction: one_pressure.cpp.
 #include <algorithm>
-#include <optional>
 
 #include "ice/conservative/update_rows.hpp"
 #include "ice/material_runs.hpp"
@@ -79,6 +78,11 @@ class MixedCells {
       find_pressure(first + done, some, whole);
     }
   }
+  // Before the cells between: the new state is not in the cache.
+  void ask_for_state(int first, int count) const {
+    for (int m = 0; m < materials_; ++m)
+      for (const double* next : rows_[m].next) ask_for(next + first, count);
+  }
   // Of cells whose new state is there but for that.
   void relax(int first, int count) {
     constexpr int most = IdealRelaxation::most_cells;
@@ -115,11 +119,10 @@ class MixedCells {
   // New density and momentum of the mixture; k in `modulus`.
   void move_mixture(int first, int n) const {
     double* __restrict density = density_ + first;
-    std::fill_n(density, n, 0.0);
     for (int m = 0; m < materials_; ++m) {
       const double* __restrict M = rows_[m].next[of_mass] + first;
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) density[i] += M[i];
+      for (int i = 0; i < n; ++i) density[i] = (m == 0 ? 0.0 : density[i]) + M[i];
     }
     const MotionRows<D, C> motion = motion_;
     double* defect = modulus_;
@@ -163,12 +166,17 @@ class MixedCells {
   // What nobody asked for might not be the state of a gas.
   void repeat_first(int first, int n, int whole) const {
     for (int m = 0; m < materials_; ++m)
-      for (double* next : rows_[m].next) std::fill_n(next + first + n, whole - n, next[first]);
+      for (double* next : rows_[m].next) {
+        double* __restrict to = next + first;
+        const double value = to[0];
+#pragma GCC ivdep
+        for (int i = 0; i < whole; ++i) to[i] = i < n ? to[i] : value;
+      }
   }
 
   // In `whole` cells, of which `n` are asked for.
   void find_pressure(int first, int n, int whole) {
-    if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n)) {
+    if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n, whole)) {
       GasRows gases[most_materials];
       for (int m = 0; m < materials_; ++m) {
         double* const* next = rows_[m].next;
@@ -176,17 +184,17 @@ class MixedCells {
       }
       if (laws_.ideal.relax(whole, gases, pressure_ + first, modulus_ + first)) return;
     }
-    if (!closing_) closing_.emplace(row_, h_, o_);
-    for (int i = first; i < first + n; ++i) closing_->close(i, laws_.closure);
+    const ClosingCells cells(row_, h_, o_);
+    for (int i = first; i < first + n; ++i) cells.close(i, laws_.closure);
   }
 
-  bool is_sound(int first, int n) const {
+  bool is_sound(int first, int n, int whole) const {
     const double *density = density_ + first, *iJ = iJ_ + first;
     int sound = 1;
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i)
-      sound &= int{density[i] > 0.0} & int{density[i] < infinity} & int{iJ[i] > 0.0} &
-               int{iJ[i] < infinity};
+    for (int i = 0; i < whole; ++i)
+      sound &= int{i >= n} | (int{density[i] > 0.0} & int{density[i] < infinity} &
+                              int{iJ[i] > 0.0} & int{iJ[i] < infinity});
     return sound != 0;
   }
 
@@ -198,7 +206,6 @@ class MixedCells {
   MotionRows<D, C> motion_;
   const double *J_, *iJ_;
   double *density_, *modulus_, *pressure_ = nullptr;
-  std::optional<ClosingCells> closing_;
   Material rows_[most_materials];
 };
 
@@ -214,18 +221,27 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
                  laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
                              IdealRelaxation(o.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
-      std::optional<MixedCells<D, C>> mixed;
-      for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
-        const auto m = static_cast<std::size_t>(std::max(pure, 0.0));
-        const bool done = pure >= 0.0 && !update_alone<D, C>(row.part(first, count), h,
-                                                             of_material[m], static_cast<int>(m));
-        if (done) return;
-        if (!mixed) mixed.emplace(row, h, o, laws);
-        if (pure < 0.0)
-          mixed->run(first, count, row.count() - first);  // cells beyond come after these
-        else if (h.closes)
-          mixed->relax(first, count);
-      });
+      const RunRow runs = runs_of(row, h.pure);
+      const auto alone = [&](int first, int count, double pure) {  // true: one pressure is to find
+        const auto m = static_cast<std::size_t>(pure);
+        const Row part = row.part(first, count);
+        return update_alone<D, C>(part, h, of_material[m], static_cast<int>(m)) && h.closes;
+      };
+      const int n = row.count();
+      if (runs.key[0] >= 0.0 && is_one_run(runs, n)) {
+        if (alone(0, n, runs.key[0])) MixedCells<D, C>(row, h, o, laws).relax(0, n);
+      } else {
+        MixedCells<D, C> mixed(row, h, o, laws);
+        for_each_run(runs, n, [&](int first, int count, double pure) {
+          if (pure < 0.0) mixed.ask_for_state(first, count);
+        });
+        for_each_run(runs, n, [&](int first, int count, double pure) {
+          if (pure < 0.0)
+            mixed.run(first, count, n - first);  // cells beyond come after these
+          else if (alone(first, count, pure))
+            mixed.relax(first, count);
+        });
+      }
       if (!h.closes) return;
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
