@@ -93,9 +93,10 @@ class Cells {
     }
     for (int c = 0; c < C; ++c) passed[c] += own[c];
     const double M_before = row_(s.mass)[i], V_before = row_(s.volume)[i];
-    V = V_before * row_(h_.stretch, 0)[i] + dV;
+    const double V_L = V_before * row_(h_.stretch, 0)[i], E_L = row_(h_.energy_L, m)[i];
+    V = V_L + dV;
     M = vapour_kept(M_before + dM, V);
-    E = row_(h_.energy_L, m)[i] + dE;
+    E = E_L + dE;
     double brought = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       (c < D ? brought : carried) += w[c] * (q[c] + 0.5 * M * w[c]);
@@ -105,6 +106,11 @@ class Cells {
     if (is_gone(M, V, M_before, V_before)) {
       left_over = E;
       M = V = E = 0.0;
+    } else {
+      const Residue rest = settled(M, V, E, M_before, V_L, E_L);
+      left_over = E - rest.E;
+      V = rest.V;
+      E = rest.E;
     }
     return gain + (brought + carried) + left_over;
   }

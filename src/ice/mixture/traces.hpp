@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ice/limiters.hpp"
+
 namespace sluice::ice::mixture {
 
 // Of less volume than this the numbers would lose their digits; no sum over cells knows of it.
@@ -29,6 +31,24 @@ inline bool is_gone(double M, double V, double M_before, double V_before) {
   const int thin = int{std::fabs(V) <= round_off * V_before} & int{V_before > 0.0};
   const int empty = int{std::fabs(M) < least_mass} | int{std::fabs(V) < least_volume};
   return (empty | light | thin) != 0;
+}
+
+// What is left of a material in a cell that a step drains has, of its volume and energy, the last
+// digits of what was there, and would be at another temperature. Within those digits it keeps the
+// density and the energy per mass of what was there (after the Lagrangian phase): volumes are
+// closed and the energy is booked elsewhere.
+struct Residue {
+  double V, E;
+};
+inline Residue settled(double M, double V, double E, double M_before, double V_L, double E_L) {
+  constexpr double drained = 1e-3, last_digits = 1e-12;  // of what was there
+  const double share = M / M_before;
+  const auto within = [](double wanted, double found, double before) {
+    const double room = last_digits * std::fabs(before);
+    return smaller(larger(wanted, found - room), found + room);
+  };
+  const bool little = (int{share < drained} & int{M > 0.0}) != 0;
+  return {little ? within(share * V_L, V, V_L) : V, little ? within(share * E_L, E, E_L) : E};
 }
 
 }  // namespace sluice::ice::mixture

@@ -143,14 +143,17 @@ class MixedCells {
       double* __restrict M = k.next[of_mass] + first;
       double* __restrict V = k.next[of_volume] + first;
       double* __restrict E = k.next[of_energy] + first;
+      const double* __restrict E_L = k.E_L + first;
+      const double* __restrict J = J_ + first;
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
         M[i] = vapour_kept(M[i], V[i]);
         const bool gone = is_gone(M[i], V[i], M_before[i], V_before[i]);
-        defect[i] += gone ? E[i] : 0.0;
+        const Residue rest = settled(M[i], V[i], E[i], M_before[i], V_before[i] * J[i], E_L[i]);
+        defect[i] += gone ? E[i] : E[i] - rest.E;
         M[i] = gone ? 0.0 : M[i];
-        V[i] = gone ? 0.0 : V[i];
-        E[i] = gone ? 0.0 : E[i];
+        V[i] = gone ? 0.0 : rest.V;
+        E[i] = gone ? 0.0 : rest.E;
       }
     }
 #pragma GCC ivdep
