@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "ice/boundary/wave_labels.hpp"
+#include "ice/closure_rows.hpp"
 #include "ice/mixture/quantities.hpp"
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
@@ -55,7 +56,11 @@ void declare_of_one(QuantityList& q) {
     c = b.sound_speed;
     compressibility = b.compressibility;
   } else {
-    p = q.of(rho, E, l.pressure, 0, [fluid](double r, double e) { return fluid.pressure(r, e); });
+    // Asked for by most criteria of refinement, at every look.
+    p = q.of_rows(rho, E, l.pressure, 0,
+                  [fluid](int n, const double* r, const double* e, double* pressure) {
+                    pressure_row(fluid, n, r, e, pressure);
+                  });
     T = q.of(rho, E, l.temperature, 0,
              [fluid](double r, double e) { return fluid.temperature(r, e); });
     c = q.of(rho, p, l.sound_speed, 0,

@@ -40,17 +40,20 @@ class QuantityList {
   // f of two cell variables.
   template <class F>
   VariableId of(VariableId first, VariableId second, Label label, int material, F f) {
+    return of_rows(
+        first, second, label, material,
+        [f](int n, const double* __restrict x, const double* __restrict y, double* __restrict to) {
+          for (int i = 0; i < n; ++i) to[i] = f(x[i], y[i]);
+        });
+  }
+  // Of rows of n cells: f(n, first, second, result).
+  template <class F>
+  VariableId of_rows(VariableId first, VariableId second, Label label, int material, F f) {
     const VariableId v = fresh(label, material);
     TaskBuilder t = task(label, material);
     const In a = t.read(first), b = t.read(second);
     const Out out = t.write(v);
-    t.kernel([=](const Row& row) {
-      const double* __restrict x = row(a);
-      const double* __restrict y = row(b);
-      double* __restrict to = row(out);
-      const int n = row.count();
-      for (int i = 0; i < n; ++i) to[i] = f(x[i], y[i]);
-    });
+    t.kernel([=](const Row& row) { f(row.count(), row(a), row(b), row(out)); });
     return v;
   }
   // The length of a vector over a speed.

@@ -36,18 +36,21 @@ std::uint64_t morton_key(IntVec3 c) {
 
 // Weights are integers, so that every rank and every machine cuts at the same boxes.
 void deal_out(std::vector<GridBox>& boxes, const std::vector<std::int64_t>& weights, int ranks) {
-  if (boxes.empty()) return;
+  if (ranks == 1)
+    for (GridBox& b : boxes) b.owner = 0;
+  if (ranks == 1 || boxes.empty()) return;
   IntVec3 low = boxes.front().cells.lower;
   std::int64_t total = 0;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     low = min(low, boxes[b].cells.lower);
     total += weights[b];
   }
+  std::vector<std::uint64_t> keys;
+  for (const GridBox& b : boxes) keys.push_back(morton_key(b.cells.lower - low));
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return morton_key(boxes[a].cells.lower - low) < morton_key(boxes[b].cells.lower - low);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
   std::int64_t before = 0;
   int last = -1;
   for (std::size_t n = 0; n < order.size(); ++n) {
