@@ -22,6 +22,8 @@ class CheckCommand : public testing::Test {
     return run_sluice(all);
   }
 
+  TemporaryFolder folder_{TemporaryFolder::Place::disk};
+
  private:
   static std::vector<std::string> words(const char* command, const std::string& deck,
                                         const std::vector<std::string>& overrides) {
@@ -30,7 +32,6 @@ class CheckCommand : public testing::Test {
     for (const std::string& o : overrides) all.insert(all.end(), {"--set", o});
     return all;
   }
-  TemporaryFolder folder_{TemporaryFolder::Place::disk};
 };
 
 struct Fault {
@@ -101,6 +102,12 @@ const std::vector<Fault>& faults() {
        0,
        "--set AMR/Regridder",
        "the BNR regridder is done by the Tiled one"},
+      {"label_of_one_material",
+       "two_gases_sod",
+       {"DataArchiver/save[1]/@label=Li1"},
+       2,
+       "--set DataArchiver/save[1]/@label",
+       "names no variable of this run"},
   };
   return all;
 }
@@ -124,6 +131,19 @@ TEST_F(CheckCommand, TellsOfARatioOnce) {
   const std::size_t first = said.find("refinement ratio 3");
   ASSERT_NE(first, std::string::npos) << said;
   EXPECT_EQ(said.find("refinement ratio 3", first + 1), std::string::npos) << said;
+}
+
+// What a model of one deck brings is no variable of the next.
+TEST_F(CheckCommand, JudgesEachDeckByItself) {
+  const std::string inputs = std::string(SLUICE_SOURCE_DIR) + "/inputs/ice/";
+  std::string text = text_of(inputs + "shock_tube.ups");
+  text.insert(text.find("</DataArchiver>"), "<save label='scalar-f'/>");
+  const std::string second = (folder_ / "second.ups").string();
+  std::ofstream(second) << text;
+  const Outcome found = run_sluice({"check", inputs + "amr_mixed_gas_water.ups", second});
+  EXPECT_EQ(found.status, 2) << found.text;
+  EXPECT_THAT(found.text, HasSubstr("amr_mixed_gas_water.ups: good"));
+  EXPECT_THAT(found.text, HasSubstr("there is no variable 'scalar-f'"));
 }
 
 // Cells of a large deck are not filled just to be judged.

@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "app/first_step_limit.hpp"
-#include "framework/deck/nearest_name.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/particle_archive.hpp"
+#include "framework/run/refuse_label.hpp"
 #include "framework/task/sweep_executor.hpp"
 
 namespace sluice {
@@ -106,20 +106,18 @@ class Planner {
     return history || field ? label : std::nullopt;
   }
 
-  [[noreturn]] void refuse_label(const Location& where, const char* tag, const std::string& name,
-                                 bool histories) const {
+  [[noreturn]] void refuse(const Location& where, LabelUse use, const std::string& name) const {
     std::vector<std::string> names;
     for (Label l : all_labels())
-      if (find_known(l.name(), histories)) names.push_back(l.name());
-    throw InputError(fmt::format("{}: <{} label=\"{}\"> names no label of this run ({})",
-                                 to_string(where), tag, name, suggest_name(name, names)));
+      if (find_known(l.name(), use == LabelUse::save)) names.push_back(l.name());
+    refuse_label(where, use, name, names);
   }
 
   void describe_analyses() {
     for (const AnalysisModule& m : scene_.analysis.modules)
       for (const AnalysedVariable& v : m.variables) {
         const std::optional<Label> label = find_known(v.label, false);
-        if (!label) refuse_label(v.where, "analyze", v.label, false);
+        if (!label) refuse(v.where, LabelUse::analyse, v.label);
         const bool in_step = step_labels_.count(*label) > 0;
         (in_step ? stored_ : computed_).insert(*label);
         PlannedOutput out;
@@ -140,7 +138,7 @@ class Planner {
   bool describe_statistics(const SaveRequest& r) {
     const TypeOfVariable type_of = [this](const AnalysedVariable& v) {
       const std::optional<Label> label = find_known(v.label, false);
-      if (!label) refuse_label(v.where, "analyze", v.label, false);
+      if (!label) refuse(v.where, LabelUse::analyse, v.label);
       return label->info().type;
     };
     for (const AnalysisModule& m : scene_.analysis.modules) {
@@ -170,7 +168,7 @@ class Planner {
     for (const SaveRequest& r : o.saves) {
       const std::optional<Label> label = find_known(r.label, true);
       if (!label && describe_statistics(r)) continue;
-      if (!label) refuse_label(r.where, "save", r.label, true);
+      if (!label) refuse(r.where, LabelUse::save, r.label);
       PlannedOutput out;
       out.label = r.label;
       out.where = r.where;

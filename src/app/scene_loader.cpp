@@ -10,6 +10,8 @@
 #include "framework/base/console.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/run/analysis_recorder.hpp"
+#include "framework/run/output_writer.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/ice.hpp"
 
@@ -48,15 +50,16 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
   return std::make_unique<ice::Ice>(scene, std::move(ice_scene));
 }
 
-constexpr std::int64_t most_cells_to_fill = 250'000;
+constexpr std::int64_t most_cells_to_make = 250'000;
 
-// Levels that a regridder will make have no cells yet.
-void fill_levels(const Scene& scene, const Component& component) {
-  for (const Level& level : scene.grid.levels) {
-    Warehouse state(level, 0);
-    for (const SlotInfo& slot : component.state_slots()) state.add(slot);
-    component.initialise(state);
-  }
+// What a run finds when it is made ready. Levels that a regridder will make have no cells yet.
+void make_ready(const Scene& scene, const Component& component, std::vector<Fault>& faults) {
+  Hierarchy hierarchy(scene, component, world(), {});
+  for (int l = 0; l < hierarchy.level_count(); ++l)
+    component.initialise(hierarchy.level(l).state());
+  const AnalysisRecorder analysis(scene, hierarchy, world());
+  faults.insert(faults.end(), analysis.warnings().begin(), analysis.warnings().end());
+  sort_saves(scene.output, hierarchy, analysis.field_labels());
 }
 
 }  // namespace
@@ -66,8 +69,8 @@ std::vector<Fault> scene_faults(const Deck& deck) {
   Scene scene;
   try {
     const auto component = read_component(deck, {}, scene, faults);
-    if (component != nullptr && scene.grid.cell_count() <= most_cells_to_fill)
-      fill_levels(scene, *component);
+    if (component != nullptr && scene.grid.cell_count() <= most_cells_to_make)
+      make_ready(scene, *component, faults);
   } catch (const DeckError& e) {
     faults.push_back(e.fault());
   } catch (const InputError& e) {

@@ -16,7 +16,8 @@ struct LoadedScene {
 };
 
 // What is wrong with a deck that was read without a fault: as a scene and, where it is not large
-// (its levels have at most 250,000 cells), with the state that its cells are filled with.
+// (its levels have at most 250,000 cells), with what a run of it would begin with: the state of its
+// cells, what it analyses and saves.
 std::vector<Fault> scene_faults(const Deck& deck);
 
 // Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck

@@ -79,9 +79,7 @@ void declare_face_labels(TaskList& list, const SchemeVariables& v, const SchemeO
       save_temperature(list, o, m, temperature, d, effect);
       const int axis = axis_along(o, d);
       const auto share = axis >= 0 ? m.passing[static_cast<std::size_t>(axis)] : std::nullopt;
-      save_values(list, labels().face_volume_fraction[d], m.index, effect,
-                  std::array{share.value_or(m.volume)},
-                  [](const Row&, const auto& q, int i) { return q[0][i]; });
+      save_copy(list, labels().face_volume_fraction[d], m.index, effect, share.value_or(m.volume));
     }
   }
   for (int d = 0; d < 3; ++d) save_pressure_gradient(list, v, o, d, effect);

@@ -259,14 +259,6 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-namespace {
-
-bool mixes_gas(const DeckNode& model) {
-  return models::mixes_gas(model.attribute("type").value_or(""));
-}
-
-}  // namespace
-
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
   models::check_models(root, material_names(root), faults);
@@ -275,7 +267,7 @@ void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* scheme = root.find("CFD/ICE/scheme");
   const bool classic = scheme != nullptr && scheme->text == "classic";
   for (const DeckNode* model : models->all("Model")) {
-    const bool mixes = mixes_gas(*model);
+    const bool mixes = models::mixes_gas(model->attribute("type").value_or(""));
     if (mixes) check_mixed_gas(root, *model, material_names(root), faults);
     if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
       add_not_built(faults, model->where, "a transported scalar with <scheme> classic",
@@ -317,25 +309,24 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
 
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
+  const auto materials = ice_materials(root);
   const DeckNode* density = root.find("CFD/ICE/customInitialization/formula/density");
-  if (density != nullptr && ice_materials(root).size() > 1)
+  if (density != nullptr && materials.size() > 1)
     add_error(faults, density->where,
               "a formula cannot say which of several materials has this <density>",
               "give densities in the geometry objects");
-  const DeckNode* models = root.child("Models");
-  const auto list = models == nullptr ? std::vector<const DeckNode*>{} : models->all("Model");
-  // Whose pressure follows from a scalar too.
-  const bool mixed = std::any_of(list.begin(), list.end(),
-                                 [](const DeckNode* model) { return mixes_gas(*model); });
-  for (const DeckNode* material : ice_materials(root)) {
+  const auto mixed = mixed_material(root, material_names(root));
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const DeckNode* material = materials[m];
     const std::optional<ice::Fluid> fluid = ice::readable_fluid(*material);
     for (const DeckNode* object : material->all("geom_object")) {
       if (fluid) {
-        if (!mixed) check_pressure(*fluid, *object, faults);
+        // The pressure of a mixture follows from a scalar too.
+        if (mixed != m) check_pressure(*fluid, *object, faults);
         check_start(*fluid, *object, faults);
       }
       const auto share = real_of(object, "volumeFraction");
-      if (share && *share != 1 && ice_materials(root).size() == 1)
+      if (share && *share != 1 && materials.size() == 1)
         add_warning(faults, object->child("volumeFraction")->where,
                     "<volumeFraction> has no effect: one material fills its cells", "remove it");
       const bool has_piece =

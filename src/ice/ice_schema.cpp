@@ -209,11 +209,9 @@ std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
 
 // What ICE declares (ice/labels.cpp) is built; names with a point are the state's own.
 SaveLabels ice_save_labels() {
-  ice::labels();
   SaveLabels savable;
-  for (const Label label : all_labels()) {
+  for (const Label label : ice::own_labels())
     if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
-  }
   savable.not_built = {"imp_delP",
                        "sum_imp_delP",
                        "rhs",

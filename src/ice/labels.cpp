@@ -1,21 +1,31 @@
 // Declarations of the labels of ICE; docs/labels.md is generated from them.
 #include "ice/labels.hpp"
 
+#include <string>
+#include <utility>
+
 namespace sluice::ice {
 namespace {
 
+std::vector<Label>& declared() {
+  static std::vector<Label> all;
+  return all;
+}
+Label declare(LabelInfo info) {
+  return declared().emplace_back(declare_label(std::move(info)));
+}
 Label cell(const char* name, const char* unit, const char* definition) {
-  return declare_label({name, ValueType::real, Centring::cell, unit, definition});
+  return declare({name, ValueType::real, Centring::cell, unit, definition});
 }
 Label cell_vector(const char* name, const char* unit, const char* definition) {
-  return declare_label({name, ValueType::vector, Centring::cell, unit, definition});
+  return declare({name, ValueType::vector, Centring::cell, unit, definition});
 }
 Label face(const char* name, int d, const char* unit, const char* definition) {
   constexpr Centring centrings[] = {Centring::x_face, Centring::y_face, Centring::z_face};
-  return declare_label({name, ValueType::real, centrings[d], unit, definition});
+  return declare({name, ValueType::real, centrings[d], unit, definition});
 }
 Label reduction(const char* name, ValueType type, const char* unit, const char* definition) {
-  return declare_label({name, type, Centring::reduction, unit, definition});
+  return declare({name, type, Centring::reduction, unit, definition});
 }
 
 void declare_state(Labels& l) {
@@ -76,12 +86,12 @@ void declare_waves(Labels& l) {
   constexpr const char* names[] = {"Li1", "Li2", "Li3", "Li4", "Li5"};
   constexpr const char* units[] = {"Pa/s", "kg/(m^3 s)", "m/s^2", "m/s^2", "Pa/s"};
   constexpr const char* definitions[] = {
-      "Waves at LODI faces, by direction: (u - c)(dp - rho c du)/2 along the axis.",
-      "Waves at LODI faces, by direction: u (drho - dp/c^2) along the axis.",
-      "Waves at LODI faces, by direction: u du_t along the axis, first tangent.",
-      "Waves at LODI faces, by direction: u du_t along the axis, second tangent.",
-      "Waves at LODI faces, by direction: (u + c)(dp + rho c du)/2 along the axis."};
-  for (int n = 0; n < 5; ++n) l.wave_amplitude[n] = cell_vector(names[n], units[n], definitions[n]);
+      "(u - c)(dp - rho c du)/2 along the axis.", "u (drho - dp/c^2) along the axis.",
+      "u du_t along the axis, first tangent.", "u du_t along the axis, second tangent.",
+      "(u + c)(dp + rho c du)/2 along the axis."};
+  const std::string where = "Waves at LODI faces of decks of one material, by direction: ";
+  for (int n = 0; n < 5; ++n)
+    l.wave_amplitude[n] = cell_vector(names[n], units[n], (where + definitions[n]).c_str());
 }
 
 void declare_derivatives(Labels& l) {
@@ -94,9 +104,9 @@ void declare_derivatives(Labels& l) {
   l.divergence_velocity = cell("mag_div_vel_CC", "1/s",
                                "Norm of the diagonal velocity derivatives, "
                                "sqrt(sum (du_d/dx_d)^2).");
-  l.refine_flag = declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
-                                 "1 where a refinement criterion of the deck asks for a finer "
-                                 "level, 0 elsewhere."});
+  l.refine_flag = declare({"refineFlag", ValueType::integer, Centring::cell, "1",
+                           "1 where a refinement criterion of the deck asks for a finer "
+                           "level, 0 elsewhere."});
   l.vorticity = cell_vector("vorticity", "1/s", "Curl of the velocity, central differences.");
 }
 
@@ -172,9 +182,8 @@ void declare_step_labels(Labels& l) {
         face(exchanged[d], d, "m/s",
              "Normal velocity of the face after momentum exchange between materials.");
     l.face_pressure[d] = face(pressure[d], d, "Pa", "Pressure on the face.");
-    l.face_stress[d] =
-        declare_label({stress[d], ValueType::vector, l.face_pressure[d].info().centring, "Pa",
-                       "Viscous stress on the face: force on the cell below it."});
+    l.face_stress[d] = declare({stress[d], ValueType::vector, l.face_pressure[d].info().centring,
+                                "Pa", "Viscous stress on the face: force on the cell below it."});
   }
   constexpr const char* temperature[] = {"TempX_FC", "TempY_FC", "TempZ_FC"};
   constexpr const char* fraction[] = {"vol_fracX_FC", "vol_fracY_FC", "vol_fracZ_FC"};
@@ -242,6 +251,11 @@ const Labels& labels() {
     return l;
   }();
   return all;
+}
+
+const std::vector<Label>& own_labels() {
+  labels();
+  return declared();
 }
 
 }  // namespace sluice::ice

@@ -1,5 +1,7 @@
 // All labels of ICE: what users may save, and the conserved state.
 #pragma once
+#include <vector>
+
 #include "framework/field/label.hpp"
 
 namespace sluice::ice {
@@ -45,5 +47,7 @@ struct Labels {
 
 // Declares them once; later calls return the same.
 const Labels& labels();
+// All of them; none that models or analyses of some deck bring.
+const std::vector<Label>& own_labels();
 
 }  // namespace sluice::ice

@@ -101,4 +101,12 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
            "write a <formula> with pressure, or gravity with a hydrostatic start");
 }
 
+std::optional<std::size_t> mixed_material(const DeckNode& root,
+                                          const std::vector<std::string>& names) {
+  if (const DeckNode* models = root.child("Models"))
+    for (const DeckNode* model : models->all("Model"))
+      if (models::mixes_gas(model->attribute("type").value_or(""))) return gas_of(*model, names);
+  return {};
+}
+
 }  // namespace sluice

@@ -5,6 +5,7 @@
 #include "ice/cell_sums.hpp"
 #include "ice/ice.hpp"
 #include "ice/labels.hpp"
+#include "ice/mixture/traces.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 #include "ice/step_labels.hpp"
 
@@ -35,12 +36,6 @@ VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const Sche
   return dilation;
 }
 
-// Of less than this share of the mass of a cell no temperature is known.
-bool has_temperature(double M, double all) {
-  constexpr double least = 1e-14;
-  return M > least * all;
-}
-
 // The temperature before advection and at the end of the step, each less that of the start, by dt.
 void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                      const MaterialsOfStep& materials, const MaterialOfStep& m, VariableId dilation,
@@ -51,7 +46,7 @@ void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptio
               std::array{m.mass, m.volume, m.energy, m.energy_L, dilation, f, v.rho},
               [T](const Row& row, const auto& q, int i) {
                 const double M = q[0][i], V = q[1][i];
-                if (!has_temperature(M, q[6][i])) return 0.0;
+                if (!mixture::has_temperature(M, q[6][i])) return 0.0;
                 const double before = T.at(M, V, q[2][i], q[5][i]);
                 return (T.at(M, V * (1.0 + q[4][i]), q[3][i], q[5][i]) - before) / row.step().dt;
               });
@@ -59,6 +54,7 @@ void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptio
               std::array{m.mass, m.volume, m.energy, f, v.rho, m.mass_new, m.volume_new,
                          m.energy_new, f_new, materials.density_new},
               [T](const Row& row, const auto& q, int i) {
+                using mixture::has_temperature;
                 if (!has_temperature(q[0][i], q[4][i]) || !has_temperature(q[5][i], q[9][i]))
                   return 0.0;
                 const double before = T.at(q[0][i], q[1][i], q[2][i], q[3][i]);
@@ -108,8 +104,7 @@ void declare_phase_labels(TaskList& list, const SchemeVariables& v, const Scheme
                           const MaterialsOfStep& materials, int effect) {
   const Labels& l = labels();
   const VariableId dilation = declare_dilation(list, v, o, effect);
-  save_values(list, l.dilation, 0, effect, std::array{dilation},
-              [](const Row&, const auto& q, int i) { return q[0][i]; });
+  save_copy(list, l.dilation, 0, effect, dilation);
   const auto amount = [](const Row& row, const auto& q, int i) {
     return q[0][i] * cell_volume(row);
   };

@@ -77,4 +77,9 @@ void save_values(TaskList& list, Label label, int material, int effect,
   });
 }
 
+inline void save_copy(TaskList& list, Label label, int material, int effect, VariableId from) {
+  save_values(list, label, material, effect, std::array{from},
+              [](const Row&, const auto& q, int i) { return q[0][i]; });
+}
+
 }  // namespace sluice::ice

@@ -11,45 +11,23 @@
 namespace sluice::ice {
 namespace {
 
-void copy_row(int n, const double* __restrict from, double* __restrict to) {
-  for (int i = 0; i < n; ++i) to[i] = from[i];
-}
-
-void copy_task(TaskList& list, VariableId from, Label label) {
-  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
-  const In in = task.read(from);
-  const Out out = task.write(list.output(label, 0));
-  task.kernel([=](const Row& row) { copy_row(row.count(), row(in), row(out)); });
-}
-
 // p(new state) - p(old state).
 void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                           const MaterialsOfStep& materials) {
-  TaskBuilder task =
-      list.task("save " + labels().pressure_change.name(), effect_saved_intermediates);
-  if (o.mixture) {
-    const In before = task.read(v.pressure), after = task.read(v.new_pressure);
-    const Out change = task.write(list.output(labels().pressure_change, 0));
-    task.kernel([=](const Row& row) {
-      const double *old_p = row(before), *new_p = row(after);
-      double* to = row(change);
-      for (int i = 0; i < row.count(); ++i) to[i] = new_p[i] - old_p[i];
-    });
-    return;
-  }
-  if (o.mixed != nullptr) {
-    const In before = task.read(v.pressure), energy = task.read(v.energy_new);
-    const In f = task.read(*materials.f_new);
-    const Out change = task.write(list.output(labels().pressure_change, 0));
-    task.kernel([=, gas = o.mixed](const Row& row) {
-      const double *old_p = row(before), *E = row(energy), *x = row(f);
-      double* to = row(change);
-      for (int i = 0; i < row.count(); ++i) to[i] = gas->at(x[i]).ratio() * E[i] - old_p[i];
-    });
-    return;
-  }
+  const Label label = labels().pressure_change;
+  if (o.mixture)
+    return save_values(list, label, 0, effect_saved_intermediates,
+                       std::array{v.pressure, v.new_pressure},
+                       [](const Row&, const auto& q, int i) { return q[1][i] - q[0][i]; });
+  if (o.mixed != nullptr)
+    return save_values(list, label, 0, effect_saved_intermediates,
+                       std::array{v.pressure, v.energy_new, *materials.f_new},
+                       [gas = o.mixed](const Row&, const auto& q, int i) {
+                         return gas->at(q[2][i]).ratio() * q[1][i] - q[0][i];
+                       });
+  TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
-  const Out out = task.write(list.output(labels().pressure_change, 0));
+  const Out out = task.write(list.output(label, 0));
   const Fluid fluid = o.fluid;
   task.kernel([=](const Row& row) {
     const double* before = row(p);
@@ -80,9 +58,12 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
 void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                           const MaterialsOfStep& materials) {
   const Labels& l = labels();
-  copy_task(list, v.pressure, l.equilibrium_pressure);
+  const auto save = [&](Label label, VariableId from) {
+    save_copy(list, label, 0, effect_saved_intermediates, from);
+  };
+  save(l.equilibrium_pressure, v.pressure);
   if (o.classic)
-    copy_task(list, v.pressure_change, l.pressure_change);
+    save(l.pressure_change, v.pressure_change);
   else
     pressure_change_task(list, v, o, materials);
   declare_phase_labels(list, v, o, materials, effect_saved_intermediates);
@@ -100,9 +81,9 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
       continue;
     }
     const auto n = static_cast<std::size_t>(axis);
-    copy_task(list, v.face_velocity[n], l.face_velocity[d]);
-    copy_task(list, v.face_velocity[n], l.face_velocity_exchanged[d]);
-    copy_task(list, v.face_pressure[n], l.face_pressure[d]);
+    save(l.face_velocity[d], v.face_velocity[n]);
+    save(l.face_velocity_exchanged[d], v.face_velocity[n]);
+    save(l.face_pressure[d], v.face_pressure[n]);
   }
 }
 

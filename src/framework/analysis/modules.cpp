@@ -9,7 +9,7 @@
 #include "framework/analysis/plane.hpp"
 #include "framework/analysis/points.hpp"
 #include "framework/analysis/probe.hpp"
-#include "framework/base/error.hpp"
+#include "framework/deck/faults.hpp"
 
 namespace sluice {
 namespace {
@@ -65,14 +65,14 @@ std::unique_ptr<LevelSampler> average_sampler(const AnalysisModule& m, const Lev
 }
 
 void refuse(const AnalysisModule& m, const AnalysedVariable& v, const char* why) {
-  throw InputError(
-      fmt::format("{}: <Module name=\"{}\">: '{}' {}", to_string(v.where), m.name, v.label, why));
+  throw DeckError(v.where, fmt::format("<Module name=\"{}\">: '{}' {}", m.name, v.label, why),
+                  "take another variable");
 }
 
 void check_averages(const AnalysisModule& m, const FindQuantity& find) {
   if (m.name == "planeAvgTurbFluxes" && !m.velocity)
-    throw InputError(fmt::format("{}: <Module name=\"{}\"> needs <velocity label=\"vel_CC\"/>",
-                                 to_string(m.where), m.name));
+    throw DeckError(m.where, fmt::format("<Module name=\"{}\"> needs a velocity", m.name),
+                    "write <velocity label=\"vel_CC\"/>");
   std::vector<AnalysedVariable> all = m.variables;
   if (!m.weight.empty() && find(weight_of(m)).components != 1)
     refuse(m, weight_of(m), "is a vector; the weight is a scalar");

@@ -9,11 +9,12 @@
 
 namespace sluice {
 
-// A fault of the deck that shows only when its cells are filled.
+// A fault of the deck that shows only when its run is made ready, or its cells are filled.
 class DeckError : public InputError {
  public:
   DeckError(const Location& where, const std::string& message, const std::string& suggestion)
-      : InputError(to_string(where) + ": " + message + "; " + suggestion),
+      : InputError(to_string(where) + ": " + message +
+                   (suggestion.empty() ? "" : "; " + suggestion)),
         fault_{Severity::error, where, message, suggestion} {}
   const Fault& fault() const { return fault_; }
 

@@ -159,7 +159,7 @@ DeckRule check_save_labels(SaveLabels labels) {
       std::vector<std::string> all = labels.built;
       all.insert(all.end(), more.begin(), more.end());
       const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||
-                         label->rfind("g.", 0) == 0 || label->rfind("scalar-", 0) == 0;
+                         label->rfind("g.", 0) == 0;
       if (known)
         add_not_built(faults, node.where, "variable " + in_quotes(*label));
       else

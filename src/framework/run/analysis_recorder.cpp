@@ -9,7 +9,8 @@
 #include "framework/analysis/line.hpp"
 #include "framework/analysis/plane.hpp"
 #include "framework/analysis/probe.hpp"
-#include "framework/deck/nearest_name.hpp"
+#include "framework/deck/faults.hpp"
+#include "framework/run/refuse_label.hpp"
 
 namespace sluice {
 namespace {
@@ -82,39 +83,40 @@ AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) cons
     const std::vector<int> materials = materials_of(*label);
     if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
       return {*label, v.material, component_count(label->info().type)};
-    throw InputError(fmt::format(
-        "{}: <analyze label=\"{}\">: there is none of material {}, but of {}; say which with matl",
-        to_string(v.where), v.label, v.material, fmt::join(materials, ", ")));
+    throw DeckError(v.where,
+                    fmt::format("<analyze label=\"{}\">: there is none of material {}, but of {}",
+                                v.label, v.material, fmt::join(materials, ", ")),
+                    "say which with matl");
   }
   std::vector<std::string> names;
   for (Label l : all_labels())
     if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());
-  throw InputError(fmt::format("{}: <analyze label=\"{}\"> names no field of this run ({})",
-                               to_string(v.where), v.label, suggest_name(v.label, names)));
+  refuse_label(v.where, LabelUse::analyse, v.label, names);
 }
 
 void AnalysisRecorder::check_place(const char* kind, const std::string& name, const Location& where,
                                    bool outside, bool clipped, std::set<std::string>& names) {
   if (is_reserved(name) || !names.insert(name).second)
-    throw InputError(fmt::format(
-        "{}: <{} name=\"{}\">: another one or a part of the archive has this name; choose "
-        "another name",
-        to_string(where), kind, name));
+    throw DeckError(
+        where,
+        fmt::format("<{} name=\"{}\">: another one or a part of the archive has this name", kind,
+                    name),
+        "choose another name");
   if (outside)
-    warnings_.push_back(fmt::format("{}: {} '{}' lies outside the domain: nothing is taken",
-                                    to_string(where), kind, name));
+    add_warning(warnings_, where,
+                fmt::format("{} '{}' lies outside the domain: nothing is taken", kind, name));
   else if (clipped)
-    warnings_.push_back(fmt::format("{}: {} '{}' leaves the domain: only the part inside is taken",
-                                    to_string(where), kind, name));
+    add_warning(
+        warnings_, where,
+        fmt::format("{} '{}' leaves the domain: only the part inside is taken", kind, name));
 }
 
 void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::string>& names) {
   const Level& level = hierarchy_->level(0).level();
   if (writes_one_set_of_files(m) && !names.insert(m.name).second)
-    throw InputError(fmt::format(
-        "{}: a second <Module name=\"{}\"> would write the same files; put its variables into the "
-        "first",
-        to_string(m.where), m.name));
+    throw DeckError(m.where,
+                    fmt::format("a second <Module name=\"{}\"> would write the same files", m.name),
+                    "put its variables into the first");
   for (const AnalysedLine& line : m.lines) {
     const LineCells found = cells_on_line(line, level);
     check_place("line", line.name, line.where, found.cells.empty(), found.clipped, names);
@@ -124,10 +126,11 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
     const VolumeCells found = cells_of(volume, level);
     const std::optional<Label> label = find_label(volume.name);
     if (own_names && label && label->info().centring == Centring::reduction)
-      throw InputError(
-          fmt::format("{}: <box label=\"{}\">: histories of this label have the file {}"
-                      ".dat; choose another name",
-                      to_string(volume.where), volume.name, volume.name));
+      throw DeckError(
+          volume.where,
+          fmt::format("<box label=\"{0}\">: histories of this label have the file {0}.dat",
+                      volume.name),
+          "choose another name");
     check_place("volume", volume.name, volume.where, found.cells.empty(), found.clipped, names);
   }
   for (const AnalysedPoint& p : m.points)
@@ -141,14 +144,17 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
 
 std::unique_ptr<VolumeBudgets> AnalysisRecorder::make_budgets(const AnalysisModule& m, int first) {
   if (hierarchy_->component().first_volume_sum() < 0)
-    throw InputError(fmt::format(
-        "{}: <Module name=\"{}\">: {} keeps no account of what passes through control volumes "
-        "with this scheme or so many materials; planeAverage and lineExtract work",
-        to_string(m.where), m.name, hierarchy_->component().name()));
+    throw DeckError(
+        m.where,
+        fmt::format("<Module name=\"{}\">: {} keeps no account of what passes through control "
+                    "volumes with this scheme or so many materials",
+                    m.name, hierarchy_->component().name()),
+        "planeAverage and lineExtract work");
   if (m.material >= hierarchy_->component().material_count())
-    throw InputError(fmt::format("{}: <Module name=\"{}\">: material {} is none of {}",
-                                 to_string(m.where), m.name, m.material,
-                                 hierarchy_->component().name()));
+    throw DeckError(m.where,
+                    fmt::format("<Module name=\"{}\">: material {} is none of {}", m.name,
+                                m.material, hierarchy_->component().name()),
+                    "materials count from 0");
   return std::make_unique<VolumeBudgets>(m, first, *hierarchy_, *communicator_);
 }
 
@@ -295,9 +301,10 @@ void AnalysisRecorder::check_labels(const Statistics& statistics, const Analysis
   const std::vector<Label> others = field_labels();
   for (const Label l : statistics.labels())
     if (std::find(others.begin(), others.end(), l) != others.end())
-      throw InputError(fmt::format(
-          "{}: <Module name=\"{}\">: another module makes {} already; analyse the variable in one",
-          to_string(m.where), m.name, l.name()));
+      throw DeckError(
+          m.where,
+          fmt::format("<Module name=\"{}\">: another module makes {} already", m.name, l.name()),
+          "analyse the variable in one");
 }
 
 void AnalysisRecorder::store_fields(const std::vector<Label>& wanted) {

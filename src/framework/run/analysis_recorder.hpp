@@ -41,7 +41,7 @@ class AnalysisRecorder {
   // Does any module write files.
   bool any() const { return !modules_.empty(); }
   // What a user should know before the run: lines that leave the domain.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Fault>& warnings() const { return warnings_; }
 
   // The archive that gets the files; `earlier` and `time`: where a restarted run comes from.
   void open(const std::filesystem::path& folder);
@@ -100,7 +100,7 @@ class AnalysisRecorder {
   Hierarchy* hierarchy_;
   Communicator* communicator_;
   std::vector<Module> modules_;
-  std::vector<std::string> warnings_;
+  std::vector<Fault> warnings_;
   std::filesystem::path folder_;
   int layouts_ = -1;  // of the hierarchy when boxes were last looked at
   std::size_t pending_lines_ = 0;

@@ -14,6 +14,7 @@ namespace {
 using namespace run_test;
 namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
 
 // The tube of 40 cells of 1/8, and cells 16 to 36 of a level of cells of 1/16.
@@ -136,8 +137,10 @@ TEST_F(Recorded, ALineOutsideTheDomainIsToldOnceForAllLevels) {
   lines.lines = {line("over", 4, 6), line("away", 7, 8), line("inside", 1, 2)};
   scene_.analysis.modules = {lines};
   AnalysisRecorder r = recorder();
-  EXPECT_THAT(r.warnings(), ElementsAre(HasSubstr("line 'over' leaves the domain"),
-                                        HasSubstr("line 'away' lies outside the domain")));
+  EXPECT_THAT(
+      r.warnings(),
+      ElementsAre(Field(&Fault::message, HasSubstr("line 'over' leaves the domain")),
+                  Field(&Fault::message, HasSubstr("line 'away' lies outside the domain"))));
   r.sample(1, 0.5);
   r.flush();
   EXPECT_TRUE(exists("over/L-0/i39_j0_k0"));
@@ -154,7 +157,8 @@ TEST_F(Recorded, PlanesAreClippedAndNeedNamesOfTheirOwn) {
   planes.planes = {plane};
   scene_.analysis.modules = {planes};
   AnalysisRecorder r = recorder();
-  EXPECT_THAT(r.warnings(), ElementsAre(HasSubstr("plane 'wall' leaves the domain")));
+  EXPECT_THAT(r.warnings(),
+              ElementsAre(Field(&Fault::message, HasSubstr("plane 'wall' leaves the domain"))));
   r.sample(7, 0.5);
   r.flush();
   EXPECT_THAT(text("wall/t00007/L-0/mock_square_0.dat"), HasSubstr("\n4.0625 0.5 0.5 "));

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "framework/archive/archive.hpp"
-#include "framework/base/error.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/run/analysis_history.hpp"
 
 namespace sluice {
@@ -78,8 +78,8 @@ Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, H
     const std::vector<std::size_t>& own = of_variable[n];
     const bool prime = v.reynolds_stress || velocity == n;
     if (prime && own.size() != 3)
-      throw InputError(fmt::format("{}: '{}' is no vector: it has no Reynolds stress",
-                                   to_string(v.where), v.label));
+      throw DeckError(v.where, fmt::format("'{}' is no vector: it has no Reynolds stress", v.label),
+                      "ask for it of vel_CC");
     if (prime)
       add_derived(
           stress_name, ValueType::vector, unit_power("m/s", 2), v.material, 5,
@@ -114,8 +114,9 @@ void Statistics::add_derived(const std::string& name, ValueType type, const std:
   const Label label = declare_label({name, type, Centring::cell, unit, text});
   for (const Derived& d : derived_)
     if (d.label == label && d.material == material)
-      throw InputError(fmt::format("{}: {} of material {} is asked for twice",
-                                   to_string(module_->where), name, material));
+      throw DeckError(module_->where,
+                      fmt::format("{} of material {} is asked for twice", name, material),
+                      "remove one of the two");
   derived_.push_back({label, material, moment, entries});
   if (std::find(labels_.begin(), labels_.end(), label) == labels_.end()) labels_.push_back(label);
 }
@@ -124,10 +125,11 @@ std::vector<std::size_t> Statistics::add_quantity(const AnalysedVariable& v,
                                                   const FindQuantity& find, int powers) {
   const AnalysedQuantity q = find(v);
   if (q.label.info().centring != Centring::cell)
-    throw InputError(
-        fmt::format("{}: <Module name=\"{}\">: '{}' lives on faces; statistics are of "
-                    "cell variables",
-                    to_string(v.where), module_->name, v.label));
+    throw DeckError(v.where,
+                    fmt::format("<Module name=\"{}\">: '{}' lives on faces; statistics are of "
+                                "cell variables",
+                                module_->name, v.label),
+                    "analyse a variable of cells");
   quantities_.push_back(q);
   std::vector<std::size_t> entries;
   for (int c = 0; c < q.components; ++c) {

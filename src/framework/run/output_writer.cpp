@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "framework/deck/nearest_name.hpp"
+#include "framework/run/refuse_label.hpp"
 
 namespace sluice {
 namespace {
@@ -63,9 +63,7 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
         if (solver.is_step_label(l) || solver.is_diagnostic_label(l) || is_analysed(l) ||
             is_of_particles(l) || l.info().centring == Centring::reduction)
           names.push_back(l.name());
-      throw InputError(fmt::format("{}: <save label=\"{}\"> names no label of this run ({})",
-                                   to_string(request.where), request.label,
-                                   suggest_name(request.label, names)));
+      refuse_label(request.where, LabelUse::save, request.label, names);
     }
   }
   std::sort(saved.step.begin(), saved.step.end());

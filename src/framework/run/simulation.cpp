@@ -141,7 +141,7 @@ void Simulation::start() {
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
   if (communicator_.is_root() && output_ != nullptr)
-    for (const std::string& warning : analysis_.warnings()) progress_->note(warning);
+    for (const Fault& warning : analysis_.warnings()) progress_->note(to_string(warning));
   progress_->begin(time_.state().step, time_.state().time, start_seconds_);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ice/mixture/traces.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 #include "ice/transport/viscosity.hpp"
@@ -123,10 +124,8 @@ class Declarer {
     return laws;
   }
 
-  // Of a mass that no sum over the cell knows of, energy over mass says nothing: such a trace is as
-  // warm as the heaviest material.
+  // A trace is as warm as the heaviest material.
   VariableId temperature(int m) {
-    constexpr double least = 1e-14;  // of the mass of the cell
     const VariableId to = q_.fresh(labels().temperature, m);
     TaskBuilder t = q_.task(labels().temperature, m);
     const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
@@ -144,7 +143,7 @@ class Declarer {
       const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
       double* T = row(out);
       for (int i = 0; i < row.count(); ++i) {
-        if (M[i] > least * rho[i] || M[i] == 0.0) {
+        if (M[i] == 0.0 || has_temperature(M[i], rho[i])) {
           T[i] = M[i] == 0.0 ? 0.0 : own(m, i);
           continue;
         }

@@ -16,6 +16,13 @@ constexpr double next_to_nothing = 1e-9;
 // But in a cavity that is larger than this vapour stays: nothing else would fill it.
 constexpr double least_cavity = 1e-12;
 
+// Of less than this share of a cell's mass, which no sum over the cell knows of, energy over mass
+// says nothing.
+inline bool has_temperature(double M, double all) {
+  constexpr double least = 1e-14;
+  return M > least * all;
+}
+
 // The mass of a material, of which a cavity keeps the least; no sum over cells knows of that.
 inline double vapour_kept(double M, double V) {
   const bool thinned = (int{M > 0.0} & int{M < least_mass} & int{V > least_cavity}) != 0;
