@@ -25,8 +25,8 @@ inline bool has_temperature(double M, double all) {
 
 // The mass of a material, of which a cavity keeps the least; no sum over cells knows of that.
 inline double vapour_kept(double M, double V) {
-  const bool thinned = (int{M > 0.0} & int{M < least_mass} & int{V > least_cavity}) != 0;
-  return thinned ? least_mass : M;
+  const bool cavity = (int{M > 0.0} & int{V > least_cavity}) != 0;
+  return larger(M, cavity ? least_mass : M);
 }
 
 // Is nothing left of a material after a step, to the round-off of what was there. Through one
@@ -44,11 +44,12 @@ inline bool is_gone(double M, double V, double M_before, double V_before) {
 // digits of what was there, and would be at another temperature. Within those digits it keeps the
 // density and the energy per mass of what was there (after the Lagrangian phase): volumes are
 // closed and the energy is booked elsewhere.
+constexpr double drained = 1e-3;  // of the mass that was there
 struct Residue {
   double V, E;
 };
 inline Residue settled(double M, double V, double E, double M_before, double V_L, double E_L) {
-  constexpr double drained = 1e-3, last_digits = 1e-12;  // of what was there
+  constexpr double last_digits = 1e-12;  // of what was there
   const double share = M / M_before;
   const auto within = [](double wanted, double found, double before) {
     const double room = last_digits * std::fabs(before);

@@ -97,22 +97,35 @@ class MixedCells {
     double* next[3];
   };
 
-  // Mass, volume and energy of each material after the remap, without k.
+  // Mass, volume and energy of each material after the remap, without k. A loop for each: together
+  // they have more rows than there are registers for.
   void remap_materials(int first, int n) const {
+    const double* __restrict J = J_ + first;
     for (int m = 0; m < materials_; ++m) {
-      const Material k = rows_[m];
-      const double* J = J_;
+      const Material& k = rows_[m];
+      const double* __restrict V = k.V + first;
+      const double* __restrict M = k.M + first;
+      const double* __restrict E_L = k.E_L + first;
+      gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i]; });
+      gain(k, of_mass, first, n, [=](int i) { return M[i]; });
+      gain(k, of_energy, first, n, [=](int i) { return E_L[i]; });
+    }
+  }
+
+  // `kept`(i): what cell `first` + i has without what passes its faces.
+  template <class Kept>
+  static void gain(const Material& k, Carried q, int first, int n, Kept kept) {
+    const double *minus[D], *plus[D];
+    for (int d = 0; d < D; ++d) {
+      minus[d] = k.minus[q][d] + first;
+      plus[d] = k.plus[q][d] + first;
+    }
+    double* __restrict next = k.next[q] + first;
 #pragma GCC ivdep
-      for (int i = first; i < first + n; ++i) {
-        const auto gain = [&](Carried q) {
-          double sum = 0;
-          for (int d = 0; d < D; ++d) sum += k.minus[q][d][i] - k.plus[q][d][i];
-          return sum;
-        };
-        k.next[of_volume][i] = k.V[i] * J[i] + gain(of_volume);
-        k.next[of_mass][i] = k.M[i] + gain(of_mass);
-        k.next[of_energy][i] = k.E_L[i] + gain(of_energy);
-      }
+    for (int i = 0; i < n; ++i) {
+      double sum = 0;
+      for (int d = 0; d < D; ++d) sum += minus[d][i] - plus[d][i];
+      next[i] = kept(i) + sum;
     }
   }
 
@@ -134,28 +147,11 @@ class MixedCells {
 
   // k by mass, with what materials leave that are gone.
   void share_defect(int first, int n) const {
+    for (int m = 0; m < materials_; ++m)
+      drains(rows_[m], first, n) ? take_gone<true>(rows_[m], first, n)
+                                 : take_gone<false>(rows_[m], first, n);
     double* __restrict defect = modulus_ + first;
     const double* __restrict density = density_ + first;
-    for (int m = 0; m < materials_; ++m) {
-      const Material& k = rows_[m];
-      const double* __restrict M_before = k.M + first;
-      const double* __restrict V_before = k.V + first;
-      double* __restrict M = k.next[of_mass] + first;
-      double* __restrict V = k.next[of_volume] + first;
-      double* __restrict E = k.next[of_energy] + first;
-      const double* __restrict E_L = k.E_L + first;
-      const double* __restrict J = J_ + first;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) {
-        M[i] = vapour_kept(M[i], V[i]);
-        const bool gone = is_gone(M[i], V[i], M_before[i], V_before[i]);
-        const Residue rest = settled(M[i], V[i], E[i], M_before[i], V_before[i] * J[i], E_L[i]);
-        defect[i] += gone ? E[i] : E[i] - rest.E;
-        M[i] = gone ? 0.0 : M[i];
-        V[i] = gone ? 0.0 : rest.V;
-        E[i] = gone ? 0.0 : rest.E;
-      }
-    }
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) defect[i] = defect[i] / density[i];
     for (int m = 0; m < materials_; ++m) {
@@ -163,6 +159,41 @@ class MixedCells {
       double* __restrict E = rows_[m].next[of_energy] + first;
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) E[i] += defect[i] * M[i];
+    }
+  }
+
+  // May some cell be drained of a material (settled).
+  static bool drains(const Material& k, int first, int n) {
+    const double* __restrict M_before = k.M + first;
+    const double* __restrict M = k.next[of_mass] + first;
+    int some = 0;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) some |= int{M[i] < 2.0 * drained * M_before[i]};
+    return some != 0;
+  }
+
+  // Where nothing of a material is left, all of it goes.
+  template <bool Drained>
+  void take_gone(const Material& k, int first, int n) const {
+    const double* __restrict M_before = k.M + first;
+    const double* __restrict V_before = k.V + first;
+    const double* __restrict E_L = k.E_L + first;
+    const double* __restrict J = J_ + first;
+    double* __restrict defect = modulus_ + first;
+    double* __restrict M = k.next[of_mass] + first;
+    double* __restrict V = k.next[of_volume] + first;
+    double* __restrict E = k.next[of_energy] + first;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const double volume = V[i], energy = E[i], mass = vapour_kept(M[i], volume);
+      const bool gone = is_gone(mass, volume, M_before[i], V_before[i]);
+      Residue rest{volume, energy};
+      if constexpr (Drained)
+        rest = settled(mass, volume, energy, M_before[i], V_before[i] * J[i], E_L[i]);
+      defect[i] += gone ? energy : energy - rest.E;
+      M[i] = gone ? 0.0 : mass;
+      V[i] = gone ? 0.0 : rest.V;
+      E[i] = gone ? 0.0 : rest.E;
     }
   }
 
