@@ -44,6 +44,16 @@ inline bool is_one_run(RunRow row, int n) {
   return row.reach(0, n) == n;
 }
 
+// The key of these elements in all rows; 0 if they have several.
+inline double key_of_all(const RunRow* rows, int count_of_rows, int first, int count) {
+  const double key = rows[0].key[first];
+  const int end = first + count;
+  bool same = true;
+  for (int r = 0; r < count_of_rows; ++r)
+    same = same && rows[r].key[first] == key && rows[r].reach(first, end) == end;
+  return same ? key : 0.0;
+}
+
 // A variable of two components: keys and what is left of their runs.
 inline RunRow runs_of(const Row& row, In keys, int axis = 0, int shift = 0) {
   return {row(keys, 0, axis, shift), row(keys, 1, axis, shift)};

@@ -30,6 +30,15 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   return h;
 }
 
+void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOptions& o,
+                 MaterialHandles& h) {
+  if (!o.second_order) return;
+  const int direction = o.axes.direction[axis];
+  h.blend = task.read(v.blend, Stencil::along(direction, 3, 2));
+  h.blend_density = task.read(v.blend_density, Stencil::along(direction, 2, 1));
+  h.blend_energy = task.read(v.blend_energy, Stencil::along(direction, 2, 1));
+}
+
 MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
                              const MaterialHandles& materials, Out flux,
                              const SchemeOptions& options, int axis, double l)
@@ -49,7 +58,10 @@ MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
   J_ = cells(materials.stretch, 0);
   outlet_ = cells(materials.stretch, 1);
   if (options.masked) mask_ = cells(common.mask);
-  for (int s = 0; s < 6; ++s) presence_[s] = row(materials.presence, 0, axis, s - 3);
+  for (int s = 0; s < 6; ++s) {
+    presence_[s] = row(materials.presence, 0, axis, s - 3);
+    if (options.second_order) blend_[s] = runs_of(row, materials.blend, axis, s - 3);
+  }
 }
 
 void MaterialFaces::bind(int m) {
@@ -65,6 +77,10 @@ void MaterialFaces::bind(int m) {
   const auto look_up = [&](const double** to, In in, int c) {
     for (int s = 0; s < 2; ++s) to[s] = row_(in, c, axis_, s - 1);
   };
+  if (options_.second_order) {
+    k.r_blend = around(row_, h_.blend_density, m, axis_);
+    k.e_blend = around(row_, h_.blend_energy, m, axis_);
+  }
   look_up(k.r, h_.density, m);
   look_up(k.e, h_.specific_energy, m);
   look_up(k.energy_L, h_.energy_L, m);
@@ -90,6 +106,11 @@ std::uint64_t MaterialFaces::materials_around(int first, int count) const {
     for (int i = 0; i < count; ++i) set |= as_set(here[i]);
   }
   return set;
+}
+
+// The materials of the six cells around all of the faces, if they are blends of the same; else 0.
+std::uint64_t MaterialFaces::blend_around(int first, int count) const {
+  return options_.second_order ? as_set(key_of_all(blend_, 6, first, count)) : 0;
 }
 
 void MaterialFaces::nothing_passes(int m, int first, int count) const {

@@ -31,15 +31,20 @@ struct MaterialHandles {
   In density, specific_energy;  // old, per own volume, next to faces
   In energy_L, specific_energy_L, scale, stretch, base;
   In alike;  // of a mixed gas
+  In blend, blend_density, blend_energy;
 };
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
                                int axis);
+// Where faces between blends have loops of their own.
+void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOptions& o,
+                 MaterialHandles& h);
 
 // The rows of one material, looked up once for all faces of a row.
 struct MaterialFaceRows {
   const double* V[6];         // volume fraction of cells -3 .. 2
   const double *M[4], *E[4];  // state of cells -2 .. 1
   const double *r[2], *e[2];  // density and energy per own volume, cells -1 and 0
+  Around r_blend, e_blend;    // likewise, of blends alone
   const double *energy_L[2], *eps_L[2], *scale[2];
   const double *base_V[2], *base_r[2], *base_e[2];
   const double* alike[2];  // of a mixed gas, else null
@@ -61,11 +66,12 @@ class MaterialFaces {
   }
 
  private:
-  template <bool Second, bool Masked, int Lanes>
+  template <bool Second, bool Masked, int Lanes, bool Blend>
   friend class FaceShares;
 
   void bind(int m);
   std::uint64_t materials_around(int first, int count) const;
+  std::uint64_t blend_around(int first, int count) const;
   void nothing_passes(int m, int first, int count) const;
 
   const Row& row_;
@@ -78,6 +84,7 @@ class MaterialFaces {
   std::uint64_t bound_ = 0;  // materials whose rows were looked up
   const double* uf_;
   const double* presence_[6];
+  RunRow blend_[6];  // likewise
   Pair iJ_, N_, iN_, mask_{}, J_, outlet_;
   MaterialFaceRows rows_[most_materials];
 };

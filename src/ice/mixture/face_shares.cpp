@@ -30,18 +30,22 @@ inline double largest(double a, double b, double c) {
   return larger(larger(a, b), c);
 }
 
-// Compressive slope: the bound itself.
-inline double sharp_slope(double dm, double dp, double B) {
+// Q3 (limiters.hpp), or the bound itself where the slope shall be `sharp`.
+inline double slope_of_share(double dm, double dp, double nu, double B, bool sharp) {
+  const double s = ((2.0 - nu) * dp + (1.0 + nu) * dm) * (1.0 / 3.0);
   const double bound = smaller(B * std::fabs(dm), 2.0 * std::fabs(dp));
-  return dm * dp > 0.0 ? std::copysign(bound, dm) : 0.0;
+  const double size = sharp ? bound : smaller(std::fabs(s), bound);
+  return dm * dp > 0.0 ? std::copysign(size, dm) : 0.0;
 }
 
 }  // namespace
 
 // At most `most_faces` faces of a row, material by material in plain loops. Lanes: so many faces
 // exactly, known when loops are compiled; 0: any number. At an interface there are a few faces a
-// row, and loops around one vector would cost more than what they do.
-template <bool Second, bool Masked, int Lanes>
+// row, and loops around one vector would cost more than what they do. Blend: all cells around are
+// blends of these materials, so that rules of fronts and traces choose nothing.
+// Slopes and differences are taken along the flow: from the cell behind the donor to that ahead.
+template <bool Second, bool Masked, int Lanes, bool Blend>
 class FaceShares {
  public:
   FaceShares(const MaterialFaces& faces, int first, int count, std::uint64_t set)
@@ -79,7 +83,8 @@ class FaceShares {
   struct Material {
     const double* V[6];  // volume fraction of cells -3 .. 2
     const double* M[2];
-    Around r, e;  // density and energy per own volume
+    Pair r, e;          // density and energy per own volume
+    Pair r_far, e_far;  // of cells -2 and 1
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
     Pair alike{nullptr, nullptr};
     double *FV, *FM, *FE;
@@ -90,7 +95,7 @@ class FaceShares {
   Pair two(const double* const* q) const { return {q[0] + first_, q[1] + first_}; }
 
   // Density and energy per own volume of the cell `s` - 2, from the state: not kept so far away.
-  void per_volume(const MaterialFaceRows& x, int s, const double*& density, const double*& energy) {
+  void divide(const MaterialFaceRows& x, int s, const double*& density, const double*& energy) {
     const double* __restrict V = x.V[s + 1] + first_;
     const double* __restrict M = x.M[s] + first_;
     const double* __restrict E = x.E[s] + first_;
@@ -111,11 +116,19 @@ class FaceShares {
     const MaterialFaceRows& x = faces_.rows_[m];
     for (int s = 0; s < 6; ++s) k.V[s] = x.V[s] + first_;
     for (int s = 0; s < 2; ++s) k.M[s] = x.M[s + 1] + first_;
-    k.r = {nullptr, x.r[0] + first_, x.r[1] + first_, nullptr};
-    k.e = {nullptr, x.e[0] + first_, x.e[1] + first_, nullptr};
-    if constexpr (Second) {
-      per_volume(x, 0, k.r.mm, k.e.mm);
-      per_volume(x, 3, k.r.pp, k.e.pp);
+    if constexpr (Blend) {
+      const Around r = x.r_blend.from(first_), e = x.e_blend.from(first_);
+      k.r = {r.m, r.p};
+      k.e = {e.m, e.p};
+      k.r_far = {r.mm, r.pp};
+      k.e_far = {e.mm, e.pp};
+    } else {
+      k.r = two(x.r);
+      k.e = two(x.e);
+    }
+    if constexpr (Second && !Blend) {
+      divide(x, 0, k.r_far.a, k.e_far.a);
+      divide(x, 3, k.r_far.b, k.e_far.b);
     }
     k.energy_L = two(x.energy_L);
     k.eps_L = two(x.eps_L);
@@ -152,7 +165,7 @@ class FaceShares {
       iN_[i] = iN.at(i, left);
       J_[i] = J.at(i, left);
       main_outlet_[i] = outlet.at(i, left);
-      weight_[i] = (left ? -0.5 : 0.5) * (1.0 - nu) * mask;
+      weight_[i] = 0.5 * (1.0 - nu) * mask;
       per_N_[i] = 1.0 / larger(N, 1e-12);
       per_flow_[i] = 1.0 / flow;
       sum_[i] = room_[i] = largest_[i] = others_[i] = largest_of_[i] = 0.0;
@@ -175,33 +188,33 @@ class FaceShares {
     for (int i = 0; i < n; ++i) {
       const double H = H_[i];
       const bool left = H < 0.0;
-      const double V = left ? b[i] : a[i];
+      const double V = chosen(left, b[i], a[i]), behind = chosen(left, pp[i], mm[i]);
       double value = Based ? base.at(i, left) : V;
       if constexpr (Second) {
-        const double B = 2.0 * iN_[i];
-        const double low = a[i] - mm[i], dp = b[i] - a[i], high = pp[i] - b[i];
-        const double dm = left ? high : low;
+        const double ahead = chosen(left, a[i], b[i]);
         // Of the five cells around the donor.
-        const double far = left ? ppp[i] : mmm[i];
+        const double far = chosen(left, ppp[i], mmm[i]);
         const double least = smaller(smaller(smaller(mm[i], a[i]), smaller(b[i], pp[i])), far);
         const double greatest = larger(larger(larger(mm[i], a[i]), larger(b[i], pp[i])), far);
-        const double sharp = sharp_slope(dm, dp, B), smooth = upwind_slope(dm, dp, nu_[i], B);
         const bool interface = either(least<interface_band, greatest> 1.0 - interface_band);
-        value += weight_[i] * (interface ? sharp : smooth);
+        value +=
+            weight_[i] * slope_of_share(V - behind, ahead - V, nu_[i], 2.0 * iN_[i], interface);
       }
-      const double behind = left ? pp[i] : mm[i], received = masses.at(i, !left);
-      const double main = main_outlet_[i];
-      const double most = left ? largest(a[i], mm[i], mmm[i]) : largest(b[i], pp[i], ppp[i]);
-      const bool last = both(behind == 0.0, V < thinned * most);
-      value = both(last, std::fabs(main) == std::fabs(H)) ? larger(value, most) : value;
-      const bool unfilled = V < least_fill * behind;
-      const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
-      const bool waits = either(both(received == 0.0, unfilled), aside);
-      const double may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
+      double may = 1.0;
+      if constexpr (!Blend) {
+        const double received = masses.at(i, !left), main = main_outlet_[i];
+        const double most = left ? largest(a[i], mm[i], mmm[i]) : largest(b[i], pp[i], ppp[i]);
+        const bool last = both(behind == 0.0, V < thinned * most);
+        value = both(last, std::fabs(main) == std::fabs(H)) ? larger(value, most) : value;
+        const bool unfilled = V < least_fill * behind;
+        const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
+        const bool waits = either(both(received == 0.0, unfilled), aside);
+        may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
+        receiver[i] = received;
+      }
       const double cap = may * smaller(1.0, V * per_N_[i]), now = smaller(larger(value, 0.0), cap);
       share[i] = now;
       more[i] = cap - now;
-      receiver[i] = received;
       sum_[i] += now;
       room_[i] += cap - now;
     }
@@ -233,16 +246,20 @@ class FaceShares {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double H = H_[i], flow = std::fabs(H), main = main_outlet_[i];
-      const double V = fraction.at(i, H < 0.0), receiver = FM[i];
+      const double V = fraction.at(i, H < 0.0);
       const double wanted = share[i] * shrink[i] + fill[i] * more[i];
-      const bool shared = both(V != 1.0, V != 0.0);  // else the donor has one material
-      const double most = larger(largest(V0[i], V1[i], V2[i]), largest(V3[i], V4[i], V5[i]));
-      const double little = smaller(least_entry, least_of_most * most);
-      const bool stays = both(shared, both(receiver == 0.0, flow * wanted < little));
-      const double V_L = V * J_[i];
-      const double rest = V_L - flow * wanted;
+      const double V_L = V * J_[i], rest = V_L - flow * wanted;
+      bool shared = true;  // else the donor has one material
+      bool stays = false, only_outlet = main == flow;
+      double little = least_entry;
+      if constexpr (!Blend) {
+        shared = both(V != 1.0, V != 0.0);
+        const double most = larger(largest(V0[i], V1[i], V2[i]), largest(V3[i], V4[i], V5[i]));
+        little = smaller(little, least_of_most * most);
+        stays = both(shared, both(FM[i] == 0.0, flow * wanted < little));
+        only_outlet = either(only_outlet, both(V < tiny, main == -flow));
+      }
       const bool leaves = either(rest <= little, rest <= least_rest * V_L);
-      const bool only_outlet = either(main == flow, both(V < tiny, main == -flow));
       const bool all = both(both(both(shared, !stays), wanted > 0.0),
                             both(both(flow > 0.0, only_outlet), leaves));
       const double kept = stays ? 0.0 : wanted;
@@ -269,8 +286,8 @@ class FaceShares {
     const int n = size();
     const double *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4];
     const Pair masses{k.M[0], k.M[1]};
-    const Around r = k.r, e = k.e;
-    const Pair rho{r.m, r.p}, eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
+    const Pair r = k.r, e = k.e, r_far = k.r_far, e_far = k.e_far;
+    const Pair eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
     const Pair base_r = k.base_r, base_e = k.base_e, alike = k.alike;
     double *FV = k.FV, *FM = k.FM, *FE = k.FE;
     const double which = number;
@@ -278,18 +295,20 @@ class FaceShares {
     for (int i = 0; i < n; ++i) {
       const double H = H_[i], iJ = iJ_[i], N_out = N_[i], iN = iN_[i];
       const bool left = H < 0.0;
-      const double low = a[i], high = b[i], here = left ? high : low;
+      const double here = chosen(left, b[i], a[i]);
       const double share = largest_of_[i] == which ? 1.0 - others_[i] : FV[i];
-      const double rho_L = rho.at(i, left) * iJ, e_L = eps_L.at(i, left);
+      const double rho = r.at(i, left), rho_L = rho * iJ, e_L = eps_L.at(i, left);
       const double sc = scale.at(i, left);
       double rho_s = Based ? base_r.at(i, left) : rho_L;
       double eps_s = Based ? base_e.at(i, left) : e_L;
       if constexpr (Second) {
-        const double beyond = left ? pp[i] : mm[i];
-        const bool full = smaller(smaller(a[i], b[i]), beyond) > trace;
-        const double weight = weight_[i] * iJ, nu = nu_[i];
-        const double slope_r = donor_slope(r, i, left, nu, 2.0 * iN);
-        const double slope_e = donor_slope(e, i, left, nu, 2.0);
+        const double weight = weight_[i] * iJ, nu = nu_[i], E = e.at(i, left);
+        bool full = true;
+        if constexpr (!Blend)
+          full = smaller(smaller(a[i], b[i]), chosen(left, pp[i], mm[i])) > trace;
+        const double slope_r =
+            upwind_slope(rho - r_far.at(i, left), r.at(i, !left) - rho, nu, 2.0 * iN);
+        const double slope_e = upwind_slope(E - e_far.at(i, left), e.at(i, !left) - E, nu, 2.0);
         rho_s += full ? weight * slope_r : 0.0;
         eps_s += full ? weight * slope_e : 0.0;
       }
@@ -301,7 +320,7 @@ class FaceShares {
       // Bounds of a donor with one material, and of a share: (1 - phi)/max(phi, .05).
       const double gone = N_out * share;
       const double q = smaller(0.9, 0.5 * larger(0.0, here - gone) / larger(gone, 0.05 * here));
-      const bool one = here == 1.0;
+      const bool one = both(!Blend, here == 1.0);
       const double least_r = one ? 0.1 : 1.0 - q,
                    most_r = one ? (0.95 + 0.05 * N_out) * iN : 1.0 + q;
       const double least_e = one ? 0.9 : q, most_e = one ? (0.75 + 0.25 * N_out) * iN - 1.0 : q;
@@ -333,13 +352,14 @@ class FaceShares {
   using Work = double[Lanes > 0 ? Lanes : MaterialFaces::most_faces];
   Work sum_, room_;  // then by how much shares shrink, and which part of what is left they take
   Work largest_, others_, largest_of_;
-  // Of the donor; weight: s (1-nu)/2.
+  // Of the donor; weight: (1-nu)/2.
   Work H_, iJ_, nu_, N_, iN_, J_, main_outlet_, weight_, per_N_, per_flow_;
-  Work work_[most_materials * rows_each];
+  Work work_[Blend ? 1 : most_materials * rows_each];
 };
 
 std::uint64_t MaterialFaces::carry(int first, int count) {
-  const std::uint64_t set = materials_around(first, count);
+  const std::uint64_t blend = blend_around(first, count);
+  const std::uint64_t set = blend != 0 ? blend : materials_around(first, count);
   for (int m = 0; m < materials_; ++m) {
     bind(m);
     if ((set >> m & 1) == 0) nothing_passes(m, first, count);
@@ -347,9 +367,11 @@ std::uint64_t MaterialFaces::carry(int first, int count) {
   constexpr int lanes = 8;
   const auto share = [&]<bool Second, bool Masked>() {
     if (count == lanes)
-      FaceShares<Second, Masked, lanes>(*this, first, count, set).run();
+      FaceShares<Second, Masked, lanes, false>(*this, first, count, set).run();
+    else if (blend != 0)
+      FaceShares<Second, Masked, 0, Second>(*this, first, count, set).run();
     else
-      FaceShares<Second, Masked, 0>(*this, first, count, set).run();
+      FaceShares<Second, Masked, 0, false>(*this, first, count, set).run();
   };
   if (!options_.second_order)
     share.template operator()<false, false>();

@@ -25,6 +25,12 @@ struct Handles {
   Out stretch, energy_L, specific_energy_L, scale, mixture_scale, scratch;
 };
 
+struct Materials {
+  std::vector<Fluid> fluids;
+  bool all_ideal;  // the scale of each is its energy
+  bool heated;
+};
+
 // J and the main outlet.
 template <int D>
 void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
@@ -58,29 +64,12 @@ void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
   }
 }
 
-// The scale of a material, zero where it is absent.
-void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
-  double* scale = row(h.scale, m);
-  if (fluid.ideal() != nullptr) {
-    const double* eps = row(h.specific_energy_L, m);
-#pragma GCC ivdep
-    for (int i = 0; i < row.count(); ++i) scale[i] = eps[i];
-    return;
-  }
-  for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
-    if ((as_set(presence) >> m & 1) != 0)
-      energy_scale_row(fluid, count, row(h.scratch) + first, row(h.specific_energy_L, m) + first,
-                       scale + first);
-    else
-      std::fill_n(scale + first, count, 0.0);
-  });
-}
-
-// `set`: of the materials in these cells. In those of pure neighbourhood the mixture's values are
-// the material's.
-void share_cells(const Row& row, const Handles& h, std::uint64_t set,
-                 const std::vector<Fluid>& fluids, bool heated) {
+// Energy of a material that is in some of these cells. In those of pure neighbourhood the mixture's
+// is the material's.
+template <bool Heated>
+void share_energy(const Row& row, const Handles& h, int m) {
   const int n = row.count();
+  const auto k = static_cast<std::size_t>(m);
   const double* __restrict pure = row(h.pure);
   const double* __restrict p = row(h.pressure);
   const double* __restrict w = row(h.inverse_rho);
@@ -89,43 +78,65 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set,
   const double* __restrict W = row(h.work);
   const double* __restrict E_star = row(h.mixture_energy_star);
   const double* __restrict E_of_mixture = row(h.mixture_energy_L);
-  double* __restrict total = row(h.mixture_scale);
+  const double* __restrict M = row(h.state.mass[k]);
+  const double* __restrict V = row(h.state.volume[k]);
+  const double* __restrict E = row(h.state.energy[k]);
+  const double* __restrict Q = Heated ? row(h.heat, m) : E;
+  double* __restrict E_L = row(h.energy_L, m);
+  double* __restrict eps = row(h.specific_energy_L, m);
+  const double which = m;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const double pdV = p[i] * (J[i] - 1.0);
+    double energy = E[i] - (V[i] * pdV + (W[i] - pdV) * (M[i] * w[i]));
+    if constexpr (Heated) energy += Q[i];
+    const bool mixed = pure[i] < 0.0, alone = pure[i] == which, absent = V[i] == 0.0;
+    const double E_own = absent ? 0.0 : energy, per_volume = E_own * iJ[i] / V[i];
+    const double E_alone = alone ? E_star[i] : 0.0, eps_alone = alone ? E_of_mixture[i] : 0.0;
+    const double eps_own = absent ? 0.0 : per_volume;
+    E_L[i] = mixed ? E_own : E_alone;
+    eps[i] = mixed ? eps_own : eps_alone;
+  }
+}
+
+// The scale of a material, zero where it is absent.
+void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
+  const int n = row.count();
+  double* __restrict scale = row(h.scale, m);
+  const double* __restrict eps = row(h.specific_energy_L, m);
+  if (fluid.ideal() != nullptr) {
+    for (int i = 0; i < n; ++i) scale[i] = eps[i];
+    return;
+  }
+  const double* __restrict r = row(h.density, m);
+  const double* __restrict iJ = row(h.inverse_J);
   double* __restrict rho_L = row(h.scratch);
+  for (int i = 0; i < n; ++i) rho_L[i] = r[i] * iJ[i];
+  for_each_run(runs_of(row, h.presence), n, [&](int first, int count, double presence) {
+    if ((as_set(presence) >> m & 1) != 0)
+      energy_scale_row(fluid, count, rho_L + first, eps + first, scale + first);
+    else
+      std::fill_n(scale + first, count, 0.0);
+  });
+}
+
+// `set`: of the materials in these cells.
+void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Materials& materials) {
+  const int n = row.count();
+  double* __restrict total = row(h.mixture_scale);
   std::fill_n(total, n, 0.0);
-  for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
-    double* __restrict E_L = row(h.energy_L, m);
-    double* __restrict eps = row(h.specific_energy_L, m);
-    double* __restrict scale = row(h.scale, m);
+  for (int m = 0; m < static_cast<int>(materials.fluids.size()); ++m) {
     if ((set >> m & 1) == 0) {
-      for (int i = 0; i < n; ++i) E_L[i] = eps[i] = scale[i] = 0.0;
+      std::fill_n(row(h.energy_L, m), n, 0.0);
+      std::fill_n(row(h.specific_energy_L, m), n, 0.0);
+      if (!materials.all_ideal) std::fill_n(row(h.scale, m), n, 0.0);
       continue;
     }
     const auto k = static_cast<std::size_t>(m);
-    const double* __restrict M = row(h.state.mass[k]);
+    materials.heated ? share_energy<true>(row, h, m) : share_energy<false>(row, h, m);
+    if (!materials.all_ideal) find_scale(row, h, m, materials.fluids[k]);
     const double* __restrict V = row(h.state.volume[k]);
-    const double* __restrict E = row(h.state.energy[k]);
-    const double* __restrict r = row(h.density, m);
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const double pdV = p[i] * (J[i] - 1.0);
-      E_L[i] = E[i] - (V[i] * pdV + (W[i] - pdV) * (M[i] * w[i]));
-    }
-    if (heated) {
-      const double* __restrict Q = row(h.heat, m);
-      for (int i = 0; i < n; ++i) E_L[i] += Q[i];
-    }
-    const double which = m;
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const bool mixed = pure[i] < 0.0, alone = pure[i] == which, absent = V[i] == 0.0;
-      const double E_own = absent ? 0.0 : E_L[i], per_volume = E_own * iJ[i] / V[i];
-      const double E_alone = alone ? E_star[i] : 0.0, eps_alone = alone ? E_of_mixture[i] : 0.0;
-      const double eps_own = absent ? 0.0 : per_volume;
-      E_L[i] = mixed ? E_own : E_alone;
-      eps[i] = mixed ? eps_own : eps_alone;
-      rho_L[i] = r[i] * iJ[i];
-    }
-    find_scale(row, h, m, fluids[k]);
+    const double* __restrict scale = row(materials.all_ideal ? h.specific_energy_L : h.scale, m);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
   }
@@ -167,28 +178,28 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
-  h.scale = task.write(v.energy_scale);
+  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated};
+  if (!materials.all_ideal) h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
   h.scratch = task.write(list.temporary("Lagrangian density of a material"));
-  const std::vector<Fluid> fluids = o.fluids;
-  const bool gases = std::all_of(fluids.begin(), fluids.end(),
-                                 [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
   const auto stretch = o.axes.count == 1   ? stretch_cells<1>
                        : o.axes.count == 2 ? stretch_cells<2>
                                            : stretch_cells<3>;
   task.kernel([=, axes = o.axes](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
-      if (pure >= 0.0) alone(row.part(first, count), h, fluids[static_cast<std::size_t>(pure)]);
+      if (pure >= 0.0)
+        alone(row.part(first, count), h, materials.fluids[static_cast<std::size_t>(pure)]);
     });
     for_each_run(runs_of(row, h.near), row.count(), [&](int first, int count, double near) {
       if (near == 0.0) return;
       // Nobody reads what is computed for cells further away; laws may search for a root there.
-      const Row part = row.part(first, gases ? whole_vectors(count, row.count() - first) : count);
+      const Row part =
+          row.part(first, materials.all_ideal ? whole_vectors(count, row.count() - first) : count);
       std::uint64_t set = 0;
       for_each_run(runs_of(part, h.presence), part.count(),
                    [&](int, int, double presence) { set |= as_set(presence); });
       stretch(part, h, axes);
-      share_cells(part, h, set, fluids, heated);
+      share_cells(part, h, set, materials);
     });
   });
 }

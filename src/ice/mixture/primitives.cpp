@@ -86,6 +86,39 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   });
 }
 
+// Is V a fair part of each cell, but not the whole.
+bool is_fair(const double* __restrict V, int n) {
+  int fair = 1;
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) fair &= int{V[i] >= fair_part} & int{V[i] < 1.0};
+  return fair != 0;
+}
+
+// Runs of cells in which several materials fill a fair part, and the values of each there.
+void add_blends(TaskList& list, const Variables& v, int effect) {
+  TaskBuilder task = list.task("blends of materials", effect);
+  const In presence = task.read(v.presence);
+  const StateReads state = read_state(task, v);
+  const Out blend = task.write(v.blend);
+  const Out density = task.write(v.blend_density), energy = task.write(v.blend_energy);
+  task.kernel([=](const Row& row) {
+    RunWriter runs(row(blend), row(blend, 1));
+    for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double key) {
+      const Row part = row.part(first, count);
+      bool fair = !is_single(key);
+      if (fair)
+        for_each_of(as_set(key), [&](int m) {
+          fair = fair && is_fair(part(state.volume[static_cast<std::size_t>(m)]), count);
+        });
+      runs.add(count, fair ? key : 0.0);
+      if (!fair) return;
+      for_each_of(as_set(key),
+                  [&](int m) { state.divide(part, m, part(density, m), part(energy, m)); });
+    });
+    runs.close();
+  });
+}
+
 // 1 where the fraction of a mixed gas is that of all cells around which hold the gas.
 void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("the same fraction around", effect);
@@ -309,9 +342,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   if (o.mixed != nullptr) h.fraction = task.read(scalars::old_fraction(list, o));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
-  const bool gases = o.mixed == nullptr &&
-                     std::all_of(fluids.begin(), fluids.end(),
-                                 [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
+  const bool gases = o.mixed == nullptr && all_ideal_gases(fluids);
   task.kernel([=](const Row& row) {
     const int room = row.whole_vectors();
     for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
@@ -336,6 +367,7 @@ void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, 
   add_presence(list, v, o, effect);
   add_neighbourhood(list, v, o, effect);
   add_near(list, v, o, effect);
+  if (o.second_order) add_blends(list, v, effect);
   add_mixture_values(list, v, o, effect);
   add_material_values(list, v, effect, everywhere);
   if (o.mixed != nullptr && o.second_order) add_alike(list, v, o, effect);

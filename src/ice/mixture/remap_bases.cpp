@@ -19,6 +19,7 @@ struct Handles {
   RemapBaseHandles common;
   std::vector<In> volume, mass, energy;  // old state
   In pure, near, density, specific_energy, inverse_J, specific_energy_L, scale;
+  In blend, blend_density, blend_energy;
   In own_velocity;              // of each material, where it has its own
   int velocity_components = 0;  // of one material in it; 0: all move with the mixture
   std::array<Out, 3> base;      // of each material
@@ -32,29 +33,41 @@ template <int D, bool Masked>
 class MixedBases {
  public:
   MixedBases(const Row& row, const Handles& handles, const Axes& axes)
-      : materials_(static_cast<int>(handles.volume.size())),
-        p_(row(handles.common.pressure)),
-        iJ_(row(handles.inverse_J)),
-        mask_(Masked ? row(handles.common.mask) : nullptr),
-        pure_(row(handles.pure)) {
+      : materials_(static_cast<int>(handles.volume.size())) {
+    mixture_.p = row(handles.common.pressure);
+    mixture_.iJ = row(handles.inverse_J);
+    mixture_.mask = Masked ? row(handles.common.mask) : mixture_.p;
+    mixture_.pure = row(handles.pure);
     for (int d = 0; d < D; ++d)
       for (int q = 0; q < 2; ++q)
-        mixture_[q][d] = row(handles.common.base[static_cast<std::size_t>(d)], q);
+        mixture_.base[q][d] = row(handles.common.base[static_cast<std::size_t>(d)], q);
     for (int t = 0; t < D; ++t) {
-      su_[t] = row(handles.common.velocity_slope, t);
-      h_[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+      mixture_.su[t] = row(handles.common.velocity_slope, t);
+      mixture_.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+      blend_[2 * t] = runs_of(row, handles.blend, t, -1);
+      blend_[2 * t + 1] = runs_of(row, handles.blend, t, 1);
     }
+    blend_[2 * D] = runs_of(row, handles.blend);
     for (int m = 0; m < materials_; ++m) bind(rows_[m], row, handles, m);
   }
 
   void run(int first, int count) const {
-    for (int m = 0; m < materials_; ++m) write(rows_[m].from(first), m, first, count);
+    const std::uint64_t blend = blend_around(first, count);
+    for (int m = 0; m < materials_; ++m) {
+      if (blend == 0)
+        write<false>(rows_[m].from(first), mixture_.from(first), m, count);
+      else if ((blend >> m & 1) != 0)
+        write<true>(rows_[m].from(first), mixture_.from(first), m, count);
+      else
+        write_nothing(rows_[m].from(first), count);
+    }
   }
 
  private:
   struct Material {
     Quantity V, M, E;
-    const double *r, *e, *eps_L, *scale;
+    Quantity r, e;  // per own volume: the centre, and in blends the others, too
+    const double *eps_L, *scale;
     const double* u[D];  // its own velocity, or that of the mixture
     double* base[3][D];
 
@@ -62,8 +75,8 @@ class MixedBases {
       Material k{V.template from<D>(first),
                  M.template from<D>(first),
                  E.template from<D>(first),
-                 r + first,
-                 e + first,
+                 r.template from<D>(first),
+                 e.template from<D>(first),
                  eps_L + first,
                  scale + first,
                  {},
@@ -75,13 +88,33 @@ class MixedBases {
     }
   };
 
+  struct Mixture {
+    const double *p, *iJ, *mask, *pure;
+    const double* base[2][D];  // of density and energy
+    const double* su[D];
+    double h[D];
+
+    Mixture from(int first) const {
+      Mixture x = *this;
+      for (const double** row : {&x.p, &x.iJ, &x.mask, &x.pure}) *row += first;
+      for (int d = 0; d < D; ++d) {
+        x.base[0][d] += first;
+        x.base[1][d] += first;
+        x.su[d] += first;
+      }
+      return x;
+    }
+  };
+
   static void bind(Material& k, const Row& row, const Handles& handles, int m) {
     const auto number = static_cast<std::size_t>(m);
     k.V = quantity<D>(row, handles.volume[number], 0);
     k.M = quantity<D>(row, handles.mass[number], 0);
     k.E = quantity<D>(row, handles.energy[number], 0);
-    k.r = row(handles.density, m);
-    k.e = row(handles.specific_energy, m);
+    k.r = quantity<D>(row, handles.blend_density, m);
+    k.e = quantity<D>(row, handles.blend_energy, m);
+    k.r.centre = row(handles.density, m);
+    k.e.centre = row(handles.specific_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
     k.scale = row(handles.scale, m);
     for (int t = 0; t < D; ++t)
@@ -93,68 +126,86 @@ class MixedBases {
         k.base[q][d] = row(handles.base[static_cast<std::size_t>(d)], component(m, q));
   }
 
-  void write(const Material& material, int m, int first, int n) const {
+  // The materials of these cells and those beside them, if they are blends of the same; else 0.
+  std::uint64_t blend_around(int first, int count) const {
+    return as_set(key_of_all(blend_, 2 * D + 1, first, count));
+  }
+
+  // What flow along axis t takes from volume, density and energy until the middle of the step.
+  struct Changes {
+    double V, r, e;
+  };
+  template <bool Blend>
+  [[gnu::always_inline]] static Changes changes(const Material& k, const Mixture& x, int t, int i) {
+    const double V = k.V.centre[i], V_low = k.V.minus[t][i], V_high = k.V.plus[t][i];
+    const double r = k.r.centre[i], e = k.e.centre[i];
+    double r_low, r_high, e_low, e_high;
+    bool full = true;
+    if constexpr (Blend) {
+      r_low = k.r.minus[t][i], r_high = k.r.plus[t][i];
+      e_low = k.e.minus[t][i], e_high = k.e.plus[t][i];
+    } else {
+      // From the state: elsewhere they are kept no further away.
+      const double per_low = V_low > 0.0 ? 1.0 / V_low : 0.0;
+      const double per_high = V_high > 0.0 ? 1.0 / V_high : 0.0;
+      r_low = k.M.minus[t][i] * per_low, r_high = k.M.plus[t][i] * per_high;
+      e_low = k.E.minus[t][i] * per_low, e_high = k.E.plus[t][i] * per_high;
+      full = smaller(smaller(V_low, V), V_high) > trace;
+    }
+    const double hu = x.h[t] * k.u[t][i], slopes = full ? hu : 0.0, squeeze = x.su[t][i];
+    return {hu * central_slope(V - V_low, V_high - V),
+            slopes * central_slope(r - r_low, r_high - r) - x.h[t] * r * squeeze,
+            slopes * central_slope(e - e_low, e_high - e) - x.h[t] * (e + x.p[i]) * squeeze};
+  }
+
+  template <bool Blend>
+  static void write(const Material& material, const Mixture& mixture, int m, int n) {
     const Material k = material;
-    const double which = m, *pure = pure_ + first;
-    const double *mixture_r[D], *mixture_e[D];
-    for (int d = 0; d < D; ++d) {
-      mixture_r[d] = mixture_[0][d] + first;
-      mixture_e[d] = mixture_[1][d] + first;
-    }
-    const double *iJ = iJ_ + first, *p = p_ + first, *mask = Masked ? mask_ + first : nullptr;
-    const double *u[D], *su[D];
-    double h[D];
-    for (int t = 0; t < D; ++t) {
-      u[t] = k.u[t];
-      su[t] = su_[t] + first;
-      h[t] = h_[t];
-    }
+    const Mixture x = mixture;
+    const double which = m;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double V = k.V.centre[i], r = k.r[i], e = k.e[i];
-      double dV[D], dr[D], de[D];
+      Changes along[D];
 #pragma GCC unroll 3
-      for (int t = 0; t < D; ++t) {
-        const double V_low = k.V.minus[t][i], V_high = k.V.plus[t][i];
-        // From the state: per own volume they are kept no further away.
-        const double per_low = V_low > 0.0 ? 1.0 / V_low : 0.0;
-        const double per_high = V_high > 0.0 ? 1.0 / V_high : 0.0;
-        const double r_low = k.M.minus[t][i] * per_low, r_high = k.M.plus[t][i] * per_high;
-        const double e_low = k.E.minus[t][i] * per_low, e_high = k.E.plus[t][i] * per_high;
-        const bool full = smaller(smaller(V_low, V), V_high) > trace;
-        const double hu = h[t] * u[t][i], slopes = full ? hu : 0.0;
-        dV[t] = hu * central_slope(V - V_low, V_high - V);
-        dr[t] = slopes * central_slope(r - r_low, r_high - r) - h[t] * r * su[t][i];
-        de[t] = slopes * central_slope(e - e_low, e_high - e) - h[t] * (e + p[i]) * su[t][i];
-      }
-      const double weight = Masked ? mask[i] : 1.0, here = V > 0.0 ? weight : 0.0;
-      const bool mixed = pure[i] < 0.0, alone = pure[i] == which;
-      const double rho_L = r * iJ[i], eps_L = k.eps_L[i], floor = eps_L - 0.9 * k.scale[i];
+      for (int t = 0; t < D; ++t) along[t] = changes<Blend>(k, x, t, i);
+      const double V = k.V.centre[i], weight = Masked ? x.mask[i] : 1.0;
+      const double here = Blend || V > 0.0 ? weight : 0.0;
+      const double rho_L = k.r.centre[i] * x.iJ[i], eps_L = k.eps_L[i];
+      const double floor = eps_L - 0.9 * k.scale[i];
 #pragma GCC unroll 3
       for (int d = 0; d < D; ++d) {
         double by_V = 0, by_r = 0, by_e = 0;
 #pragma GCC unroll 3
         for (int t = 0; t < D; ++t) {
-          by_V += t == d ? 0.0 : dV[t];
-          by_r += t == d ? 0.0 : dr[t];
-          by_e += t == d ? 0.0 : de[t];
+          by_V += t == d ? 0.0 : along[t].V;
+          by_r += t == d ? 0.0 : along[t].r;
+          by_e += t == d ? 0.0 : along[t].e;
         }
         const double own_r = larger(rho_L - here * by_r, 0.1 * rho_L);
         const double own_e = larger(eps_L - here * by_e, floor);
-        const double r_alone = alone ? mixture_r[d][i] : 0.0;
-        const double e_alone = alone ? mixture_e[d][i] : 0.0;
         k.base[of_volume][d][i] = V - weight * by_V;
-        k.base[of_mass][d][i] = mixed ? own_r : r_alone;
-        k.base[of_energy][d][i] = mixed ? own_e : e_alone;
+        if constexpr (Blend) {
+          k.base[of_mass][d][i] = own_r;
+          k.base[of_energy][d][i] = own_e;
+        } else {
+          const bool mixed = x.pure[i] < 0.0, alone = x.pure[i] == which;
+          const double r_alone = alone ? x.base[0][d][i] : 0.0;
+          const double e_alone = alone ? x.base[1][d][i] : 0.0;
+          k.base[of_mass][d][i] = mixed ? own_r : r_alone;
+          k.base[of_energy][d][i] = mixed ? own_e : e_alone;
+        }
       }
     }
   }
 
+  static void write_nothing(const Material& k, int n) {
+    for (const auto& of_axes : k.base)
+      for (double* base : of_axes) std::fill_n(base, n, 0.0);
+  }
+
   int materials_;
-  const double *p_, *iJ_, *mask_;
-  const double *pure_, *mixture_[2][D];
-  const double* su_[D];
-  double h_[D];
+  Mixture mixture_;
+  RunRow blend_[2 * D + 1];  // of the cells below and above along each axis, of these
   Material rows_[most_materials];
 };
 
@@ -186,6 +237,9 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
   for (const VariableId mass : v.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
   for (const VariableId energy : v.energy) h.energy.push_back(task.read(energy, Stencil::box(1)));
+  h.blend = task.read(v.blend, Stencil::box(1));
+  h.blend_density = task.read(v.blend_density, Stencil::box(1));
+  h.blend_energy = task.read(v.blend_energy, Stencil::box(1));
   h.density = task.read(v.density);
   h.specific_energy = task.read(v.specific_energy);
   if (o.own_velocities) {

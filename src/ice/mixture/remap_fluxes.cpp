@@ -188,6 +188,7 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
     h.common = read_remap_inputs(task, v.common, o, axis);
     h.common.flux = task.write(v.common.flux[face]);
     h.materials = read_materials(task, v, o, axis);
+    read_blends(task, v, axis, o, h.materials);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
     h.flux = task.write(v.flux[face]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {

@@ -1,6 +1,7 @@
 // Declaring the variables of a step of several materials.
 #include "ice/mixture/variables.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "ice/labels.hpp"
@@ -52,6 +53,11 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
 
 }  // namespace
 
+bool all_ideal_gases(const std::vector<Fluid>& fluids) {
+  return std::all_of(fluids.begin(), fluids.end(),
+                     [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
+}
+
 Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   const Labels& l = labels();
   const int M = static_cast<int>(o.fluids.size());
@@ -68,12 +74,16 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   v.presence = list.temporary("presence", 2);
   v.pure = list.temporary("pure neighbourhood", 2);
   v.near = list.temporary("near several materials", 2);
+  v.blend = list.temporary("blend of materials", 2);
+  v.blend_density = list.temporary("density of each material of a blend", M);
+  v.blend_energy = list.temporary("energy per volume of each material of a blend", M);
   v.density = list.temporary("density of each material", M);
   v.specific_energy = list.temporary("energy per volume of each material", M);
   v.stretch = list.temporary("J, main outlet", 2);
   v.energy_L = list.temporary("Lagrangian energy of each material", M);
   v.specific_energy_L = list.temporary("Lagrangian energy per volume of each material", M);
-  v.energy_scale = list.temporary("energy scale of each material", M);
+  v.energy_scale = all_ideal_gases(o.fluids) ? v.specific_energy_L
+                                             : list.temporary("energy scale of each material", M);
   for (int a = 0; a < o.axes.count; ++a) {
     const auto n = static_cast<std::size_t>(a);
     const std::string axis = " of axis " + std::to_string(a);

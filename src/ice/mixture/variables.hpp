@@ -47,9 +47,13 @@ struct Variables {
   VariableId presence;  // bit set of the materials in a cell, as a number
   VariableId pure;      // the material that is alone in a cell and all around it; -1: none
   VariableId near;      // 1 where that is none, and in cells that share a face with such; else 0
+  // The set of materials of cells in each of which several fill a fair part (fair_part), and none
+  // the whole; 0 elsewhere. There, by material, density and energy per its own volume.
+  VariableId blend, blend_density, blend_energy;
   // By material, but only in cells that are near: density and energy per its own volume (old; 0
   // where absent); after the Lagrangian phase energy per cell and per own volume, and the energy
-  // scale (p + pi)/G. In cells of pure neighbourhood these are the mixture's, or zero.
+  // scale (p + pi)/G, which of an ideal gas is that energy: where all materials are such, the same
+  // variable. In cells of pure neighbourhood these are the mixture's, or zero.
   VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
   // In cells that are near: J, and the largest outflow H of a cell through one face: as it is if
   // that is the only outlet, negative if there are several, minus infinity if several are largest.
@@ -73,6 +77,8 @@ struct Variables {
   SlipVariables slip;
 };
 
+bool all_ideal_gases(const std::vector<Fluid>& fluids);
+
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 
 // The old state of each material, at a point.
@@ -86,6 +92,10 @@ StateReads read_state(TaskBuilder& task, const Variables& v);
 
 // Component of `lagrangian_mixture`.
 constexpr int friction_of_mixture = 1;
+
+// Runs of faces or cells whose neighbours are a blend (VariableId blend) of the same materials are
+// spared the rules of fronts and traces; so this is far above all that these call little.
+constexpr double fair_part = 1e-8;
 
 // Component of a quantity of a material in `base` and `flux`.
 enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
