@@ -50,7 +50,6 @@ struct Context {
   int n;
   double h[3];
   const double* u[3];  // transverse velocities
-  double g_dx[3];      // of each axis
   const double* mask;  // may be null
 };
 
@@ -95,53 +94,82 @@ void write_bases(const Context& x, const double* __restrict L, double* const* ou
   }
 }
 
+// Bases of one row, quantity by quantity.
+template <int D, bool Masked>
+class BaseRows {
+ public:
+  BaseRows(const Row& row, const RemapBaseHandles& h, const Axes& axes)
+      : row_(row), h_(h), axes_(axes) {
+    x_.n = row.whole_vectors();
+    x_.mask = Masked ? row(h.mask) : nullptr;
+    for (int t = 0; t < D; ++t) {
+      x_.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+      x_.u[t] = row(h.velocity, t);
+      su_[t] = row(h.velocity_slope, t);
+    }
+  }
+
+  void density() const {
+    const Quantity rho = quantity<D>(row_, h_.rho, 0);
+    const double* L = row_(h_.rho_L);
+    write(0, L, TenthOf{L}, [x = x_, su = su_, rho](int t, int i) {
+      return advected(rho, x, t, i) - x.h[t] * rho.centre[i] * su[t][i];
+    });
+  }
+  // `scaled`: not of an ideal gas.
+  void energy(bool scaled) const {
+    const Quantity E = quantity<D>(row_, h_.energy, 0);
+    const double *L = row_(h_.energy_L), *p = row_(h_.pressure);
+    const auto change = [x = x_, su = su_, E, p](int t, int i) {
+      return advected(E, x, t, i) - x.h[t] * (E.centre[i] + p[i]) * su[t][i];
+    };
+    if (scaled)
+      write(1, L, BelowBy{L, row_(h_.energy_scale)}, change);
+    else
+      write(1, L, TenthOf{L}, change);
+  }
+  template <int C>
+  void velocity(Vec3 gravity) const {
+    const double* w = row_(h_.inverse_rho);
+    std::array<const double*, 3> sp{};
+    std::array<double, 3> g_dx{};
+    for (int t = 0; t < D; ++t) {
+      sp[static_cast<std::size_t>(t)] = row_(h_.pressure_slope, t);
+      const int direction = axes_.direction[t];
+      g_dx[static_cast<std::size_t>(t)] = gravity[direction] * row_.step().spacing[direction];
+    }
+    for (int c = 0; c < C; ++c) {
+      const Quantity u = quantity<D>(row_, h_.velocity, c);
+      write(2 + c, row_(h_.velocity_L, c), NoFloor{}, [x = x_, sp, g_dx, w, u, c](int t, int i) {
+        const auto k = static_cast<std::size_t>(t);
+        const double put = t == c ? x.h[t] * (w[i] * sp[k][i] + g_dx[k]) : 0.0;
+        return advected(u, x, t, i) - put;
+      });
+    }
+  }
+
+ private:
+  template <class Floor, class Change>
+  void write(int component, const double* L, Floor floor, Change change) const {
+    double* out[3];
+    for (int d = 0; d < D; ++d) out[d] = row_(h_.base[static_cast<std::size_t>(d)], component);
+    write_bases<D, Masked>(x_, L, out, floor, change);
+  }
+
+  const Row& row_;
+  const RemapBaseHandles& h_;
+  const Axes& axes_;
+  Context x_;
+  std::array<const double*, 3> su_{};
+};
+
 template <int D, int C, bool Masked>
 void base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3 gravity,
                bool scaled) {
-  Context x;
-  x.n = row.whole_vectors();
-  x.mask = Masked ? row(h.mask) : nullptr;
-  const double* su[3];
-  const double* sp[3];
-  for (int t = 0; t < D; ++t) {
-    const double dx = row.step().spacing[axes.direction[t]];
-    x.h[t] = 0.5 * row.step().dt / dx;
-    x.g_dx[t] = gravity[axes.direction[t]] * dx;
-    x.u[t] = row(h.velocity, t);
-    su[t] = row(h.velocity_slope, t);
-    sp[t] = row(h.pressure_slope, t);
-  }
-  auto outputs = [&](int component, double** out) {
-    for (int d = 0; d < D; ++d) out[d] = row(h.base[static_cast<std::size_t>(d)], component);
-  };
-  double* out[3];
-  outputs(0, out);
-  const Quantity rho = quantity<D>(row, h.rho, 0);
-  const double* rho_L = row(h.rho_L);
-  write_bases<D, Masked>(x, rho_L, out, TenthOf{rho_L}, [&](int t, int i) {
-    return advected(rho, x, t, i) - x.h[t] * rho.centre[i] * su[t][i];
-  });
-  outputs(1, out);
-  const Quantity E = quantity<D>(row, h.energy, 0);
-  const double* p = row(h.pressure);
-  const auto change_of_energy = [&](int t, int i) {
-    return advected(E, x, t, i) - x.h[t] * (E.centre[i] + p[i]) * su[t][i];
-  };
-  const double* energy_L = row(h.energy_L);
-  if (scaled)
-    write_bases<D, Masked>(x, energy_L, out, BelowBy{energy_L, row(h.energy_scale)},
-                           change_of_energy);
-  else
-    write_bases<D, Masked>(x, energy_L, out, TenthOf{energy_L}, change_of_energy);
-  const double* w = row(h.inverse_rho);
-  for (int c = 0; c < C; ++c) {
-    outputs(2 + c, out);
-    const Quantity u = quantity<D>(row, h.velocity, c);
-    write_bases<D, Masked>(x, row(h.velocity_L, c), out, NoFloor{}, [&](int t, int i) {
-      const double put = t == c ? x.h[t] * (w[i] * sp[t][i] + x.g_dx[t]) : 0.0;
-      return advected(u, x, t, i) - put;
-    });
-  }
+  const BaseRows<D, Masked> rows(row, h, axes);
+  rows.density();
+  rows.energy(scaled);
+  rows.template velocity<C>(gravity);
 }
 
 inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVariables& v,

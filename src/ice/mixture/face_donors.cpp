@@ -18,8 +18,6 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   for (const VariableId id : v.volume) h.volume.push_back(task.read(id, six));
   h.presence = task.read(v.presence, six);
   h.pure = task.read(v.pure, both);
-  h.density = task.read(v.density, both);
-  h.specific_energy = task.read(v.specific_energy, both);
   h.energy_L = task.read(v.energy_L, both);
   h.specific_energy_L = task.read(v.specific_energy_L, both);
   h.scale = task.read(v.energy_scale, both);
@@ -78,11 +76,9 @@ void MaterialFaces::bind(int m) {
     for (int s = 0; s < 2; ++s) to[s] = row_(in, c, axis_, s - 1);
   };
   if (options_.second_order) {
-    k.r_blend = around(row_, h_.blend_density, m, axis_);
-    k.e_blend = around(row_, h_.blend_energy, m, axis_);
+    k.r = around(row_, h_.blend_density, m, axis_);
+    k.e = around(row_, h_.blend_energy, m, axis_);
   }
-  look_up(k.r, h_.density, m);
-  look_up(k.e, h_.specific_energy, m);
   look_up(k.energy_L, h_.energy_L, m);
   look_up(k.eps_L, h_.specific_energy_L, m);
   look_up(k.scale, h_.scale, m);

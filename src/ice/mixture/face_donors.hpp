@@ -28,7 +28,6 @@ inline Pair pair_of(const Row& row, In in, int component, int axis) {
 struct MaterialHandles {
   std::vector<In> mass, volume, energy;  // old state
   In presence, pure;
-  In density, specific_energy;  // old, per own volume, next to faces
   In energy_L, specific_energy_L, scale, stretch, base;
   In alike;  // of a mixed gas
   In blend, blend_density, blend_energy;
@@ -43,8 +42,7 @@ void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOp
 struct MaterialFaceRows {
   const double* V[6];         // volume fraction of cells -3 .. 2
   const double *M[4], *E[4];  // state of cells -2 .. 1
-  const double *r[2], *e[2];  // density and energy per own volume, cells -1 and 0
-  Around r_blend, e_blend;    // likewise, of blends alone
+  Around r, e;                // density and energy per own volume, of blends alone
   const double *energy_L[2], *eps_L[2], *scale[2];
   const double *base_V[2], *base_r[2], *base_e[2];
   const double* alike[2];  // of a mixed gas, else null

@@ -53,7 +53,8 @@ class FaceShares {
     for_each_of(set, [&](int m) { bind(materials_[count_++], m); });
   }
 
-  [[gnu::noinline]] void run() {
+  // False: a face takes all that is left of a material, for which blends have no loop.
+  [[gnu::noinline]] bool run() {
     prepare();
     for (int k = 0; k < count_; ++k) {
       if (faces_.based_)
@@ -63,16 +64,18 @@ class FaceShares {
     }
     close_volumes();
     for (int k = 0; k < count_; ++k) keep_traces_together(materials_[k], k);
+    if (Blend && takes_all_ != 0) return false;
     for (int k = 0; k < count_; ++k) {
       if (faces_.based_)
         takes_all_ != 0 ? carry<true, true>(k) : carry<true, false>(k);
       else
         takes_all_ != 0 ? carry<false, true>(k) : carry<false, false>(k);
     }
+    return true;
   }
 
  private:
-  static constexpr int rows_each = 4;
+  static constexpr int rows_each = 8;
 
   int size() const {
     if constexpr (Lanes > 0) return Lanes;
@@ -94,7 +97,7 @@ class FaceShares {
 
   Pair two(const double* const* q) const { return {q[0] + first_, q[1] + first_}; }
 
-  // Density and energy per own volume of the cell `s` - 2, from the state: not kept so far away.
+  // Density and energy per own volume of the cell `s` - 2.
   void divide(const MaterialFaceRows& x, int s, const double*& density, const double*& energy) {
     const double* __restrict V = x.V[s + 1] + first_;
     const double* __restrict M = x.M[s] + first_;
@@ -104,7 +107,7 @@ class FaceShares {
     const int n = size();
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double inverse = V[i] > 0.0 ? 1.0 / V[i] : 0.0;
+      const double inverse = per_own_volume(V[i]);
       r[i] = M[i] * inverse;
       e[i] = E[i] * inverse;
     }
@@ -116,20 +119,22 @@ class FaceShares {
     const MaterialFaceRows& x = faces_.rows_[m];
     for (int s = 0; s < 6; ++s) k.V[s] = x.V[s] + first_;
     for (int s = 0; s < 2; ++s) k.M[s] = x.M[s + 1] + first_;
+    Around r, e;
     if constexpr (Blend) {
-      const Around r = x.r_blend.from(first_), e = x.e_blend.from(first_);
-      k.r = {r.m, r.p};
-      k.e = {e.m, e.p};
-      k.r_far = {r.mm, r.pp};
-      k.e_far = {e.mm, e.pp};
+      r = x.r.from(first_);
+      e = x.e.from(first_);
     } else {
-      k.r = two(x.r);
-      k.e = two(x.e);
+      divide(x, 1, r.m, e.m);
+      divide(x, 2, r.p, e.p);
+      if constexpr (Second) {
+        divide(x, 0, r.mm, e.mm);
+        divide(x, 3, r.pp, e.pp);
+      }
     }
-    if constexpr (Second && !Blend) {
-      divide(x, 0, k.r_far.a, k.e_far.a);
-      divide(x, 3, k.r_far.b, k.e_far.b);
-    }
+    k.r = {r.m, r.p};
+    k.e = {e.m, e.p};
+    k.r_far = {r.mm, r.pp};
+    k.e_far = {e.mm, e.pp};
     k.energy_L = two(x.energy_L);
     k.eps_L = two(x.eps_L);
     k.scale = two(x.scale);
@@ -167,7 +172,7 @@ class FaceShares {
       main_outlet_[i] = outlet.at(i, left);
       weight_[i] = 0.5 * (1.0 - nu) * mask;
       per_N_[i] = 1.0 / larger(N, 1e-12);
-      per_flow_[i] = 1.0 / flow;
+      if constexpr (!Blend) per_flow_[i] = 1.0 / flow;
       sum_[i] = room_[i] = largest_[i] = others_[i] = largest_of_[i] = 0.0;
     }
   }
@@ -262,10 +267,12 @@ class FaceShares {
       const bool leaves = either(rest <= little, rest <= least_rest * V_L);
       const bool all = both(both(both(shared, !stays), wanted > 0.0),
                             both(both(flow > 0.0, only_outlet), leaves));
-      const double kept = stays ? 0.0 : wanted;
-      const double now = all ? V_L * per_flow_[i] : kept;
+      double now = stays ? 0.0 : wanted;
+      if constexpr (!Blend) {
+        now = all ? V_L * per_flow_[i] : now;
+        FM[i] = all ? 1.0 : 0.0;
+      }
       share[i] = now;
-      FM[i] = all ? 1.0 : 0.0;
       takes_all |= int{all};
       const double before = largest_[i];
       others_[i] += smaller(now, before);
@@ -366,12 +373,12 @@ std::uint64_t MaterialFaces::carry(int first, int count) {
   }
   constexpr int lanes = 8;
   const auto share = [&]<bool Second, bool Masked>() {
-    if (count == lanes)
+    if (count == lanes) {
       FaceShares<Second, Masked, lanes, false>(*this, first, count, set).run();
-    else if (blend != 0)
-      FaceShares<Second, Masked, 0, Second>(*this, first, count, set).run();
-    else
-      FaceShares<Second, Masked, 0, false>(*this, first, count, set).run();
+      return;
+    }
+    if (blend != 0 && FaceShares<Second, Masked, 0, Second>(*this, first, count, set).run()) return;
+    FaceShares<Second, Masked, 0, false>(*this, first, count, set).run();
   };
   if (!options_.second_order)
     share.template operator()<false, false>();

@@ -19,7 +19,7 @@ namespace {
 
 struct Handles {
   StateReads state;
-  In pure, near, presence, pressure, inverse_rho, inverse_J, work, density, heat;
+  In pure, near, presence, pressure, inverse_rho, inverse_J, work, heat;
   In mixture_density_L, mixture_energy_L, mixture_energy_star;
   std::array<In, 3> face_velocity;
   Out stretch, energy_L, specific_energy_L, scale, mixture_scale, scratch;
@@ -108,10 +108,12 @@ void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
     for (int i = 0; i < n; ++i) scale[i] = eps[i];
     return;
   }
-  const double* __restrict r = row(h.density, m);
+  const auto k = static_cast<std::size_t>(m);
+  const double* __restrict M = row(h.state.mass[k]);
+  const double* __restrict V = row(h.state.volume[k]);
   const double* __restrict iJ = row(h.inverse_J);
   double* __restrict rho_L = row(h.scratch);
-  for (int i = 0; i < n; ++i) rho_L[i] = r[i] * iJ[i];
+  for (int i = 0; i < n; ++i) rho_L[i] = M[i] * per_own_volume(V[i]) * iJ[i];
   for_each_run(runs_of(row, h.presence), n, [&](int first, int count, double presence) {
     if ((as_set(presence) >> m & 1) != 0)
       energy_scale_row(fluid, count, rho_L + first, eps + first, scale + first);
@@ -173,7 +175,6 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   }
   h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
   h.stretch = task.write(v.stretch);
-  h.density = task.read(v.density);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);

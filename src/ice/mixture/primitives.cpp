@@ -6,6 +6,7 @@
 // A cell with one material takes all of them from its law. (The energy-weighted mean of pressures
 // would lose a gas beside a liquid in round-off.)
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -86,16 +87,25 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   });
 }
 
-// Is V a fair part of each cell, but not the whole.
-bool is_fair(const double* __restrict V, int n) {
+// Density and energy of a material that is in all these cells, per its own volume. Returns whether
+// it fills a fair part of each, but not the whole.
+bool values_in_blend(int n, const double* __restrict M, const double* __restrict V,
+                     const double* __restrict E, double* __restrict r, double* __restrict e) {
   int fair = 1;
 #pragma GCC ivdep
-  for (int i = 0; i < n; ++i) fair &= int{V[i] >= fair_part} & int{V[i] < 1.0};
+  for (int i = 0; i < n; ++i) {
+    const double inverse = 1.0 / V[i];
+    r[i] = M[i] * inverse;
+    e[i] = E[i] * inverse;
+    fair &= int{V[i] >= fair_part} & int{V[i] < 1.0};
+  }
   return fair != 0;
 }
 
-// Runs of cells in which several materials fill a fair part, and the values of each there.
+// Runs of cells in which several materials fill a fair part, and the values of each there. A choice
+// of loops alone hangs on it; short runs are worth none.
 void add_blends(TaskList& list, const Variables& v, int effect) {
+  constexpr int fewest = 16;
   TaskBuilder task = list.task("blends of materials", effect);
   const In presence = task.read(v.presence);
   const StateReads state = read_state(task, v);
@@ -105,15 +115,14 @@ void add_blends(TaskList& list, const Variables& v, int effect) {
     RunWriter runs(row(blend), row(blend, 1));
     for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double key) {
       const Row part = row.part(first, count);
-      bool fair = !is_single(key);
-      if (fair)
-        for_each_of(as_set(key), [&](int m) {
-          fair = fair && is_fair(part(state.volume[static_cast<std::size_t>(m)]), count);
-        });
+      bool fair = count >= fewest && !is_single(key);
+      for (std::uint64_t left = fair ? as_set(key) : 0; left != 0 && fair; left &= left - 1) {
+        const int m = std::countr_zero(left);
+        const auto k = static_cast<std::size_t>(m);
+        fair = values_in_blend(count, part(state.mass[k]), part(state.volume[k]),
+                               part(state.energy[k]), part(density, m), part(energy, m));
+      }
       runs.add(count, fair ? key : 0.0);
-      if (!fair) return;
-      for_each_of(as_set(key),
-                  [&](int m) { state.divide(part, m, part(density, m), part(energy, m)); });
     });
     runs.close();
   });
@@ -295,31 +304,26 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
   }
 }
 
-// Density and energy of each material per its own volume; in a step only near several materials,
-// elsewhere those of the mixture do.
-void add_material_values(TaskList& list, const Variables& v, int effect, bool everywhere) {
+// Density and energy of each material per its own volume.
+void add_material_values(TaskList& list, const Variables& v, int effect) {
   TaskBuilder task = list.task("values of each material", effect);
-  const In where = task.read(everywhere ? v.presence : v.near);
   const StateReads state = read_state(task, v);
   const Out density = task.write(v.density), specific_energy = task.write(v.specific_energy);
   task.kernel([=](const Row& row) {
-    for_each_run(runs_of(row, where), row.count(), [&](int first, int count, double near) {
-      if (!everywhere && near == 0.0) return;
-      const Row part = row.part(first, count);
-      for (std::size_t m = 0; m < state.mass.size(); ++m) {
-        const double* __restrict M = part(state.mass[m]);
-        const double* __restrict V = part(state.volume[m]);
-        const double* __restrict E = part(state.energy[m]);
-        double* __restrict r = part(density, static_cast<int>(m));
-        double* __restrict e = part(specific_energy, static_cast<int>(m));
+    const int n = row.count();
+    for (std::size_t m = 0; m < state.mass.size(); ++m) {
+      const double* __restrict M = row(state.mass[m]);
+      const double* __restrict V = row(state.volume[m]);
+      const double* __restrict E = row(state.energy[m]);
+      double* __restrict r = row(density, static_cast<int>(m));
+      double* __restrict e = row(specific_energy, static_cast<int>(m));
 #pragma GCC ivdep
-        for (int i = 0; i < count; ++i) {
-          const double inverse = V[i] > 0.0 ? 1.0 / V[i] : 0.0;
-          r[i] = M[i] * inverse;
-          e[i] = E[i] * inverse;
-        }
+      for (int i = 0; i < n; ++i) {
+        const double inverse = per_own_volume(V[i]);
+        r[i] = M[i] * inverse;
+        e[i] = E[i] * inverse;
       }
-    });
+    }
   });
 }
 
@@ -363,13 +367,13 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
 }  // namespace
 
 void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
-                    bool everywhere) {
+                    bool of_each) {
   add_presence(list, v, o, effect);
   add_neighbourhood(list, v, o, effect);
   add_near(list, v, o, effect);
   if (o.second_order) add_blends(list, v, effect);
   add_mixture_values(list, v, o, effect);
-  add_material_values(list, v, effect, everywhere);
+  if (of_each) add_material_values(list, v, effect);
   if (o.mixed != nullptr && o.second_order) add_alike(list, v, o, effect);
 }
 

@@ -18,7 +18,7 @@ namespace {
 struct Handles {
   RemapBaseHandles common;
   std::vector<In> volume, mass, energy;  // old state
-  In pure, near, density, specific_energy, inverse_J, specific_energy_L, scale;
+  In pure, near, inverse_J, specific_energy_L, scale;
   In blend, blend_density, blend_energy;
   In own_velocity;              // of each material, where it has its own
   int velocity_components = 0;  // of one material in it; 0: all move with the mixture
@@ -66,7 +66,7 @@ class MixedBases {
  private:
   struct Material {
     Quantity V, M, E;
-    Quantity r, e;  // per own volume: the centre, and in blends the others, too
+    Quantity r, e;  // per own volume, of blends alone
     const double *eps_L, *scale;
     const double* u[D];  // its own velocity, or that of the mixture
     double* base[3][D];
@@ -113,8 +113,6 @@ class MixedBases {
     k.E = quantity<D>(row, handles.energy[number], 0);
     k.r = quantity<D>(row, handles.blend_density, m);
     k.e = quantity<D>(row, handles.blend_energy, m);
-    k.r.centre = row(handles.density, m);
-    k.e.centre = row(handles.specific_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
     k.scale = row(handles.scale, m);
     for (int t = 0; t < D; ++t)
@@ -131,31 +129,38 @@ class MixedBases {
     return as_set(key_of_all(blend_, 2 * D + 1, first, count));
   }
 
+  // Density and energy per own volume.
+  struct Values {
+    double r, e;
+  };
+  static Values values(double M, double V, double E) {
+    const double inverse = per_own_volume(V);
+    return {M * inverse, E * inverse};
+  }
+
   // What flow along axis t takes from volume, density and energy until the middle of the step.
   struct Changes {
     double V, r, e;
   };
   template <bool Blend>
-  [[gnu::always_inline]] static Changes changes(const Material& k, const Mixture& x, int t, int i) {
+  [[gnu::always_inline]] static Changes changes(const Material& k, const Mixture& x,
+                                                const Values& here, int t, int i) {
     const double V = k.V.centre[i], V_low = k.V.minus[t][i], V_high = k.V.plus[t][i];
-    const double r = k.r.centre[i], e = k.e.centre[i];
-    double r_low, r_high, e_low, e_high;
+    Values low, high;
     bool full = true;
     if constexpr (Blend) {
-      r_low = k.r.minus[t][i], r_high = k.r.plus[t][i];
-      e_low = k.e.minus[t][i], e_high = k.e.plus[t][i];
+      low = {k.r.minus[t][i], k.e.minus[t][i]};
+      high = {k.r.plus[t][i], k.e.plus[t][i]};
     } else {
-      // From the state: elsewhere they are kept no further away.
-      const double per_low = V_low > 0.0 ? 1.0 / V_low : 0.0;
-      const double per_high = V_high > 0.0 ? 1.0 / V_high : 0.0;
-      r_low = k.M.minus[t][i] * per_low, r_high = k.M.plus[t][i] * per_high;
-      e_low = k.E.minus[t][i] * per_low, e_high = k.E.plus[t][i] * per_high;
+      low = values(k.M.minus[t][i], V_low, k.E.minus[t][i]);
+      high = values(k.M.plus[t][i], V_high, k.E.plus[t][i]);
       full = smaller(smaller(V_low, V), V_high) > trace;
     }
     const double hu = x.h[t] * k.u[t][i], slopes = full ? hu : 0.0, squeeze = x.su[t][i];
     return {hu * central_slope(V - V_low, V_high - V),
-            slopes * central_slope(r - r_low, r_high - r) - x.h[t] * r * squeeze,
-            slopes * central_slope(e - e_low, e_high - e) - x.h[t] * (e + x.p[i]) * squeeze};
+            slopes * central_slope(here.r - low.r, high.r - here.r) - x.h[t] * here.r * squeeze,
+            slopes * central_slope(here.e - low.e, high.e - here.e) -
+                x.h[t] * (here.e + x.p[i]) * squeeze};
   }
 
   template <bool Blend>
@@ -165,12 +170,18 @@ class MixedBases {
     const double which = m;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
+      const double V = k.V.centre[i];
+      Values own;
+      if constexpr (Blend)
+        own = {k.r.centre[i], k.e.centre[i]};
+      else
+        own = values(k.M.centre[i], V, k.E.centre[i]);
       Changes along[D];
 #pragma GCC unroll 3
-      for (int t = 0; t < D; ++t) along[t] = changes<Blend>(k, x, t, i);
-      const double V = k.V.centre[i], weight = Masked ? x.mask[i] : 1.0;
+      for (int t = 0; t < D; ++t) along[t] = changes<Blend>(k, x, own, t, i);
+      const double weight = Masked ? x.mask[i] : 1.0;
       const double here = Blend || V > 0.0 ? weight : 0.0;
-      const double rho_L = k.r.centre[i] * x.iJ[i], eps_L = k.eps_L[i];
+      const double rho_L = own.r * x.iJ[i], eps_L = k.eps_L[i];
       const double floor = eps_L - 0.9 * k.scale[i];
 #pragma GCC unroll 3
       for (int d = 0; d < D; ++d) {
@@ -213,10 +224,13 @@ template <int D, int C, bool Masked>
 void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
   const auto runs = [&](auto&& f) { for_each_run(runs_of(row, h.pure), row.count(), f); };
   const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
-  for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
-    base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
-  });
-  const RunRow near_runs = runs_of(row, h.near);
+  const RunRow pure_runs = runs_of(row, h.pure), near_runs = runs_of(row, h.near);
+  if (pure_runs.key[0] < 0.0 && is_one_run(pure_runs, row.count()))
+    BaseRows<D, Masked>(row, h.common, o.axes).template velocity<C>(gravity);
+  else
+    for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
+      base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
+    });
   if (near_runs.key[0] == 0.0 && is_one_run(near_runs, row.count())) return;
   const MixedBases<D, Masked> mixed(row, h, o.axes);
   for_each_run(near_runs, row.count(), [&](int first, int count, double near) {
@@ -240,8 +254,6 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.blend = task.read(v.blend, Stencil::box(1));
   h.blend_density = task.read(v.blend_density, Stencil::box(1));
   h.blend_energy = task.read(v.blend_energy, Stencil::box(1));
-  h.density = task.read(v.density);
-  h.specific_energy = task.read(v.specific_energy);
   if (o.own_velocities) {
     h.own_velocity = task.read(v.slip.velocity);
     h.velocity_components = o.components;

@@ -220,7 +220,7 @@ class Faces {
     const int m = k.index, at = k.donor;
     const MaterialHandles& x = h_.materials;
     const double iJ = cell(h_.common.inverse_J, 0, at, i);
-    const double rho_L = cell(x.density, m, at, i) * iJ;
+    const double rho_L = per_volume(x.mass, m, at, i) * iJ;
     const double e_L = cell(x.specific_energy_L, m, at, i), sc = cell(x.scale, m, at, i);
     double rho = based_ ? cell(x.base, component(m, of_mass), at, i) : rho_L;
     double eps = based_ ? cell(x.base, component(m, of_energy), at, i) : e_L;
@@ -248,12 +248,13 @@ class Faces {
     row_(h_.flux, component(m, of_mass))[i] = k.FM;
     row_(h_.flux, component(m, of_energy))[i] = FE + k.FM * carry_velocity(k, rho_L, sc, i);
   }
-  // Of what a material has per own volume.
+  // What a material has per own volume.
+  double per_volume(const std::vector<In>& state, int m, int shift, int i) const {
+    return cell(state[static_cast<std::size_t>(m)], 0, shift, i) *
+           per_own_volume(volume(m, shift, i));
+  }
   double slope(const std::vector<In>& state, int m, int at, double nu, double B, int i) const {
-    const auto value = [&](int shift) {
-      const double V = volume(m, shift, i);
-      return V > 0.0 ? cell(state[static_cast<std::size_t>(m)], 0, shift, i) * (1.0 / V) : 0.0;
-    };
+    const auto value = [&](int shift) { return per_volume(state, m, shift, i); };
     const double middle = value(0) - value(-1);
     return upwind_slope(at == 0 ? value(1) - value(0) : value(-1) - value(-2), middle, nu, B);
   }

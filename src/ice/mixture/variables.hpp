@@ -50,11 +50,13 @@ struct Variables {
   // The set of materials of cells in each of which several fill a fair part (fair_part), and none
   // the whole; 0 elsewhere. There, by material, density and energy per its own volume.
   VariableId blend, blend_density, blend_energy;
-  // By material, but only in cells that are near: density and energy per its own volume (old; 0
-  // where absent); after the Lagrangian phase energy per cell and per own volume, and the energy
+  // By material, for outputs: density and energy per its own volume (old; 0 where absent).
+  VariableId density, specific_energy;
+  // By material, but only in cells that are near: after the Lagrangian phase energy per cell and
+  // per own volume (0 where absent), and the energy
   // scale (p + pi)/G, which of an ideal gas is that energy: where all materials are such, the same
   // variable. In cells of pure neighbourhood these are the mixture's, or zero.
-  VariableId density, specific_energy, energy_L, specific_energy_L, energy_scale;
+  VariableId energy_L, specific_energy_L, energy_scale;
   // In cells that are near: J, and the largest outflow H of a cell through one face: as it is if
   // that is the only outlet, negative if there are several, minus infinity if several are largest.
   VariableId stretch;
@@ -97,6 +99,11 @@ constexpr int friction_of_mixture = 1;
 // spared the rules of fronts and traces; so this is far above all that these call little.
 constexpr double fair_part = 1e-8;
 
+// What makes a value per volume of the cell one per volume of the material; 0 where it is absent.
+inline double per_own_volume(double V) {
+  return V > 0.0 ? 1.0 / V : 0.0;
+}
+
 // Component of a quantity of a material in `base` and `flux`.
 enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
 inline int component(int material, Carried q) {
@@ -104,9 +111,9 @@ inline int component(int material, Carried q) {
 }
 
 // Tasks of the step, in order; each in the file of its name.
-// `everywhere`: density and energy of each material also where it is alone, for outputs.
+// `of_each`: density and energy of each material, too, for outputs.
 void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
-                    bool everywhere = false);
+                    bool of_each = false);
 // Viscosity and stress.
 void add_friction(TaskList&, const Variables&, const SchemeOptions&);
 // Molecular viscosity of each material.
