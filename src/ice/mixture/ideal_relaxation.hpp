@@ -29,8 +29,26 @@ class IdealRelaxation {
   bool relax(int n, const GasRows* gases, double* pressure, double* modulus) const;
 
  private:
+  struct Sums;
+  struct Gas {
+    double G, share;  // gamma - 1, (gamma - 1)/gamma
+  };
+
+  // The steps, in order; `First`: of the first gas.
+  template <bool First>
+  bool add(int k, int n, const GasRows& gas, Sums& s) const;
+  static bool find_pressures(int n, Sums& s, double* pressure, double* modulus);
+  template <bool First>
+  void compare(int k, int n, const GasRows& gas, Sums& s, const double* pressure) const;
+  static void choose(int n, const Sums& s, double* pressure, double* modulus);
+  template <bool First>
+  void expand(int k, int n, const GasRows& gas, Sums& s, const double* pressure,
+              const double* inverse) const;
+  template <bool First>
+  void give_rest(int k, int n, const GasRows& gas, Sums& s) const;
+
   bool applies_ = false;
-  std::vector<double> G_, share_;  // gamma - 1, (gamma - 1)/gamma
+  std::vector<Gas> gases_;
 };
 
 }  // namespace sluice::ice::mixture

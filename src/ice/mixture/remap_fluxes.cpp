@@ -92,40 +92,29 @@ class MixedFaces {
     }
   }
 
-  // Total mass and energy flux, velocity of what passes, the correction K of the kinetic energy.
-  // N: materials of which something may pass; their energy fluxes get their parts of it.
-  template <int N, bool Second, bool Masked>
-  void total(int first, int n, std::uint64_t set) {
-    const double* FM[N > 0 ? N : most_materials];
-    double* FE[N > 0 ? N : most_materials];
-    int count = 0;
-    for_each_of(set, [&](int m) {
-      FM[count] = materials_.flux(m, of_mass) + first;
-      FE[count++] = materials_.flux(m, of_energy) + first;
-    });
-    if constexpr (N > 0) count = N;
-    double* F = F_ + first;
-    double* G = G_ + first;
-    const double l = l_;
-    const double* uf = uf_ + first;
-    const Pair w = w_.from(first), rho_L = rho_L_.from(first), scale = scale_.from(first);
-    const Pair mask = Masked ? mask_.from(first) : w;
+  // Rows of the mixture, and the velocity with which it passes.
+  template <bool Second, bool Masked>
+  struct Mixture {
+    Pair w, rho_L, scale, mask;
     Around V[C];
     Pair v[C], base[C];
     double* U[C];
-    for (int c = 0; c < C; ++c) {
-      if (Second) V[c] = V_[c].from(first);
-      v[c] = v_[c].from(first);
-      base[c] = base_[c].from(first);
-      U[c] = U_[c] + first;
+
+    Mixture(const MixedFaces& faces, int first)
+        : w(faces.w_.from(first)),
+          rho_L(faces.rho_L_.from(first)),
+          scale(faces.scale_.from(first)),
+          mask(Masked ? faces.mask_.from(first) : w) {
+      for (int c = 0; c < C; ++c) {
+        if (Second) V[c] = faces.V_[c].from(first);
+        v[c] = faces.v_[c].from(first);
+        base[c] = faces.base_[c].from(first);
+        U[c] = faces.U_[c] + first;
+      }
     }
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      double flow = 0;
-#pragma GCC unroll 3
-      for (int k = 0; k < count; ++k) flow += FM[k][i];
-      F[i] = flow;
-      const bool left = l * uf[i] < 0.0;
+
+    // Writes U where the mass `flow` passes; the correction K of the kinetic energy.
+    [[gnu::always_inline]] double carry(int i, bool left, double flow) const {
       const double f = smaller(std::fabs(flow) * w.at(i, left), 0.99);
       const double m = Masked ? mask.at(i, left) : 1.0;
       double d2 = 0, carried = 0;
@@ -140,8 +129,34 @@ class MixedFaces {
       }
       if constexpr (C > D) d2 += carried;
       const double rL = rho_L.at(i, left);
-      const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
-      double sum = 0;
+      return -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * scale.at(i, left)));
+    }
+  };
+
+  // Total mass and energy flux. N: materials of which something may pass, 0: more; their energy
+  // fluxes get their parts of K.
+  template <int N, bool Second, bool Masked>
+  void total(int first, int n, std::uint64_t set) {
+    const double* FM[N > 0 ? N : most_materials];
+    double* FE[N > 0 ? N : most_materials];
+    int count = 0;
+    for_each_of(set, [&](int m) {
+      FM[count] = materials_.flux(m, of_mass) + first;
+      FE[count++] = materials_.flux(m, of_energy) + first;
+    });
+    if constexpr (N > 0) count = N;
+    double* F = F_ + first;
+    double* G = G_ + first;
+    const double l = l_;
+    const double* uf = uf_ + first;
+    const Mixture<Second, Masked> mixture(*this, first);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      double flow = 0, sum = 0;
+#pragma GCC unroll 3
+      for (int k = 0; k < count; ++k) flow += FM[k][i];
+      F[i] = flow;
+      const double K = mixture.carry(i, l * uf[i] < 0.0, flow);
 #pragma GCC unroll 3
       for (int k = 0; k < count; ++k) {
         const double energy = FE[k][i] + FM[k][i] * K;
