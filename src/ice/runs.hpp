@@ -1,5 +1,6 @@
 // Parts of a row in which a key is the same: the materials of a cell change seldom along a row.
 #pragma once
+#include <bit>
 #include <cstdint>
 
 #include "framework/task/row.hpp"
@@ -9,13 +10,18 @@ namespace sluice::ice {
 // Where the run that starts at `begin` ends: the first i with key[i] != key[begin], or n. Many at a
 // time, for most runs are long.
 inline int end_of_run(const double* key, int begin, int n) {
-  constexpr int stride = 32;
+  constexpr int stride = 32, vector = 8;
   const double k = key[begin];
   int end = begin + 1;
   for (; end + stride <= n; end += stride) {
     std::int64_t others = 0;
     for (int i = end; i < end + stride; ++i) others += key[i] != k ? 1 : 0;
     if (others != 0) break;
+  }
+  for (; end + vector <= n; end += vector) {
+    std::uint64_t others = 0;
+    for (int i = 0; i < vector; ++i) others |= std::uint64_t{key[end + i] != k} << i;
+    if (others != 0) return end + std::countr_zero(others);
   }
   while (end < n && key[end] == k) ++end;
   return end;

@@ -82,14 +82,14 @@ class FaceShares {
     return n_;
   }
 
-  // One material around the faces.
+  // One material around the faces. Left without values when declared: there are many.
   struct Material {
     const double* V[6];  // volume fraction of cells -3 .. 2
     const double* M[2];
     Pair r, e;          // density and energy per own volume
     Pair r_far, e_far;  // of cells -2 and 1
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
-    Pair alike{nullptr, nullptr};
+    Pair alike;  // of a mixed gas, else null
     double *FV, *FM, *FE;
   };
 
@@ -143,7 +143,7 @@ class FaceShares {
       k.base_r = two(x.base_r);
       k.base_e = two(x.base_e);
     }
-    if (x.alike[0] != nullptr) k.alike = two(x.alike);
+    k.alike = x.alike[0] != nullptr ? two(x.alike) : Pair{nullptr, nullptr};
     k.FV = x.FV + first_;
     k.FM = x.FM + first_;
     k.FE = x.FE + first_;

@@ -183,9 +183,12 @@ class MixedCells {
     double* __restrict M = k.next[of_mass] + first;
     double* __restrict V = k.next[of_volume] + first;
     double* __restrict E = k.next[of_energy] + first;
+    // Apart: in one loop the choices would become branches.
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) M[i] = vapour_kept(M[i], V[i]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double volume = V[i], energy = E[i], mass = vapour_kept(M[i], volume);
+      const double volume = V[i], energy = E[i], mass = M[i];
       const bool gone = is_gone(mass, volume, M_before[i], V_before[i]);
       Residue rest{volume, energy};
       if constexpr (Drained)
