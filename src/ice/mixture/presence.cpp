@@ -1,4 +1,4 @@
-// Keys of cells by the materials in them and around them; values of materials that share many cells.
+// Keys of cells by the materials in and around them; values of materials that share many cells.
 #include "ice/mixture/presence.hpp"
 
 #include <bit>
