@@ -232,7 +232,7 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
       base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
     });
   if (near_runs.key[0] == 0.0 && is_one_run(near_runs, row.count())) return;
-  const MixedBases<D, Masked> mixed(row, h, o.axes);
+  const MixedBases<D, Masked> mixed(row, h, o.axes);  // only where asked for: it is large
   for_each_run(near_runs, row.count(), [&](int first, int count, double near) {
     // Nobody reads what is computed for cells further away.
     if (near != 0.0) mixed.run(first, whole_vectors(count, row.count() - first));

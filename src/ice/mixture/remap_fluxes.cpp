@@ -225,6 +225,7 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
             flux_row_of<D, C, false>(part, h.common, axis, l, o);
         };
         if (!for_each_pure_piece(runs, kind, pure_faces)) return;
+        // Only now: room for so many materials, even in an optional, is 9 kB to clear in every row.
         MixedFaces<D, C> mixed(row, h, o, axis, l);
         runs([&](int first, int count, double pure) {
           if (pure < 0) mixed.run(first, count, row.count() - first);
