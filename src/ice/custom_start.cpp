@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace sluice::ice {
 namespace {
@@ -63,11 +62,7 @@ struct Apply {
     if (!cell.pressure_given) give_pressure(cell, place.reference_pressure);
   }
   void operator()(const VortexPairs& v) const {
-    int b = (v.axis + 1) % 3, c = (v.axis + 2) % 3;
-    const auto periodic = [&](int d) {
-      return place.coarsest.periodic[static_cast<std::size_t>(d)];
-    };
-    if (periodic(b) && !periodic(c)) std::swap(b, c);
+    const auto [b, c] = directions_of(v, place.coarsest);
     const double long_b = length(b), long_c = length(c), pi = std::numbers::pi;
     const double y = height(b) / long_b, turn = 2.0 * pi * v.pairs * height(c) / long_c;
     const double across = std::sin(pi * y);
@@ -140,6 +135,12 @@ struct Apply {
 };
 
 }  // namespace
+
+PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest) {
+  const int b = (pairs.axis + 1) % 3, c = (pairs.axis + 2) % 3;
+  const auto periodic = [&](int d) { return coarsest.periodic[static_cast<std::size_t>(d)]; };
+  return periodic(b) && !periodic(c) ? PairDirections{c, b} : PairDirections{b, c};
+}
 
 void apply(const CustomStart& start, const CustomPlace& place, CellStart& cell) {
   std::visit(Apply{place, cell}, start);

@@ -23,6 +23,12 @@ struct VortexPairs {  // across the domain, side by side
   double strength = 0;
   int axis = 0, pairs = 1;
 };
+// Directions of pairs in the plane normal to their axis: from side to side, and side by side.
+struct PairDirections {
+  int across, along;
+};
+PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest);
+
 struct GaussianTemperature {
   Vec3 origin{};
   double spread_x = 1, spread_y = 1, amplitude = 0;

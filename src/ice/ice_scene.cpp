@@ -114,8 +114,21 @@ void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
   }
 }
 
-void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
-                           std::vector<Fault>& faults) {
+// Fewer cells than four a pair hold no vortices.
+void warn_of_narrow_pairs(const DeckNode& node, const VortexPairs& pairs, const Level& coarsest,
+                          std::vector<Fault>& faults) {
+  constexpr int least_cells = 4;
+  const int along = directions_of(pairs, coarsest).along, cells = coarsest.domain.size()[along];
+  if (cells / least_cells >= pairs.pairs) return;
+  add_warning(faults, node.where,
+              fmt::format("<vortexPairs>: {} pairs side by side along {}, where the coarsest level "
+                          "has {} cells",
+                          pairs.pairs, "xyz"[along], cells),
+              fmt::format("take fewer pairs, or {} cells for each", least_cells));
+}
+
+void warn_of_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
+                      std::vector<Fault>& faults) {
   const DeckNode* custom = deck.root->find("CFD/ICE/customInitialization");
   if (custom == nullptr) return;
   std::size_t n = 0;
@@ -123,8 +136,11 @@ void warn_of_flat_vortices(const Deck& deck, const Scene& scene, const IceScene&
     if (const auto* vortices = std::get_if<Vortices>(&start))
       for (const Vortex& v : vortices->list)
         warn_of_flat_plane(*custom->child("vortices")->all("vortex")[n++], v.axis, scene, faults);
-    if (const auto* pairs = std::get_if<VortexPairs>(&start))
-      warn_of_flat_plane(*custom->child("vortexPairs"), pairs->axis, scene, faults);
+    if (const auto* pairs = std::get_if<VortexPairs>(&start)) {
+      const DeckNode& node = *custom->child("vortexPairs");
+      warn_of_flat_plane(node, pairs->axis, scene, faults);
+      warn_of_narrow_pairs(node, *pairs, scene.grid.levels.front(), faults);
+    }
   }
 }
 
@@ -211,7 +227,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   s.conditions = read_flow_conditions(root);
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
-  warn_of_flat_vortices(deck, scene, s, faults);
+  warn_of_vortices(deck, scene, s, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

@@ -127,8 +127,16 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   struct Side {
     In rho, momentum, mass, slip;
     bool own;
-    double velocity(const Row& row, int c, int i) const {
-      return row(momentum, c)[i] / row(rho)[i] + (own ? row(slip, c)[i] / row(mass)[i] : 0.0);
+  };
+  struct Velocity {
+    const double *rho, *momentum, *mass, *slip;
+    Velocity(const Row& row, const Side& s, int c)
+        : rho(row(s.rho)),
+          momentum(row(s.momentum, c)),
+          mass(row(s.mass)),
+          slip(s.own ? row(s.slip, c) : nullptr) {}
+    double at(int i) const {
+      return momentum[i] / rho[i] + (slip != nullptr ? slip[i] / mass[i] : 0.0);
     }
   };
   TaskBuilder task = list.task("save " + labels().velocity_rate.name(), effect);
@@ -142,9 +150,9 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     clear(row, out);
     for (int c = 0; c < o.components; ++c) {
       double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
+      const Velocity u(row, before, c), u_new(row, after, c);
       for (int i = 0; i < row.count(); ++i)
-        if (row(before.mass)[i] > 0.0 && row(after.mass)[i] > 0.0)
-          to[i] = (after.velocity(row, c, i) - before.velocity(row, c, i)) / row.step().dt;
+        if (u.mass[i] > 0.0 && u_new.mass[i] > 0.0) to[i] = (u_new.at(i) - u.at(i)) / row.step().dt;
     }
   });
 }
