@@ -12,8 +12,6 @@ namespace sluice::ice {
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
                          bool plus, double time)
     : setting_(setting), v_(views), d_(direction), plus_(plus), time_(time) {
-  if (const auto& sine = setting.conditions.sine)
-    swing_ = sine->amplitude * std::sin(sine->omega * time);
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
 }
 
@@ -64,12 +62,29 @@ TravellingVortices::Flow GhostStates::vortices(IntVec3 ghost, double rho) const 
                                           setting_.viscosity);
 }
 
-double GhostStates::given_pressure(const GhostRule& rule) const {
-  return rule.sine_pressure ? setting_.conditions.sine->reference_pressure + swing_ : rule.pressure;
+// What holds on the face, A sin(omega t): a ghost has what will have come to the face when sound
+// has run in from there.
+double GhostStates::swing(IntVec3 ghost, IntVec3 source) const {
+  const SineSettings& sine = *setting_.conditions.sine;
+  const WaveState s = wave_state(source);
+  const double inward = sound_speed(source, s) - s.u[0];
+  const double off = (std::abs(ghost[d_] - source[d_]) - 0.5) * setting_.level->spacing[d_];
+  return sine.amplitude * std::sin(sine.omega * (time_ + (inward > 0 ? off / inward : 0.0)));
 }
 
-Vec3 GhostStates::given_velocity(const GhostRule& rule, IntVec3 ghost) const {
+double GhostStates::given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
+  if (!rule.sine_pressure) return rule.pressure;
+  return setting_.conditions.sine->reference_pressure + swing(ghost, source);
+}
+
+Vec3 GhostStates::given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
   switch (rule.velocity_kind) {
+    case GhostRule::Velocity::sine: {
+      Vec3 u = setting_.conditions.sine->reference_velocity;
+      const double more = swing(ghost, source);
+      for (int n = 0; n < 3; ++n) u[n] += u[n] == 0 ? 0.0 : more;
+      return u;
+    }
     case GhostRule::Velocity::slip:
       return setting_.viscous ? gliding_velocity(rule, ghost) : rule.velocity;
     case GhostRule::Velocity::power_law:
@@ -91,10 +106,7 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
     case GhostRule::Velocity::slip:
       if (direction == d_) return -u;
       return setting_.viscous ? 2.0 * given[direction] - u : u;
-    case GhostRule::Velocity::sine: {
-      const double reference = setting_.conditions.sine->reference_velocity[direction];
-      return reference == 0 ? 0.0 : reference + swing_;
-    }
+    case GhostRule::Velocity::sine:
     case GhostRule::Velocity::prescribed:
     case GhostRule::Velocity::vortices:
     case GhostRule::Velocity::power_law:
@@ -122,10 +134,10 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   const double T = rule.fixed_temperature ? rule.temperature
                                           : source_fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
-  Vec3 given = given_velocity(rule, ghost);
+  Vec3 given = given_velocity(rule, ghost, source);
   double p;
   if (rule.fixed_pressure || rule.sine_pressure) {
-    p = given_pressure(rule);
+    p = given_pressure(rule, ghost, source);
   } else if (rule.vortex_pressure) {
     p = vortices(ghost, rho).p;
   } else if (rule.fixed_density && given_T) {
@@ -226,7 +238,7 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
 void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   take_over(rule, ghost, source, distance);
-  double p = given_pressure(rule.common);
+  double p = given_pressure(rule.common, ghost, source);
   double rho = 0;
   if (!rule.common.fixed_pressure && !rule.common.sine_pressure) {
     p = mixture_pressure(source) - rule.common.pressure_gradient * distance;
@@ -263,7 +275,8 @@ void GhostStates::set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3
       const double M = v_.mass[m](source);
       const double u =
           v_.slip.empty() || M == 0.0 ? common : common + v_.slip[m * components + c](source) / M;
-      part.u = !slides ? velocity(of_part, given_velocity(of_part, ghost), u, direction, distance)
+      part.u = !slides ? velocity(of_part, given_velocity(of_part, ghost, source), u, direction,
+                                  distance)
                : direction == d_ ? -u
                                  : u;
       momentum += part.V * part.rho * part.u;

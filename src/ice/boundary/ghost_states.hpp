@@ -68,7 +68,7 @@ class GhostStates {
   // `given`: that of the rule at this ghost.
   double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,
                   double distance) const;
-  Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost) const;
+  Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   // Of the velocity given, what a profile leaves at the height of a ghost.
   double profile(const GhostRule& rule, IntVec3 ghost) const;
   Vec3 gliding_velocity(const GhostRule& rule, IntVec3 ghost) const;
@@ -85,7 +85,8 @@ class GhostStates {
   };
   Neighbours neighbours(IntVec3 cell, int direction) const;
   void differences_along(IntVec3 cell, int direction, SlipCell& slip) const;
-  double given_pressure(const GhostRule& rule) const;
+  double given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
+  double swing(IntVec3 ghost, IntVec3 source) const;
   TravellingVortices::Flow vortices(IntVec3 ghost, double rho) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
   double pressure(IntVec3 cell) const;
@@ -109,7 +110,7 @@ class GhostStates {
   const BoundaryViews& v_;
   int d_;
   bool plus_;
-  double time_ = 0, swing_ = 0;  // A sin(omega t)
+  double time_ = 0;
   std::vector<Part> parts_;
   Fluid mixed_law_;  // of a part that is a mixture itself, in the ghost
 };

@@ -129,7 +129,7 @@ void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, st
   const int layers = std::abs(ghost[d_] - source[d_]);
   const WaveState out = continued(source, layers, fluid.lowest_pressure());
   double rho = rule.fixed_density ? rule.density : out.rho;
-  double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule)
+  double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule, ghost, source)
                                                        : out.p + hydrostatic(source, ghost, rho);
   const double source_rho = v_.mass[m](source);
   const double T =
@@ -152,7 +152,7 @@ void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, st
 
 void GhostStates::wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost,
                                 IntVec3 source, double rho) const {
-  const Vec3 given = given_velocity(rule, ghost);
+  const Vec3 given = given_velocity(rule, ghost, source);
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   const double source_rho = v_.density(source);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
@@ -190,7 +190,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
   const WaveState out = continued(source, std::abs(ghost[d_] - source[d_]), lowest);
   const double p_source = mixture_pressure(source);
   const double p = rule.common.fixed_pressure || rule.common.sine_pressure
-                       ? given_pressure(rule.common)
+                       ? given_pressure(rule.common, ghost, source)
                        : out.p + hydrostatic(source, ghost, out.rho);
   double filled = 0;
   Fluid room;
