@@ -166,11 +166,15 @@ void GhostStates::wave_momentum(const GhostRule& rule, const WaveState& out, Int
   }
 }
 
-// The material that fills a cell alone; none: -1.
+// The material that fills a cell alone; none: -1. Beside a trace its volume is 1, too.
 int GhostStates::alone_in(IntVec3 cell) const {
-  for (std::size_t m = 0; m < v_.volume.size(); ++m)
-    if (v_.volume[m](cell) == 1.0) return static_cast<int>(m);
-  return -1;
+  int only = -1;
+  for (std::size_t m = 0; m < v_.mass.size(); ++m) {
+    if (v_.mass[m](cell) == 0.0) continue;
+    if (only >= 0) return -1;
+    only = static_cast<int>(m);
+  }
+  return only;
 }
 
 // A mixture goes out as it is: mass fractions stay, each material is pressed along its isentrope.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double least_entry = 1e-16;   // of a cell's volume: what enters an empty cell
 constexpr double least_of_most = 1e-2;  // of the most around, where that is next to nothing
+constexpr double least_of_all = 1e-32;  // less would leave an open side share by share, for ever
 constexpr double least_rest = 1e-10;    // of a material's volume that may stay behind
 constexpr double tiny = 1e-14;          // of a cell's volume: what leaves by one outlet alone
 constexpr double least_fill = 0.5;      // of the volume behind it, for a front to move on
@@ -260,7 +261,7 @@ class FaceShares {
       if constexpr (!Blend) {
         shared = both(V != 1.0, V != 0.0);
         const double most = larger(largest(V0[i], V1[i], V2[i]), largest(V3[i], V4[i], V5[i]));
-        little = smaller(little, least_of_most * most);
+        little = smaller(little, larger(least_of_all, least_of_most * most));
         stays = both(shared, both(FM[i] == 0.0, flow * wanted < little));
         only_outlet = either(only_outlet, both(V < tiny, main == -flow));
       }
