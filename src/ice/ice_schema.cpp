@@ -241,6 +241,10 @@ SaveLabels ice_save_labels() {
        "remove the line"},
       {"maxMach_", "LODI faces take the Mach number of each cell, not the largest of the face",
        "save mach"}};
+  for (const char* end : {"*_FC_flux", "*_FC_corr"})
+    savable.foreign.push_back({end,
+                               "registers match the fluxes where levels meet, and are no fields",
+                               "remove the line"});
   for (const char* face : {"sp_volX_FC", "sp_volY_FC", "sp_volZ_FC"})
     savable.foreign.push_back({face, "the scheme takes no specific volume on faces",
                                "save sp_vol_CC of the cells on both sides"});

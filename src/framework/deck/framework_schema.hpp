@@ -35,7 +35,7 @@ bool is_geometry_piece(std::string_view name);
 struct SaveLabels {
   // One of the format that the scheme has not.
   struct Foreign {
-    std::string name;    // or how several names begin
+    std::string name;    // or how several names begin; after *: how they end
     std::string reason;  // a sentence's end
     std::string instead;
   };

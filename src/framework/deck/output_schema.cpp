@@ -131,9 +131,12 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
 }
 
 const SaveLabels::Foreign* SaveLabels::find_foreign(std::string_view label) const {
-  for (const Foreign& f : foreign)
-    if (label.substr(0, f.name.size()) == f.name) return &f;
-  return nullptr;
+  const auto fits = [&](const Foreign& f) {
+    const std::string_view name = f.name;
+    return name.front() == '*' ? label.ends_with(name.substr(1)) : label.starts_with(name);
+  };
+  const auto found = std::find_if(foreign.begin(), foreign.end(), fits);
+  return found == foreign.end() ? nullptr : &*found;
 }
 
 std::string refusal_of(const SaveLabels::Foreign& foreign, std::string_view label) {
