@@ -120,7 +120,7 @@ class FaceShares {
     const MaterialFaceRows& x = faces_.rows_[m];
     for (int s = 0; s < 6; ++s) k.V[s] = x.V[s] + first_;
     for (int s = 0; s < 2; ++s) k.M[s] = x.M[s + 1] + first_;
-    Around r, e;
+    Around r{}, e{};  // the far cells: of second order only
     if constexpr (Blend) {
       r = x.r.from(first_);
       e = x.e.from(first_);
