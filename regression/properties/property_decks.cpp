@@ -131,6 +131,7 @@ std::vector<Entry> of_materials() {
       {"layers_slip", "layers_slip", {}},
       {"layers_sutherland", "layers_sutherland", {}},
       {"bubble_among_waves", "bubble_among_waves", {cells("[20,18,1]")}},
+      {"mixed_ball_among_waves", "mixed_ball_among_waves", {cells("[20,18,1]")}},
       {"driven_mixture", "driven_mixture", {}},
       {"mixed_gases", "mixed_gases", {cells("[18,20,1]")}},
       {"closed_box", "closed_box", {cells("[18,14,1]")}},

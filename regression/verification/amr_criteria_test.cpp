@@ -36,6 +36,19 @@ TEST(AmrCriteria, AWiderToleranceCostsLessAndErrsMore) {
   EXPECT_GT(loose.error("rho_CC").l1, strict.error("rho_CC").l1);
 }
 
+// Levels that start from the coarsest grid but one need their flags widened by less.
+TEST(AmrCriteria, OneLevelOfRatioFourIsAsGoodForAFifthOfTheUpdates) {
+  constexpr double allowed_loss = 1.05;   // density 1.023
+  constexpr double allowed_share = 0.20;  // of cell updates, 0.186
+  const CaseRun adaptive("amr_explosion_quarter");
+  const CaseRun uniform("amr_explosion_quarter", {one_level(), resolution(256, 256)});
+  const double loss = adaptive.error("rho_CC").l1 / uniform.error("rho_CC").l1;
+  record("rho_CC_by_uniform", loss);
+  record("share_of_updates", share_of_uniform(adaptive));
+  EXPECT_LE(loss, allowed_loss);
+  EXPECT_LT(share_of_uniform(adaptive), allowed_share);
+}
+
 // In an order that no box decides.
 std::vector<LevelCell> sorted_cells(const CaseRun& run) {
   std::vector<LevelCell> cells = level_cells(run, "rho_CC");
@@ -61,6 +74,22 @@ void expect_one_result(const char* deck, const std::vector<std::string>& overrid
                    !(cells[n].cell == wanted[n].cell);
     EXPECT_EQ(different, 0u) << ranks;
   }
+}
+
+// Symmetric walls take the place of the other three quarters to the bit, tiles included.
+TEST(AmrCriteria, AQuarterBetweenWallsIsThatOfTheWhole) {
+  const CaseRun quarter("amr_explosion_quarter", {resolution(32, 32)});
+  const CaseRun whole("amr_explosion_quarter",
+                      {resolution(64, 64), "Grid/Level/Box/lower=[-1,-1,0]"});
+  std::vector<LevelCell> cells = sorted_cells(whole);
+  std::erase_if(cells, [](const LevelCell& c) { return c.centre.x < 0 || c.centre.y < 0; });
+  const std::vector<LevelCell> wanted = sorted_cells(quarter);
+  EXPECT_EQ(wanted.back().level, 1);
+  ASSERT_EQ(cells.size(), wanted.size());
+  std::size_t different = 0;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+    different += cells[n].value != wanted[n].value || cells[n].level != wanted[n].level;
+  EXPECT_EQ(different, 0u);
 }
 
 // The range of the variable is the same whoever holds the cells.

@@ -3,6 +3,7 @@
 
     bench.py                    all cases, a table against recorded.json
     bench.py 3-D                cases whose name contains 3-D
+    bench.py --long             with the cases that take minutes
     bench.py --record           and store the medians as the new recorded figures
     bench.py --against COMMIT   build COMMIT under build/against and run both in turn
     bench.py --instructions     count instructions per cell and step (valgrind, repeatable)
@@ -33,6 +34,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pattern", nargs="*", help="only cases whose name contains one of these")
+    parser.add_argument("--long", action="store_true")
     parser.add_argument("--record", action="store_true")
     parser.add_argument("--against", metavar="COMMIT")
     parser.add_argument("--instructions", action="store_true")
@@ -41,8 +43,12 @@ def parse():
     return parser.parse_args()
 
 
-def wanted(cases, patterns):
+def wanted(cases, patterns, with_long=True):
     """The cases that match, and the runs that matching ratios need."""
+    if not with_long:
+        left_out = {c.name for c in cases if isinstance(c, Run) and c.long}
+        cases = [c for c in cases if c.name not in left_out and
+                 not (isinstance(c, Ratio) and left_out & {c.above, c.below})]
     chosen = [c for c in cases if not patterns or any(p in c.name for p in patterns)]
     needed = {n for c in chosen if isinstance(c, Ratio) for n in (c.above, c.below)}
     return [c for c in cases if c in chosen or c.name in needed]
@@ -134,7 +140,7 @@ def processor_name():
 
 def main():
     given = parse()
-    cases = wanted(CASES, given.pattern)
+    cases = wanted(CASES, given.pattern, given.long)
     if given.instructions:
         return instructions([c for c in cases if isinstance(c, Run)], given.record)
     build = Build(ROOT, "release")

@@ -22,6 +22,7 @@ class Run:
     ranks: int = 1
     settings: tuple[str, ...] = FOREVER  # further --set PATH=VALUE
     unit: str = "ns/cell/step"  # or "ms": wall time of the whole process; "regrid": its share
+    long: bool = False  # takes minutes: only with --long, and once
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,10 +51,15 @@ BLAST_2D = "inputs/ice/blast_2d.ups"
 BLAST_3D = "inputs/ice/blast_3d.ups"
 MIXED_GASES = "inputs/ice/mixed_gases.ups"
 BUBBLE = "inputs/ice/bubble_among_waves.ups"
-# The same flow of one gas: a bubble so small that no cell meets it.
+MIXED_BALL = "inputs/ice/mixed_ball_among_waves.ups"
+PIECES = "MaterialProperties/ICE/material[{}]/geom_object[{}]/{}/radius=1e-9"
+# The same flows of one gas: a bubble and a ball so small that no cell meets them.
 NO_BUBBLE = FOREVER + tuple(
-    f"MaterialProperties/ICE/material[{m}]/geom_object[{g}]/{of}{hole}sphere/radius=1e-9"
-    for m, hole in ((1, "difference/"), (2, ""))
+    PIECES.format(m, g, f"{of}{hole}sphere") for m, hole in ((1, "difference/"), (2, ""))
+    for g, of in ((1, "difference/"), (2, "intersection/")))
+NO_BALL = FOREVER + tuple(
+    PIECES.format(m, g + n, f"{of}{hole}sphere")
+    for m, n, hole in ((1, 0, "difference/"), (1, 2, ""), (2, 0, ""))
     for g, of in ((1, "difference/"), (2, "intersection/")))
 
 # On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
@@ -64,11 +70,10 @@ WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ra
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[1]/@value=0.01",
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=0.01")
 UNIFORM = ("AMR/Regridder/max_levels=1",)
-# Two levels of ratio 4 with tiles of 16 cells, and a tolerance that gives the L1 error of the
-# uniform grid as fine (theory_ice.md): smaller tiles save cells, but their short rows cost as much.
-ERROR_EXPLOSION = "inputs/ice/amr_explosion_error.ups"
-BY_ERROR = ("AMR/Regridder/cell_refinement_ratio=[[4,4,1]]", "AMR/Regridder/max_levels=3",
-            "AMR/Regridder/min_patch_size=[[16,16,1]]", "AMR/ErrorEstimate/@tolerance=0.005")
+# A quarter of an explosion (with the bits of the whole) by the estimated error. As many cells as
+# give the L1 error of the density of the uniform grid beside it (theory_ice.md).
+ERROR_EXPLOSION = "inputs/ice/amr_explosion_quarter.ups"
+FINER = ("AMR/ErrorEstimate/@tolerance=0.012",)
 
 CASES = [
     Run("1-D, 4096 cells", TUBE, 4000, "[4096,1,1]", 30),
@@ -83,7 +88,12 @@ CASES = [
     Ratio("speed-up of 2 ranks", "3-D, 96^3", "3-D, 96^3, 2 ranks", 1.85, at_least=True),
     Run("2-D, 512^2, two gases in every cell", MIXED_GASES, 20, "[512,512,1]"),
     Ratio("two gases over one", "2-D, 512^2, two gases in every cell", "2-D, 512^2", 2.5),
-    # Of the cells .5 to 1.6 % hold both gases.
+    Run("2-D, 512^2, two gases in 5 % of the cells", MIXED_BALL, 60, "[512,512,1]", savings=True),
+    Run("2-D, 512^2, two gases in no cell", MIXED_BALL, 60, "[512,512,1]", savings=True,
+        settings=NO_BALL),
+    Ratio("two gases in 5 % of the cells over one", "2-D, 512^2, two gases in 5 % of the cells",
+          "2-D, 512^2, two gases in no cell", 1.3),
+    # Of the cells .5 to 1.6 % hold both gases, but three rows of five cross the edge twice.
     Run("2-D, 256^2, a bubble", BUBBLE, 150, "[256,256,1]", savings=True),
     Run("2-D, 256^2, no bubble", BUBBLE, 150, "[256,256,1]", savings=True, settings=NO_BUBBLE),
     Ratio("two gases at an interface over one", "2-D, 256^2, a bubble", "2-D, 256^2, no bubble",
@@ -103,12 +113,19 @@ CASES = [
     Run("levels: explosion, all work", LEVELS_EXPLOSION, 0, settings=WIDE),
     Ratio("levels over uniform, all work", "levels: explosion, all work",
           "explosion, 512^2 uniform, all work", 1.25),
-    Run("explosion by error, 64^2 to 1024^2", ERROR_EXPLOSION, 0, savings=True, unit="ms",
-        settings=BY_ERROR),
-    Run("explosion, 1024^2 uniform", ERROR_EXPLOSION, 0, "[1024,1024,1]", savings=True, unit="ms",
+    Run("a quarter of 1024^2 by error", ERROR_EXPLOSION, 0, "[124,124,1]", savings=True, unit="ms",
+        settings=()),
+    Run("a quarter of 1024^2 uniform", ERROR_EXPLOSION, 0, "[512,512,1]", savings=True, unit="ms",
         settings=UNIFORM),
-    Ratio("levels by error over uniform, equal error", "explosion by error, 64^2 to 1024^2",
-          "explosion, 1024^2 uniform", 0.15),
+    Ratio("by error over uniform, equal error, 1024^2", "a quarter of 1024^2 by error",
+          "a quarter of 1024^2 uniform", 0.15),
+    # Bands are as many cells wide on every grid: levels gain more where grids are finer.
+    Run("a quarter of 4096^2 by error", ERROR_EXPLOSION, 0, "[464,464,1]", savings=True, unit="ms",
+        settings=FINER, long=True),
+    Run("a quarter of 4096^2 uniform", ERROR_EXPLOSION, 0, "[2048,2048,1]", savings=True, unit="ms",
+        settings=UNIFORM, long=True),
+    Ratio("by error over uniform, equal error, 4096^2", "a quarter of 4096^2 by error",
+          "a quarter of 4096^2 uniform", 0.15),
     Run("levels: share of regrids", LEVELS_EXPLOSION, 0, limit=0.03, savings=True, settings=WIDE,
         unit="regrid"),
     Run("levels: explosion, 2 ranks", LEVELS_EXPLOSION, 0, savings=True, settings=WIDE, ranks=2),

@@ -22,6 +22,11 @@ class Frame(unittest.TestCase):
         names = [case.name for case in bench.wanted(CASES, ["speed-up of 2 threads"])]
         self.assertEqual(names, ["3-D, 96^3", "3-D, 96^3, 2 threads", "speed-up of 2 threads"])
 
+    def test_long_cases_and_their_ratios_only_when_asked_for(self):
+        cases = [Run("a", "d", 1), Run("b", "d", 1, long=True), Ratio("a/b", "a", "b")]
+        self.assertEqual(bench.wanted(cases, [], with_long=False), cases[:1])
+        self.assertEqual(bench.wanted(cases, [], with_long=True), cases)
+
     def test_figures_of_ratios(self):
         cases = [Run("a", "d", 1), Run("b", "d", 1), Ratio("a/b", "a", "b")]
         self.assertEqual(bench.figures_of(cases, {"a": 6.0, "b": 2.0})["a/b"], 3.0)
