@@ -54,6 +54,20 @@ class WorkPrecision(unittest.TestCase):
         for expected in ("order 1", "order 2 (default)", "failed", "best for its time", ">400<"):
             self.assertIn(expected, text)
 
+    def test_legend_has_as_many_columns_as_fit(self):
+        self.assertEqual(workprecision.legend_columns(["order 1", "order 2"]), 2)
+        self.assertEqual(workprecision.legend_columns(["order 1"] * 9), 3)
+        self.assertEqual(workprecision.legend_columns(["order 2, CFL 0.9, 2 levels"] * 9), 3)
+        self.assertEqual(workprecision.legend_columns(["order 2, CFL 0.9, 2 levels, tiles 16"] * 9), 2)
+        self.assertEqual(workprecision.legend_columns(["x" * 80, "y"]), 1)
+
+    def test_points_that_lie_on_one_another_are_noted_once(self):
+        with self.csv.open("a") as file:
+            file.write("order 2 again,400,0.301,1.5e-3,done,0\n")
+        target = self.root / "picture.svg"
+        self.assertEqual(workprecision.main([str(self.csv), "-o", str(target)]), 0)
+        self.assertEqual(target.read_text().count(">400<"), 2)  # of order 1 and order 2
+
     def test_missing_column_is_bad_input(self):
         self.csv.write_text("setting,seconds\na,1\n")
         self.assertEqual(workprecision.main([str(self.csv)]), 2)

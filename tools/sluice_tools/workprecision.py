@@ -23,6 +23,8 @@ import sys
 from . import style
 
 FAILED_AT = 0.985  # height of the marks of failed runs, as a share of the frame
+LEGEND_WIDTH = 105  # characters beside one another below the frame
+NEAREST_NOTE = 0.035  # no two resolutions are written nearer than this share of the frame
 
 
 class StudyError(Exception):
@@ -87,14 +89,35 @@ def draw(rows, plt, title="", error_label="error"):
     ax.set_xscale("log")
     ax.set_yscale("log")
     widen(ax, rows)
+    note_cells(ax, rows)
     mark_failures(ax, lines)
     ax.set_xlabel("wall time  (s)")
     ax.set_ylabel(error_label)
     ax.set_title(title, loc="left")
     handles, texts = ax.get_legend_handles_labels()
     ax.legend(handles, texts, loc="upper center", bbox_to_anchor=(0.45, -0.13),
-              ncols=min(3, len(texts)))
+              ncols=legend_columns(texts))
     return fig
+
+
+def legend_columns(texts):
+    """As many of at most three as fit below the frame, each as wide as its widest text and mark."""
+    columns = min(3, len(texts))
+    while columns > 1 and columns * (max(len(t) for t in texts) + 8) > LEGEND_WIDTH:
+        columns -= 1
+    return columns
+
+
+def note_cells(ax, rows):
+    """The resolution beside each point, once where points of several settings lie on one another."""
+    to_frame = ax.transData + ax.transAxes.inverted()
+    noted = []
+    for r in (r for r in rows if r["done"]):
+        x, y = to_frame.transform((r["seconds"], r["error"]))
+        if all(math.hypot(x - u, y - v) > NEAREST_NOTE for u, v in noted):
+            noted.append((x, y))
+            ax.annotate(r["cells"], (r["seconds"], r["error"]), textcoords="offset points",
+                        xytext=(5, 3), fontsize=6.5, color="#333333")
 
 
 def look(number):
@@ -114,9 +137,6 @@ def draw_setting(ax, number, setting, runs):
     ax.plot([r["seconds"] for r in done], [r["error"] for r in done], label=text, zorder=3,
             markersize=size, markeredgecolor="black", markeredgewidth=0.5, linewidth=1.1,
             **look_of_line)
-    for r in done:
-        ax.annotate(r["cells"], (r["seconds"], r["error"]), textcoords="offset points",
-                    xytext=(5, 3), fontsize=6.5, color="#333333")
 
 
 def widen(ax, rows):
