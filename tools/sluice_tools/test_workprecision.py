@@ -58,7 +58,8 @@ class WorkPrecision(unittest.TestCase):
         self.assertEqual(workprecision.legend_columns(["order 1", "order 2"]), 2)
         self.assertEqual(workprecision.legend_columns(["order 1"] * 9), 3)
         self.assertEqual(workprecision.legend_columns(["order 2, CFL 0.9, 2 levels"] * 9), 3)
-        self.assertEqual(workprecision.legend_columns(["order 2, CFL 0.9, 2 levels, tiles 16"] * 9), 2)
+        long = ["order 2, CFL 0.9, levels 2, tiles 9"] * 3
+        self.assertEqual(workprecision.legend_columns(long), 2)
         self.assertEqual(workprecision.legend_columns(["x" * 80, "y"]), 1)
 
     def test_points_that_lie_on_one_another_are_noted_once(self):

@@ -109,7 +109,7 @@ def legend_columns(texts):
 
 
 def note_cells(ax, rows):
-    """The resolution beside each point, once where points of several settings lie on one another."""
+    """The resolution beside each point, once where points of several settings coincide."""
     to_frame = ax.transData + ax.transAxes.inverted()
     noted = []
     for r in (r for r in rows if r["done"]):
