@@ -82,20 +82,21 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   }
   Slot slot;
   slot.info = info;
-  std::vector<IndexBox> boxes;  // by box and component
-  for (const GridBox& b : local_)
-    boxes.insert(boxes.end(), static_cast<std::size_t>(info.components),
-                 b.cells.grown(level_->ghosts(info.ghosts)));
-  const auto room = [&](std::size_t n) {
+  std::vector<IndexBox> boxes;
+  for (const GridBox& b : local_) boxes.push_back(b.cells.grown(level_->ghosts(info.ghosts)));
+  const auto components = static_cast<std::size_t>(info.components);
+  const auto room = [&](std::size_t n) {  // of one component
     return room_of(static_cast<std::size_t>(boxes[n].volume()));
   };
   for (std::size_t first = 0, last = 0; first < boxes.size(); first = last) {
-    std::size_t count = room(last++);
-    while (last < boxes.size() && count + room(last) <= most_together) count += room(last++);
+    std::size_t count = components * room(last++);
+    while (last < boxes.size() && count + components * room(last) <= most_together)
+      count += components * room(last++);
     slot.arrays.emplace_back(count, contents);
     double* data = slot.arrays.back().data();
-    for (std::size_t n = first; n < last; data += room(n++))
-      slot.views.push_back(lay_out(data, boxes[n], *level_));
+    for (std::size_t n = first; n < last; ++n)
+      for (std::size_t c = 0; c < components; ++c, data += room(n))
+        slot.views.push_back(lay_out(data, boxes[n], *level_));
   }
   slot.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
   slots_.push_back(std::move(slot));

@@ -1,8 +1,9 @@
 // Storage of all fields of one time level, for the boxes of one level that this rank owns.
 //
 // A *slot* is one label of one material. Every slot holds, for every local box, one array a
-// component: the interior cells plus the slot's ghost layers (none in inactive directions). Slots
-// are added while a graph is compiled; nothing is allocated inside a step.
+// component: the interior cells plus the slot's ghost layers (none in inactive directions). Those
+// of one box follow each other at equal distances. Slots are added while a graph is compiled;
+// nothing is allocated inside a step.
 //
 // A warehouse may remember which of its blocks are *uniform*: known to hold one value in all cells
 // and components of a slot, so that nobody need look or write it again. Whoever writes interior

@@ -40,6 +40,18 @@ TEST(Warehouse, HoldsInteriorAndGhostsZeroedAndAligned) {
   EXPECT_EQ(w.bytes(), 2u * 2u * 10u * 12u * sizeof(double));
 }
 
+TEST(Warehouse, ComponentsOfABoxFollowEachOtherAtEqualDistances) {
+  const Level level = level_of({600, 700, 1}, {1, 2, 1});
+  Warehouse w(level, 0);
+  const int slot = w.add({label(0), 0, 3, 2});
+  for (int b = 0; b < 2; ++b) {
+    const double* first = w.view(slot, 0, b).data;
+    const auto distance = w.view(slot, 1, b).data - first;
+    EXPECT_GE(distance, w.view(slot, 0, b).box.volume());
+    EXPECT_EQ(w.view(slot, 2, b).data - first, 2 * distance);
+  }
+}
+
 TEST(Warehouse, RowsRunAlongTheFirstActiveDirectionAndInactiveOnesHaveNoStride) {
   const Level level = level_of({1, 5, 4}, {1, 1, 1});
   Warehouse w(level, 0);

@@ -22,6 +22,23 @@ std::ptrdiff_t padded(std::ptrdiff_t n) {
   return rounded_up(n) + vector;
 }
 
+constexpr std::array<std::ptrdiff_t, 2 * most_reach + 1> unit_steps{-3, -2, -1, 0, 1, 2, 3};
+static_assert(unit_steps[2 * most_reach] == most_reach);
+
+// Of the middle axis, then of the swept one in every phase of the ring.
+std::size_t count_of_steps(int planes) {
+  return static_cast<std::size_t>(1 + planes);
+}
+void find_steps(BoundArray& a, bool middle, Steps* steps) {
+  a.middle_steps = steps;
+  a.swept_steps = steps + 1;
+  for (int shift = -most_reach; shift <= most_reach; ++shift) {
+    steps[0].at(shift) = middle ? shift * a.middle : 0;
+    for (int phase = 0; phase <= a.phases; ++phase)
+      steps[1 + phase].at(shift) = (((phase + shift) & a.mask) - phase) * a.swept;
+  }
+}
+
 }  // namespace
 
 BlockSweep::Window BlockSweep::window_of(const IndexBox& block, const Growth& growth,
@@ -56,36 +73,34 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
                        const StateBinding& binding, IntVec3 largest_block,
                        std::shared_ptr<AlignedArray> scratch)
     : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
-  bound_.resize(list.variables().size());
   std::ptrdiff_t total = 0;
-  std::size_t components = 0;
+  std::size_t steps = 0;
+  std::vector<Accessed> accessed(list.variables().size());
   for (const PlannedBuffer& b : plan.buffers) {
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
-    components += static_cast<std::size_t>(list[b.variable].components);
+    steps += count_of_steps(b.planes);
+    accessed[static_cast<std::size_t>(b.variable.index)] = {arrays_.size(), 0};
+    arrays_.emplace_back();
   }
-  buffers_.resize(components);
+  buffer_steps_.resize(steps);
   total += 2 * vector;  // what is read beyond the last row
   if (scratch_->size() < static_cast<std::size_t>(total))
     *scratch_ = AlignedArray(static_cast<std::size_t>(total));
-  std::vector<std::size_t> number(bound_.size(), 0);
-  for (std::size_t v = 0; v < bound_.size(); ++v) {
-    if (list.variables()[v].storage == Storage::temporary || !plan.used[v]) continue;
-    number[v] = state_variables_.size();
-    state_variables_.push_back(v);
-  }
+  for (std::size_t v = 0; v < accessed.size(); ++v)
+    if (list.variables()[v].storage != Storage::temporary && plan.used[v])
+      state_variables_.push_back(v);
+  for (std::size_t s = 0; s < state_variables_.size(); ++s)
+    accessed[state_variables_[s]] = {arrays_.size() + s, state_variables_.size()};
   for (const PlannedTask& p : plan.tasks) {
     const Task& t = list.tasks()[static_cast<std::size_t>(p.task)];
-    auto& states = states_of_task_.emplace_back();
+    auto& accesses = accesses_.emplace_back();
     const auto add = [&](VariableId v) {
-      const auto index = static_cast<std::size_t>(v.index);
-      if (list[v].storage != Storage::temporary && plan.used[index])
-        states.push_back(number[index]);
-      return &bound_[index];
+      accesses.push_back(accessed[static_cast<std::size_t>(v.index)]);
     };
-    auto& r = reads_.emplace_back();
-    for (const Access& a : t.reads) r.push_back(add(a.variable));
-    auto& w = writes_.emplace_back();
-    for (VariableId v : t.writes) w.push_back(add(v));
+    for (const Access& a : t.reads) add(a.variable);
+    reads_.push_back(accesses.size());
+    for (const VariableId v : t.writes) add(v);
+    if (starts_.size() < accesses.size()) starts_.resize(accesses.size());
     kernels_.push_back(&t.kernel);
     sharing_.push_back(sharing_of(p));
     stores_.push_back(t.always || std::any_of(t.writes.begin(), t.writes.end(), [&](VariableId v) {
@@ -117,40 +132,56 @@ void BlockSweep::bind_states(std::size_t piece, int box) {
     const Warehouse* warehouse = variable.storage == Storage::old_state   ? binding_->old_state
                                  : variable.storage == Storage::new_state ? binding_->new_state
                                                                           : binding_->output;
-    const int slot = binding_->slot[v];
-    auto& components = components_[piece * state_variables_.size() + s];
-    components.clear();
-    BoundArray& b = state(piece, s);
+    const RealView view = warehouse->view(binding_->slot[v], 0, box);
+    const Window cells = window_of(view.box, {}, plan_->axes);
+    const int n = plan_->axes.count;
+    const std::size_t number = piece * state_variables_.size() + s;
+    BoundArray& b = arrays_[plan_->buffers.size() + number];
     b = {};
-    for (int c = 0; c < variable.components; ++c) {
-      const RealView view = warehouse->view(slot, c, box);
-      const Window cells = window_of(view.box, {}, plan_->axes);
-      const int n = plan_->axes.count;
-      b.middle = n == 3 ? view.stride[plan_->axes.direction[1]] : 0;
-      b.swept = n > 1 ? view.stride[plan_->axes.direction[n - 1]] : 0;
-      b.low = cells.low[2];
-      components.push_back(view.data - cells.low[0] - cells.low[1] * b.middle);
-    }
-    b.components = components.data();
+    b.middle = n == 3 ? view.stride[plan_->axes.direction[1]] : 0;
+    b.swept = n > 1 ? view.stride[plan_->axes.direction[n - 1]] : 0;
+    b.low = cells.low[2];
+    b.first = view.data - cells.low[0] - cells.low[1] * b.middle;
+    if (variable.components > 1)
+      b.component = warehouse->view(binding_->slot[v], 1, box).data - view.data;
+    find_steps(b, n == 3, &state_steps_[number * count_of_steps(1)]);
   }
 }
 
 void BlockSweep::bind_scratch(const IndexBox& hull) {
   double* next = scratch_->data();
-  double** component = buffers_.data();
+  Steps* steps = buffer_steps_.data();
+  BoundArray* array = arrays_.data();
   for (const PlannedBuffer& p : plan_->buffers) {
-    BoundArray& b = bound_[static_cast<std::size_t>(p.variable.index)];
+    BoundArray& b = *array++;
     const Window w = window_of(hull, p.window, plan_->axes);
     const int planes = plan_->axes.count > 1 ? p.planes : 1;
-    b.components = component;
+    const BoundArray before = b;
     b.low = 0;  // the ring wraps planes of any index
     b.middle = padded(w.high[0] - w.low[0]);
     b.swept = b.middle * (w.high[1] - w.low[1]);
-    b.mask = planes - 1;
-    for (int c = 0; c < (*list_)[p.variable].components; ++c) {
-      *component++ = next - w.low[0] - w.low[1] * b.middle;
-      next += b.swept * planes;
-    }
+    b.mask = b.phases = planes - 1;
+    b.component = b.swept * planes;
+    b.first = next - w.low[0] - w.low[1] * b.middle;
+    next += b.component * (*list_)[p.variable].components;
+    if (b.middle != before.middle || b.swept != before.swept)
+      find_steps(b, plan_->axes.count == 3, steps);
+    steps += count_of_steps(p.planes);
+  }
+}
+
+// Where a row begins in all that a task reads and writes.
+void BlockSweep::start_row(std::size_t task, int i, int j, int plane) {
+  const bool three = plan_->axes.count == 3;
+  RowStart* start = starts_.data();
+  for (const Accessed& access : accesses_[task]) {
+    const BoundArray& a = arrays_[access.number + chosen_ * access.per_piece];
+    const int ring = (plane - a.low) & a.mask;
+    const std::ptrdiff_t* middle = a.middle_steps->centre();
+    const std::ptrdiff_t* swept = a.swept_steps[ring & a.phases].centre();
+    *start++ = {a.first + i + j * a.middle + ring * a.swept,
+                a.component,
+                {unit_steps.data() + most_reach, three ? middle : swept, three ? swept : middle}};
   }
 }
 
@@ -158,29 +189,24 @@ void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Ro
                            bool alone) {
   const RowKernel& kernel = *kernels_[task];
   const Axes& axes = plan_->axes;
-  row.reads_ = reads_[task].data();
-  row.writes_ = writes_[task].data();
+  row.reads_ = starts_.data();
+  row.writes_ = starts_.data() + reads_[task];
   row.count_ = window.high[0] - window.low[0];
   row.whole_vectors_ = alone && !stores_[task] ? rounded_up(row.count_) : row.count_;
-  row.index_[0] = window.low[0];
-  row.index_[2] = plane;
   row.cell_ = level_->domain.lower;
   row.cell_[axes.direction[0]] = window.low[0];
   if (axes.count > 1) row.cell_[axes.direction[axes.count - 1]] = plane;
   for (int j = window.low[1]; j < window.high[1]; ++j) {
-    row.index_[1] = j;
+    start_row(task, window.low[0], j, plane);
     if (axes.count == 3) row.cell_[axes.direction[1]] = j;
     kernel(row);
   }
 }
 
-// The arrays of one piece for a task.
-void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
-  for (const std::size_t s : states_of_task_[task]) {
-    if (chosen_[s] == piece) continue;
-    bound_[state_variables_[s]] = state(piece, s);
-    chosen_[s] = piece;
-  }
+// The arrays of one piece for the tasks that follow.
+void BlockSweep::choose(std::size_t piece, Row& row) {
+  if (chosen_ == piece) return;
+  chosen_ = piece;
   row.box_ = stack_[piece].box;
   row.block_low_ = stack_[piece].cells.lower;
   row.block_high_ = stack_[piece].cells.upper;
@@ -196,7 +222,7 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
   if (first == last) return;
   if (last - first == 1 || sharing_[task] == Sharing::none) {
     for (std::size_t n = first; n < last; ++n) {
-      choose(task, n, row);
+      choose(n, row);
       run_plane(task, window(task, n), plane, row, last - first == 1);
     }
   } else if (sharing_[task] == Sharing::plane) {
@@ -219,14 +245,14 @@ void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last
   for (std::size_t n = first + 1; n < last; ++n)
     if (width(n) > width(widest)) widest = n;
   Window done = window(task, widest);
-  choose(task, widest, row);
+  choose(widest, row);
   run_plane(task, done, plane, row, true);  // what it leaves beyond is computed after it
   for (std::size_t n = first; n < last; ++n) {
     if (n == widest) continue;
     Window part = window(task, n);
     if (plan_->axes.count < 3 && part.low[0] >= done.low[0] && part.high[0] <= done.high[0])
       continue;
-    choose(task, n, row);
+    choose(n, row);
     if (plan_->axes.count == 3) {
       run_plane(task, part, plane, row);
       continue;
@@ -262,10 +288,10 @@ void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
 void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stack,
                      Reductions& reductions, TaskTimes* times) {
   stack_ = stack;
-  const std::size_t bound = stack.size() * state_variables_.size();
-  if (states_.size() < bound) {
-    states_.resize(bound);
-    components_.resize(bound);
+  const std::size_t states = stack.size() * state_variables_.size();
+  if (arrays_.size() < plan_->buffers.size() + states) {
+    arrays_.resize(plan_->buffers.size() + states);
+    state_steps_.resize(states * count_of_steps(1));
   }
   IndexBox hull = stack.front().cells;
   for (std::size_t n = 0; n < stack.size(); ++n) {
@@ -273,11 +299,10 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
     hull = sluice::bounding(hull, stack[n].cells);
   }
   bind_scratch(hull);
-  chosen_.assign(state_variables_.size(), stack.size());
+  chosen_ = stack.size();
   find_windows();
   first_piece_.assign(plan_->tasks.size(), 0);
   Row row;
-  row.axes_ = plan_->axes.count;
   row.along_ = plan_->axes.direction[0];
   row.step_ = &step;
   row.reductions_ = &reductions;
@@ -291,7 +316,7 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   }
   const auto run_one = [&](std::size_t t, int k) {
     if (swept) return run_task(t, k + plan_->tasks[t].lead, row);
-    choose(t, 0, row);
+    choose(0, row);
     run_plane(t, window(t, 0), 0, row, true);
   };
   for (int k = first; k < last; ++k)

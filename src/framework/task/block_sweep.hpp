@@ -9,7 +9,9 @@
 // nor reduce anything are shared; what they leave in a cell is the same for every block that needs
 // it, so that stacks change no result.
 #pragma once
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,6 +20,7 @@
 #include "framework/field/warehouse.hpp"
 #include "framework/task/graph.hpp"
 #include "framework/task/reductions.hpp"
+#include "framework/task/row.hpp"
 
 namespace sluice {
 
@@ -36,6 +39,28 @@ using TaskTimes = std::vector<std::int64_t>;
 struct SweepPiece {
   int box = 0;
   IndexBox cells;
+};
+
+// How far the cells are that lie so many cells along an axis.
+class Steps {
+ public:
+  std::ptrdiff_t& at(int shift) { return steps_[static_cast<std::size_t>(shift + most_reach)]; }
+  const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }
+
+ private:
+  std::array<std::ptrdiff_t, 2 * most_reach + 2> steps_{};  // one more makes it a cache line
+};
+
+// One variable as it is bound for one block, in the coordinates of windows: axis 0 (unit stride),
+// middle axis (3-D only), swept axis (2-D and 3-D).
+struct BoundArray {
+  double* first = nullptr;               // where component 0 of cell (0, 0, low) would lie
+  std::ptrdiff_t component = 0;          // from one component to the next
+  std::ptrdiff_t middle = 0, swept = 0;  // strides
+  int low = 0;                           // along the swept axis
+  int mask = -1;                         // of temporaries: ring of planes, plane & mask
+  int phases = 0;                        // likewise, of the steps along the swept axis
+  const Steps *middle_steps = nullptr, *swept_steps = nullptr;
 };
 
 // The working state of one thread.
@@ -82,7 +107,8 @@ class BlockSweep {
   void find_windows();
   void bind_states(std::size_t piece, int box);
   void bind_scratch(const IndexBox& hull);
-  void choose(std::size_t task, std::size_t piece, Row& row);
+  void choose(std::size_t piece, Row& row);
+  void start_row(std::size_t task, int i, int j, int plane);
   void run_task(std::size_t task, int plane, Row& row);
   void run_parts(std::size_t task, std::size_t first, std::size_t last, int plane, Row& row);
   // `alone`: nothing else of the task's is on this plane.
@@ -90,30 +116,31 @@ class BlockSweep {
   const Window& window(std::size_t task, std::size_t piece) const {
     return windows_[task * stack_.size() + piece];
   }
-  BoundArray& state(std::size_t piece, std::size_t number) {
-    return states_[piece * state_variables_.size() + number];
-  }
-
   const TaskList* list_;
   const SweepPlan* plan_;
   const Level* level_;
   const StateBinding* binding_;
   std::shared_ptr<AlignedArray> scratch_;
-  std::vector<BoundArray> bound_;                               // by variable
-  std::vector<double*> buffers_;                                // components of temporaries
-  std::vector<std::vector<const BoundArray*>> reads_, writes_;  // by planned task
-  std::vector<const RowKernel*> kernels_;                       // by planned task
-  std::vector<Sharing> sharing_;                                // by planned task
-  std::vector<bool> stores_;                                    // by planned task: or reduces
-  std::vector<std::size_t> state_variables_;                    // those that are no temporaries
-  std::vector<std::vector<std::size_t>> states_of_task_;        // numbers in state_variables_
+  // What a task reads or writes: a number in arrays_, and what pieces add to it, each.
+  struct Accessed {
+    std::size_t number = 0, per_piece = 0;
+  };
+  // Temporaries in the order of their buffers, then the state variables of each piece.
+  std::vector<BoundArray> arrays_;
+  std::vector<Steps> buffer_steps_;              // of temporaries
+  std::vector<std::vector<Accessed>> accesses_;  // by planned task: reads, then writes
+  std::vector<std::size_t> reads_;               // by planned task: how many
+  std::vector<RowStart> starts_;                 // of the accesses of the task at hand
+  std::vector<const RowKernel*> kernels_;        // by planned task
+  std::vector<Sharing> sharing_;                 // by planned task
+  std::vector<bool> stores_;                     // by planned task: or reduces
+  std::vector<std::size_t> state_variables_;     // those that are no temporaries
   // Of the stack at hand.
   std::span<const SweepPiece> stack_;
-  std::vector<BoundArray> states_;                // by piece and state variable
-  std::vector<std::vector<double*>> components_;  // likewise: their arrays
-  std::vector<std::size_t> chosen_;               // by state variable: the piece in bound_
-  std::vector<Window> windows_;                   // by planned task and piece
-  std::vector<std::size_t> first_piece_;          // by planned task: pieces below are done
+  std::size_t chosen_ = 0;                // the piece whose arrays a task sees
+  std::vector<Steps> state_steps_;        // by piece and state variable, two of each
+  std::vector<Window> windows_;           // by planned task and piece
+  std::vector<std::size_t> first_piece_;  // by planned task: pieces below are done
 };
 
 }  // namespace sluice

@@ -1,6 +1,9 @@
 // Passes 5 to 7 of the graph compiler: windows, buffers, halo.
+#include <algorithm>
 #include <bit>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "framework/task/graph.hpp"
 
@@ -29,6 +32,15 @@ struct Need {
     lead_low = std::min(lead_low, behind);
   }
 };
+
+void check_reach(const TaskList& list, const Task& task, const Access& a) {
+  const IntVec3 reach = max(a.stencil.low, a.stencil.high);
+  const int far = std::max({reach.x, reach.y, reach.z});
+  if (far > most_reach)
+    throw std::logic_error("task '" + task.name + "' reads '" + list[a.variable].name + "' " +
+                           std::to_string(far) + " cells away; at most " +
+                           std::to_string(most_reach) + " are possible");
+}
 
 // The direction along which blocks are swept, or -1 in 1-D (a block is one row).
 int swept_direction(const Axes& axes) {
@@ -67,6 +79,7 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
     window.high = only_active(window.high, axes);
     plan.tasks[n] = {ordered[n], window, lead};
     for (const Access& a : t.reads) {
+      check_reach(list, t, a);
       Growth g{window.low + only_active(a.stencil.low, axes),
                window.high + only_active(a.stencil.high, axes)};
       const int ahead = swept >= 0 ? lead + a.stencil.high[swept] : 0;

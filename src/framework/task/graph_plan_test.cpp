@@ -1,4 +1,5 @@
 // Passes 5 to 7 of the graph compiler: windows, leads, rings of planes, halo.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "framework/task/graph.hpp"
@@ -136,6 +137,20 @@ TEST(GraphPlan, PrunedTasksLeaveNoTrace) {
   EXPECT_EQ(plan.tasks.size(), 3u);
   EXPECT_EQ(plan.halo, (IntVec3{1, 2, 1}));
   EXPECT_FALSE(plan.used[static_cast<std::size_t>(unwanted.index)]);
+}
+
+TEST(GraphPlan, RefusesStencilsThatReachTooFar) {
+  Chain chain;
+  TaskBuilder extra = chain.list.task("smooth", 0);
+  extra.read(chain.old, Stencil::along(1, most_reach, 0));
+  extra.always().kernel(nothing);
+  EffectList effects;
+  effects.add({"flow", true, "", {}});
+  const auto plan = [&] { compile(chain.list, effects, {chain.now}, axes_of({0, 1, 2})); };
+  EXPECT_NO_THROW(plan());
+  extra.read(chain.old, Stencil::along(0, 0, most_reach + 1));
+  EXPECT_THAT(plan, testing::ThrowsMessage<std::logic_error>(testing::HasSubstr(
+                        "task 'smooth' reads 'test_mass (old)' 4 cells away; at most 3")));
 }
 
 }  // namespace

@@ -26,16 +26,19 @@ struct Axes {
   int direction[3] = {0, 1, 2};  // level direction of each axis
 };
 
-// One variable as it is bound for one block. Canonical coordinates: axis 0 (unit stride), middle
-// axis (3-D only), swept axis (2-D and 3-D). Asked for hundreds of times a row.
-struct BoundArray {
-  double* const* components = nullptr;   // where cell (0, 0, low) of each would lie
-  std::ptrdiff_t middle = 0, swept = 0;  // strides
-  int low = 0;                           // along the swept axis
-  int mask = -1;                         // ring of planes along the swept axis: plane & mask
+// Cells that a stencil may reach along one axis.
+constexpr int most_reach = 3;
 
-  [[gnu::always_inline]] double* at(int component, int i, int j, int k) const {
-    return components[component] + i + j * middle + ((k - low) & mask) * swept;
+// One variable where the row at hand begins: found once a row, asked for hundreds of times.
+struct RowStart {
+  double* first = nullptr;         // its first cell, component 0
+  std::ptrdiff_t component = 0;    // from one component to the next
+  const std::ptrdiff_t* along[3];  // steps along each axis, by shift
+
+  [[gnu::always_inline]] double* at(int c) const { return first + c * component; }
+  [[gnu::always_inline]] std::ptrdiff_t step(int axis, int shift) const {
+    if (__builtin_constant_p(axis) && axis == 0) return shift;  // a number in the instruction
+    return along[axis][shift];
   }
 };
 
@@ -67,7 +70,7 @@ class Row {
   Row part(int first, int count) const {
     Row r = *this;
     r.count_ = r.whole_vectors_ = count;
-    r.index_[0] += first;
+    r.first_ += first;
     r.cell_[along_] += first;
     return r;
   }
@@ -76,42 +79,29 @@ class Row {
   // Row of an input, shifted by `shift` cells along `axis` (of the active axes).
   [[gnu::always_inline]] const double* operator()(In in, int component = 0, int axis = 0,
                                                   int shift = 0) const {
-    return at(reads_[in.index], component, axis, shift);
+    const RowStart& r = reads_[in.index];
+    return r.at(component) + (first_ + r.step(axis, shift));
   }
   // Shifted along two different axes.
   const double* at_corner(In in, int component, int axis, int shift, int other, int step) const {
-    int offset[3] = {0, 0, 0};
-    offset[axis] += shift;
-    offset[other] += step;
-    return at(reads_[in.index], component, offset);
+    const RowStart& r = reads_[in.index];
+    return r.at(component) + (first_ + r.step(axis, shift) + r.step(other, step));
   }
   // Shifted along all axes at once, in their order.
   const double* at_offset(In in, int component, std::array<int, 3> offset) const {
-    return at(reads_[in.index], component, offset.data());
+    const RowStart& r = reads_[in.index];
+    return r.at(component) + (first_ + offset[0] + r.step(1, offset[1]) + r.step(2, offset[2]));
   }
   [[gnu::always_inline]] double* operator()(Out out, int component = 0) const {
-    return at(writes_[out.index], component, 0, 0);
+    return writes_[out.index].at(component) + first_;
   }
 
  private:
   friend class BlockSweep;
-  [[gnu::always_inline]] double* at(const BoundArray* a, int component, int axis, int shift) const {
-    const int i = axis == 0 ? index_[0] + shift : index_[0];
-    const int j = axis == 1 && axes_ == 3 ? index_[1] + shift : index_[1];
-    const int k = axis != 0 && axis == axes_ - 1 ? index_[2] + shift : index_[2];
-    return a->at(component, i, j, k);
-  }
-  double* at(const BoundArray* a, int component, const int* offset) const {
-    const int middle = axes_ == 3 ? offset[1] : 0;
-    const int swept = axes_ == 1 ? 0 : offset[axes_ - 1];
-    return a->at(component, index_[0] + offset[0], index_[1] + middle, index_[2] + swept);
-  }
-
-  const BoundArray* const* reads_ = nullptr;
-  const BoundArray* const* writes_ = nullptr;
-  int axes_ = 1;
+  const RowStart* reads_ = nullptr;
+  const RowStart* writes_ = nullptr;
+  std::ptrdiff_t first_ = 0;  // of a part
   int along_ = 0;             // level direction of axis 0
-  int index_[3] = {0, 0, 0};  // canonical coordinates of the row's first cell
   int count_ = 0, whole_vectors_ = 0, box_ = 0;
   IntVec3 cell_{}, block_low_{}, block_high_{};
   const RowMarks* old_marks_ = nullptr;
