@@ -31,38 +31,45 @@ inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepCons
   return s;
 }
 
+// Takes the stress from the impulse of component c.
+template <int D>
+void add_pull(const Row& row, const ImpulseHandles& h, const ImpulseConstants& s, int c) {
+  const int n = row.whole_vectors();
+  const double *tm[D], *tp[D];
+  for (int d = 0; d < D; ++d) {
+    tm[d] = row(h.stress[static_cast<std::size_t>(d)], c);
+    tp[d] = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
+  }
+  double* __restrict dp = row(h.impulse, c);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double pull = 0;  // of all directions first: the order of two does not show in the bits
+    for (int d = 0; d < D; ++d) pull += s.l[d] * (tp[d][i] - tm[d][i]);
+    dp[i] -= pull;
+  }
+}
+
 template <int D, int C>
-void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstants& s,
+void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstants& constants,
                   bool viscous) {
   const int n = row.whole_vectors();
+  const ImpulseConstants s = constants;
   const double* __restrict r = row(h.rho);
-  for (int c = 0; c < C; ++c) {
-    double* __restrict dp = row(h.impulse, c);
-    if (c < D) {
-      const auto axis = static_cast<std::size_t>(c);
-      const double* __restrict pm = row(h.face_pressure[axis]);
-      const double* __restrict pp = row(h.face_pressure[axis], 0, c, 1);
-      const double l = s.l[c], kick = s.kick[c], push = s.push[c];
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = l * (pp[i] - pm[i]) - (kick * r[i] + push);
-    } else {
-      const double kick = s.kick[c], push = s.push[c];
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) dp[i] = -(kick * r[i] + push);
-    }
-    if (!viscous) continue;
-    const double *tm[D], *tp[D];
-    for (int d = 0; d < D; ++d) {
-      tm[d] = row(h.stress[static_cast<std::size_t>(d)], c);
-      tp[d] = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
-    }
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      double pull = 0;  // of all directions first: the order of two does not show in the bits
-      for (int d = 0; d < D; ++d) pull += s.l[d] * (tp[d][i] - tm[d][i]);
-      dp[i] -= pull;
-    }
+  const double *pm[D], *pp[D];
+  double* dp[C];
+  for (int d = 0; d < D; ++d) {
+    pm[d] = row(h.face_pressure[static_cast<std::size_t>(d)]);
+    pp[d] = row(h.face_pressure[static_cast<std::size_t>(d)], 0, d, 1);
   }
+  for (int c = 0; c < C; ++c) dp[c] = row(h.impulse, c);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < C; ++c) {
+      const double weight = s.kick[c] * r[i] + s.push[c];
+      dp[c][i] = c < D ? s.l[c] * (pp[c % D][i] - pm[c % D][i]) - weight : -weight;
+    }
+  if (!viscous) return;
+  for (int c = 0; c < C; ++c) add_pull<D>(row, h, s, c);
 }
 
 }  // namespace sluice::ice

@@ -28,20 +28,6 @@ struct Handles {
   Out mixture;  // work of pressures, of friction
 };
 
-template <int D, int C>
-void momentum_rows(const Row& row, const Handles& h, const ImpulseConstants& s, bool viscous) {
-  impulse_rows<D, C>(row, h.forces, s, viscous);
-  const int n = row.whole_vectors();
-  const double* __restrict w = row(h.inverse_rho);
-  for (int c = 0; c < C; ++c) {
-    const double* __restrict u = row(h.velocity, c);
-    const double* __restrict dp = row(h.forces.impulse, c);
-    double* __restrict v = row(h.velocity_L, c);
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) v[i] = u[i] - dp[i] * w[i];
-  }
-}
-
 // Work of the viscous stress, its kinetic part taken away. Summed over components, then over
 // directions: no order of the axes shows in the bits of one and two dimensions.
 template <int D, int C, bool varies>
@@ -107,9 +93,11 @@ void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s
   }
 }
 
+// All but friction and conduction.
 template <int D, int C>
-void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
+void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constants) {
   const int n = row.whole_vectors();
+  const ImpulseConstants s = constants;
   const double* __restrict r = row(h.forces.rho);
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict E = row(h.energy);
@@ -117,25 +105,30 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
   const double* up[3];
   const double* pm[3];
   const double* pp[3];
-  const double* u[3];
-  const double* dp[3];
+  const double* u[C];
+  const double* dp[C];
+  double* v[C];
   for (int d = 0; d < D; ++d) {
     const auto axis = static_cast<std::size_t>(d);
     um[d] = row(h.face_velocity[axis]);
     up[d] = row(h.face_velocity[axis], 0, d, 1);
     pm[d] = row(h.forces.face_pressure[axis]);
     pp[d] = row(h.forces.face_pressure[axis], 0, d, 1);
-    u[d] = row(h.velocity, d);
-    dp[d] = row(h.forces.impulse, d);
   }
-  for (int c = D; c < C; ++c) u[c] = row(h.velocity, c);
+  for (int c = 0; c < C; ++c) {
+    u[c] = row(h.velocity, c);
+    dp[c] = row(h.forces.impulse, c);
+    v[c] = row(h.velocity_L, c);
+  }
   double* __restrict iJ = row(h.inverse_J);
   double* __restrict rL = row(h.rho_L);
+  double* __restrict EL = row(h.energy_L);
   double* __restrict Es = row(h.energy_star);
   double* __restrict N = row(h.courant);
   double* __restrict iN = row(h.inverse_courant);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
+    for (int c = 0; c < C; ++c) v[c][i] = u[c][i] - dp[c][i] * w[i];
     double stretch = 0, work = 0, out = 0;
     for (int d = 0; d < D; ++d) {
       const double ub = u[d][i] - 0.5 * dp[d][i] * w[i];
@@ -147,11 +140,14 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
     double carried = 0;
     for (int c = D; c < C; ++c) carried += s.l[c] * std::fabs(u[c][i]);
     if constexpr (C > D) out += carried;
-    iJ[i] = 1.0 / (1.0 + stretch);
-    Es[i] = E[i] - work;
-    rL[i] = r[i] * iJ[i];
-    N[i] = smaller(out * iJ[i], 1.0);
-    iN[i] = 1.0 / larger(N[i], 0.05);
+    const double inverse = 1.0 / (1.0 + stretch), energy = E[i] - work;
+    const double outflow = smaller(out * inverse, 1.0);
+    iJ[i] = inverse;
+    Es[i] = energy;
+    EL[i] = energy * inverse;
+    rL[i] = r[i] * inverse;
+    N[i] = outflow;
+    iN[i] = 1.0 / larger(outflow, 0.05);
   }
 }
 
@@ -159,6 +155,7 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s) {
 template <int D, int C>
 void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
+  if (!o.mixture && !o.viscous && !o.conducting) return;
   const int n = row.whole_vectors();
   double *Es = row(h.energy_star), *EL = row(h.energy_L);
   if (o.mixture) {
@@ -167,7 +164,7 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
   }
   if (o.viscous) {
-    double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written last
+    double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written again
     if (o.friction_tilts())
       viscous_work_rows<D, C, true>(row, h, s, friction);
     else
@@ -212,8 +209,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
-      momentum_rows<D, C>(row, h, s, o.viscous);
-      energy_rows<D, C>(row, h, s);
+      impulse_rows<D, C>(row, h.forces, s, o.viscous);
+      cell_rows<D, C>(row, h, s);
       heat_rows<D, C>(row, h, s, o);
       if (scaled && !o.mixture)
         energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));

@@ -9,6 +9,7 @@
 // weight too: g rho is g rho + f everywhere.
 #include "framework/refine/face_table.hpp"
 #include "ice/conservative/leaving_shocks.hpp"
+#include "ice/conservative/quantity_rows.hpp"
 #include "ice/conservative/variables.hpp"
 #include "ice/limiters.hpp"
 
@@ -20,59 +21,61 @@ struct Handles {
   Out velocity_slope, pressure_slope, predicted, transverse;
 };
 
-// Slope of one quantity along one axis, into s.
-void slope_row(int n, const double* __restrict qm, const double* __restrict q,
-               const double* __restrict qp, double* __restrict s) {
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) s[i] = central_slope(q[i] - qm[i], qp[i] - q[i]);
-}
-
+// What a slope needs to know of each axis.
 template <int D>
-void pressure_slope_row(const Row& row, const Handles& h, int axis, double g_dx, double f_dx,
-                        bool gravity) {
+struct AxisConstants {
+  double half_courant[D], g_dx[D], f_dx[D];
+
+  AxisConstants(const SchemeOptions& o, const StepConstants& step) {
+    for (int d = 0; d < D; ++d) {
+      const double dx = step.spacing[o.axes.direction[d]];
+      half_courant[d] = 0.5 * step.dt / dx;
+      g_dx[d] = o.gravity[o.axes.direction[d]] * dx;
+      f_dx[d] = o.force[o.axes.direction[d]] * dx;
+    }
+  }
+};
+
+// All slopes in one loop: every cell around is read once.
+template <int D, bool Gravity>
+void slope_rows(const Row& row, const Handles& h, const AxisConstants<D>& constants) {
   const int n = row.whole_vectors();
-  const double* __restrict pm = row(h.pressure, 0, axis, -1);
-  const double* __restrict p = row(h.pressure);
-  const double* __restrict pp = row(h.pressure, 0, axis, 1);
-  double* __restrict s = row(h.pressure_slope, axis);
-  if (!gravity) return slope_row(n, pm, p, pp, s);
-  const double* __restrict rm = row(h.rho, 0, axis, -1);
-  const double* __restrict r = row(h.rho);
-  const double* __restrict rp = row(h.rho, 0, axis, 1);
+  const AxisConstants<D> k = constants;
+  const Quantity p = quantity<D>(row, h.pressure, 0);
+  const Quantity r = Gravity ? quantity<D>(row, h.rho, 0) : Quantity{};
+  Quantity u[D];
+  double *su[D], *sp[D], *UT[D];
+  for (int d = 0; d < D; ++d) {
+    u[d] = quantity<D>(row, h.velocity, d);
+    su[d] = row(h.velocity_slope, d);
+    sp[d] = row(h.pressure_slope, d);
+    if constexpr (D > 1) UT[d] = row(h.transverse, d);
+  }
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i)
-    s[i] = central_slope((p[i] - pm[i]) - (0.5 * g_dx * (rm[i] + r[i]) + f_dx),
-                         (pp[i] - p[i]) - (0.5 * g_dx * (r[i] + rp[i]) + f_dx));
-}
-
-template <int D>
-void transverse_row(const Row& row, const Handles& h, int d, const double* half_courant) {
-  const int n = row.whole_vectors();
-  double* __restrict UT = row(h.transverse, d);
-  bool first = true;
-  for (int t = 0; t < D; ++t) {
-    if (t == d) continue;
-    const double* __restrict um = row(h.velocity, d, t, -1);
-    const double* __restrict u = row(h.velocity, d);
-    const double* __restrict up = row(h.velocity, d, t, 1);
-    const double* __restrict ut = row(h.velocity, t);
-    const double ht = half_courant[t];
-    if (first) {
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) UT[i] = ht * ut[i] * central_slope(u[i] - um[i], up[i] - u[i]);
-    } else {
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i)
-        UT[i] = UT[i] + ht * ut[i] * central_slope(u[i] - um[i], up[i] - u[i]);
+#pragma GCC unroll 3
+    for (int d = 0; d < D; ++d) {
+      su[d][i] = central_slope(u[d].before(d, i), u[d].after(d, i));
+      double before = p.before(d, i), after = p.after(d, i);
+      if constexpr (Gravity) {
+        before -= 0.5 * k.g_dx[d] * (r.minus[d][i] + r.centre[i]) + k.f_dx[d];
+        after -= 0.5 * k.g_dx[d] * (r.centre[i] + r.plus[d][i]) + k.f_dx[d];
+      }
+      sp[d][i] = central_slope(before, after);
+      if constexpr (D > 1) {
+        double carried[D];
+        for (int t = 0; t < D; ++t)
+          carried[t] = k.half_courant[t] * u[t].centre[i] *
+                       central_slope(u[d].before(t, i), u[d].after(t, i));
+        UT[d][i] = others<D>(carried, d);
+      }
     }
-    first = false;
-  }
 }
 
 template <int D>
-void predict_row(const Row& row, const Handles& h, const double* half_courant, const double* g_dx,
-                 const double* f_dx) {
+void predict_row(const Row& row, const Handles& h, const AxisConstants<D>& constants) {
   const int n = row.whole_vectors();
+  const auto [half_courant, g_dx, f_dx] = constants;
   const double* __restrict r = row(h.rho);
   const double* __restrict p = row(h.pressure);
   const double* __restrict c = row(h.sound);
@@ -143,23 +146,15 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      double half_courant[3] = {0, 0, 0}, g_dx[3] = {0, 0, 0}, f_dx[3] = {0, 0, 0};
-      for (int d = 0; d < D; ++d) {
-        const double dx = row.step().spacing[o.axes.direction[d]];
-        half_courant[d] = 0.5 * row.step().dt / dx;
-        g_dx[d] = o.gravity[o.axes.direction[d]] * dx;
-        f_dx[d] = o.force[o.axes.direction[d]] * dx;
-      }
-      for (int d = 0; d < D; ++d) {
-        slope_row(row.whole_vectors(), row(h.velocity, d, d, -1), row(h.velocity, d),
-                  row(h.velocity, d, d, 1), row(h.velocity_slope, d));
-        pressure_slope_row<D>(row, h, d, g_dx[d], f_dx[d], o.gravity_on);
-        if constexpr (D > 1) transverse_row<D>(row, h, d, half_courant);
-      }
+      const AxisConstants<D> k(o, row.step());
+      if (o.gravity_on)
+        slope_rows<D, true>(row, h, k);
+      else
+        slope_rows<D, false>(row, h, k);
       if (o.masked) mask_rows<D>(row, h);
       if (o.recorder != nullptr && o.recorder->ends != nullptr)
         damp_rows<D>(row, h, *o.recorder->ends);
-      predict_row<D>(row, h, half_courant, g_dx, f_dx);
+      predict_row<D>(row, h, k);
     });
   });
 }

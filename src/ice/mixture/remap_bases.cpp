@@ -226,7 +226,7 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
   const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
   const RunRow pure_runs = runs_of(row, h.pure), near_runs = runs_of(row, h.near);
   if (pure_runs.key[0] < 0.0 && is_one_run(pure_runs, row.count()))
-    BaseRows<D, Masked>(row, h.common, o.axes).template velocity<C>(gravity);
+    velocity_base_rows<D, C, Masked>(row, h.common, o.axes, gravity);
   else
     for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
       base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
