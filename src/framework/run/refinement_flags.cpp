@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace sluice {
 namespace {
@@ -58,27 +59,39 @@ void add_flagged(const Warehouse& outputs, Label label, int material, double mos
                });
 }
 
-// Smallest and largest of many values, on lanes that the compiler keeps in one register.
+// Smallest and largest of many values, eight at a time: the compiler unrolls a loop over lanes and
+// then compares number by number.
 class Extremes {
  public:
   void add(const double* values, int count) {
     int i = 0;
-    for (; i + lanes <= count; i += lanes)
-      for (int k = 0; k < lanes; ++k) add_to(k, values[i + k]);
-    for (; i < count; ++i) add_to(0, values[i]);
+    for (; i + lanes <= count; i += lanes) {
+      Lanes v;
+      std::memcpy(&v, values + i, sizeof v);
+      low_ = v < low_ ? v : low_;
+      high_ = v > high_ ? v : high_;
+    }
+    for (; i < count; ++i) {
+      low_[0] = std::min(low_[0], values[i]);
+      high_[0] = std::max(high_[0], values[i]);
+    }
   }
-  double least() const { return *std::min_element(low_, low_ + lanes); }
-  double most() const { return *std::max_element(high_, high_ + lanes); }
+  double least() const {
+    double least = low_[0];
+    for (int k = 1; k < lanes; ++k) least = std::min(least, low_[k]);
+    return least;
+  }
+  double most() const {
+    double most = high_[0];
+    for (int k = 1; k < lanes; ++k) most = std::max(most, high_[k]);
+    return most;
+  }
 
  private:
   static constexpr int lanes = 8;
-  void add_to(int k, double value) {
-    low_[k] = value < low_[k] ? value : low_[k];
-    high_[k] = value > high_[k] ? value : high_[k];
-  }
+  using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
   static constexpr double huge = 1e300;
-  double low_[lanes] = {huge, huge, huge, huge, huge, huge, huge, huge};
-  double high_[lanes] = {-huge, -huge, -huge, -huge, -huge, -huge, -huge, -huge};
+  Lanes low_ = huge - Lanes{}, high_ = Lanes{} - huge;
 };
 
 void merge_ranks(FlagField& flags, Communicator& communicator) {
