@@ -12,6 +12,7 @@
 #include "ice/end_of_step.hpp"
 #include "ice/limiters.hpp"
 #include "ice/material_runs.hpp"
+#include "ice/mixture/kept_work.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -20,15 +21,17 @@ namespace {
 struct Handles {
   StateReads state;
   In pure, near, presence, pressure, inverse_rho, inverse_J, work, heat;
-  In mixture_density_L, mixture_energy_L, mixture_energy_star;
+  In mixture_energy, mixture_density_L, mixture_energy_L, mixture_energy_star;
   std::array<In, 3> face_velocity;
-  Out stretch, energy_L, specific_energy_L, scale, mixture_scale, scratch;
+  Out stretch, energy_L, specific_energy_L, scale, mixture_scale;
+  Out scratch;  // density of a material, work
 };
 
 struct Materials {
   std::vector<Fluid> fluids;
   bool all_ideal;  // the scale of each is its energy
   bool heated;
+  bool keeps_work;
 };
 
 // J and the main outlet.
@@ -64,10 +67,21 @@ void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
   }
 }
 
+// W, which is the difference of two energies where nothing else keeps it.
+const double* work_of(const Row& row, const Handles& h, bool kept) {
+  if (kept) return row(h.work);
+  const double* __restrict before = row(h.mixture_energy);
+  const double* __restrict after = row(h.mixture_energy_star);
+  double* __restrict work = row(h.scratch, 1);
+#pragma GCC ivdep
+  for (int i = 0; i < row.count(); ++i) work[i] = before[i] - after[i];
+  return work;
+}
+
 // Energy of a material that is in some of these cells. In those of pure neighbourhood the mixture's
 // is the material's.
 template <bool Heated>
-void share_energy(const Row& row, const Handles& h, int m) {
+void share_energy(const Row& row, const Handles& h, int m, const double* __restrict W) {
   const int n = row.count();
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict pure = row(h.pure);
@@ -75,7 +89,6 @@ void share_energy(const Row& row, const Handles& h, int m) {
   const double* __restrict w = row(h.inverse_rho);
   const double* __restrict iJ = row(h.inverse_J);
   const double* __restrict J = row(h.stretch, 0);
-  const double* __restrict W = row(h.work);
   const double* __restrict E_star = row(h.mixture_energy_star);
   const double* __restrict E_of_mixture = row(h.mixture_energy_L);
   const double* __restrict M = row(h.state.mass[k]);
@@ -127,6 +140,7 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Mate
   const int n = row.count();
   double* __restrict total = row(h.mixture_scale);
   std::fill_n(total, n, 0.0);
+  const double* W = work_of(row, h, materials.keeps_work);
   for (int m = 0; m < static_cast<int>(materials.fluids.size()); ++m) {
     if ((set >> m & 1) == 0) {
       std::fill_n(row(h.energy_L, m), n, 0.0);
@@ -135,7 +149,7 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Mate
       continue;
     }
     const auto k = static_cast<std::size_t>(m);
-    materials.heated ? share_energy<true>(row, h, m) : share_energy<false>(row, h, m);
+    materials.heated ? share_energy<true>(row, h, m, W) : share_energy<false>(row, h, m, W);
     if (!materials.all_ideal) find_scale(row, h, m, materials.fluids[k]);
     const double* __restrict V = row(h.state.volume[k]);
     const double* __restrict scale = row(materials.all_ideal ? h.specific_energy_L : h.scale, m);
@@ -173,16 +187,18 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
     h.face_velocity[a] =
         task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
-  h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
+  h.mixture_energy = task.read(v.common.energy);
+  if (keeps_work(o))
+    h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
   h.stretch = task.write(v.stretch);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
-  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated};
+  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, keeps_work(o)};
   if (!materials.all_ideal) h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
-  h.scratch = task.write(list.temporary("Lagrangian density of a material"));
+  h.scratch = task.write(list.temporary("Lagrangian density, work", 2));
   const auto stretch = o.axes.count == 1   ? stretch_cells<1>
                        : o.axes.count == 2 ? stretch_cells<2>
                                            : stretch_cells<3>;
