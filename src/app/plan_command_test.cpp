@@ -118,6 +118,28 @@ TEST_F(PlanCommand, EffectsThatAreOffCostNothing) {
   }
 }
 
+// Means over open faces cost a reduction where a deck needs them, and nothing where it does not.
+TEST_F(PlanCommand, MeansOverOpenFacesCostAReductionWhereTheyAreNeeded) {
+  struct Expected {
+    const char* deck;
+    bool open;
+    int reductions;
+    const char* reason;
+  };
+  for (const Expected& e : {Expected{"vortex_leaving_unaimed", true, 2, "means over 4 faces"},
+                            Expected{"vortex_leaving", true, 1, "LODI with vel_infinity"},
+                            Expected{"pulse_leaving", true, 1, "one dimension"},
+                            Expected{"explosion_2d", false, 1, "no LODI face"}}) {
+    SCOPED_TRACE(e.deck);
+    const json planned = plan({deck(e.deck), "--ranks", "2"});
+    const json faces = effect(planned, "open faces");
+    EXPECT_EQ(faces.at("on"), e.open);
+    EXPECT_EQ(faces.at("tasks"), 0);
+    EXPECT_NE(faces.at("reason").get<std::string>().find(e.reason), std::string::npos);
+    EXPECT_EQ(planned.at("messages").at("reductions"), e.reductions);
+  }
+}
+
 TEST_F(PlanCommand, PredictsTheFirstStepToTheBit) {
   const json planned = plan({deck("explosion_2d")});
   const std::string report = (folder_ / "run.json").string();

@@ -173,9 +173,10 @@ std::string plan_text(const RunPlan& p) {
                       p.halo.z);
   text += p.ranks == 1
               ? "copied within this rank\n"
-              : fmt::format("{} to {} neighbour rank{}, and one reduction\n",
+              : fmt::format("{} to {} neighbour rank{}, and {} reduction{}\n",
                             human_bytes(static_cast<double>(p.messages.bytes)),
-                            p.messages.neighbour_ranks, p.messages.neighbour_ranks == 1 ? "" : "s");
+                            p.messages.neighbour_ranks, p.messages.neighbour_ranks == 1 ? "" : "s",
+                            p.reductions == 1 ? "one" : "two", p.reductions == 1 ? "" : "s");
   text += kinds_text(p);
   text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
                       p.quiet_reason,
@@ -202,7 +203,8 @@ std::string plan_json(const RunPlan& p) {
                      {"messages",
                       {{"halo", {p.halo.x, p.halo.y, p.halo.z}},
                        {"bytes_per_step", p.messages.bytes},
-                       {"neighbour_ranks", p.messages.neighbour_ranks}}},
+                       {"neighbour_ranks", p.messages.neighbour_ranks},
+                       {"reductions", p.reductions}}},
                      {"quiet",
                       {{"allowed", p.quiet_allowed},
                        {"reason", p.quiet_reason},

@@ -44,6 +44,7 @@ class Planner {
     plain_ = plan_step_graph(component_, level_, {});
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
+    plan_.reductions = component_.boundary_sums() > 0 ? 2 : 1;
     describe_effects();
     describe_kinds();
     if (options_.output) describe_outputs();

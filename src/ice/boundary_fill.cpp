@@ -55,11 +55,12 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
   if (materials.size() == 1) {
     rules_[n].push_back(
         make_gas_rule(region, materials.front().index, direction_of(side), setting_.conditions));
-    return;
+    return number_open_face(side);
   }
   mixtures_[n].push_back(
       make_mixture_rule(region, materials, direction_of(side), setting_.conditions));
   rules_[n].push_back(mixtures_[n].back().common);
+  number_open_face(side);
 }
 
 int BoundaryFill::wave_directions() const {
@@ -173,16 +174,16 @@ void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghost
 }
 
 void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,
-                             double time) const {
+                             const Moment& moment) const {
   // A gas may depend on its scalar; where there are several, the scalar on what there is of them.
   const bool one = setting_.fluids.size() == 1;
   if (one || setting_.mixed != nullptr) fill_scalars(state, box, ghosts, side, true);
-  fill_flow(state, box, ghosts, side, time);
+  fill_flow(state, box, ghosts, side, moment);
   if (!one) fill_scalars(state, box, ghosts, side, false);
 }
 
 void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
-                             double time) const {
+                             const Moment& moment) const {
   const auto n = static_cast<std::size_t>(side);
   const int d = direction_of(side);
   const bool plus = is_plus(side);
@@ -201,7 +202,7 @@ void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, 
                     first.mirrored() && slots_.directions[c % v.momentum.size()] == d ? -1.0 : 1.0);
     return;
   }
-  GhostStates states(setting_, v, d, plus, time);
+  GhostStates states(setting_, v, d, plus, moment);
   const auto one = [&](IntVec3 ghost) {
     const std::size_t r = region(side, ghost);
     const GhostRule& here = rules_[n][r];
@@ -239,7 +240,7 @@ bool BoundaryFill::commute(std::span<const Side> sides) const {
 }
 
 void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghosts,
-                                std::span<const Side> sides, double time) const {
+                                std::span<const Side> sides, const Moment& moment) const {
   const BoundaryViews v = views(state, box);
   std::vector<RealView> all;
   for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum, &v.slip})
@@ -252,14 +253,15 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
       for_each_cell(ghosts, [&](IntVec3 cell) { f(view(cell), sums[n++]); });
   };
   for (const Side side : sides) {
-    fill_side(state, box, ghosts, side, time);
+    fill_side(state, box, ghosts, side, moment);
     each([](double value, double& sum) { sum += value; });
   }
   const auto count = static_cast<double>(sides.size());
   each([&](double& value, double sum) { value = sum / count; });
 }
 
-void BoundaryFill::even_out_edges(Warehouse& state, int box, int width, double time) const {
+void BoundaryFill::even_out_edges(Warehouse& state, int box, int width,
+                                  const Moment& moment) const {
   const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
   const IndexBox all = cells.grown(level_->ghosts(width));
   const auto beyond = [&](std::span<const Side> sides) {
@@ -281,7 +283,7 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width, double t
     for (const Side side : sides)
       if (regions_[static_cast<std::size_t>(side)] == nullptr) return;
     const IndexBox region = beyond(sides);
-    if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides, time);
+    if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides, moment);
   };
   for (const bool p : {false, true})
     for (const bool q : {false, true}) {
@@ -298,7 +300,7 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width, double t
 // within one direction pieces cut across another may be filled in any order. Both sides of a piece
 // together: where rows run along `d`, the end of one and the start of the next share a cache line.
 void BoundaryFill::fill_direction(Warehouse& state, int width, int d, const ThreadTeam& team,
-                                  double time) const {
+                                  const Moment& moment) const {
   if (regions_[static_cast<std::size_t>(side_of(d, false))] == nullptr) return;
   constexpr std::int64_t fewest_cells = 4096;  // of a piece: worth waking a thread for
   struct Piece {
@@ -336,15 +338,17 @@ void BoundaryFill::fill_direction(Warehouse& state, int width, int d, const Thre
   team.for_each(pieces.size(), [&](std::size_t n, int) {
     for (const bool plus : {false, true})
       if (const IndexBox& ghosts = pieces[n].ghosts[plus]; !ghosts.empty())
-        fill_side(state, pieces[n].box, ghosts, side_of(d, plus), time);
+        fill_side(state, pieces[n].box, ghosts, side_of(d, plus), moment);
   });
 }
 
-void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team, double time) const {
+void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team, double time,
+                        std::span<const double> sums) const {
+  const Moment moment{time, carriers(sums)};
   const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
-  for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team, time);
+  for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team, moment);
   team.for_each(state.local_boxes().size(), [&](std::size_t box, int) {
-    even_out_edges(state, static_cast<int>(box), width, time);
+    even_out_edges(state, static_cast<int>(box), width, moment);
   });
 }
 

@@ -22,9 +22,11 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "framework/base/exact_sum.hpp"
 #include "framework/field/warehouse.hpp"
 #include "framework/scene/boundary.hpp"
 #include "framework/task/thread_team.hpp"
@@ -56,7 +58,13 @@ class BoundaryFill {
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
   // only, whatever the boxes and threads.
-  void fill(Warehouse& state, const ThreadTeam& team, double time = 0) const;
+  // `sums`: what add_sums gives for all boxes of the coarsest level; none: no face has a carrier.
+  void fill(Warehouse& state, const ThreadTeam& team, double time = 0,
+            std::span<const double> sums = {}) const;
+  // Open faces without a velocity far away, and the sums that stand in for it (open_faces.cpp).
+  int open_faces() const { return static_cast<int>(open_faces_.size()); }
+  int sum_count() const;
+  void add_sums(const Warehouse& state, std::span<ExactSum> sums) const;
 
   // Walls let nothing pass: the face solver sets u_f = 0 there, whatever the ghosts hold.
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
@@ -80,20 +88,24 @@ class BoundaryFill {
   }
   bool copies(Side side, std::size_t region) const;  // state by state, or mirrored
   void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);
+  void number_open_face(Side side);  // that of the region added last
+  std::vector<std::optional<Vec3>> carriers(std::span<const double> sums) const;
   BoundaryViews views(const Warehouse& state, int box) const;
   std::vector<scalars::GhostViews> scalar_views(const Warehouse& state, int box) const;
   // `everywhere`: whether or not the material is there.
   void fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                     bool everywhere) const;
-  void fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
-  void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side, double time) const;
+  void fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                 const Moment& moment) const;
+  void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                 const Moment& moment) const;
   void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team,
-                      double time) const;
+                      const Moment& moment) const;
   // Does the order in which these sides fill a ghost matter?
   bool commute(std::span<const Side> sides) const;
   void fill_meeting(Warehouse& state, int box, const IndexBox& ghosts, std::span<const Side> sides,
-                    double time) const;
-  void even_out_edges(Warehouse& state, int box, int width, double time) const;
+                    const Moment& moment) const;
+  void even_out_edges(Warehouse& state, int box, int width, const Moment& moment) const;
   IndexBox ghost_region(const Warehouse& state, int box, int ghost_width, Side side) const;
 
   BoundarySetting setting_;
@@ -106,6 +118,7 @@ class BoundaryFill {
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
   std::array<bool, 6> has_walls_{}, has_waves_{};
   bool has_heat_slip_ = false;
+  std::vector<int> open_faces_;  // their directions
 };
 
 }  // namespace sluice::ice

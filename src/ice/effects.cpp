@@ -240,4 +240,17 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   return e;
 }
 
+Effect open_faces(const IceScene& ice, const BoundaryFill& boundary) {
+  if (boundary.wave_directions() == 0) return {"open faces", false, "no LODI face", {}};
+  const int faces = boundary.open_faces();
+  const LodiSettings& lodi = *ice.conditions.lodi;
+  return {"open faces", true,
+          faces > 0 ? fmt::format("LODI without vel_infinity: means over {} face{}, summed in a "
+                                  "reduction of their own",
+                                  faces, faces == 1 ? "" : "s")
+          : lodi.velocity_infinity ? "LODI with vel_infinity"
+                                   : "LODI in one dimension: nothing runs along the faces",
+          lodi.where};
+}
+
 }  // namespace sluice::ice

@@ -162,6 +162,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions, ice_.models.scalars,
                                                        options_.mixed));
+  effects_.add(open_faces(ice_, *boundary_.front()));
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, scene.grid, boundary_,
@@ -242,9 +243,18 @@ Label Ice::mask_label() const {
   return labels().mask;
 }
 
-void Ice::fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const {
+void Ice::fill_boundary(Warehouse& state, double time, std::span<const double> sums,
+                        const ThreadTeam& team) const {
   const BoundaryFill& boundary = *boundary_[static_cast<std::size_t>(state.level().index)];
-  boundary.fill(state, team, time);
+  boundary.fill(state, team, time, sums);
+}
+
+int Ice::boundary_sums() const {
+  return boundary_.front()->sum_count();
+}
+
+void Ice::add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) const {
+  boundary_.front()->add_sums(state, sums);
 }
 
 void Ice::declare_step(TaskList& list, const StepVariant& variant) const {

@@ -26,7 +26,10 @@ class Ice : public Component {
   std::vector<SlotInfo> state_slots() const override;
   std::vector<std::vector<Label>> checkpoint_labels() const override;
   void initialise(Warehouse& state) const override;
-  void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
+  void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
+                     const ThreadTeam& team) const override;
+  int boundary_sums() const override;
+  void add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
   int step_kinds() const override;
   int step_kind(const Warehouse& old_state, int local_box,
@@ -87,6 +90,9 @@ class Ice : public Component {
 // What the scene calls for and what it does not, with the deck lines.
 EffectList find_effects(const Scene& scene, const IceScene& ice);
 
+// The last of them, known once the boundary is.
+Effect open_faces(const IceScene& ice, const BoundaryFill& boundary);
+
 // Whether levels are made to agree on what passes between them: always, but for the classic form.
 bool matches_fluxes(const Scene& scene, const IceScene& ice);
 
@@ -109,7 +115,8 @@ enum EffectId {
   effect_driving_force,
   effect_sources,
   effect_reactions,
-  effect_tracers
+  effect_tracers,
+  effect_open_faces
 };
 
 // Whose task the account of forces is.

@@ -35,7 +35,7 @@ class TwoLevels : public testing::Test {
       states_.push_back(std::make_unique<Warehouse>(level, 0));
       for (const SlotInfo& slot : ice_->state_slots()) states_.back()->add(slot);
       ice_->initialise(*states_.back());
-      ice_->fill_boundary(*states_.back(), 0, ThreadTeam());
+      ice_->fill_boundary(*states_.back(), 0, {}, ThreadTeam());
     }
   }
   double value(int level, Label label, IntVec3 cell, int c = 0) const {

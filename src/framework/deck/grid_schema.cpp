@@ -81,7 +81,11 @@ TagSpec lodi() {
                .at_least(0)
                .by_default("0.27"),
            tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
-           tag("vel_infinity", "velocity that inflow is drawn to, with rho_infinity").vector(),
+           tag("vel_infinity",
+               "velocity far away, with rho_infinity: it carries what leaves, and draws what "
+               "enters; "
+               "absent: means over the faces carry, nothing draws")
+               .vector(),
            tag("rho_infinity", "density that inflow is drawn to").real().above(0),
            tag("material", "accepted without effect").text(),
            tag("ice_material_index", "accepted without effect").integer()});

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "framework/base/exact_sum.hpp"
 #include "framework/field/warehouse.hpp"
 #include "framework/refine/coverage.hpp"
 #include "framework/refine/flux_register.hpp"
@@ -97,8 +99,14 @@ class Component {
   virtual std::vector<std::vector<Label>> checkpoint_labels() const = 0;
   virtual void initialise(Warehouse& state) const = 0;
   // Ghost cells outside the domain, after the halo point has filled the others (on a finer level
-  // also those at its interface). The level is state.level().
-  virtual void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const = 0;
+  // also those at its interface). The level is state.level(). `sums`: of the coarsest level.
+  virtual void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
+                             const ThreadTeam& team) const = 0;
+  // What the boundary needs to know of all cells of the coarsest level, whoever holds them: exact
+  // sums, taken whenever its ghosts are filled and good for the finer levels until the next time.
+  // 0: nothing is summed, no message is sent.
+  virtual int boundary_sums() const { return 0; }
+  virtual void add_boundary_sums(const Warehouse& /*state*/, std::span<ExactSum> /*sums*/) const {}
 
   // Tasks of a step. Every label that can be saved from within a step is declared as an output.
   // With a recorder, a task marked `always` records the conserved fluxes of the faces that it

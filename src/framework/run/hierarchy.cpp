@@ -105,7 +105,7 @@ void Hierarchy::fill(int l, double time) {
     solver.fill_ghosts(time);
     return;
   }
-  solver.fill_ghosts(time, [&](Warehouse& state) {
+  const auto interface = [&](Warehouse& state) {
     LevelSolver& coarser = level(l - 1);
     const double share = share_of(l);
     // Its new state stands at the end of its own step; the old one was filled when it was swept.
@@ -115,7 +115,8 @@ void Hierarchy::fill(int l, double time) {
     joints_[static_cast<std::size_t>(l) - 1]->ghosts.run(
         before, after, share, state, solver.state_slots(), component_->transfer(),
         scene_->refinement.interface_order, solver.team());
-  });
+  };
+  solver.fill_ghosts(time, interface, &level(0));
 }
 
 Verdict Hierarchy::sweep(int l, const StepScope& scope) {

@@ -141,7 +141,8 @@ class HierarchyMock final : public Component {
     return {{mock_labels().b}, {mock_labels().a}, {mock_labels().s}};
   }
   void initialise(Warehouse& state) const override;
-  void fill_boundary(Warehouse& state, double time, const ThreadTeam& team) const override;
+  void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
+                     const ThreadTeam& team) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
   int step_kinds() const override { return wishes_->kinds ? 2 : 1; }
   int step_kind(const Warehouse& old, int box, const IndexBox& cells) const override {

@@ -26,7 +26,8 @@ void HierarchyMock::initialise(Warehouse& state) const {
     });
 }
 
-void HierarchyMock::fill_boundary(Warehouse& state, double time, const ThreadTeam&) const {
+void HierarchyMock::fill_boundary(Warehouse& state, double time, std::span<const double> /*sums*/,
+                                  const ThreadTeam&) const {
   const Level& level = state.level();
   const auto slots = slots_of(state);
   boundary_fills.push_back({level.index, time, 0, false});

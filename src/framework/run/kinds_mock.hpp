@@ -89,7 +89,8 @@ class KindsMock final : public Component {
   }
 
   void initialise(Warehouse& state) const override;
-  void fill_boundary(Warehouse& state, double, const ThreadTeam&) const override;
+  void fill_boundary(Warehouse& state, double, std::span<const double>,
+                     const ThreadTeam&) const override;
   void declare_step(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList&, int) const override {}
   void measure_rates(const Warehouse&, Reductions&) const override {}
@@ -127,7 +128,8 @@ inline void KindsMock::initialise(Warehouse& state) const {
     });
 }
 
-inline void KindsMock::fill_boundary(Warehouse& state, double, const ThreadTeam&) const {
+inline void KindsMock::fill_boundary(Warehouse& state, double, std::span<const double>,
+                                     const ThreadTeam&) const {
   for (int s = 0; s < 5; ++s)
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       for (int component = 0; component < state.info(s).components; ++component) {

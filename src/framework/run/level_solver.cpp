@@ -230,11 +230,28 @@ LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted)
   return *v;
 }
 
-void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>& interface) {
+// All ranks come here together: they fill the same levels in the same order.
+void LevelSolver::sum_for_boundary() {
+  const auto count = static_cast<std::size_t>(component_->boundary_sums());
+  if (count == 0) return;
+  std::vector<ExactSum> local(count);
+  component_->add_boundary_sums(state_, local);
+  Reduction all;
+  std::vector<Reduction::Sum> slots;
+  for (const ExactSum& sum : local) slots.push_back(all.add_sum(sum));
+  communicator_->reduce(all);
+  boundary_sums_.clear();
+  for (const Reduction::Sum slot : slots) boundary_sums_.push_back(all.sum(slot).value());
+}
+
+void LevelSolver::fill_ghosts(double time, const std::function<void(Warehouse&)>& interface,
+                              const LevelSolver* coarsest) {
   if (ghosts_filled_) return;
   halo_->run(state_, state_slots_, team_.get());
   if (interface) interface(state_);
-  component_->fill_boundary(state_, time, *team_);
+  if (coarsest == nullptr) sum_for_boundary();
+  component_->fill_boundary(
+      state_, time, coarsest == nullptr ? boundary_sums_ : coarsest->boundary_sums_, *team_);
   ghosts_filled_ = true;
 }
 

@@ -76,8 +76,10 @@ class LevelSolver {
   void watch(VolumeFaces volumes) { volumes_ = std::move(volumes); }
 
   // Fills all ghost cells of the current state, unless it was done already. `interface`, where
-  // given, fills those at the interface with a coarser level, before the boundary of the domain.
-  void fill_ghosts(double time, const std::function<void(Warehouse&)>& interface = nullptr);
+  // given, fills those at the interface with a coarser level, before the boundary of the domain;
+  // `coarsest`, of a finer level: whose boundary sums hold.
+  void fill_ghosts(double time, const std::function<void(Warehouse&)>& interface = nullptr,
+                   const LevelSolver* coarsest = nullptr);
   // The interior of the state was changed: ghosts are to be filled anew, blocks to be looked at.
   void touch() {
     ghosts_filled_ = false;
@@ -140,6 +142,7 @@ class LevelSolver {
   SweepGraph graph_of(const TaskList& list, const std::vector<Label>& wanted) const;
   std::vector<AbsentSlot> absent_slots(const TaskList& list, int kind,
                                        const std::vector<Label>& wanted) const;
+  void sum_for_boundary();
   void reduce(const Reductions& local, const RunControl* control);
   CellFault lowest_of_ranks(bool found, const CellFault& lowest);
 
@@ -163,6 +166,7 @@ class LevelSolver {
   std::vector<Label> step_labels_, diagnostic_labels_;
   Reductions last_;
   StepAttempt attempt_;
+  std::vector<double> boundary_sums_;  // of the coarsest level, as its ghosts were filled last
   Reduction reduction_;
   bool masked_ = false, ghosts_filled_ = false;
   bool start_kept_ = false;  // in start_; else in state_ or, after one substep, in next_

@@ -90,6 +90,40 @@ TEST_F(LevelSolverTest, RefusesAStepThatReadsMoreGhostsThanThereAre) {
   EXPECT_THROW(solver.attempt(0, dt, {}, LevelSolverTest::control.get()), std::logic_error);
 }
 
+// Knows on every rank what all cells hold, and how often it was asked.
+struct SummingComponent : MockComponent {
+  using MockComponent::MockComponent;
+  mutable std::vector<double> known;
+  int boundary_sums() const override { return 1; }
+  void add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) const override {
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
+      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+                    [&](IntVec3 c) { sums[0].add(state.view(0, 0, b)(c) / 3); });
+  }
+  void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
+                     const ThreadTeam& team) const override {
+    known.insert(known.end(), sums.begin(), sums.end());
+    MockComponent::fill_boundary(state, time, sums, team);
+  }
+};
+
+TEST_F(LevelSolverTest, TheBoundaryKnowsExactSumsOverAllCells) {
+  ExactSum all;
+  for (int i = 0; i < 40; ++i) all.add(MockComponent::start(i) / 3);
+  for (const int boxes : {1, 3}) {
+    const Scene scene = Tube::dealt_out(tube(boxes));
+    const SummingComponent component(scene.grid.levels.front());
+    LevelSolver solver(component, scene.grid.levels.front(), world(), {});
+    component.initialise(solver.state());
+    for (int n = 0; n < 2; ++n) solver.fill_ghosts(0);  // once: nothing has changed
+    EXPECT_EQ(component.known, std::vector<double>{all.value()});
+    const LevelSolver& coarsest = solver;
+    LevelSolver finer(component, scene.grid.levels.front(), world(), {});
+    finer.fill_ghosts(0, nullptr, &coarsest);  // of zeros itself
+    EXPECT_EQ(component.known, (std::vector<double>{all.value(), all.value()}));
+  }
+}
+
 TEST_F(LevelSolverTest, ARejectedAttemptNamesTheLowestCellAndChangesNothing) {
   Tube tube(3);
   const auto before = tube.state();

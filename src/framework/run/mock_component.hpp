@@ -52,7 +52,8 @@ class MockComponent : public Component {
       for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
                     [&](IntVec3 c) { state.view(0, 0, b)(c) = start(c.x); });
   }
-  void fill_boundary(Warehouse& state, double, const ThreadTeam&) const override {
+  void fill_boundary(Warehouse& state, double, std::span<const double>,
+                     const ThreadTeam&) const override {
     for (int s = 0; s < state.slot_count(); ++s)
       for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
         const RealView v = state.view(s, 0, b);

@@ -21,6 +21,7 @@ LodiSettings read_lodi(const DeckNode& node) {
   if (node.child("vel_infinity") != nullptr)
     s.velocity_infinity = vector_or(node, "vel_infinity", {});
   s.rho_infinity = real_of(node, "rho_infinity");
+  s.where = node.where;
   return s;
 }
 

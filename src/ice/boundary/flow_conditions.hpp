@@ -16,6 +16,7 @@ struct LodiSettings {
   double scale = 1;           // of all that comes in
   std::optional<Vec3> velocity_infinity;
   std::optional<double> rho_infinity;
+  Location where;
 };
 
 // q = reference + A sin(omega t); components of velocity whose reference is zero stay zero.

@@ -30,6 +30,7 @@ struct GhostRule {
   bool vortex_pressure = false;  // of TravellingVortices
   bool creep = false;            // slip: towards warmer gas along the wall
   bool waves = false;            // waves.hpp; what is fixed stays so
+  int open_face = -1;            // of those without a velocity far away: open_faces.cpp
   WallHeat heat;                 // of walls, through conduction only; not of symmetry planes
   double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 

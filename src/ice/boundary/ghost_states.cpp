@@ -10,8 +10,8 @@
 namespace sluice::ice {
 
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
-                         bool plus, double time)
-    : setting_(setting), v_(views), d_(direction), plus_(plus), time_(time) {
+                         bool plus, const Moment& moment)
+    : setting_(setting), v_(views), d_(direction), plus_(plus), moment_(moment) {
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
 }
 
@@ -58,7 +58,7 @@ double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
 }
 
 TravellingVortices::Flow GhostStates::vortices(IntVec3 ghost, double rho) const {
-  return setting_.conditions.vortices->at(setting_.level->centre(ghost), time_, rho,
+  return setting_.conditions.vortices->at(setting_.level->centre(ghost), moment_.time, rho,
                                           setting_.viscosity);
 }
 
@@ -69,7 +69,7 @@ double GhostStates::swing(IntVec3 ghost, IntVec3 source) const {
   const WaveState s = wave_state(source);
   const double inward = sound_speed(source, s) - s.u[0];
   const double off = (std::abs(ghost[d_] - source[d_]) - 0.5) * setting_.level->spacing[d_];
-  return sine.amplitude * std::sin(sine.omega * (time_ + (inward > 0 ? off / inward : 0.0)));
+  return sine.amplitude * std::sin(sine.omega * (moment_.time + (inward > 0 ? off / inward : 0.0)));
 }
 
 double GhostStates::given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {

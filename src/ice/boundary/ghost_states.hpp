@@ -42,11 +42,19 @@ struct BoundarySetting {
   FlowConditions conditions;
 };
 
-// On one side, at a time; ghosts are to be filled from the boundary outward.
+// When ghosts are filled, and what was found on the whole boundary for it.
+struct Moment {
+  double time = 0;
+  // What carries things out through open faces without a velocity far away (open_faces.cpp); none
+  // where the coarsest level has no cell.
+  std::vector<std::optional<Vec3>> carriers;
+};
+
+// On one side, at a moment; ghosts are to be filled from the boundary outward.
 class GhostStates {
  public:
   GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction, bool plus,
-              double time);
+              const Moment& moment);
 
   void plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
@@ -93,8 +101,9 @@ class GhostStates {
   double sound_speed(IntVec3 cell, const WaveState& s) const;
   WaveState wave_state(IntVec3 cell) const;
   WaveState along(IntVec3 cell, int direction) const;
-  WaveCell wave_cell(IntVec3 source) const;
-  WaveState continued(IntVec3 source, int layers, double lowest_pressure) const;
+  WaveCell wave_cell(const GhostRule& rule, IntVec3 source) const;
+  WaveState continued(const GhostRule& rule, IntVec3 source, int layers,
+                      double lowest_pressure) const;
   void wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
                      double rho) const;
   int alone_in(IntVec3 cell) const;
@@ -110,7 +119,7 @@ class GhostStates {
   const BoundaryViews& v_;
   int d_;
   bool plus_;
-  double time_ = 0;
+  const Moment& moment_;
   std::vector<Part> parts_;
   Fluid mixed_law_;  // of a part that is a mixture itself, in the ghost
 };

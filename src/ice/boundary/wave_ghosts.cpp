@@ -70,7 +70,7 @@ WaveState GhostStates::along(IntVec3 cell, int e) const {
   return slope;
 }
 
-WaveCell GhostStates::wave_cell(IntVec3 source) const {
+WaveCell GhostStates::wave_cell(const GhostRule& rule, IntVec3 source) const {
   const Level& level = *setting_.level;
   const LodiSettings& settings = *setting_.conditions.lodi;
   WaveCell cell;
@@ -82,6 +82,10 @@ WaveCell GhostStates::wave_cell(IntVec3 source) const {
     cell.far_known = true;
     cell.far.rho = *settings.rho_infinity;
     to_face_frame(*settings.velocity_infinity, cell.far);
+  } else if (rule.open_face >= 0 && !moment_.carriers.empty()) {
+    const auto& carrier = moment_.carriers[static_cast<std::size_t>(rule.open_face)];
+    cell.carrier_known = carrier.has_value();
+    if (carrier) to_face_frame(*carrier, cell.carrier);
   }
   IntVec3 inner = source;
   inner[d_] += plus_ ? -1 : 1;
@@ -107,8 +111,9 @@ double GhostStates::transverse_part_of(const WaveCell& cell, IntVec3 source, int
 }
 
 // The state that waves leave in a ghost, without hydrostatic pressure.
-WaveState GhostStates::continued(IntVec3 source, int layers, double lowest_pressure) const {
-  const WaveCell cell = wave_cell(source);
+WaveState GhostStates::continued(const GhostRule& rule, IntVec3 source, int layers,
+                                 double lowest_pressure) const {
+  const WaveCell cell = wave_cell(rule, source);
   const double distance = layers * cell.spacing;
   const WaveState slope =
       outward_slopes(cell, transverse_part_of(cell, source, layers), *setting_.conditions.lodi);
@@ -127,7 +132,7 @@ void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, st
   Fluid room, source_room;
   const Fluid& fluid = fluid_of(ghost, room, m);
   const int layers = std::abs(ghost[d_] - source[d_]);
-  const WaveState out = continued(source, layers, fluid.lowest_pressure());
+  const WaveState out = continued(rule, source, layers, fluid.lowest_pressure());
   double rho = rule.fixed_density ? rule.density : out.rho;
   double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule, ghost, source)
                                                        : out.p + hydrostatic(source, ghost, rho);
@@ -191,7 +196,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 
   double lowest = -std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < count; ++m)
     if (v_.mass[m](source) > 0.0) lowest = std::max(lowest, setting_.fluids[m].lowest_pressure());
-  const WaveState out = continued(source, std::abs(ghost[d_] - source[d_]), lowest);
+  const WaveState out = continued(rule.common, source, std::abs(ghost[d_] - source[d_]), lowest);
   const double p_source = mixture_pressure(source);
   const double p = rule.common.fixed_pressure || rule.common.sine_pressure
                        ? given_pressure(rule.common, ghost, source)

@@ -23,19 +23,27 @@ double incoming(const WaveCell& cell, double transverse, const LodiSettings& set
   return transverse + back;
 }
 
+// c - (U - U0). A mean may be far from the flow in a cell, as beside a jet: it makes the wave at
+// most twice as strong.
+double speed_past(const WaveCell& cell) {
+  const double c = cell.sound_speed, U = cell.here.u[0];
+  if (cell.far_known) return c - (U - cell.far.u[0]);
+  return cell.carrier_known ? std::max(c - (U - cell.carrier.u[0]), 0.5 * c) : c;
+}
+
 }  // namespace
 
 double transverse_part(const WaveCell& cell) {
   const WaveState& s = cell.here;
+  const WaveState& carrier = cell.far_known ? cell.far : cell.carrier;
   const double c = cell.sound_speed;
   double sum = 0;
   for (int t = 0; t < 2; ++t) {
     const WaveState& d = cell.along[t];
-    const double speed = s.u[1 + t] - (cell.far_known ? cell.far.u[1 + t] : 0.0);
+    const double speed = s.u[1 + t] - carrier.u[1 + t];
     sum += (speed * d.p + s.rho * c * c * d.u[1 + t]) - s.rho * c * speed * d.u[0];
   }
-  const double carried = cell.far_known ? s.u[0] - cell.far.u[0] : 0.0;
-  return 0.5 * sum / (c - carried);
+  return 0.5 * sum / speed_past(cell);
 }
 
 WaveState outward_slopes(const WaveCell& cell, double transverse, const LodiSettings& settings) {

@@ -9,7 +9,8 @@
 // T: what the flow along the face does to the incoming wave, ((u_t - V0).d_t p + rho c^2 d_t.u_t -
 // rho c (u_t - V0).d_t U)/2: a vortex that is carried through the face at (U0, V0) then needs no
 // incoming wave (Yoo and Im, with their weight 1 - U/c of T). That velocity is the one far away, if
-// given, otherwise U0 = U and V0 = 0. Faster than sound nothing comes in, or everything does.
+// given, otherwise means over open faces (open_faces.cpp); without either U0 = U and V0 = 0. Faster
+// than sound nothing comes in, or everything does.
 // The local Mach number takes the place of the largest one on the face.
 // References: Poinsot and Lele, J. Comput. Phys. 101 (1992) 104; Sutherland and Kennedy, J. Comput.
 // Phys. 191 (2003) 502; Yoo and Im, Combust. Theory Model. 11 (2007) 259.
@@ -30,6 +31,9 @@ struct WaveCell {
   // The flow far away, where it is given: what inflow is drawn to, and what carries vortices.
   bool far_known = false;
   WaveState far;
+  // What carries vortices where it is not (its velocity alone).
+  bool carrier_known = false;
+  WaveState carrier;
 };
 
 // What the flow along the face adds to G-.

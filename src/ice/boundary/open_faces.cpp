@@ -1,0 +1,85 @@
+// What carries things out through open faces (LODI) whose deck gives no velocity far away.
+//
+// Across a face: the mean velocity over it. Along the face: the mean over all open faces across
+// that direction, zero where there is none (what runs along a face while a vortex passes it is no
+// mean of the flow). Sums are of the coarsest level, which has the whole face, and exact.
+#include <algorithm>
+
+#include "ice/boundary_fill.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// Cells and velocity across, by direction; then the same by open face.
+constexpr int sums_of_directions = 6;
+
+}  // namespace
+
+// Numbered side by side, region by region: alike on all levels. Only what changes along a face
+// needs to know what carries it.
+void BoundaryFill::number_open_face(Side side) {
+  const auto n = static_cast<std::size_t>(side);
+  GhostRule& rule = rules_[n].back();
+  if (!rule.waves || setting_.conditions.lodi->velocity_infinity) return;
+  if (level_->active_count() < 2) return;
+  rule.open_face = open_faces();
+  open_faces_.push_back(direction_of(side));
+  if (mixtures_[n].empty()) return;
+  MixtureRule& mixture = mixtures_[n].back();
+  mixture.common.open_face = rule.open_face;
+  for (MixtureRule::Part& part : mixture.parts) part.rule.open_face = rule.open_face;
+}
+
+int BoundaryFill::sum_count() const {
+  return open_faces_.empty() ? 0 : sums_of_directions + 2 * open_faces();
+}
+
+// The cells of a level are equally large.
+void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) const {
+  for (const Side side : all_sides) {
+    const auto n = static_cast<std::size_t>(side);
+    const auto needs = [](const GhostRule& r) { return r.open_face >= 0; };
+    if (std::none_of(rules_[n].begin(), rules_[n].end(), needs)) continue;
+    const int d = direction_of(side);
+    const auto found = std::find(slots_.directions.begin(), slots_.directions.end(), d);
+    const auto component = static_cast<std::size_t>(found - slots_.directions.begin());
+    const int layer = is_plus(side) ? level_->domain.upper[d] - 1 : level_->domain.lower[d];
+    for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
+      IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+      cells.lower[d] = std::max(cells.lower[d], layer);
+      cells.upper[d] = std::min(cells.upper[d], layer + 1);
+      if (cells.empty()) continue;
+      const BoundaryViews v = views(state, box);
+      for_each_cell(cells, [&](IntVec3 cell) {
+        const int face = rule(side, cell).open_face;
+        if (face < 0) return;
+        const double u = v.momentum[component](cell) / v.density(cell);
+        for (const int first : {2 * d, sums_of_directions + 2 * face}) {
+          sums[static_cast<std::size_t>(first)].add(1.0);
+          sums[static_cast<std::size_t>(first) + 1].add(u);
+        }
+      });
+    }
+  }
+}
+
+std::vector<std::optional<Vec3>> BoundaryFill::carriers(std::span<const double> sums) const {
+  std::vector<std::optional<Vec3>> carriers;
+  if (sums.empty()) return carriers;
+  const auto mean = [&](int first) {
+    const auto at = static_cast<std::size_t>(first);
+    return sums[at] > 0 ? std::optional(sums[at + 1] / sums[at]) : std::nullopt;
+  };
+  Vec3 across;
+  for (int d = 0; d < 3; ++d) across[d] = mean(2 * d).value_or(0.0);
+  for (int face = 0; face < open_faces(); ++face) {
+    carriers.emplace_back();
+    const auto own = mean(sums_of_directions + 2 * face);
+    if (!own) continue;
+    carriers.back() = across;
+    (*carriers.back())[open_faces_[static_cast<std::size_t>(face)]] = *own;
+  }
+  return carriers;
+}
+
+}  // namespace sluice::ice
