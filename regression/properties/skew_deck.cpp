@@ -77,10 +77,11 @@ std::string boundary(const SkewCase& c, const Orientation& o) {
       faces += fmt::format("  <Face side=\"{}{}\">\n{}  </Face>\n", "xyz"[d], plus ? '+' : '-',
                            conditions(kind, normal, there, c.conductivity > 0, o));
     }
-  const std::string waves = fmt::format(
-      "<LODI> <press_infinity>0.4</press_infinity> <rho_infinity>1</rho_infinity>\n"
-      "<vel_infinity>{}</vel_infinity> </LODI>\n",
-      text(o.turn({0.1, -0.2, 0.3})));
+  const std::string far =
+      fmt::format(" <rho_infinity>1</rho_infinity>\n<vel_infinity>{}</vel_infinity>",
+                  text(o.turn({0.1, -0.2, 0.3})));
+  const std::string waves =
+      fmt::format("<LODI> <press_infinity>0.4</press_infinity>{} </LODI>\n", c.far_flow ? far : "");
   const std::string slip =
       "<microSlip> <alpha_momentum>0.8</alpha_momentum> <alpha_temperature>1</alpha_temperature>\n"
       "<SlipModel type=\"SecondOrder_Deissler\"/> </microSlip>\n";

@@ -64,6 +64,7 @@ struct SkewCase {
   double conductivity = 0;   // walls then have temperatures of their own
   std::string turbulence{};  // the model's name
   SkewSecond second{};
+  bool far_flow = true;  // LODI faces know density and velocity far away
 
   // A direction that the grid keeps: gravity makes a dimension of one cell.
   bool active(int d) const { return cells[d] > 1 || gravity[d] != 0; }
