@@ -22,23 +22,6 @@ std::ptrdiff_t padded(std::ptrdiff_t n) {
   return rounded_up(n) + vector;
 }
 
-constexpr std::array<std::ptrdiff_t, 2 * most_reach + 1> unit_steps{-3, -2, -1, 0, 1, 2, 3};
-static_assert(unit_steps[2 * most_reach] == most_reach);
-
-// Of the middle axis, then of the swept one in every phase of the ring.
-std::size_t count_of_steps(int planes) {
-  return static_cast<std::size_t>(1 + planes);
-}
-void find_steps(BoundArray& a, bool middle, Steps* steps) {
-  a.middle_steps = steps;
-  a.swept_steps = steps + 1;
-  for (int shift = -most_reach; shift <= most_reach; ++shift) {
-    steps[0].at(shift) = middle ? shift * a.middle : 0;
-    for (int phase = 0; phase <= a.phases; ++phase)
-      steps[1 + phase].at(shift) = (((phase + shift) & a.mask) - phase) * a.swept;
-  }
-}
-
 }  // namespace
 
 BlockSweep::Window BlockSweep::window_of(const IndexBox& block, const Growth& growth,
@@ -75,38 +58,40 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
   std::ptrdiff_t total = 0;
   std::size_t steps = 0;
-  std::vector<Accessed> accessed(list.variables().size());
+  std::vector<std::size_t> number(list.variables().size());  // in arrays_
   for (const PlannedBuffer& b : plan.buffers) {
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
-    steps += count_of_steps(b.planes);
-    accessed[static_cast<std::size_t>(b.variable.index)] = {arrays_.size(), 0};
+    steps += BoundArray::count_of_steps(b.planes);
+    number[static_cast<std::size_t>(b.variable.index)] = arrays_.size();
     arrays_.emplace_back();
   }
   buffer_steps_.resize(steps);
   total += 2 * vector;  // what is read beyond the last row
   if (scratch_->size() < static_cast<std::size_t>(total))
     *scratch_ = AlignedArray(static_cast<std::size_t>(total));
-  for (std::size_t v = 0; v < accessed.size(); ++v)
-    if (list.variables()[v].storage != Storage::temporary && plan.used[v])
-      state_variables_.push_back(v);
-  for (std::size_t s = 0; s < state_variables_.size(); ++s)
-    accessed[state_variables_[s]] = {arrays_.size() + s, state_variables_.size()};
-  for (const PlannedTask& p : plan.tasks) {
-    const Task& t = list.tasks()[static_cast<std::size_t>(p.task)];
-    auto& accesses = accesses_.emplace_back();
-    const auto add = [&](VariableId v) {
-      accesses.push_back(accessed[static_cast<std::size_t>(v.index)]);
-    };
-    for (const Access& a : t.reads) add(a.variable);
-    reads_.push_back(accesses.size());
-    for (const VariableId v : t.writes) add(v);
-    if (starts_.size() < accesses.size()) starts_.resize(accesses.size());
-    kernels_.push_back(&t.kernel);
-    sharing_.push_back(sharing_of(p));
-    stores_.push_back(t.always || std::any_of(t.writes.begin(), t.writes.end(), [&](VariableId v) {
-                        return list[v].storage != Storage::temporary;
-                      }));
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (list.variables()[v].storage == Storage::temporary || !plan.used[v]) continue;
+    number[v] = arrays_.size() + state_variables_.size();
+    state_variables_.push_back(v);
   }
+  for (const PlannedTask& p : plan.tasks) tasks_.push_back(bind_task(p, number));
+}
+
+// `number`: of each variable in arrays_, for the first piece.
+BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
+                                            const std::vector<std::size_t>& number) const {
+  const Task& t = list_->tasks()[static_cast<std::size_t>(planned.task)];
+  const auto stored = [&](VariableId v) { return (*list_)[v].storage != Storage::temporary; };
+  const std::size_t reads = t.reads.size(), all = reads + t.writes.size();
+  BoundTask task{&t.kernel, sharing_of(planned),
+                 t.always || std::any_of(t.writes.begin(), t.writes.end(), stored),
+                 static_cast<int>(reads), RowArrays(all, plan_->axes.count)};
+  for (std::size_t n = 0; n < all; ++n) {
+    const VariableId v = n < reads ? t.reads[n].variable : t.writes[n - reads];
+    auto& accesses = stored(v) ? task.states : task.buffers;
+    accesses.emplace_back(n, number[static_cast<std::size_t>(v.index)]);
+  }
+  return task;
 }
 
 // A task that reaches beyond blocks along the swept axis may store nothing and reduce nothing, or
@@ -144,88 +129,85 @@ void BlockSweep::bind_states(std::size_t piece, int box) {
     b.first = view.data - cells.low[0] - cells.low[1] * b.middle;
     if (variable.components > 1)
       b.component = warehouse->view(binding_->slot[v], 1, box).data - view.data;
-    find_steps(b, n == 3, &state_steps_[number * count_of_steps(1)]);
+    b.find_steps(n == 3, &state_steps_[number * BoundArray::count_of_steps(1)]);
   }
 }
 
 void BlockSweep::bind_scratch(const IndexBox& hull) {
-  double* next = scratch_->data();
+  double* next = scratch_->data();  // others that share it may have made it larger
+  if (hull == hull_ && next == scratch_data_) return;
+  hull_ = hull;
+  scratch_data_ = next;
   Steps* steps = buffer_steps_.data();
   BoundArray* array = arrays_.data();
   for (const PlannedBuffer& p : plan_->buffers) {
     BoundArray& b = *array++;
     const Window w = window_of(hull, p.window, plan_->axes);
     const int planes = plan_->axes.count > 1 ? p.planes : 1;
-    const BoundArray before = b;
+    const std::ptrdiff_t middle = padded(w.high[0] - w.low[0]);
+    const std::ptrdiff_t swept = middle * (w.high[1] - w.low[1]);
+    const bool same_steps = middle == b.middle && swept == b.swept;
+    b.middle = middle;
+    b.swept = swept;
     b.low = 0;  // the ring wraps planes of any index
-    b.middle = padded(w.high[0] - w.low[0]);
-    b.swept = b.middle * (w.high[1] - w.low[1]);
     b.mask = b.phases = planes - 1;
     b.component = b.swept * planes;
     b.first = next - w.low[0] - w.low[1] * b.middle;
     next += b.component * (*list_)[p.variable].components;
-    if (b.middle != before.middle || b.swept != before.swept)
-      find_steps(b, plan_->axes.count == 3, steps);
-    steps += count_of_steps(p.planes);
+    if (!same_steps) b.find_steps(plan_->axes.count == 3, steps);
+    steps += BoundArray::count_of_steps(p.planes);
   }
-}
-
-// Where a row begins in all that a task reads and writes.
-void BlockSweep::start_row(std::size_t task, int i, int j, int plane) {
-  const bool three = plan_->axes.count == 3;
-  RowStart* start = starts_.data();
-  for (const Accessed& access : accesses_[task]) {
-    const BoundArray& a = arrays_[access.number + chosen_ * access.per_piece];
-    const int ring = (plane - a.low) & a.mask;
-    const std::ptrdiff_t* middle = a.middle_steps->centre();
-    const std::ptrdiff_t* swept = a.swept_steps[ring & a.phases].centre();
-    *start++ = {a.first + i + j * a.middle + ring * a.swept,
-                a.component,
-                {unit_steps.data() + most_reach, three ? middle : swept, three ? swept : middle}};
-  }
+  for (BoundTask& t : tasks_)
+    for (const auto& [access, number] : t.buffers) t.rows.bind(access, arrays_[number]);
 }
 
 void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Row& row,
                            bool alone) {
-  const RowKernel& kernel = *kernels_[task];
+  BoundTask& t = tasks_[task];
   const Axes& axes = plan_->axes;
-  row.reads_ = starts_.data();
-  row.writes_ = starts_.data() + reads_[task];
+  row.starts_ = t.rows.starts();
+  row.first_write_ = t.reads;
   row.count_ = window.high[0] - window.low[0];
-  row.whole_vectors_ = alone && !stores_[task] ? rounded_up(row.count_) : row.count_;
+  row.whole_vectors_ = alone && !t.stores ? rounded_up(row.count_) : row.count_;
   row.cell_ = level_->domain.lower;
   row.cell_[axes.direction[0]] = window.low[0];
   if (axes.count > 1) row.cell_[axes.direction[axes.count - 1]] = plane;
   for (int j = window.low[1]; j < window.high[1]; ++j) {
-    start_row(task, window.low[0], j, plane);
+    t.rows.start_row(window.low[0], j, plane);
     if (axes.count == 3) row.cell_[axes.direction[1]] = j;
-    kernel(row);
+    (*t.kernel)(row);
   }
 }
 
-// The arrays of one piece for the tasks that follow.
-void BlockSweep::choose(std::size_t piece, Row& row) {
-  if (chosen_ == piece) return;
-  chosen_ = piece;
-  row.box_ = stack_[piece].box;
-  row.block_low_ = stack_[piece].cells.lower;
-  row.block_high_ = stack_[piece].cells.upper;
+// The arrays of one piece for a task.
+void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
+  BoundTask& t = tasks_[task];
+  if (t.chosen != piece)
+    for (const auto& [access, number] : t.states)
+      t.rows.bind(access, arrays_[number + piece * state_variables_.size()]);
+  t.chosen = piece;
+  const SweepPiece& p = stack_[piece];
+  if (row.box_ == p.box && row.block_low_ == p.cells.lower) return;
+  row.box_ = p.box;
+  row.block_low_ = p.cells.lower;
+  row.block_high_ = p.cells.upper;
   row.old_marks_ = binding_->old_state->marks(row.box_);
   row.new_marks_ = binding_->new_state->marks(row.box_);
 }
 
 void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
-  std::size_t& first = first_piece_[task];
+  std::size_t& first = tasks_[task].first_piece;
   while (first < stack_.size() && window(task, first).high[2] <= plane) ++first;
   std::size_t last = first;
   while (last < stack_.size() && window(task, last).low[2] <= plane) ++last;
   if (first == last) return;
-  if (last - first == 1 || sharing_[task] == Sharing::none) {
+  if (last - first == 1 || tasks_[task].sharing == Sharing::none) {
     for (std::size_t n = first; n < last; ++n) {
-      choose(n, row);
+      choose(task, n, row);
       run_plane(task, window(task, n), plane, row, last - first == 1);
     }
-  } else if (sharing_[task] == Sharing::plane) {
+  } else if (tasks_[task].sharing == Sharing::plane) {
+    choose(task, first, row);
     Window hull = window(task, first);
     for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
     run_plane(task, hull, plane, row, true);
@@ -245,14 +227,14 @@ void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last
   for (std::size_t n = first + 1; n < last; ++n)
     if (width(n) > width(widest)) widest = n;
   Window done = window(task, widest);
-  choose(widest, row);
+  choose(task, widest, row);
   run_plane(task, done, plane, row, true);  // what it leaves beyond is computed after it
   for (std::size_t n = first; n < last; ++n) {
     if (n == widest) continue;
     Window part = window(task, n);
     if (plan_->axes.count < 3 && part.low[0] >= done.low[0] && part.high[0] <= done.high[0])
       continue;
-    choose(n, row);
+    choose(task, n, row);
     if (plan_->axes.count == 3) {
       run_plane(task, part, plane, row);
       continue;
@@ -291,7 +273,7 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   const std::size_t states = stack.size() * state_variables_.size();
   if (arrays_.size() < plan_->buffers.size() + states) {
     arrays_.resize(plan_->buffers.size() + states);
-    state_steps_.resize(states * count_of_steps(1));
+    state_steps_.resize(states * BoundArray::count_of_steps(1));
   }
   IndexBox hull = stack.front().cells;
   for (std::size_t n = 0; n < stack.size(); ++n) {
@@ -299,10 +281,13 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
     hull = sluice::bounding(hull, stack[n].cells);
   }
   bind_scratch(hull);
-  chosen_ = stack.size();
+  for (BoundTask& t : tasks_) {
+    t.chosen = stack.size();
+    t.first_piece = 0;
+  }
   find_windows();
-  first_piece_.assign(plan_->tasks.size(), 0);
   Row row;
+  row.box_ = -1;  // none chosen yet
   row.along_ = plan_->axes.direction[0];
   row.step_ = &step;
   row.reductions_ = &reductions;
@@ -316,7 +301,7 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   }
   const auto run_one = [&](std::size_t t, int k) {
     if (swept) return run_task(t, k + plan_->tasks[t].lead, row);
-    choose(0, row);
+    choose(t, 0, row);
     run_plane(t, window(t, 0), 0, row, true);
   };
   for (int k = first; k < last; ++k)

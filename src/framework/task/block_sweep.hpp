@@ -9,18 +9,18 @@
 // nor reduce anything are shared; what they leave in a cell is the same for every block that needs
 // it, so that stacks change no result.
 #pragma once
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "framework/field/warehouse.hpp"
 #include "framework/task/graph.hpp"
 #include "framework/task/reductions.hpp"
-#include "framework/task/row.hpp"
+#include "framework/task/row_arrays.hpp"
 
 namespace sluice {
 
@@ -39,28 +39,6 @@ using TaskTimes = std::vector<std::int64_t>;
 struct SweepPiece {
   int box = 0;
   IndexBox cells;
-};
-
-// How far the cells are that lie so many cells along an axis.
-class Steps {
- public:
-  std::ptrdiff_t& at(int shift) { return steps_[static_cast<std::size_t>(shift + most_reach)]; }
-  const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }
-
- private:
-  std::array<std::ptrdiff_t, 2 * most_reach + 2> steps_{};  // one more makes it a cache line
-};
-
-// One variable as it is bound for one block, in the coordinates of windows: axis 0 (unit stride),
-// middle axis (3-D only), swept axis (2-D and 3-D).
-struct BoundArray {
-  double* first = nullptr;               // where component 0 of cell (0, 0, low) would lie
-  std::ptrdiff_t component = 0;          // from one component to the next
-  std::ptrdiff_t middle = 0, swept = 0;  // strides
-  int low = 0;                           // along the swept axis
-  int mask = -1;                         // of temporaries: ring of planes, plane & mask
-  int phases = 0;                        // likewise, of the steps along the swept axis
-  const Steps *middle_steps = nullptr, *swept_steps = nullptr;
 };
 
 // The working state of one thread.
@@ -99,6 +77,19 @@ class BlockSweep {
     int high[3] = {1, 1, 1};
   };
 
+  // A planned task as it is bound.
+  struct BoundTask {
+    const RowKernel* kernel;
+    Sharing sharing;
+    bool stores;     // or reduces
+    int reads;       // accesses before the writes
+    RowArrays rows;  // of its accesses
+    std::vector<std::pair<std::size_t, std::size_t>> buffers{}, states{};  // access, in arrays_
+    std::size_t chosen = 0;       // the piece whose states are bound
+    std::size_t first_piece = 0;  // pieces below are done
+  };
+
+  BoundTask bind_task(const PlannedTask& planned, const std::vector<std::size_t>& number) const;
   Sharing sharing_of(const PlannedTask& planned) const;
   static Window window_of(const IndexBox& block, const Growth& growth, const Axes& axes);
   static Window bounding(const Window& a, const Window& b);
@@ -107,8 +98,7 @@ class BlockSweep {
   void find_windows();
   void bind_states(std::size_t piece, int box);
   void bind_scratch(const IndexBox& hull);
-  void choose(std::size_t piece, Row& row);
-  void start_row(std::size_t task, int i, int j, int plane);
+  void choose(std::size_t task, std::size_t piece, Row& row);
   void run_task(std::size_t task, int plane, Row& row);
   void run_parts(std::size_t task, std::size_t first, std::size_t last, int plane, Row& row);
   // `alone`: nothing else of the task's is on this plane.
@@ -116,31 +106,23 @@ class BlockSweep {
   const Window& window(std::size_t task, std::size_t piece) const {
     return windows_[task * stack_.size() + piece];
   }
+
   const TaskList* list_;
   const SweepPlan* plan_;
   const Level* level_;
   const StateBinding* binding_;
   std::shared_ptr<AlignedArray> scratch_;
-  // What a task reads or writes: a number in arrays_, and what pieces add to it, each.
-  struct Accessed {
-    std::size_t number = 0, per_piece = 0;
-  };
   // Temporaries in the order of their buffers, then the state variables of each piece.
   std::vector<BoundArray> arrays_;
-  std::vector<Steps> buffer_steps_;              // of temporaries
-  std::vector<std::vector<Accessed>> accesses_;  // by planned task: reads, then writes
-  std::vector<std::size_t> reads_;               // by planned task: how many
-  std::vector<RowStart> starts_;                 // of the accesses of the task at hand
-  std::vector<const RowKernel*> kernels_;        // by planned task
-  std::vector<Sharing> sharing_;                 // by planned task
-  std::vector<bool> stores_;                     // by planned task: or reduces
-  std::vector<std::size_t> state_variables_;     // those that are no temporaries
+  std::vector<Steps> buffer_steps_;           // of temporaries
+  IndexBox hull_{};                           // that they are bound for
+  const double* scratch_data_ = nullptr;      // likewise
+  std::vector<std::size_t> state_variables_;  // those that are no temporaries
+  std::vector<BoundTask> tasks_;              // as planned
   // Of the stack at hand.
   std::span<const SweepPiece> stack_;
-  std::size_t chosen_ = 0;                // the piece whose arrays a task sees
-  std::vector<Steps> state_steps_;        // by piece and state variable, two of each
-  std::vector<Window> windows_;           // by planned task and piece
-  std::vector<std::size_t> first_piece_;  // by planned task: pieces below are done
+  std::vector<Steps> state_steps_;  // by piece and state variable, two of each
+  std::vector<Window> windows_;     // by planned task and piece
 };
 
 }  // namespace sluice

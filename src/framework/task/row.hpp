@@ -29,16 +29,17 @@ struct Axes {
 // Cells that a stencil may reach along one axis.
 constexpr int most_reach = 3;
 
-// One variable where the row at hand begins: found once a row, asked for hundreds of times.
-struct RowStart {
-  double* first = nullptr;         // its first cell, component 0
-  std::ptrdiff_t component = 0;    // from one component to the next
-  const std::ptrdiff_t* along[3];  // steps along each axis, by shift
+// Where the row at hand begins in what its task reads and writes: found once a row, asked for
+// hundreds of times. By number of the access.
+struct RowStarts {
+  double* const* first = nullptr;              // its first cell, component 0
+  const std::ptrdiff_t* component = nullptr;   // from one component to the next
+  const std::ptrdiff_t* const* along[3] = {};  // steps along each axis, by shift
 
-  [[gnu::always_inline]] double* at(int c) const { return first + c * component; }
-  [[gnu::always_inline]] std::ptrdiff_t step(int axis, int shift) const {
+  [[gnu::always_inline]] double* at(int n, int c) const { return first[n] + c * component[n]; }
+  [[gnu::always_inline]] std::ptrdiff_t step(int n, int axis, int shift) const {
     if (__builtin_constant_p(axis) && axis == 0) return shift;  // a number in the instruction
-    return along[axis][shift];
+    return along[axis][n][shift];
   }
 };
 
@@ -79,27 +80,25 @@ class Row {
   // Row of an input, shifted by `shift` cells along `axis` (of the active axes).
   [[gnu::always_inline]] const double* operator()(In in, int component = 0, int axis = 0,
                                                   int shift = 0) const {
-    const RowStart& r = reads_[in.index];
-    return r.at(component) + (first_ + r.step(axis, shift));
+    return starts_.at(in.index, component) + (first_ + starts_.step(in.index, axis, shift));
   }
   // Shifted along two different axes.
   const double* at_corner(In in, int component, int axis, int shift, int other, int step) const {
-    const RowStart& r = reads_[in.index];
-    return r.at(component) + (first_ + r.step(axis, shift) + r.step(other, step));
+    return (*this)(in, component, axis, shift) + starts_.step(in.index, other, step);
   }
   // Shifted along all axes at once, in their order.
   const double* at_offset(In in, int component, std::array<int, 3> offset) const {
-    const RowStart& r = reads_[in.index];
-    return r.at(component) + (first_ + offset[0] + r.step(1, offset[1]) + r.step(2, offset[2]));
+    return (*this)(in, component, 0, offset[0]) +
+           (starts_.step(in.index, 1, offset[1]) + starts_.step(in.index, 2, offset[2]));
   }
   [[gnu::always_inline]] double* operator()(Out out, int component = 0) const {
-    return writes_[out.index].at(component) + first_;
+    return starts_.at(first_write_ + out.index, component) + first_;
   }
 
  private:
   friend class BlockSweep;
-  const RowStart* reads_ = nullptr;
-  const RowStart* writes_ = nullptr;
+  RowStarts starts_;
+  int first_write_ = 0;       // writes come after reads
   std::ptrdiff_t first_ = 0;  // of a part
   int along_ = 0;             // level direction of axis 0
   int count_ = 0, whole_vectors_ = 0, box_ = 0;

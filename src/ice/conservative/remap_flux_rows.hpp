@@ -46,9 +46,10 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
   return upwind_slope(chosen(left, high, low), middle, nu, B);
 }
 
-// The bound is known when the loop is compiled: a choice in it costs its vectors or its registers.
+// The bound is known when the loop is compiled: a choice in it costs its vectors or its registers;
+// so would a call.
 template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Bound>
-void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
+[[gnu::flatten]] void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.whole_vectors();
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
   constexpr bool based = Second && D > 1;

@@ -1,0 +1,61 @@
+// Where what a task reads and writes lies in memory, and where a row of it begins.
+//
+// Coordinates are those of windows: axis 0 (unit stride), middle axis (3-D only), swept axis (2-D
+// and 3-D).
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "framework/task/row.hpp"
+
+namespace sluice {
+
+// How far the cells are that lie so many cells along an axis.
+class Steps {
+ public:
+  static constexpr int size = 2 * most_reach + 2;  // one more makes it a cache line
+
+  std::ptrdiff_t& at(int shift) { return steps_[static_cast<std::size_t>(shift + most_reach)]; }
+  const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }
+
+ private:
+  std::array<std::ptrdiff_t, size> steps_{};
+};
+
+// One variable as it is bound for one block.
+struct BoundArray {
+  double* first = nullptr;               // where component 0 of cell (0, 0, low) would lie
+  std::ptrdiff_t component = 0;          // from one component to the next
+  std::ptrdiff_t middle = 0, swept = 0;  // strides
+  std::ptrdiff_t low = 0;                // along the swept axis
+  std::ptrdiff_t mask = -1;              // of temporaries: ring of planes, plane & mask
+  std::ptrdiff_t phases = 0;             // likewise, of the steps along the swept axis
+  const Steps *middle_steps = nullptr, *swept_steps = nullptr;
+
+  // Fills `steps`: those of the middle axis (none there: zeros), then those of the swept axis in
+  // every phase of the ring.
+  void find_steps(bool middle_axis, Steps* steps);
+  static std::size_t count_of_steps(int planes) { return static_cast<std::size_t>(1 + planes); }
+};
+
+// The accesses of one task side by side, in whole vectors: rows begin by the thousand.
+class RowArrays {
+ public:
+  RowArrays(std::size_t accesses, int axes);
+  RowArrays(RowArrays&&) = default;
+  void bind(std::size_t access, const BoundArray& array);
+  void start_row(int i, int j, int plane);
+  const RowStarts& starts() const { return starts_; }
+
+ private:
+  std::vector<double*> origin_, first_;
+  std::vector<std::ptrdiff_t> component_, middle_, swept_, low_, mask_, phases_;
+  std::vector<const std::ptrdiff_t*> phase_0_;  // steps along the swept axis
+  std::vector<const std::ptrdiff_t*> along_[3];
+  std::size_t accesses_;
+  int swept_axis_;  // 1 or 2
+  RowStarts starts_;
+};
+
+}  // namespace sluice
