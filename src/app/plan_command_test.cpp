@@ -126,7 +126,7 @@ TEST_F(PlanCommand, MeansOverOpenFacesCostAReductionWhereTheyAreNeeded) {
     int reductions;
     const char* reason;
   };
-  for (const Expected& e : {Expected{"vortex_leaving_unaimed", true, 2, "means over 4 faces"},
+  for (const Expected& e : {Expected{"vortex_leaving_unaimed", true, 2, "means over 4 open parts"},
                             Expected{"vortex_leaving", true, 1, "LODI with vel_infinity"},
                             Expected{"pulse_leaving", true, 1, "one dimension"},
                             Expected{"explosion_2d", false, 1, "no LODI face"}}) {

@@ -55,7 +55,7 @@ struct RunPlan {
   std::vector<int> kind_tasks;  // of a step of each kind of blocks; the last is the general one
   IntVec3 halo{};               // ghost layers that a step reads
   PlannedMessages messages;
-  int reductions = 1;  // of a step of the coarsest level
+  int reductions = 1;  // of a step of one level by itself
   std::vector<PlannedOutput> outputs;
   std::string output_times, checkpoint_times;
   double output_bytes = 0, checkpoint_bytes = 0;  // of one

@@ -245,8 +245,8 @@ Effect open_faces(const IceScene& ice, const BoundaryFill& boundary) {
   const int faces = boundary.open_faces();
   const LodiSettings& lodi = *ice.conditions.lodi;
   return {"open faces", true,
-          faces > 0 ? fmt::format("LODI without vel_infinity: means over {} face{}, summed in a "
-                                  "reduction of their own",
+          faces > 0 ? fmt::format("LODI without vel_infinity: means over {} open part{} of faces, "
+                                  "summed in a reduction of their own",
                                   faces, faces == 1 ? "" : "s")
           : lodi.velocity_infinity ? "LODI with vel_infinity"
                                    : "LODI in one dimension: nothing runs along the faces",

@@ -43,15 +43,25 @@ def parse():
     return parser.parse_args()
 
 
-def wanted(cases, patterns, with_long=True):
+def wanted(cases, patterns):
     """The cases that match, and the runs that matching ratios need."""
-    if not with_long:
-        left_out = {c.name for c in cases if isinstance(c, Run) and c.long}
-        cases = [c for c in cases if c.name not in left_out and
-                 not (isinstance(c, Ratio) and left_out & {c.above, c.below})]
     chosen = [c for c in cases if not patterns or any(p in c.name for p in patterns)]
     needed = {n for c in chosen if isinstance(c, Ratio) for n in (c.above, c.below)}
     return [c for c in cases if c in chosen or c.name in needed]
+
+
+def long_names(cases):
+    """The runs that take minutes, and the ratios made of them."""
+    runs = {c.name for c in cases if isinstance(c, Run) and c.long}
+    return runs | {c.name for c in cases if isinstance(c, Ratio) and runs & {c.above, c.below}}
+
+
+def without_long(cases):
+    """Says what it leaves out."""
+    names = long_names(cases)
+    if names:
+        print("left out, for they take minutes (--long): " + "; ".join(sorted(names)))
+    return [c for c in cases if c.name not in names]
 
 
 def other_figures(build, cases, patterns):
@@ -108,6 +118,9 @@ def write_recorded(recorded, kind, figures):
 
 def record(figures, calibration):
     recorded = read_recorded()
+    for name in long_names(CASES) - figures.keys():
+        if recorded["figures"].pop(name, None) is not None:
+            print(f"dropped '{name}', which is of another commit: --long records it")
     recorded.update(calibration_ns=round(calibration, 6), commit=commit_of(ROOT),
                     date=datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d"),
                     machine=processor_name())
@@ -140,7 +153,9 @@ def processor_name():
 
 def main():
     given = parse()
-    cases = wanted(CASES, given.pattern, given.long)
+    cases = wanted(CASES, given.pattern)
+    if not given.long:
+        cases = without_long(cases)
     if given.instructions:
         return instructions([c for c in cases if isinstance(c, Run)], given.record)
     build = Build(ROOT, "release")
@@ -148,6 +163,10 @@ def main():
     run_cases = [case for case in cases if isinstance(case, Run)]
     runs, calibrations = median_runs(builds, run_cases, given.repeat)
     mine = figures_of(cases, runs[0]) | other_figures(build, cases, given.pattern)
+    if not mine:
+        sought = " or ".join(map(repr, given.pattern))
+        sys.exit(f"bench: nothing to measure, no case that may run now holds {sought}; there are:\n"
+                 + "\n".join(f"  {case.name}" for case in CASES))
     recorded = read_recorded()
     if given.against:
         theirs = figures_of(cases, runs[1]) | other_figures(builds[1], cases, given.pattern)

@@ -75,7 +75,7 @@ def calibrate(build):
 def median_runs(builds, cases, repeat):
     """Per build: medians by case name; and all calibration times. Builds take turns."""
     times = [{case.name: [] for case in cases} for _ in builds]
-    calibrations = []
+    calibrations = [calibrate(builds[0])]
     for case in cases:
         for _ in range(1 if case.long else repeat):
             calibrations.append(calibrate(builds[0]))

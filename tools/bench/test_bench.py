@@ -24,8 +24,8 @@ class Frame(unittest.TestCase):
 
     def test_long_cases_and_their_ratios_only_when_asked_for(self):
         cases = [Run("a", "d", 1), Run("b", "d", 1, long=True), Ratio("a/b", "a", "b")]
-        self.assertEqual(bench.wanted(cases, [], with_long=False), cases[:1])
-        self.assertEqual(bench.wanted(cases, [], with_long=True), cases)
+        self.assertEqual(bench.without_long(cases), cases[:1])
+        self.assertEqual(bench.wanted(cases, []), cases)
 
     def test_figures_of_ratios(self):
         cases = [Run("a", "d", 1), Run("b", "d", 1), Ratio("a/b", "a", "b")]

@@ -24,7 +24,7 @@ from . import style
 
 FAILED_AT = 0.985  # height of the marks of failed runs, as a share of the frame
 LEGEND_WIDTH = 105  # characters beside one another below the frame
-NEAREST_NOTE = 0.035  # no two resolutions are written nearer than this share of the frame
+NEAREST_NOTE = 0.035  # no resolution is written twice within this share of the frame
 
 
 class StudyError(Exception):
@@ -109,13 +109,13 @@ def legend_columns(texts):
 
 
 def note_cells(ax, rows):
-    """The resolution beside each point, once where points of several settings coincide."""
+    """The resolution beside each point, once where points of one resolution coincide."""
     to_frame = ax.transData + ax.transAxes.inverted()
     noted = []
     for r in (r for r in rows if r["done"]):
         x, y = to_frame.transform((r["seconds"], r["error"]))
-        if all(math.hypot(x - u, y - v) > NEAREST_NOTE for u, v in noted):
-            noted.append((x, y))
+        if all(c != r["cells"] or math.hypot(x - u, y - v) > NEAREST_NOTE for u, v, c in noted):
+            noted.append((x, y, r["cells"]))
             ax.annotate(r["cells"], (r["seconds"], r["error"]), textcoords="offset points",
                         xytext=(5, 3), fontsize=6.5, color="#333333")
 

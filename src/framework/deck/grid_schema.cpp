@@ -83,8 +83,7 @@ TagSpec lodi() {
            tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
            tag("vel_infinity",
                "velocity far away, with rho_infinity: it carries what leaves, and draws what "
-               "enters; "
-               "absent: means over the faces carry, nothing draws")
+               "enters; absent: means over the faces carry, nothing draws")
                .vector(),
            tag("rho_infinity", "density that inflow is drawn to").real().above(0),
            tag("material", "accepted without effect").text(),

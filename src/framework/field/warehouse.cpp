@@ -16,7 +16,7 @@ constexpr std::size_t alignment = 64;
 constexpr std::size_t vector = alignment / sizeof(double);
 
 // Numbers that arrays may fill together. A piece of memory for every array of every box would be
-// hundreds, with each level that is laid out; sanitizers shall see where each ends.
+// hundreds, with each level that is laid out; sanitizers shall see where those of each box end.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t most_together = 0;
 #else

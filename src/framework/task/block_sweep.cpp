@@ -2,6 +2,7 @@
 #include "framework/task/block_sweep.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace sluice {
@@ -10,6 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int vector = 8;  // numbers in the widest vector, and in a cache line
+constexpr auto unbound = static_cast<std::size_t>(-1);
 
 template <class Integer>
 Integer rounded_up(Integer n) {
@@ -58,7 +60,7 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
     : list_(&list), plan_(&plan), level_(&level), binding_(&binding), scratch_(std::move(scratch)) {
   std::ptrdiff_t total = 0;
   std::size_t steps = 0;
-  std::vector<std::size_t> number(list.variables().size());  // in arrays_
+  std::vector<std::size_t> number(list.variables().size(), unbound);  // in arrays_
   for (const PlannedBuffer& b : plan.buffers) {
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
     steps += BoundArray::count_of_steps(b.planes);
@@ -88,8 +90,10 @@ BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
                  static_cast<int>(reads), RowArrays(all, plan_->axes.count)};
   for (std::size_t n = 0; n < all; ++n) {
     const VariableId v = n < reads ? t.reads[n].variable : t.writes[n - reads];
-    auto& accesses = stored(v) ? task.states : task.buffers;
-    accesses.emplace_back(n, number[static_cast<std::size_t>(v.index)]);
+    const std::size_t array = number[static_cast<std::size_t>(v.index)];
+    if (array == unbound)
+      throw std::logic_error("task '" + t.name + "' has no memory for '" + (*list_)[v].name + "'");
+    (stored(v) ? task.states : task.buffers).emplace_back(n, array);
   }
   return task;
 }

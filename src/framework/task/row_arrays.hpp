@@ -14,7 +14,7 @@ namespace sluice {
 // How far the cells are that lie so many cells along an axis.
 class Steps {
  public:
-  static constexpr int size = 2 * most_reach + 2;  // one more makes it a cache line
+  static constexpr int size = 2 * most_reach + 2;  // one more makes it as long as a cache line
 
   std::ptrdiff_t& at(int shift) { return steps_[static_cast<std::size_t>(shift + most_reach)]; }
   const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }

@@ -23,6 +23,7 @@ struct Term {
   int component = 0;
   int axis = 0, shift = 0;
   int other = -1, step = 0;
+  bool by_offset = false;  // asked for by all axes at once
   double weight = 0;
 };
 
@@ -93,10 +94,11 @@ class RandomGraph {
     t.read = pick(static_cast<int>(reads.size()));
     t.component = pick(list[reads[static_cast<std::size_t>(t.read)]].components);
     t.axis = pick(axes_.count);
-    t.shift = pick(4) - 2;
+    t.shift = pick(2 * most_reach + 1) - most_reach;
     if (axes_.count > 1 && pick(2) == 0) {
       t.other = (t.axis + 1 + pick(axes_.count - 1)) % axes_.count;
       t.step = pick(4) - 1;
+      t.by_offset = pick(2) == 0;
     }
     t.weight = 0.1 * (1 + pick(9)) * (pick(2) == 0 ? 1 : -1);
     return t;
@@ -133,6 +135,16 @@ class RandomGraph {
     s.high[d] = std::max(s.high[d], shift);
   }
 
+  static const double* row_of(const Row& row, In from, const Term& t) {
+    if (t.other < 0) return row(from, t.component, t.axis, t.shift);
+    if (!t.by_offset)
+      return row.at_corner(from, t.component, t.axis, t.shift, t.other, t.step);
+    std::array<int, 3> offset{};
+    offset[static_cast<std::size_t>(t.axis)] = t.shift;
+    offset[static_cast<std::size_t>(t.other)] = t.step;
+    return row.at_offset(from, t.component, offset);
+  }
+
   void declare(const RandomTask& task, const std::vector<Stencil>& stencils) {
     TaskBuilder builder = list.task("task " + std::to_string(tasks_.size()), 0);
     std::vector<In> in;
@@ -151,10 +163,7 @@ class RandomGraph {
             double sum = 0;
             for (const Term& t : task.writes[w].terms[c]) {
               const In from = in[static_cast<std::size_t>(t.read)];
-              const double* q =
-                  t.other < 0 ? row(from, t.component, t.axis, t.shift)
-                              : row.at_corner(from, t.component, t.axis, t.shift, t.other, t.step);
-              sum += t.weight * q[i];
+              sum += t.weight * row_of(row, from, t)[i];
             }
             result[i] = sum;
           }

@@ -34,8 +34,23 @@ int BoundaryFill::sum_count() const {
   return open_faces_.empty() ? 0 : sums_of_directions + 2 * open_faces();
 }
 
-// The cells of a level are equally large.
+namespace {
+
+// Of an open face: its cells, which are equally large, and the velocity across it.
+struct FaceSum {
+  std::int64_t cells = 0;
+  ExactSum velocity;
+
+  void add_to(std::span<ExactSum> sums, int first) const {
+    sums[static_cast<std::size_t>(first)].add(static_cast<double>(cells));
+    sums[static_cast<std::size_t>(first) + 1].merge(velocity);
+  }
+};
+
+}  // namespace
+
 void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) const {
+  std::vector<FaceSum> faces(open_faces_.size());
   for (const Side side : all_sides) {
     const auto n = static_cast<std::size_t>(side);
     const auto needs = [](const GhostRule& r) { return r.open_face >= 0; };
@@ -53,13 +68,16 @@ void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) co
       for_each_cell(cells, [&](IntVec3 cell) {
         const int face = rule(side, cell).open_face;
         if (face < 0) return;
-        const double u = v.momentum[component](cell) / v.density(cell);
-        for (const int first : {2 * d, sums_of_directions + 2 * face}) {
-          sums[static_cast<std::size_t>(first)].add(1.0);
-          sums[static_cast<std::size_t>(first) + 1].add(u);
-        }
+        FaceSum& sum = faces[static_cast<std::size_t>(face)];
+        ++sum.cells;
+        sum.velocity.add(v.momentum[component](cell) / v.density(cell));
       });
     }
+  }
+  for (int face = 0; face < open_faces(); ++face) {
+    const auto n = static_cast<std::size_t>(face);
+    faces[n].add_to(sums, 2 * open_faces_[n]);
+    faces[n].add_to(sums, sums_of_directions + 2 * face);
   }
 }
 

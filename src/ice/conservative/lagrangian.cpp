@@ -16,7 +16,6 @@
 #include "ice/end_of_step.hpp"
 #include "ice/impulse.hpp"
 #include "ice/limiters.hpp"
-#include "ice/mixture/kept_work.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -156,10 +155,10 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constan
 template <int D, int C>
 void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
-  if (!mixture::keeps_work(o) && !o.viscous && !o.conducting) return;
+  if (!o.keeps_work() && !o.viscous && !o.conducting) return;
   const int n = row.whole_vectors();
   double *Es = row(h.energy_star), *EL = row(h.energy_L);
-  if (mixture::keeps_work(o)) {
+  if (o.keeps_work()) {
     const double* E = row(h.energy);
     double* work = row(h.mixture, 0);
     for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
@@ -205,7 +204,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_courant = task.write(v.inverse_courant);
   const bool scaled = o.fluid.ideal() == nullptr;
   if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
-  if (mixture::keeps_work(o)) h.mixture = task.write(v.lagrangian_mixture);
+  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {

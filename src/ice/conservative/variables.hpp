@@ -104,6 +104,8 @@ struct SchemeOptions {
   // Whether friction works on the velocity of a sharp front between two viscosities
   // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
   bool friction_tilts() const { return mixture && viscosity_varies; }
+  // Is the work of pressures on a mixture a field of its own: elsewhere it is E - E*.
+  bool keeps_work() const { return mixture && (viscous || conducting || own_velocities); }
 };
 
 // Scalars that a graph carries; see scalars/variables.hpp.

@@ -12,7 +12,6 @@
 #include "ice/end_of_step.hpp"
 #include "ice/limiters.hpp"
 #include "ice/material_runs.hpp"
-#include "ice/mixture/kept_work.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -188,14 +187,14 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
         task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.mixture_energy = task.read(v.common.energy);
-  if (keeps_work(o))
+  if (o.keeps_work())
     h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
   h.stretch = task.write(v.stretch);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
-  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, keeps_work(o)};
+  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, o.keeps_work()};
   if (!materials.all_ideal) h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
   h.scratch = task.write(list.temporary("Lagrangian density, work", 2));
