@@ -32,7 +32,8 @@ class CoarseLevel {
         const IntVec3 back = IntVec3{} - shift;
         found.push_back({n, numbers_[static_cast<std::size_t>(n)], box.owner, shift,
                          box.cells.shifted(back),
-                         box.cells.grown(level_.ghosts(ghosts_)).shifted(back)});
+                         box.cells.grown(level_.ghosts(ghosts_)).shifted(back),
+                         trusted(box.cells).shifted(back)});
       }
     const auto key = [](const Holder& h) {
       return std::tuple(h.box, h.shift.z, h.shift.y, h.shift.x);
@@ -43,6 +44,26 @@ class CoarseLevel {
   }
 
  private:
+  // The ghosts that every box would fill alike. Open sides and slip walls take differences along
+  // themselves, which the outermost ghosts of a box lack: beside a side they are left out.
+  IndexBox trusted(const IndexBox& cells) const {
+    const IndexBox filled = cells.grown(level_.ghosts(ghosts_)), &domain = level_.domain;
+    const auto beyond = [&](int d) {
+      return !level_.periodic[static_cast<std::size_t>(d)] &&
+             (filled.lower[d] < domain.lower[d] || filled.upper[d] > domain.upper[d]);
+    };
+    IndexBox trusted = filled;
+    for (int d = 0; d < 3; ++d)
+      for (int e = 0; e < 3; ++e) {
+        if (e == d || !beyond(d)) continue;
+        if (filled.lower[e] >= domain.lower[e])
+          trusted.lower[e] = std::min(cells.lower[e], filled.lower[e] + 1);
+        if (filled.upper[e] <= domain.upper[e])
+          trusted.upper[e] = std::max(cells.upper[e], filled.upper[e] - 1);
+      }
+    return trusted;
+  }
+
   static std::vector<IndexBox> grown_boxes(const Level& level, int ghosts) {
     std::vector<IndexBox> boxes = cells_of(level.boxes);
     for (IndexBox& b : boxes) b = b.grown(level.ghosts(ghosts));
@@ -75,19 +96,20 @@ void take(const Holder& holder, const IndexBox& has, std::vector<IndexBox>& miss
   missing = std::move(left);
 }
 
-// Cuts `region` into parts: from arrays of rank `owner` where they hold it (ghost cells are as good
-// as the cells they stand for), else from the box of another rank whose cells they are, else from
-// ghost cells that no box of the level holds.
+// Cuts `region` into parts: from arrays of rank `owner` where they hold it (trusted ghost cells are
+// as good as the cells they stand for), else from the box of another rank whose cells they are, else
+// from ghost cells that no box of the level holds.
 std::vector<Part> parts_of(const IndexBox& region, const std::vector<Holder>& holders, int owner,
                            std::vector<IndexBox>& missing) {
   std::vector<Part> parts;
   missing = {region};
   for (const Holder& h : holders)
-    if (h.owner == owner) take(h, h.filled, missing, parts);
+    if (h.owner == owner) take(h, h.trusted, missing, parts);
   for (const Holder& h : holders)
     if (h.owner != owner) take(h, h.cells, missing, parts);
   for (const Holder& h : holders)
-    if (h.owner != owner) take(h, h.filled, missing, parts);
+    if (h.owner != owner) take(h, h.trusted, missing, parts);
+  for (const Holder& h : holders) take(h, h.filled, missing, parts);
   return parts;
 }
 
@@ -169,7 +191,7 @@ bool InterpolationPlan::find_sources(Target& target, const GridBox& box,
   const bool mine = box.owner == rank;
   target.first_source = target.last_source = sources.size();
   for (const Holder& h : holders)
-    if (h.owner == box.owner && h.filled.contains(target.coarse)) {
+    if (h.owner == box.owner && h.trusted.contains(target.coarse)) {
       target.direct = h.number;
       target.shift = h.shift;
       return false;

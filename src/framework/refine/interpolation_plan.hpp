@@ -21,7 +21,9 @@ struct InterpolationPlan {
   struct Holder {
     int box = 0, number = -1, owner = 0;  // `number`: the local one, or -1
     IntVec3 shift{};                      // to the cells of the box
-    IndexBox cells, filled;  // without and with ghost layers, both shifted to the fine box
+    // Without and with ghost layers, and with those that every box fills alike; all shifted to the
+    // fine box.
+    IndexBox cells, filled, trusted;
   };
   // Coarse cells that come from one place.
   struct Source {
