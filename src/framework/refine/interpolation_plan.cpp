@@ -97,8 +97,8 @@ void take(const Holder& holder, const IndexBox& has, std::vector<IndexBox>& miss
 }
 
 // Cuts `region` into parts: from arrays of rank `owner` where they hold it (trusted ghost cells are
-// as good as the cells they stand for), else from the box of another rank whose cells they are, else
-// from ghost cells that no box of the level holds.
+// as good as the cells they stand for), else from the box of another rank whose cells they are,
+// else from ghost cells that no box of the level holds.
 std::vector<Part> parts_of(const IndexBox& region, const std::vector<Holder>& holders, int owner,
                            std::vector<IndexBox>& missing) {
   std::vector<Part> parts;
