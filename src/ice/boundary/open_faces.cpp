@@ -4,6 +4,7 @@
 // that direction, zero where there is none (what runs along a face while a vortex passes it is no
 // mean of the flow). Sums are of the coarsest level, which has the whole face, and exact.
 #include <algorithm>
+#include <cstdint>
 
 #include "ice/boundary_fill.hpp"
 
@@ -12,6 +13,17 @@ namespace {
 
 // Cells and velocity across, by direction; then the same by open face.
 constexpr int sums_of_directions = 6;
+
+// Of an open face: its cells, which are equally large, and the velocity across it.
+struct FaceSum {
+  std::int64_t cells = 0;
+  ExactSum velocity;
+
+  void add_to(std::span<ExactSum> sums, int first) const {
+    sums[static_cast<std::size_t>(first)].add(static_cast<double>(cells));
+    sums[static_cast<std::size_t>(first) + 1].merge(velocity);
+  }
+};
 
 }  // namespace
 
@@ -33,21 +45,6 @@ void BoundaryFill::number_open_face(Side side) {
 int BoundaryFill::sum_count() const {
   return open_faces_.empty() ? 0 : sums_of_directions + 2 * open_faces();
 }
-
-namespace {
-
-// Of an open face: its cells, which are equally large, and the velocity across it.
-struct FaceSum {
-  std::int64_t cells = 0;
-  ExactSum velocity;
-
-  void add_to(std::span<ExactSum> sums, int first) const {
-    sums[static_cast<std::size_t>(first)].add(static_cast<double>(cells));
-    sums[static_cast<std::size_t>(first) + 1].merge(velocity);
-  }
-};
-
-}  // namespace
 
 void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) const {
   std::vector<FaceSum> faces(open_faces_.size());
