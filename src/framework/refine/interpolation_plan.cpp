@@ -45,21 +45,22 @@ class CoarseLevel {
 
  private:
   // The ghosts that every box would fill alike. Open sides and slip walls take differences along
-  // themselves, which the outermost ghosts of a box lack: beside a side they are left out.
+  // themselves, which the outermost ghosts of a box lack: beside a side they are left out, unless
+  // they lie beyond another one.
   IndexBox trusted(const IndexBox& cells) const {
     const IndexBox filled = cells.grown(level_.ghosts(ghosts_)), &domain = level_.domain;
-    const auto beyond = [&](int d) {
-      return !level_.periodic[static_cast<std::size_t>(d)] &&
-             (filled.lower[d] < domain.lower[d] || filled.upper[d] > domain.upper[d]);
+    const auto below = [&](int d) {
+      return !level_.periodic[static_cast<std::size_t>(d)] && filled.lower[d] < domain.lower[d];
+    };
+    const auto above = [&](int d) {
+      return !level_.periodic[static_cast<std::size_t>(d)] && filled.upper[d] > domain.upper[d];
     };
     IndexBox trusted = filled;
     for (int d = 0; d < 3; ++d)
       for (int e = 0; e < 3; ++e) {
-        if (e == d || !beyond(d)) continue;
-        if (filled.lower[e] >= domain.lower[e])
-          trusted.lower[e] = std::min(cells.lower[e], filled.lower[e] + 1);
-        if (filled.upper[e] <= domain.upper[e])
-          trusted.upper[e] = std::max(cells.upper[e], filled.upper[e] - 1);
+        if (e == d || !(below(d) || above(d))) continue;
+        if (!below(e)) trusted.lower[e] = std::min(cells.lower[e], filled.lower[e] + 1);
+        if (!above(e)) trusted.upper[e] = std::max(cells.upper[e], filled.upper[e] - 1);
       }
     return trusted;
   }

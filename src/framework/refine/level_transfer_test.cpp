@@ -4,6 +4,7 @@
 #include "framework/refine/level_transfer.hpp"
 
 #include "framework/base/close_ranks_test_support.hpp"
+#include "framework/base/reduction.hpp"
 #include "framework/refine/transfer_test_support.hpp"
 
 namespace sluice {
@@ -152,6 +153,88 @@ TEST_P(Transfer, copies_between_layouts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Transfer, testing::ValuesIn(whole_shapes()));
+
+// Beside a side the outermost ghosts of a box have no neighbour along it: boxes fill them each in its
+// own way. What stands there must not come into any fine cell, where some box knows better.
+class TransferBesideSides : public testing::TestWithParam<Shape> {};
+
+bool beyond(const Level& level, IntVec3 c, int d) {
+  return !level.periodic[static_cast<std::size_t>(d)] &&
+         (c[d] < level.domain.lower[d] || c[d] >= level.domain.upper[d]);
+}
+
+bool lacks_a_neighbour(const Level& level, IntVec3 c, const IndexBox& interior) {
+  const IndexBox filled = interior.grown(level.ghosts(coarse_ghosts));
+  for (int d = 0; d < 3; ++d)
+    for (int e = 0; e < 3 && beyond(level, c, d); ++e)
+      if (e != d && level.active[static_cast<std::size_t>(e)] && !beyond(level, c, e) &&
+          (c[e] == filled.lower[e] || c[e] == filled.upper[e] - 1))
+        return true;
+  return false;
+}
+
+TEST_P(TransferBesideSides, does_not_show_which_box_filled_a_ghost) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Shape& shape : cuts(GetParam())) {
+    SCOPED_TRACE(testing::Message()
+                 << "coarse pieces " << shape.coarse_pieces.x << ", fine " << shape.fine_pieces.x);
+    const Levels levels(shape);
+    const TransferGeometry geometry{levels.fine.ratio, levels.fine.active};
+    State coarse(levels.coarse, coarse_ghosts + 1), fine(levels.fine, fine_ghosts);
+    coarse.fill([&](IntVec3 c, int component, const IndexBox& interior) {
+      return lacks_a_neighbour(levels.coarse, c, interior)
+                 ? nan
+                 : coarse_number(levels.coarse, c, component, 0);
+    });
+    const int rank = world().rank();
+    const auto ghosts = [&](int width) {
+      return Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
+    };
+    Interpolation all[] = {
+        ghosts(1), ghosts(3),
+        Interpolation::of_new_cells(levels.coarse, coarse_ghosts, levels.fine, {}, rank)};
+    for (Interpolation& one : all) {
+      fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
+      one.run(&coarse.warehouse, nullptr, 0, fine.warehouse, fine.slots, MockOperators(), 1);
+      std::int64_t beside = 0;  // that needed ghosts of a side
+      fine.each([&](const RealView& v, int component, const IndexBox&) {
+        for_each_cell(v.box, [&](IntVec3 c) {
+          if (v(c) == untouched) return;
+          ASSERT_EQ(v(c), prolonged(c, geometry, 1,
+                                    [&](IntVec3 at) {
+                                      for (int d = 0; d < 3; ++d)
+                                        beside += beyond(levels.coarse, at, d);
+                                      return coarse_number(levels.coarse, at, component, 0);
+                                    }))
+              << "component " << component << " at " << c.x << ' ' << c.y << ' ' << c.z;
+        });
+      });
+      Reduction of_all_ranks;
+      const auto sum = of_all_ranks.add_count(beside);
+      world().reduce(of_all_ranks);
+      EXPECT_GT(of_all_ranks.count(sum), 0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Levels, TransferBesideSides,
+    testing::Values(
+        Shape{{{0, 0, 0}, {16, 12, 1}}, {}, {2, 2, 1}, {{{0, 3, 0}, {4, 9, 1}}}},
+        Shape{{{0, 0, 0}, {16, 12, 1}},
+              {},
+              {4, 4, 1},
+              {{{0, 0, 0}, {4, 4, 1}}, {{10, 8, 0}, {16, 12, 1}}}},
+        Shape{{{0, 0, 0}, {16, 12, 1}},
+              {false, true, false},
+              {2, 2, 1},
+              {{{0, 0, 0}, {4, 3, 1}}, {{12, 9, 0}, {16, 11, 1}}}},
+        Shape{{{0, 0, 0}, {16, 12, 1}}, {true, false, false}, {4, 4, 1}, {{{0, 0, 0}, {3, 4, 1}}}},
+        Shape{{{0, 0, 0}, {10, 8, 8}}, {}, {2, 2, 2}, {{{0, 2, 2}, {4, 6, 6}}}},
+        Shape{{{0, 0, 0}, {10, 8, 8}},
+              {false, true, false},
+              {2, 2, 2},
+              {{{0, 0, 0}, {4, 3, 4}}, {{6, 6, 4}, {10, 8, 8}}}}));
 
 TEST(TransferLimits, threads_share_the_work) {
   Shape shape{{{0, 0, 0}, {96, 96, 1}}, {}, {2, 2, 1}, {}, {2, 2, 1}};
