@@ -154,8 +154,8 @@ TEST_P(Transfer, copies_between_layouts) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, Transfer, testing::ValuesIn(whole_shapes()));
 
-// Beside a side the outermost ghosts of a box have no neighbour along it: boxes fill them each in its
-// own way. What stands there must not come into any fine cell, where some box knows better.
+// Beside a side the outermost ghosts of a box have no neighbour along it: boxes fill them each in
+// its own way. What stands there must not come into any fine cell, where some box knows better.
 class TransferBesideSides : public testing::TestWithParam<Shape> {};
 
 bool beyond(const Level& level, IntVec3 c, int d) {
