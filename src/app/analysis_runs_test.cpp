@@ -28,7 +28,7 @@ std::vector<std::vector<double>> lines_of(const fs::path& path) {
   for (std::string line; std::getline(text, line);) {
     if (line.empty() || line[0] == '#') continue;
     for (char& c : line)
-      if (c == ',') c = ' ';
+      if (c == ',' || c == '[' || c == ']') c = ' ';
     std::istringstream words(line);
     lines.emplace_back();
     for (double x = 0; words >> x;) lines.back().push_back(x);
@@ -261,6 +261,23 @@ TEST_F(AnalysisRuns, NeitherRanksNorBoxesNorThreadsShow) {
   EXPECT_GT(whole.size(), 50u);
   EXPECT_EQ(whole, samples(b));
   expect_same_fields(a, b);
+}
+
+// On levels that move, with the model that looks farthest around a cell.
+TEST_F(AnalysisRuns, StressBelowTheGridIsTheSameForAnyBoxes) {
+  write_deck("amr_vortex_followed",
+             "<Module name=\"SGS_ReynoldsStress\"/>" +
+                 module_text("minMax", "<Variables><analyze label=\"SGS_uv_vw_wu\"/></Variables>"),
+             "<save label=\"SGS_uu_vv_ww\"/><save label=\"SGS_uv_vw_wu\"/>");
+  const std::string eddies = small + " --set CFD/ICE/turbulence/@model=Germano";
+  const fs::path a = run("a", deck() + eddies);
+  const fs::path b =
+      run("b", deck() + eddies + " --set Grid/Level/Box/patches=[3,2,1] --threads 2", 3);
+  expect_same_fields(a, b);
+  EXPECT_EQ(samples(a), samples(b));
+  const auto extremes = lines_of(a / "MinMax/L-0/SGS_uv_vw_wu_0");
+  ASSERT_EQ(extremes.back().size(), 7u);  // time, three least, three most
+  EXPECT_GT(extremes.back()[4], 1e-6);
 }
 
 TEST_F(AnalysisRuns, ARestartGoesOnAsIfNothingHadHappened) {

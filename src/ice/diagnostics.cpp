@@ -9,7 +9,7 @@
 #include "ice/quantity_list.hpp"
 #include "ice/refine/criteria.hpp"
 #include "ice/scalars/mixed_gas.hpp"
-#include "ice/transport/viscosity.hpp"
+#include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -34,6 +34,8 @@ void declare_viscosities(QuantityList& q, const StateVariables& state) {
   if (o.transport.turbulence) {
     eddy = q.fresh(l.eddy_viscosity, 0);
     add_eddy_viscosity(task(l.eddy_viscosity), state, eddy);
+    add_subgrid_stress({q.list(), o, effect_diagnostics, "compute the subgrid stress"}, state, eddy,
+                       {q.fresh(l.subgrid_normal, 0), q.fresh(l.subgrid_shear, 0)});
   } else {
     eddy = constant(l.eddy_viscosity, 0.0);
   }

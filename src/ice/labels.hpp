@@ -22,6 +22,7 @@ struct Labels {
   Label rho_micro, gradient_rho, gradient_temperature, gradient_pressure, gradient_volume_fraction;
   Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, eddy_viscosity,
       total_viscosity, specific_heat, gamma;
+  Label subgrid_normal, subgrid_shear;
   Label thermal_conductivity, compressibility;
   Label mass_of_cell, momentum_of_cell, energy_of_cell, volume_of_cell;
   Label compressibility_of_cell, compressibility_share;

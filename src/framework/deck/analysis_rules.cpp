@@ -11,8 +11,8 @@ namespace {
 using Faults = std::vector<Fault>;
 
 void check_times(const DeckNode& module, const std::string& name, Faults& faults) {
-  const bool every_step =
-      name == "statistics" || name == "turbulentFluxes" || name == "vorticity" || name.empty();
+  const bool no_samples = name == "vorticity" || name == "SGS_ReynoldsStress" || name.empty();
+  const bool every_step = name == "statistics" || name == "turbulentFluxes" || no_samples;
   if (!every_step && module.child("samplingFrequency") == nullptr)
     add_error(faults, module.where, "<Module> needs <samplingFrequency>: samples per unit of time");
   const auto start = real_of(&module, "timeStart"), stop = real_of(&module, "timeStop");

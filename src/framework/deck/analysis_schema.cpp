@@ -197,14 +197,14 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(attribute("name", "which analysis")
-                         .once()
-                         .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
-                                 "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
-                                 "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
-                                 "vorticity"})
-                         .not_built({"flatPlate_heatFlux", "particleExtract", "radiometer",
-                                     "spatialAvg", "SGS_ReynoldsStress"}))
+          .attribute(
+              attribute("name", "which analysis")
+                  .once()
+                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                          "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
+                          "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
+                          "vorticity", "SGS_ReynoldsStress"})
+                  .not_built({"flatPlate_heatFlux", "particleExtract", "radiometer", "spatialAvg"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})

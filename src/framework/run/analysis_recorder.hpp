@@ -12,7 +12,8 @@
 // the variable asks for it and the level exists. A negative level counts from the finest level that
 // the deck allows, so that the columns of a file never change. A sample is taken at the end of a
 // step, time t + dt, when timeStart <= t + dt <= timeStop and t + dt >= last + 1/samplingFrequency;
-// the first one as soon as timeStart is reached. (vorticity is a label to be saved, no file.)
+// the first one as soon as timeStart is reached. (vorticity and SGS_ReynoldsStress
+// are labels to be saved, no files.)
 // What is written depends on neither ranks nor boxes.
 #pragma once
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "ice/mixture/traces.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/scalars/mixed_gas.hpp"
-#include "ice/transport/viscosity.hpp"
+#include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -18,10 +18,7 @@ class Declarer {
     const SchemeOptions mixed = of_mixture(o_);
     add_primitives(q.list(), v_, mixed, effect_diagnostics, true);
     if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixed, effect_diagnostics);
-    if (o_.transport.turbulence)
-      add_eddy_viscosity({q.list(), mixed, effect_diagnostics, "eddies of the mixture: "},
-                         {v_.common.rho, v_.common.energy, v_.common.velocity},
-                         v_.common.eddy_viscosity);
+    if (o_.transport.turbulence) declare_eddies(mixed);
     if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
@@ -43,6 +40,21 @@ class Declarer {
     mixed.mixture = true;
     mixed.viscosity_varies = o.viscous;
     return mixed;
+  }
+  // Of the common motion, for every material alike.
+  void declare_eddies(const SchemeOptions& mixed) {
+    const SchemeVariables& c = v_.common;
+    const StateVariables state{c.rho, c.energy, c.velocity};
+    add_eddy_viscosity({q_.list(), mixed, effect_diagnostics, "eddies of the mixture: "}, state,
+                       c.eddy_viscosity);
+    const SubgridStress stress{q_.fresh(labels().subgrid_normal, 0),
+                               q_.fresh(labels().subgrid_shear, 0)};
+    add_subgrid_stress({q_.list(), mixed, effect_diagnostics, "compute the subgrid stress"}, state,
+                       c.eddy_viscosity, stress);
+    for (int m = 1; m < static_cast<int>(o_.fluids.size()); ++m) {
+      q_.add(labels().subgrid_normal, m, stress.normal);
+      q_.add(labels().subgrid_shear, m, stress.shear);
+    }
   }
   // By level direction; that of the mixture where the material is absent.
   VariableId velocity_of(int m) {

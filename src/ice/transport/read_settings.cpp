@@ -71,6 +71,17 @@ void check_slip(const DeckNode& root, const DeckNode& model, std::vector<Fault>&
     }
 }
 
+// The analysis that saves what a turbulence model takes for subgrid motion.
+void check_subgrid_analysis(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* analysis = root.child("DataAnalysis");
+  if (analysis == nullptr || root.find("CFD/ICE/turbulence") != nullptr) return;
+  for (const DeckNode* module : analysis->all("Module"))
+    if (module->attribute("name") == "SGS_ReynoldsStress")
+      add_error(faults, module->where,
+                "<Module name=\"SGS_ReynoldsStress\"> needs a turbulence model, whose stress it is",
+                "write <turbulence> in <CFD><ICE>, or remove the module");
+}
+
 }  // namespace
 
 TagSpec viscosity_models_tag() {
@@ -207,6 +218,7 @@ std::vector<WallShear> read_wall_shear(const DeckNode& ice, const Scene& scene,
 
 void check_transport(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
+  check_subgrid_analysis(root, faults);
   const auto materials = ice_materials(root);
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* scheme = ice == nullptr ? nullptr : ice->child("scheme");
