@@ -183,8 +183,8 @@ std::string exchange(const SkewCase& c) {
   if (c.materials() == 1) return {};
   return fmt::format(
       "<exchange_properties><exchange_coefficients><momentum>[{}]</momentum><heat>[{}]</heat>\n"
-      "</exchange_coefficients></exchange_properties>\n",
-      c.second.drag, c.second.heat);
+      "</exchange_coefficients>{}</exchange_properties>\n",
+      c.second.drag, c.second.heat, c.second.exchange);
 }
 
 std::string list(const std::vector<IntVec3>& entries, const SkewCase& c, const Orientation& o) {

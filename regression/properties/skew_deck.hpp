@@ -49,6 +49,7 @@ struct SkewSecond {
   double gamma = 1.667;
   double temperature = 2;
   double drag = 1e15, heat = 0;  // coefficients of exchange
+  std::string exchange{};        // what else <exchange_properties> holds
 };
 
 struct SkewCase {

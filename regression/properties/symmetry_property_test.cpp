@@ -302,6 +302,31 @@ SkewSecond free_gas() {
   return second;
 }
 
+// Hard spheres under drag and heat that grow with the ratio of masses.
+const SkewSecond hard_spheres{"<EOS type=\"hard_sphere_gas\"><b>0.05</b></EOS>",
+                              1.5,
+                              2,
+                              0.5,
+                              0.2,
+                              "<CoefficientModel><momentum>linearVariation</momentum>"
+                              "<heat>linearVariation</heat></CoefficientModel>"};
+// A liquid along whose surface the gas slips, or that it heats through a film.
+SkewSecond slippery_liquid() {
+  SkewSecond second = liquid(10, 2);
+  second.exchange =
+      "<Model type=\"slip\"><fluidMatlIndex>0</fluidMatlIndex><solidMatlIndex>1</solidMatlIndex>"
+      "<momentum_accommodation_coeff>0.3</momentum_accommodation_coeff>"
+      "<thermal_accommodation_coeff>0.4</thermal_accommodation_coeff></Model>";
+  return second;
+}
+SkewSecond heated_liquid() {
+  SkewSecond second = liquid(1e15, 2);
+  second.exchange =
+      "<do_convective_heat_transfer>true</do_convective_heat_transfer>"
+      "<convective_fluid>0</convective_fluid><convective_solid>1</convective_solid>";
+  return second;
+}
+
 const SkewCase mixtures[] = {
     {.name = "tube_of_gases",
      .cells = {64, 1, 1},
@@ -340,6 +365,36 @@ const SkewCase mixtures[] = {
      .cells = {32, 32, 1},
      .sides = {wall, open, open, wall, symmetry, symmetry},
      .levels = {.most = 3, .threshold = 8},
+     .second = free_gas()},
+    {.name = "square_of_hard_spheres_on_levels",
+     .cells = {32, 32, 1},
+     .sides = {wall, open, periodic, periodic, symmetry, symmetry},
+     .levels = {.most = 2, .threshold = 8},
+     .second = hard_spheres},
+    {.name = "square_of_slippery_liquid",
+     .cells = {32, 32, 1},
+     .sides = {wall, open, open, wall, symmetry, symmetry},
+     .viscosity = 0.02,
+     .conductivity = 0.03,
+     .second = slippery_liquid()},
+    {.name = "square_of_heated_liquid",
+     .cells = {32, 32, 1},
+     .sides = {wall, open, open, wall, symmetry, symmetry},
+     .viscosity = 0.02,
+     .conductivity = 0.03,
+     .second = heated_liquid()},
+    {.name = "square_of_gases_turbulent",
+     .cells = {32, 32, 1},
+     .sides = {wall, open, periodic, periodic, symmetry, symmetry},
+     .viscosity = 0.005,
+     .levels = {.most = 2, .threshold = 8},
+     .turbulence = "Germano",
+     .second = gas},
+    {.name = "cube_of_free_gases_turbulent",
+     .cells = {16, 16, 16},
+     .sides = {moving_wall, wall, open, wall, periodic, periodic},
+     .viscosity = 0.005,
+     .turbulence = "Smagorinsky",
      .second = free_gas()},
     {.name = "cube_of_liquid_dragged",
      .cells = {16, 16, 16},

@@ -59,7 +59,7 @@ void product_row(const Row& row, In rho, In velocity, Out out, const SchemeOptio
       for (int b = a; b < C; ++b) {
         const int k = P::pair(a, b);
         const double S = u.strain(a, b, i);
-        q[P::flux + k][i] = r[i] * here[a][i] * here[b][i];
+        q[P::flux + k][i] = r[i] * (here[a][i] * here[b][i]);
         q[P::strain + k][i] = S;
         q[P::stress + k][i] = r[i] * size * (a == b ? S - mean : S);
       }
