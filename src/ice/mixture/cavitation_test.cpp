@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "ice/mixture/mixture_test_support.hpp"
+#include "ice/mixture/traces.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -30,13 +31,14 @@ MixtureBox parting_water(double trace, double u) {
           }};
 }
 
-// Highest temperature of the air now, where there is enough of it to tell.
+// Highest temperature of the air now, where there is enough of it to tell: where there is less,
+// that of the water is shown (Cavity of regression/verification has lesser traces).
 double hottest_air(const MixtureBox& run) {
   double T = 0;
   for (int i = 0; i < cells; ++i) {
     const IntVec3 c{i, 0, 0};
     const double M = run.mass(1, c);
-    if (M > 1e-14 * run.density(c)) T = std::fmax(T, run.energy(1, c) / (M * 717));
+    if (mixture::has_temperature(M, run.density(c))) T = std::fmax(T, run.energy(1, c) / (M * 717));
   }
   return T;
 }
@@ -48,9 +50,10 @@ TEST_P(Cavitation, OpensAndCollapses) {
   const auto [trace, u] = GetParam();
   MixtureBox run = parting_water(trace, u);
   const double before = total_energy(run.totals());
-  double widest = 0, highest = 0;
+  double widest = 0, highest = 0, on_the_way = 0;
   for (int n = 0; n < 1000; ++n) {
     run.steps(1);
+    on_the_way = std::fmax(on_the_way, hottest_air(run));
     for (int i = 0; i < cells; ++i) {
       widest = std::fmax(widest, run.volume(1, {i, 0, 0}));
       highest = std::fmax(highest, run.pressure({i, 0, 0}));
@@ -61,11 +64,19 @@ TEST_P(Cavitation, OpensAndCollapses) {
   RecordProperty("widest", std::to_string(widest));
   RecordProperty("drift", std::to_string(drift * 1e15) + "e-15");
   RecordProperty("hottest", std::to_string(T));
+  RecordProperty("on_the_way", std::to_string(on_the_way));
   EXPECT_GT(widest, open);
   EXPECT_LE(drift, energy_limit);
   // No hotter than one shock from the start to the highest pressure makes air (Hugoniot).
   const double r = highest / 1e5, jump = 2.4 / .4;
-  EXPECT_LE(T, 300 * r * (jump + r) / (1 + jump * r));
+  const double shocked = 300 * r * (jump + r) / (1 + jump * r);
+  EXPECT_LE(T, shocked);
+  // What is thinned out first and closes with 1 m/s is shocked more than once. Measured: at most
+  // 2.91 times there, else 0.83.
+  EXPECT_LE(on_the_way, (u > 1 ? 1 : 3) * shocked);
+  if (trace > 1e-11) {
+    EXPECT_GT(T, 0);  // there was enough to tell
+  }
   EXPECT_EQ(run.rejected(), 0);
 }
 

@@ -16,10 +16,11 @@ constexpr double next_to_nothing = 1e-9;
 // But in a cavity that is larger than this vapour stays: nothing else would fill it.
 constexpr double least_cavity = 1e-12;
 
-// Of less than this share of a cell's mass, which no sum over the cell knows of, energy over mass
-// says nothing.
+// Of less than this share of a cell's mass energy over mass says nothing: in a cavity a gas holds
+// at least the pressure 1e-12 pi (equilibrate.cpp), by T = p V/(M R) thousands of K of this share
+// of a liquid, millions of a hundredth of it.
 inline bool has_temperature(double M, double all) {
-  constexpr double least = 1e-14;
+  constexpr double least = 1e-12;
   return M > least * all;
 }
 
