@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/first_step_limit.hpp"
+#include "framework/run/analysis_heat.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/particle_archive.hpp"
 #include "framework/run/refuse_label.hpp"
@@ -165,6 +166,8 @@ class Planner {
   }
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
+    for (const AnalysisModule& m : scene_.analysis.modules)
+      if (takes_heat(m)) total_heat_rate();  // its history can be saved
     std::set<Label> counted;
     for (const SaveRequest& r : o.saves) {
       const std::optional<Label> label = find_known(r.label, true);

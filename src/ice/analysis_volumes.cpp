@@ -1,7 +1,8 @@
 // What control volumes of analyses exchange through their sides, and what forces add inside.
 //
 // Through a face (face_flux.hpp): mass of each material, momentum that is advected, pressure along
-// the normal, viscous momentum flux, total energy; amounts of the step, positive along the axis.
+// the normal, viscous momentum flux, total energy, its part that is conducted; amounts of the step,
+// positive along the axis.
 // Inside, over the uncovered cells: impulse and work of gravity as in gravity_account.cpp. All sums
 // are exact.
 // Absent without control volumes.
@@ -22,6 +23,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
   const double V = cell_volume(row);
   const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
   const double* p = row(h.face_pressure, 0, axis, shift);
+  const double* q = o.conducting ? row(h.heat_flux, 0, axis, shift) : nullptr;
   const FaceFluxRows fluxes(row, h, o, axis, shift);
   Reductions& sums = row.reductions();
   for (int i = first; i < end; ++i) {
@@ -31,6 +33,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
       sums.sum(slots.mass(volume, s, m)).add(material_flux(row, h, o, axis, shift, i, m).mass * V);
     sums.sum(slots.pressure(volume, s)).add(pressed * V);
     sums.sum(slots.energy(volume, s)).add(flux.energy * V);
+    if (o.conducting) sums.sum(slots.heat(volume, s)).add(l * q[i] * V);
     for (int c = 0; c < o.components; ++c) {
       const int d = o.direction[static_cast<std::size_t>(c)];
       sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);

@@ -11,7 +11,8 @@ namespace {
 using Faults = std::vector<Fault>;
 
 void check_times(const DeckNode& module, const std::string& name, Faults& faults) {
-  const bool no_samples = name == "vorticity" || name == "SGS_ReynoldsStress" || name.empty();
+  const bool no_samples = name == "vorticity" || name == "SGS_ReynoldsStress" ||
+                          name == "flatPlate_heatFlux" || name.empty();
   const bool every_step = name == "statistics" || name == "turbulentFluxes" || no_samples;
   if (!every_step && module.child("samplingFrequency") == nullptr)
     add_error(faults, module.where, "<Module> needs <samplingFrequency>: samples per unit of time");
@@ -101,6 +102,7 @@ void check_module(const DeckNode& module, Faults& faults) {
   check_names(module.child("controlVolumes"), "box", "label", faults);
   if (const DeckNode* planes = module.child("planes"))
     for (const DeckNode* plane : planes->all("plane")) check_plane(*plane, faults);
+  for (const DeckNode* plane : module.all("plane")) check_plane(*plane, faults);
   if (const DeckNode* volumes = module.child("controlVolumes"))
     for (const DeckNode* box : volumes->all("box")) check_box(*box, faults);
   if (const DeckNode* volume = module.child("controlVolume")) {

@@ -57,6 +57,13 @@ TagSpec plane() {
                       corner("endingPt", "the opposite corner; one coordinate is the same")});
 }
 
+TagSpec plane_of_heat() {
+  return tag("plane", "a rectangle along two axes through which heat passes")
+      .at_least_once()
+      .with_children({corner("startingPt", "one corner"),
+                      corner("endingPt", "the opposite corner; one coordinate is the same")});
+}
+
 TagSpec corners_of_box() {
   return tag("box", "a part of the domain; its corners go to the nearest faces of level 0")
       .with_children({corner("min", "low corner"), corner("max", "high corner")});
@@ -134,7 +141,8 @@ std::vector<TagSpec> places() {
           tag("planes", "where it is looked at")
               .once()
               .child(plane())
-              .only_for("name", names_of("planeExtract"))};
+              .only_for("name", names_of("planeExtract")),
+          plane_of_heat().only_for("name", names_of("flatPlate_heatFlux"))};
 }
 
 // How planes are averaged.
@@ -176,6 +184,7 @@ std::vector<std::string> labels_of_analyses(const DeckNode& root) {
   for (const DeckNode* module : analysis->all("Module")) {
     const DeckNode* variables = module->child("Variables");
     const std::string name = module->attribute("name").value_or("");
+    if (name == "flatPlate_heatFlux") labels.emplace_back("total_heatRate");
     const bool fluxes = name == "turbulentFluxes";
     if (variables == nullptr || (name != "statistics" && !fluxes)) continue;
     const DeckNode* higher = module->child("computeHigherOrderStats");
@@ -197,14 +206,13 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(
-              attribute("name", "which analysis")
-                  .once()
-                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
-                          "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
-                          "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
-                          "vorticity", "SGS_ReynoldsStress"})
-                  .not_built({"flatPlate_heatFlux", "particleExtract", "radiometer", "spatialAvg"}))
+          .attribute(attribute("name", "which analysis")
+                         .once()
+                         .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                                 "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
+                                 "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
+                                 "flatPlate_heatFlux", "vorticity", "SGS_ReynoldsStress"})
+                         .not_built({"particleExtract", "radiometer", "spatialAvg"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})

@@ -43,9 +43,31 @@ IndexBox moved(const IndexBox& box, int d, int by) {
   return box.shifted(shift);
 }
 
+// The cells next to a rectangle, with the side that is it.
+VolumeCells cells_at(const ControlVolume& rectangle, const Level& level) {
+  const int d = rectangle.flat;
+  Vec3 low = rectangle.low, high = rectangle.high;
+  const double start = level.anchor[d] + level.domain.lower[d] * level.spacing[d];
+  const double end = level.anchor[d] + level.domain.upper[d] * level.spacing[d];
+  bool outside = false;
+  const int face = nearest_face(low[d], level, d, outside);
+  low[d] = start;
+  high[d] = end;
+  VolumeCells v;
+  v.cells = cells_between(low, high, level, v.clipped);
+  if (outside) v.cells = {};
+  if (v.cells.empty() || !level.active[static_cast<std::size_t>(d)]) return v;
+  const bool last = face == level.domain.upper[d];
+  v.cells.lower[d] = last ? face - 1 : face;
+  v.cells.upper[d] = v.cells.lower[d] + 1;
+  v.sides[static_cast<std::size_t>(2 * d + (last ? 1 : 0))] = v.cells;
+  return v;
+}
+
 }  // namespace
 
 VolumeCells cells_of(const ControlVolume& volume, const Level& coarsest) {
+  if (volume.flat >= 0) return cells_at(volume, coarsest);
   VolumeCells v;
   v.cells =
       volume.whole ? coarsest.domain : cells_between(volume.low, volume.high, coarsest, v.clipped);

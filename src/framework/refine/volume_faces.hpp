@@ -19,7 +19,8 @@ struct VolumeCells {
   std::array<IndexBox, 6> sides;
   bool clipped = false;
 };
-// Corners go to the nearest faces of the coarsest level, at least a cell apart.
+// Corners go to the nearest faces of the coarsest level, at least a cell apart. A rectangle becomes
+// the low side of the cells above it, at the high end of the domain the high side of the last ones.
 VolumeCells cells_of(const ControlVolume& volume, const Level& coarsest);
 // Of all modules, in the deck's order.
 std::vector<ControlVolume> control_volumes(const AnalysisSettings& settings);
@@ -35,12 +36,13 @@ class VolumeSums {
   int viscous(int volume, int side) const { return momentum(volume, side) + 3; }      // three
   int pressure(int volume, int side) const { return momentum(volume, side) + 6; }
   int energy(int volume, int side) const { return momentum(volume, side) + 7; }
+  int heat(int volume, int side) const { return momentum(volume, side) + 8; }  // part of energy
   // What forces add inside: momentum (three) and work.
   int force(int volume) const { return at(volume, 6); }
   int work(int volume) const { return force(volume) + 3; }
 
  private:
-  int per_side() const { return materials_ + 8; }
+  int per_side() const { return materials_ + 9; }
   int per_volume() const { return 6 * per_side() + 4; }
   int at(int volume, int side) const { return first_ + volume * per_volume() + side * per_side(); }
 

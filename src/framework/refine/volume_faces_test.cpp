@@ -102,6 +102,32 @@ TEST(VolumeCells, CornersGoToTheNearestFaces) {
   EXPECT_TRUE(p.sides[0].empty());
 }
 
+// A rectangle across a direction.
+ControlVolume rectangle(int across, Vec3 low, Vec3 high) {
+  ControlVolume v = box(low, high);
+  v.flat = across;
+  return v;
+}
+
+TEST(VolumeCells, ARectangleIsOneSideOfTheCellsNextToIt) {
+  const Level level = plane();
+  const auto side = [&](int s, const ControlVolume& v) {
+    const VolumeCells found = cells_of(v, level);
+    for (std::size_t other = 0; other < 6; ++other)
+      EXPECT_EQ(found.sides[other].empty(), static_cast<int>(other) != s) << other;
+    return found.sides[static_cast<std::size_t>(s)];
+  };
+  EXPECT_EQ(side(0, rectangle(0, {-1, -9, 0}, {-1, 9, 1})), (IndexBox{{0, 0, 0}, {1, 6, 1}}));
+  EXPECT_EQ(side(0, rectangle(0, {0.1, 1, 0}, {0.1, 2, 1})), (IndexBox{{4, 2, 0}, {5, 4, 1}}));
+  EXPECT_EQ(side(1, rectangle(0, {1, 1, 0}, {1, 2, 1})), (IndexBox{{7, 2, 0}, {8, 4, 1}}))
+      << "at the high end";
+  EXPECT_EQ(side(3, rectangle(1, {-9, 3, 0}, {9, 3, 1})), (IndexBox{{0, 5, 0}, {8, 6, 1}}));
+  EXPECT_TRUE(cells_of(rectangle(0, {-1, -9, 0}, {-1, 9, 1}), level).clipped);
+  for (const double outside : {-1.2, 1.2})
+    EXPECT_TRUE(cells_of(rectangle(0, {outside, 0, 0}, {outside, 3, 1}), level).cells.empty());
+  EXPECT_TRUE(cells_of(rectangle(0, {0, 4, 0}, {0, 5, 1}), level).cells.empty());
+}
+
 TEST(VolumeFaces, EveryPartOfASurfaceCountsOnce) {
   const Level coarse = plane();
   const VolumeCells v = cells_of(box({-0.5, 1, 0}, {0.5, 2.5, 1}), coarse);  // 2..6 x 2..5
@@ -164,7 +190,8 @@ TEST(VolumeSums, SlotsFollowEachOther) {
   EXPECT_EQ(slots.viscous(0, 0), 13);
   EXPECT_EQ(slots.pressure(0, 0), 16);
   EXPECT_EQ(slots.energy(0, 0), 17);
-  EXPECT_EQ(slots.mass(0, 1, 0), 18);
+  EXPECT_EQ(slots.heat(0, 0), 18);
+  EXPECT_EQ(slots.mass(0, 1, 0), 19);
   EXPECT_EQ(slots.work(0) + 1, slots.mass(1, 0, 0));
   EXPECT_EQ(slots.mass(2, 0, 0), 8 + slots.count(2));
 }

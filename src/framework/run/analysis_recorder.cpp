@@ -31,11 +31,25 @@ void sort_once(std::vector<Label>& labels) {
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
 }
 
+// InputError where what passes through surfaces is not summed.
+void check_accounts(const AnalysisModule& m, const Component& component) {
+  if (component.first_volume_sum() < 0)
+    throw DeckError(
+        m.where,
+        fmt::format("<Module name=\"{}\">: {} keeps no account of what passes through control "
+                    "volumes with this scheme or so many materials",
+                    m.name, component.name()),
+        "planeAverage and lineExtract work");
+}
+
 }  // namespace
 
 AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)
-    : hierarchy_(&hierarchy), communicator_(&communicator) {
+    : hierarchy_(&hierarchy),
+      communicator_(&communicator),
+      heat_(VolumeSums(hierarchy.component().first_volume_sum(),
+                       hierarchy.component().material_count())) {
   std::set<std::string> names;
   std::vector<Level> levels;
   for (int l = 0; l < hierarchy.possible_levels(); ++l)
@@ -44,6 +58,10 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
   for (const AnalysisModule& m : scene.analysis.modules) {
     const int first_volume = volumes;
     volumes += static_cast<int>(m.volumes.size());
+    if (takes_heat(m)) {
+      check_places(m, names);
+      add_planes_of_heat(m, first_volume, scene);
+    }
     if (!samples_levels(m) && !keeps_budgets(m) && !keeps_statistics(m)) continue;
     const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
     check_fields(m, find);
@@ -102,6 +120,11 @@ void AnalysisRecorder::check_place(const char* kind, const std::string& name, co
         fmt::format("<{} name=\"{}\">: another one or a part of the archive has this name", kind,
                     name),
         "choose another name");
+  warn_of_place(kind, name, where, outside, clipped);
+}
+
+void AnalysisRecorder::warn_of_place(const char* kind, const std::string& name,
+                                     const Location& where, bool outside, bool clipped) {
   if (outside)
     add_warning(warnings_, where,
                 fmt::format("{} '{}' lies outside the domain: nothing is taken", kind, name));
@@ -131,7 +154,10 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
           fmt::format("<box label=\"{0}\">: histories of this label have the file {0}.dat",
                       volume.name),
           "choose another name");
-    check_place("volume", volume.name, volume.where, found.cells.empty(), found.clipped, names);
+    if (volume.flat < 0)
+      check_place("volume", volume.name, volume.where, found.cells.empty(), found.clipped, names);
+    else
+      warn_of_place("plane", volume.name, volume.where, found.cells.empty(), found.clipped);
   }
   for (const AnalysedPoint& p : m.points)
     check_place("point", p.name, p.where, stencil_around(p.position, level).cells.empty(), false,
@@ -142,14 +168,30 @@ void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::strin
   }
 }
 
+void AnalysisRecorder::add_planes_of_heat(const AnalysisModule& m, int first, const Scene& scene) {
+  check_accounts(m, hierarchy_->component());
+  const Level& level = hierarchy_->level(0).level();
+  for (std::size_t n = 0; n < m.volumes.size(); ++n) {
+    const ControlVolume& plane = m.volumes[n];
+    if (!level.active[static_cast<std::size_t>(plane.flat)])
+      throw DeckError(plane.where,
+                      fmt::format("<plane>: nothing passes along {}, which is no dimension of this "
+                                  "run",
+                                  "xyz"[plane.flat]),
+                      "put it across another direction, or give this one more than a cell");
+    heat_.add(first + static_cast<int>(n), plane);
+  }
+  const Label label = total_heat_rate();
+  const auto& saves = scene.output.saves;
+  if (std::none_of(saves.begin(), saves.end(),
+                   [&](const SaveRequest& r) { return r.label == label.name(); }))
+    add_warning(
+        warnings_, m.where,
+        fmt::format("<Module name=\"{}\"> writes nothing: {} is not saved", m.name, label.name()));
+}
+
 std::unique_ptr<VolumeBudgets> AnalysisRecorder::make_budgets(const AnalysisModule& m, int first) {
-  if (hierarchy_->component().first_volume_sum() < 0)
-    throw DeckError(
-        m.where,
-        fmt::format("<Module name=\"{}\">: {} keeps no account of what passes through control "
-                    "volumes with this scheme or so many materials",
-                    m.name, hierarchy_->component().name()),
-        "planeAverage and lineExtract work");
+  check_accounts(m, hierarchy_->component());
   if (m.material >= hierarchy_->component().material_count())
     throw DeckError(m.where,
                     fmt::format("<Module name=\"{}\">: material {} is none of {}", m.name,
@@ -234,6 +276,12 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
 void AnalysisRecorder::account(double dt, const std::vector<double>& sums) {
   for (const Module& m : modules_)
     if (m.budgets != nullptr) m.budgets->account(dt, sums);
+  if (heat_.any()) heat_.account(dt, sums);
+}
+
+std::optional<double> AnalysisRecorder::history(Label label) const {
+  if (!heat_.any() || label != total_heat_rate()) return std::nullopt;
+  return heat_.rate();
 }
 
 bool AnalysisRecorder::sample(int step, double time) {

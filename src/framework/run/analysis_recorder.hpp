@@ -6,6 +6,7 @@
 //   pointExtract points/<name>                          Timestep Time Level values
 //   planeAverage, planeAvgTurbFluxes    see analysis_average.hpp
 //   statistics, turbulentFluxes    fields, see analysis_statistics.hpp
+//   flatPlate_heatFlux    a history, see analysis_heat.hpp
 //   controlVolFluxes, momentumAnalysis, firstLawThermo    see analysis_volume.hpp
 //
 // in the archive's folder, 17 digits, '#' before header lines; every level on its own, as far as
@@ -27,6 +28,7 @@
 #include "framework/analysis/modules.hpp"
 #include "framework/analysis/sampler.hpp"
 #include "framework/base/communicator.hpp"
+#include "framework/run/analysis_heat.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/analysis_volume.hpp"
 #include "framework/run/hierarchy.hpp"
@@ -62,6 +64,8 @@ class AnalysisRecorder {
   std::vector<Label> field_labels() const;
   void store_fields(const std::vector<Label>& wanted);
   void add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const;
+  // What a history has after the last step; none that is no analysis.
+  std::optional<double> history(Label label) const;
   // To disk. Collective.
   void flush();
 
@@ -91,6 +95,9 @@ class AnalysisRecorder {
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);
+  void warn_of_place(const char* kind, const std::string& name, const Location& where, bool outside,
+                     bool clipped);
+  void add_planes_of_heat(const AnalysisModule& module, int first, const Scene& scene);
   // The samplers of these modules on the levels that exist now, always in the same order.
   void visit(const std::vector<Module*>& modules, const Visit& work) const;
   void lay_out();
@@ -101,6 +108,7 @@ class AnalysisRecorder {
   Hierarchy* hierarchy_;
   Communicator* communicator_;
   std::vector<Module> modules_;
+  HeatThroughPlanes heat_;
   std::vector<Fault> warnings_;
   std::filesystem::path folder_;
   int layouts_ = -1;  // of the hierarchy when boxes were last looked at

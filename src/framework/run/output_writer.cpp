@@ -220,7 +220,11 @@ bool OutputWriter::writes_histories(int step) const {
 
 void OutputWriter::write_histories(int step, double time, const Totals& totals) {
   for (Label label : saved_.histories) {
-    if (label.info().type == ValueType::vector)
+    const std::optional<double> analysed =
+        analysis_ != nullptr ? analysis_->history(label) : std::nullopt;
+    if (analysed)
+      archive_.history(label.name(), -1, step, time, *analysed);
+    else if (label.info().type == ValueType::vector)
       archive_.history(label.name(), -1, step, time, component_->history_vector(label, totals));
     else
       archive_.history(label.name(), -1, step, time, component_->history_value(label, totals));

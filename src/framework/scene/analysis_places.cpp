@@ -110,6 +110,22 @@ void read_list(const DeckNode& module, const char* list, const char* entry, Read
     collect(faults, e->where, [&] { places.push_back(read(*e)); });
 }
 
+// A rectangle through which heat passes: a flat volume.
+ControlVolume read_flat(const DeckNode& node, int number) {
+  ControlVolume v;
+  v.where = node.where;
+  v.name = std::to_string(number);
+  v.whole = false;
+  v.low = node.vector("startingPt");
+  v.high = node.vector("endingPt");
+  for (int d = 2; d >= 0; --d)
+    if (v.low[d] == v.high[d])
+      v.flat = d;
+    else if (v.low[d] > v.high[d])
+      std::swap(v.low[d], v.high[d]);
+  return v;
+}
+
 }  // namespace
 
 void read_analysis_places(const DeckNode& module, AnalysisModule& m, std::vector<Fault>& faults) {
@@ -117,6 +133,10 @@ void read_analysis_places(const DeckNode& module, AnalysisModule& m, std::vector
   read_list(module, "planes", "plane", read_plane, m.planes, faults);
   read_list(module, "points", "point", read_point, m.points, faults);
   read_list(module, "controlVolumes", "box", read_box, m.volumes, faults);
+  for (const DeckNode* plane : module.all("plane"))
+    collect(faults, plane->where, [&] {
+      m.volumes.push_back(read_flat(*plane, static_cast<int>(m.volumes.size()) + 1));
+    });
   if (const DeckNode* volume = module.child("controlVolume"))
     collect(faults, volume->where, [&] { m.volumes.push_back(read_volume(*volume, m.name)); });
 }

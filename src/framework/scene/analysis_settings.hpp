@@ -57,6 +57,7 @@ struct ControlVolume {
   Vec3 low{}, high{};
   std::array<VolumeSide, 6> sides;  // x-, x+, y-, y+, z-, z+
   Location where;
+  int flat = -1;  // the direction across which it is only a rectangle; -1: none
 };
 
 // A sample is taken when time_start <= t + dt <= time_stop and t + dt >= last + 1/frequency.
