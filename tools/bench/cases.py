@@ -21,7 +21,7 @@ class Run:
     threads: int = 1
     ranks: int = 1
     settings: tuple[str, ...] = FOREVER  # further --set PATH=VALUE
-    unit: str = "ns/cell/step"  # or "ms": wall time of the whole process; "regrid": its share
+    unit: str = "ns/cell/step"  # or "ms": wall time of the whole process; shares: see measure.py
     long: bool = False  # takes minutes: only with --long, and once
 
 
@@ -61,10 +61,25 @@ NO_BALL = FOREVER + tuple(
     PIECES.format(m, g + n, f"{of}{hole}sphere")
     for m, n, hole in ((1, 0, "difference/"), (1, 2, ""), (2, 0, ""))
     for g, of in ((1, "difference/"), (2, "intersection/")))
+# Three materials of which two are outside of the tube, and the third in a deck of its own; what
+# accelerates them keeps blocks awake.
+THREE = "inputs/ice/three_in_a_row.ups"
+EVERYWHERE = FOREVER + (
+    "PhysicalConstants/gravity=[1e-3,0,0]", "CFD/ICE/applyHydrostaticPressure=false",
+    "MaterialProperties/ICE/material[3]/geom_object[2]/box/min=[-9,-9,-9]",
+    "MaterialProperties/ICE/material[3]/geom_object[2]/box/max=[9,9,9]",
+    "MaterialProperties/ICE/material[3]/geom_object[3]=",
+    "MaterialProperties/ICE/material[3]/geom_object[1]=")
+TWO_ABSENT = EVERYWHERE + tuple(
+    f"MaterialProperties/ICE/material[{m}]/geom_object/box/{corner}" for m in (1, 2)
+    for corner in ("min=[20,20,20]", "max=[21,21,21]"))
+ALONE = EVERYWHERE + ("MaterialProperties/ICE/material[2]=", "MaterialProperties/ICE/material[1]=",
+                      "MaterialProperties/exchange_properties=")
 
 # On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
 LEVELS_TUBE = "inputs/ice/amr_shock_tube.ups"
 LEVELS_EXPLOSION = "inputs/ice/amr_explosion.ups"
+LEVELS_SQUARE = "inputs/ice/amr_riemann_2d.ups"
 # The ratios, tiles and thresholds of a widespread deck: all that is disturbed is refined.
 WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]",
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[1]/@value=0.01",
@@ -93,6 +108,12 @@ CASES = [
         settings=NO_BALL),
     Ratio("two gases in 5 % of the cells over one", "2-D, 512^2, two gases in 5 % of the cells",
           "2-D, 512^2, two gases in no cell", 1.3),
+    Run("1-D, 16384 cells, two of three absent", THREE, 800, "[16384,1,1]", savings=True,
+        settings=TWO_ABSENT),
+    Run("1-D, 16384 cells, the third alone", THREE, 800, "[16384,1,1]", savings=True,
+        settings=ALONE),
+    Ratio("two of three absent over the third alone", "1-D, 16384 cells, two of three absent",
+          "1-D, 16384 cells, the third alone", 1.05),
     # Of the cells .5 to 1.6 % hold both gases, but three rows of five cross the edge twice.
     Run("2-D, 256^2, a bubble", BUBBLE, 150, "[256,256,1]", savings=True),
     Run("2-D, 256^2, no bubble", BUBBLE, 150, "[256,256,1]", savings=True, settings=NO_BUBBLE),
@@ -126,8 +147,16 @@ CASES = [
         settings=UNIFORM, long=True),
     Ratio("by error over uniform, equal error, 4096^2", "a quarter of 4096^2 by error",
           "a quarter of 4096^2 uniform", 0.15),
+    Run("levels: 2-D Riemann problem, 64^2 to 256^2", LEVELS_SQUARE, 0, limit=200, savings=True,
+        settings=()),
     Run("levels: share of regrids", LEVELS_EXPLOSION, 0, limit=0.03, savings=True, settings=WIDE,
-        unit="regrid"),
+        unit="share of regrids"),
+    Run("levels: share of regrids, 2-D Riemann problem", LEVELS_SQUARE, 0, limit=0.03, savings=True,
+        settings=(), unit="share of regrids"),
+    Run("levels: coarse steps that a regrid costs", LEVELS_SQUARE, 0, limit=1, savings=True,
+        settings=(), unit="steps a regrid"),
+    Run("levels: share of load balance, 2 ranks", LEVELS_SQUARE, 0, limit=0.1, savings=True,
+        settings=(), ranks=2, unit="share of balance"),
     Run("levels: explosion, 2 ranks", LEVELS_EXPLOSION, 0, savings=True, settings=WIDE, ranks=2),
     Ratio("levels: speed-up of 2 ranks", "levels: explosion, 32^2 to 512^2",
           "levels: explosion, 2 ranks", 1.8, at_least=True),

@@ -61,9 +61,20 @@ def run_once(build, case):
         told = json.loads(report.read_text())
         if told["steps"] < case.steps:
             print(f"note: '{case.name}' ended after {told['steps']} of {case.steps} steps")
-        if case.unit == "regrid":
-            return told["regrid_s"] / told["stepping_s"]
-        return 1e3 * wall if case.unit == "ms" else told["ns_per_cell_step"]
+        return figure_of(case, told, wall)
+
+
+def figure_of(case, told, wall):
+    """What the unit of a case says of its report."""
+    if case.unit == "ms":
+        return 1e3 * wall
+    if case.unit == "share of regrids":
+        return told["regrid_s"] / told["stepping_s"]
+    if case.unit == "steps a regrid":
+        return told["regrid_s"] / max(told["regrids"], 1) / (told["stepping_s"] / told["steps"])
+    if case.unit == "share of balance":
+        return told["balance_s"] / told["stepping_s"]
+    return told["ns_per_cell_step"]
 
 
 def calibrate(build):

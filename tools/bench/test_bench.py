@@ -51,6 +51,16 @@ class Frame(unittest.TestCase):
             build = measure.Build(root, "release")
             self.assertEqual(measure.run_once(build, Run("a", "deck.ups", 10)), 42.0)
 
+    def test_shares_of_a_report(self):
+        told = {"regrid_s": 2.0, "regrids": 4, "balance_s": 1.0, "stepping_s": 50.0, "steps": 10}
+        figures = [measure.figure_of(Run("a", "d", 0, unit=unit), told, 7.0)
+                   for unit in ("share of regrids", "steps a regrid", "share of balance", "ms")]
+        self.assertEqual(figures, [0.04, 0.1, 0.02, 7000.0])
+
+    def test_every_unit_is_known(self):
+        units = {"ns/cell/step", "ms", "share of regrids", "steps a regrid", "share of balance"}
+        self.assertLessEqual({case.unit for case in CASES if isinstance(case, Run)}, units)
+
     def test_savings_are_off_unless_asked_for(self):
         build = measure.Build(pathlib.Path("/r"), "release")
         off = measure.run_command(build, Run("a", "d", 5), "r.json", 5)
