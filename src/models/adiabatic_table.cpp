@@ -24,7 +24,9 @@ TagSpec table_tag() {
       .attribute(attribute("name", "its name").once().text())
       .attribute(attribute("type", "its format").once().words({"Arches"}))
       .with_children(
-          {tag("filename", "file of the table, as seen from the working folder or the deck's")
+          {tag("filename",
+               "file of the table, packed with gzip or not, as seen from the working folder or the "
+               "deck's")
                .once()
                .text(),
            named_value("defaultValue", "value of a further axis of the table").real(),

@@ -3,9 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
@@ -94,6 +96,10 @@ class Tables : public testing::Test {
     std::ofstream(path) << text;
     return path;
   }
+  static std::string bytes_of(const std::string& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
   std::string refusal(const std::string& text, PropertyTable::Additions additions = {}) {
     try {
       adiabatic_nodes(PropertyTable(write(text), std::move(additions)));
@@ -144,6 +150,34 @@ TEST_F(Tables, SayWhatIsWrongWithThem) {
   circle.derived = {{"gamma", "[a]"}, {"a", "[gamma]"}};
   EXPECT_THAT(refusal(two_columns, circle), HasSubstr("follows from itself"));
   EXPECT_THROW(PropertyTable("there_is_no.rxn", {}), InputError);
+}
+
+// As gzip leaves it, whatever the file is called.
+TEST_F(Tables, ThatArePackedAreTheSame) {
+  const std::string text = "1\nF\n2\n1\nTemp\nK\n0 1\n300.25 1e3\n";
+  for (const char* name : {"gas.rxn.gz", "packed.rxn"}) {
+    const std::string path = (folder_.path() / name).string();
+    const gzFile out = gzopen(path.c_str(), "wb");
+    gzputs(out, text.c_str());
+    gzclose(out);
+    std::string packed = bytes_of(path);
+    EXPECT_NE(packed, text);
+    EXPECT_EQ(PropertyTable(path, {}).column("Temp"),
+              PropertyTable(write(text), {}).column("Temp"));
+    const auto said_of = [&](const std::string& bytes) -> std::string {
+      std::ofstream(path) << bytes;
+      try {
+        PropertyTable(path, {});
+      } catch (const InputError& e) {
+        return e.what();
+      }
+      return "accepted";
+    };
+    EXPECT_THAT(said_of(packed.substr(0, packed.size() - 9)),
+                HasSubstr(path + ": ends before it can be unpacked as a whole"));
+    packed[packed.size() - 5] ^= 1;  // of the check sum
+    EXPECT_THAT(said_of(packed), HasSubstr(path + ": cannot be unpacked"));
+  }
 }
 
 }  // namespace

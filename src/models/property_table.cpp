@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <sstream>
 
 #include "framework/base/error.hpp"
+#include "models/packed_text.hpp"
 #include "models/table_expression.hpp"
 
 namespace sluice::models {
@@ -36,9 +36,8 @@ std::map<std::string, Value> canonical_names(const std::map<std::string, Value>&
 // Lines with something on them that are no comments.
 class TableLines {
  public:
-  explicit TableLines(const std::string& file) : file_(file), in_(file) {
-    if (!in_) throw InputError(fmt::format("property table {}: cannot be opened", file));
-  }
+  explicit TableLines(const std::string& file)
+      : file_(file), in_(unpacked_text(file, "property table")) {}
 
   std::vector<std::string> words(const char* what) {
     std::string line;
@@ -87,7 +86,7 @@ class TableLines {
 
  private:
   std::string file_;
-  std::ifstream in_;
+  std::istringstream in_;
   int number_ = 0;
 };
 
@@ -119,10 +118,6 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
   additions_.defaults = canonical_names(additions_.defaults);
   additions_.constants = canonical_names(additions_.constants);
   additions_.derived = canonical_names(additions_.derived);
-  if (file.size() > 3 && file.compare(file.size() - 3, 3, ".gz") == 0)
-    throw InputError(fmt::format(
-        "property table {}: compressed files are not read; unpack it and name the .rxn file",
-        file));
   TableLines lines(file);
   const std::size_t axes = lines.integer("the number of axes", 2);
   std::vector<std::string> names = lines.words("names of the axes");

@@ -1,4 +1,5 @@
-// Tables of a gas's properties over its mixture fraction, as files ".rxn" hold them.
+// Tables of a gas's properties over its mixture fraction, as files ".rxn" hold them, or the same
+// packed with gzip.
 //
 //   # comment lines, anywhere
 //   number of axes, their names, number of points of each; number of columns, names, units
