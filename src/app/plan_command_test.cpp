@@ -320,5 +320,30 @@ TEST_F(PlanCommand, TellsWhatSeveralMaterialsCost) {
   }
 }
 
+// A block of one material runs the tasks that it runs where the deck has no other.
+TEST_F(PlanCommand, MaterialsThatAreAbsentAddNoTask) {
+  const std::string materials = "MaterialProperties/ICE/material";
+  const std::vector<int> tasks = plan({deck("three_in_a_row")}).at("kind_tasks");
+  ASSERT_EQ(tasks.size(), 4u);
+  for (std::size_t alone = 1; alone <= 3; ++alone) {
+    std::vector<std::string> words = {deck("three_in_a_row")};
+    const auto set = [&](const std::string& word) { words.insert(words.end(), {"--set", word}); };
+    const auto of = [&](std::size_t m) { return materials + "[" + std::to_string(m) + "]"; };
+    set(of(alone) + "/geom_object[1]/box/min=[-9,-9,-9]");
+    set(of(alone) + "/geom_object[1]/box/max=[9,9,9]");
+    if (alone == 3) {
+      set(of(3) + "/geom_object[3]=");
+      set(of(3) + "/geom_object[2]=");
+    }
+    for (std::size_t other = 3; other > 0; --other)
+      if (other != alone) set(of(other) + "=");
+    set("MaterialProperties/exchange_properties=");
+    const std::vector<int> by_itself = plan(words).at("kind_tasks");
+    ASSERT_EQ(by_itself.size(), 1u);
+    EXPECT_EQ(tasks[alone - 1], by_itself[0]) << alone;
+    EXPECT_LT(tasks[alone - 1], tasks[3]);
+  }
+}
+
 }  // namespace
 }  // namespace sluice
