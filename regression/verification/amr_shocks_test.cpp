@@ -82,7 +82,7 @@ TEST(AmrShocks, RiemannSquareIsAsGoodAsTheUniformFineGrid) {
   const CaseRun uniform("amr_riemann_2d", with({one_level(), resolution(128, 128)}));
   const CaseRun finer("amr_riemann_2d", with({one_level(), resolution(512, 512)}),
                       {"--threads", "2"});
-  for (const char* variable : {"rho_CC", "press_CC"}) {
+  for (const char* variable : {"rho_CC", "press_CC", "vel_CC"}) {
     const CellValues reference = finer.field(variable);
     expect_as_good(variable, distance_from(adaptive, reference, variable),
                    distance_from(uniform, reference, variable));

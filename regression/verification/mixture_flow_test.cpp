@@ -112,6 +112,29 @@ const std::string by_four = "AMR/Regridder/cell_refinement_ratio=[[4,4,1]]";
 const std::string tiles_for_four = "AMR/Regridder/min_patch_size=[[8,8,1]]";
 const std::string three_levels = "AMR/Regridder/max_levels=3";
 
+// Another material in the place of the water, at its pressure and temperature.
+std::vector<std::string> square_of(const char* law, const std::vector<std::string>& numbers) {
+  const std::string material = "MaterialProperties/ICE/material[1]/";
+  std::vector<std::string> all = {material + "EOS/pinf=", material + "EOS/q=",
+                                  material + "EOS/@type=" + law, resolution(16, 16)};
+  for (const std::string& number : numbers) all.push_back(material + number);
+  return all;
+}
+const std::vector<std::string> solid =
+    square_of("Murnaghan", {"EOS/n=7.4", "EOS/K=39e-11", "EOS/rho0=1160", "EOS/P0=101325",
+                            "geom_object/density=1160", "specific_heat=1400"});
+// p = (gamma - 1) rho cv T/(1 - b rho), with 28 kg/m3
+const std::vector<std::string> hard_spheres = square_of(
+    "hard_sphere_gas", {"EOS/b=1e-2", "gamma=1.3", "geom_object/density=28",
+                        fmt::format("specific_heat={:.17g}", 101325 * .72 / (.3 * 28 * 300))});
+const std::vector<std::string> helium = square_of(
+    "ideal_gas", {"gamma=1.667", "specific_heat=3116",
+                  fmt::format("geom_object/density={:.17g}", 101325 / (.667 * 3116 * 300))});
+// The specific heat of air at any temperature.
+const std::vector<std::string> air_by_nasa =
+    square_of("ideal_gas", {"SpecificHeatModel/@type=airNasa", "gamma=1.4", "specific_heat=717.5",
+                            "geom_object/density=1.176829268292683"});
+
 class WaterSquare : public testing::TestWithParam<Levels> {};
 
 TEST_P(WaterSquare, LeavesNoTraceInPressureVelocityAndTemperature) {
@@ -126,6 +149,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Levels{"Ratio4", {resolution(16, 16), by_four, tiles_for_four}},
                     Levels{"ThreeLevels", {resolution(16, 16), three_levels}},
                     Levels{"CopiedCells", {"AMR/ICE/orderOfInterpolation=0"}},
+                    Levels{"OfASolid", solid}, Levels{"OfHardSpheres", hard_spheres},
+                    Levels{"OfHelium", helium}, Levels{"OfAirByNasa", air_by_nasa},
                     Levels{"Free", {drag("0")}},
                     Levels{"FreeByFour", {drag("0"), resolution(16, 16), by_four, tiles_for_four}},
                     Levels{"FreeOnThreeLevels", {drag("0"), resolution(16, 16), three_levels}},
