@@ -11,6 +11,7 @@
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/run/hierarchy.hpp"
+#include "ice/ice.hpp"
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"
 #include "properties/skew_deck.hpp"
@@ -82,6 +83,42 @@ TEST(LevelsEverywhere, TheFinestOneHasTheBitsOfTheUniformFineGrid) {
   EXPECT_EQ(fine.time, refined.time);
   EXPECT_TRUE(values_of_level(fine.archive.value(), 0) ==
               values_of_level(refined.archive.value(), 2));
+}
+
+// Where the gas has not heard of the explosion yet blocks sleep, on every level alike.
+TEST(LevelsEverywhere, SleepWhereNothingHappens) {
+  const Deck deck = input_deck(
+      "amr_explosion",
+      {"Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_stability_dilation=[99,99,0]"},
+      1);
+  std::vector<Fault> faults;
+  const Scene scene = read_scene(deck, {}, faults);
+  const ice::Ice component(scene, ice::read_ice_scene(deck, scene, faults));
+  for (const bool force_all : {false, true}) {
+    SolverOptions options;
+    options.block = {8, 8, 1};
+    options.force_all = force_all;
+    Hierarchy h(scene, component, world(), options);
+    h.initialise();
+    const RunControl control;
+    EventLedger ledger;
+    double time = 0;
+    for (int step = 1; step <= 4; ++step) {
+      const double dt = h.step_limit().dt;
+      ASSERT_TRUE(h.attempt(step, time, dt, {}, control, ledger).good);
+      h.accept();
+      time += dt;
+    }
+    ASSERT_EQ(h.level_count(), 3);
+    for (int l = 0; l < 3; ++l) {
+      const LevelSolver& level = h.level(l);
+      EXPECT_GT(level.blocks_run(), 0) << l;
+      if (force_all)
+        EXPECT_EQ(level.blocks_asleep(), 0) << l;
+      else  // blocks of the finer levels are smaller
+        EXPECT_GT(level.blocks_asleep(), l * level.blocks_run() / 4) << l;
+    }
+  }
 }
 
 TEST(LevelsNowhere, GiveTheBitsOfOneLevel) {
