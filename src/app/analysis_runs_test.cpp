@@ -310,6 +310,9 @@ const std::string all_kinds =
                 "<analyze label=\"press_CC\" weighting=\"nCells\"/></Variables>") +
     module_text("minMax", "<Variables><analyze label=\"vorticity\"/></Variables>") +
     planes_of_heat({{"[-0.3,-2,0]", "[-0.3,1,1]"}, {"[-1,0.1,0]", "[1,0.1,1]"}}) +
+    "<Module name=\"spatialAvg\"><timeStart>0</timeStart><timeStop>9</timeStop>"
+    "<avgBoxCells>[5,3,1]</avgBoxCells><Variables><analyze "
+    "label=\"vel_CC\"/></Variables></Module>" +
     module_text("pointExtract",
                 "<Variables><analyze label=\"press_CC\"/><analyze label=\"vel_CC\"/></Variables>"
                 "<points><point name=\"p\"><position>[0.3,0.1,0]</position></point></points>") +
@@ -320,7 +323,8 @@ const std::string all_kinds =
 const std::string conducting =
     small + " --set MaterialProperties/ICE/material/thermal_conductivity=0.01";
 const std::string saves =
-    "<save label=\"total_heatRate\"/>"
+    "<save label=\"total_heatRate\"/><save label=\"spatialAvg_vel_CC\"/>"
+    "<save label=\"spatialAvg_variance_vel_CC\"/>"
     "<save label=\"mean_temp_CC\"/><save label=\"variance_temp_CC\"/>"
     "<save label=\"kurtosis_vel_CC\"/><save label=\"uv_vw_wu_prime\"/>";
 

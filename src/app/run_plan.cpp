@@ -10,6 +10,7 @@
 
 #include "app/first_step_limit.hpp"
 #include "framework/run/analysis_heat.hpp"
+#include "framework/run/analysis_spatial.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/particle_archive.hpp"
 #include "framework/run/refuse_label.hpp"
@@ -136,21 +137,31 @@ class Planner {
       count += request.materials.contains(m, component_.material_count()) ? 1 : 0;
     return count;
   }
-  // A field that an analysis gives of its samples; false: none of that name.
-  bool describe_statistics(const SaveRequest& r) {
+  static std::vector<std::pair<std::string, ValueType>> fields_of(const AnalysisModule& m,
+                                                                  const TypeOfVariable& type_of) {
+    if (keeps_statistics(m)) return fields_of_statistics(m, type_of);
+    std::vector<std::pair<std::string, ValueType>> fields;
+    if (averages_cells(m))
+      for (const AnalysedVariable& v : m.variables)
+        for (const std::string& name : names_of_cell_averages(v.label))
+          fields.emplace_back(name, type_of(v));
+    return fields;
+  }
+  // A field that an analysis gives; false: none of that name.
+  bool describe_analysed_field(const SaveRequest& r) {
     const TypeOfVariable type_of = [this](const AnalysedVariable& v) {
       const std::optional<Label> label = find_known(v.label, false);
       if (!label) refuse(v.where, LabelUse::analyse, v.label);
       return label->info().type;
     };
     for (const AnalysisModule& m : scene_.analysis.modules) {
-      if (!keeps_statistics(m)) continue;
-      for (const auto& [name, type] : fields_of_statistics(m, type_of)) {
+      for (const auto& [name, type] : fields_of(m, type_of)) {
         if (name != r.label) continue;
         PlannedOutput out;
         out.label = r.label;
         out.where = r.where;
-        out.made = fmt::format("{}, from its samples", m.name);
+        out.made =
+            fmt::format("{}, from {}", m.name, keeps_statistics(m) ? "its samples" : "the state");
         out.materials = 1;
         out.bytes_per_cell = component_count(type) * real_bytes(type);
         plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
@@ -171,7 +182,7 @@ class Planner {
     std::set<Label> counted;
     for (const SaveRequest& r : o.saves) {
       const std::optional<Label> label = find_known(r.label, true);
-      if (!label && describe_statistics(r)) continue;
+      if (!label && describe_analysed_field(r)) continue;
       if (!label) refuse(r.where, LabelUse::save, r.label);
       PlannedOutput out;
       out.label = r.label;

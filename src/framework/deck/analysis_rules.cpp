@@ -12,7 +12,7 @@ using Faults = std::vector<Fault>;
 
 void check_times(const DeckNode& module, const std::string& name, Faults& faults) {
   const bool no_samples = name == "vorticity" || name == "SGS_ReynoldsStress" ||
-                          name == "flatPlate_heatFlux" || name.empty();
+                          name == "flatPlate_heatFlux" || name == "spatialAvg" || name.empty();
   const bool every_step = name == "statistics" || name == "turbulentFluxes" || no_samples;
   if (!every_step && module.child("samplingFrequency") == nullptr)
     add_error(faults, module.where, "<Module> needs <samplingFrequency>: samples per unit of time");
@@ -92,10 +92,22 @@ void check_variables(const DeckNode& module, const std::string& name, Faults& fa
               "add fluidVelocityLabel=\"true\" to its <analyze>");
 }
 
+// A box has the same number of cells on either side of its middle.
+void check_average_box(const DeckNode& module, Faults& faults) {
+  const auto cells = int_vector_of(&module, "avgBoxCells");
+  for (int d = 0; cells && d < 3; ++d)
+    if ((*cells)[d] < 1 || (*cells)[d] % 2 == 0)
+      add_error(faults, module.child("avgBoxCells")->where,
+                fmt::format("<avgBoxCells>: {} cells along {}; a box lies around its cell, and has "
+                            "an odd number of them",
+                            (*cells)[d], direction_names[d]));
+}
+
 void check_module(const DeckNode& module, Faults& faults) {
   const std::string name = module.attribute("name").value_or("");
   check_times(module, name, faults);
   check_variables(module, name, faults);
+  check_average_box(module, faults);
   check_names(module.child("lines"), "line", "name", faults);
   check_names(module.child("planes"), "plane", "name", faults);
   check_names(module.child("points"), "point", "name", faults);

@@ -8,16 +8,18 @@ using Names = std::vector<std::string>;
 
 const Names averages = {"planeAverage", "planeAvgTurbFluxes"};
 const Names over_time = {"statistics", "turbulentFluxes"};
-const Names with_variables = {"minMax",       "lineExtract",    "planeExtract",
-                              "pointExtract", "planeAverage",   "planeAvgTurbFluxes",
-                              "statistics",   "turbulentFluxes"};
+const Names of_cells = {"spatialAvg"};
+const Names at_samples = {"minMax",       "lineExtract",        "planeExtract", "pointExtract",
+                          "planeAverage", "planeAvgTurbFluxes", "statistics",   "turbulentFluxes"};
 const Names of_one_volume = {"momentumAnalysis", "firstLawThermo"};
 
 Names joined(Names a, const Names& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
-const Names sampled = joined(joined(with_variables, {"controlVolFluxes"}), of_one_volume);
+const Names sampled = joined(joined(at_samples, {"controlVolFluxes"}), of_one_volume);
+const Names with_variables = joined(at_samples, of_cells);
+const Names with_times = joined(sampled, of_cells);
 
 TagSpec analyze() {
   return tag("analyze", "a variable that is looked at")
@@ -162,6 +164,18 @@ std::vector<TagSpec> plane_tags() {
               .only_for("name", names_of("planeAvgTurbFluxes"))};
 }
 
+// Averages of boxes of cells.
+std::vector<TagSpec> box_tags() {
+  return {tag("avgBoxCells", "cells along each direction of the box around a cell: odd numbers")
+              .once()
+              .int_vector()
+              .only_for("name", of_cells),
+          tag("domain", "which cells have averages: all, those whose box is whole, or the others")
+              .words({"everywhere", "interior", "boundaries"})
+              .by_default("everywhere")
+              .only_for("name", of_cells)};
+}
+
 // When samples are taken.
 std::vector<TagSpec> times() {
   return {
@@ -171,34 +185,46 @@ std::vector<TagSpec> times() {
           .above(0)
           .unit("1/time")
           .only_for("name", sampled),
-      tag("timeStart", "begin of sampling").once().real().unit("time").only_for("name", sampled),
-      tag("timeStop", "end of sampling").once().real().unit("time").only_for("name", sampled)};
+      tag("timeStart", "begin of sampling").once().real().unit("time").only_for("name", with_times),
+      tag("timeStop", "end of sampling").once().real().unit("time").only_for("name", with_times)};
+}
+
+// How the names of a module's fields begin, before that of a variable.
+Names kinds_of_fields(const DeckNode& module, const std::string& name) {
+  if (name == "spatialAvg") return {"spatialAvg_", "spatialAvg_variance_"};
+  if (name != "statistics" && name != "turbulentFluxes") return {};
+  Names kinds = {"sum_", "mean_", "variance_"};
+  const DeckNode* higher = module.child("computeHigherOrderStats");
+  if (higher != nullptr && higher->text == "true")
+    kinds = joined(kinds, {"skewness_", "kurtosis_"});
+  if (name == "turbulentFluxes") kinds.emplace_back("covariance_");
+  return kinds;
+}
+
+// Fields and histories that a module gives.
+Names labels_of(const DeckNode& module) {
+  const std::string name = module.attribute("name").value_or("");
+  if (name == "flatPlate_heatFlux") return {"total_heatRate"};
+  const Names kinds = kinds_of_fields(module, name);
+  const DeckNode* variables = module.child("Variables");
+  Names labels;
+  if (variables == nullptr || kinds.empty()) return labels;
+  for (const DeckNode* v : variables->all("analyze")) {
+    for (const std::string& kind : kinds)
+      labels.push_back(kind + v->attribute("label").value_or(""));
+    const bool stress = name == "statistics" && v->attribute("computeReynoldsStress") == "true";
+    if (name == "turbulentFluxes" || stress) labels.emplace_back("uv_vw_wu_prime");
+  }
+  return labels;
 }
 
 }  // namespace
 
 std::vector<std::string> labels_of_analyses(const DeckNode& root) {
   std::vector<std::string> labels;
-  const DeckNode* analysis = root.child("DataAnalysis");
-  if (analysis == nullptr) return labels;
-  for (const DeckNode* module : analysis->all("Module")) {
-    const DeckNode* variables = module->child("Variables");
-    const std::string name = module->attribute("name").value_or("");
-    if (name == "flatPlate_heatFlux") labels.emplace_back("total_heatRate");
-    const bool fluxes = name == "turbulentFluxes";
-    if (variables == nullptr || (name != "statistics" && !fluxes)) continue;
-    const DeckNode* higher = module->child("computeHigherOrderStats");
-    Names kinds = {"sum_", "mean_", "variance_"};
-    if (higher != nullptr && higher->text == "true")
-      kinds = joined(kinds, {"skewness_", "kurtosis_"});
-    if (fluxes) kinds.emplace_back("covariance_");
-    for (const DeckNode* v : variables->all("analyze")) {
-      for (const std::string& kind : kinds)
-        labels.push_back(kind + v->attribute("label").value_or(""));
-      if (fluxes || v->attribute("computeReynoldsStress") == "true")
-        labels.emplace_back("uv_vw_wu_prime");
-    }
-  }
+  if (const DeckNode* analysis = root.child("DataAnalysis"))
+    for (const DeckNode* module : analysis->all("Module"))
+      labels = joined(labels, labels_of(*module));
   return labels;
 }
 
@@ -206,13 +232,14 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(attribute("name", "which analysis")
-                         .once()
-                         .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
-                                 "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
-                                 "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
-                                 "flatPlate_heatFlux", "vorticity", "SGS_ReynoldsStress"})
-                         .not_built({"particleExtract", "radiometer", "spatialAvg"}))
+          .attribute(
+              attribute("name", "which analysis")
+                  .once()
+                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                          "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
+                          "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
+                          "flatPlate_heatFlux", "spatialAvg", "vorticity", "SGS_ReynoldsStress"})
+                  .not_built({"particleExtract", "radiometer"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})
@@ -223,6 +250,7 @@ void add_analysis_tags(Schema& schema) {
                               .only_for("name", with_variables)})
           .with_children(places())
           .with_children(plane_tags())
+          .with_children(box_tags())
           .with_children(volume_tags())
           .with_children(unneeded_labels())
           .with_children(statistics_tags());

@@ -62,7 +62,8 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
       check_places(m, names);
       add_planes_of_heat(m, first_volume, scene);
     }
-    if (!samples_levels(m) && !keeps_budgets(m) && !keeps_statistics(m)) continue;
+    const bool fields = keeps_statistics(m) || averages_cells(m);
+    if (!samples_levels(m) && !keeps_budgets(m) && !fields) continue;
     const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
     check_fields(m, find);
     check_places(m, names);
@@ -72,9 +73,13 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
     if (keeps_budgets(m)) module.budgets = make_budgets(m, first_volume);
     if (keeps_statistics(m)) {
       module.statistics = std::make_unique<Statistics>(m, find, hierarchy, communicator.rank());
-      check_labels(*module.statistics, m);
+      check_labels(module.statistics->labels(), m);
     }
-    if (module.budgets || module.statistics ||
+    if (averages_cells(m)) {
+      module.averages = std::make_unique<CellAverages>(m, find, hierarchy, communicator.rank());
+      check_labels(module.averages->labels(), m);
+    }
+    if (module.budgets || fields ||
         std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
       modules_.push_back(std::move(module));
   }
@@ -339,15 +344,18 @@ void AnalysisRecorder::on_root(const std::function<void()>& work) const {
 std::vector<Label> AnalysisRecorder::field_labels() const {
   std::vector<Label> labels;
   for (const Module& m : modules_)
-    if (m.statistics != nullptr)
-      labels.insert(labels.end(), m.statistics->labels().begin(), m.statistics->labels().end());
+    for (const std::vector<Label>& own :
+         {m.statistics != nullptr ? m.statistics->labels() : std::vector<Label>{},
+          m.averages != nullptr ? m.averages->labels() : std::vector<Label>{}})
+      labels.insert(labels.end(), own.begin(), own.end());
   return labels;
 }
 
 // Two modules may not both be the source of a label.
-void AnalysisRecorder::check_labels(const Statistics& statistics, const AnalysisModule& m) const {
+void AnalysisRecorder::check_labels(const std::vector<Label>& labels,
+                                    const AnalysisModule& m) const {
   const std::vector<Label> others = field_labels();
-  for (const Label l : statistics.labels())
+  for (const Label l : labels)
     if (std::find(others.begin(), others.end(), l) != others.end())
       throw DeckError(
           m.where,
@@ -355,10 +363,23 @@ void AnalysisRecorder::check_labels(const Statistics& statistics, const Analysis
           "analyse the variable in one");
 }
 
-void AnalysisRecorder::store_fields(const std::vector<Label>& wanted) {
+void AnalysisRecorder::store_fields(const std::vector<Label>& wanted, double time) {
   lay_out();
-  for (const Module& m : modules_)
+  for (const Module& m : modules_) {
     if (m.statistics != nullptr) m.statistics->store(wanted);
+    if (m.averages != nullptr) m.averages->store(wanted, time);
+  }
+}
+
+std::vector<Label> AnalysisRecorder::sources_of(const std::vector<Label>& wanted) const {
+  std::vector<Label> labels;
+  for (const Module& m : modules_) {
+    if (m.averages == nullptr) continue;
+    const std::vector<Label> own = m.averages->sources(wanted);
+    labels.insert(labels.end(), own.begin(), own.end());
+  }
+  sort_once(labels);
+  return labels;
 }
 
 void AnalysisRecorder::add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const {

@@ -6,6 +6,7 @@
 //   pointExtract points/<name>                          Timestep Time Level values
 //   planeAverage, planeAvgTurbFluxes    see analysis_average.hpp
 //   statistics, turbulentFluxes    fields, see analysis_statistics.hpp
+//   spatialAvg                     fields, see analysis_spatial.hpp
 //   flatPlate_heatFlux    a history, see analysis_heat.hpp
 //   controlVolFluxes, momentumAnalysis, firstLawThermo    see analysis_volume.hpp
 //
@@ -29,6 +30,7 @@
 #include "framework/analysis/sampler.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/run/analysis_heat.hpp"
+#include "framework/run/analysis_spatial.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/analysis_volume.hpp"
 #include "framework/run/hierarchy.hpp"
@@ -62,7 +64,9 @@ class AnalysisRecorder {
   void follow_levels() { lay_out(); }
   // Fields that can be saved as labels, and their values into the outputs of all levels.
   std::vector<Label> field_labels() const;
-  void store_fields(const std::vector<Label>& wanted);
+  void store_fields(const std::vector<Label>& wanted, double time);
+  // Labels of the state that the outputs must hold before that.
+  std::vector<Label> sources_of(const std::vector<Label>& wanted) const;
   void add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const;
   // What a history has after the last step; none that is no analysis.
   std::optional<double> history(Label label) const;
@@ -82,8 +86,10 @@ class AnalysisRecorder {
     std::vector<std::unique_ptr<LevelSampler>> levels;
     std::unique_ptr<VolumeBudgets> budgets;  // of its control volumes, if it keeps some
     std::unique_ptr<Statistics> statistics;  // if it keeps some
+    std::unique_ptr<CellAverages> averages;  // of boxes of cells, if it takes them
     std::optional<double> last;
-    bool due(double time) const { return sample_is_due(*settings, last, time); }
+    // Averages are taken when they are written.
+    bool due(double time) const { return !averages && sample_is_due(*settings, last, time); }
   };
   using Visit = std::function<void(int level, LevelSampler&)>;
 
@@ -91,7 +97,7 @@ class AnalysisRecorder {
   AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
   std::unique_ptr<VolumeBudgets> make_budgets(const AnalysisModule& module, int first);
   // Lines, planes and volumes: their names, and whether the domain holds them.
-  void check_labels(const Statistics& statistics, const AnalysisModule& module) const;
+  void check_labels(const std::vector<Label>& labels, const AnalysisModule& module) const;
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);

@@ -52,7 +52,7 @@ class OverTime : public testing::Test {
     recorder_->sample(step_, 0.125 * step_);
   }
   double value(const char* name, int c = 0) {
-    recorder_->store_fields({*find_label(name)});
+    recorder_->store_fields({*find_label(name)}, 0);
     const Warehouse& outputs = hierarchy_->level(0).outputs();
     return outputs.view(outputs.find(*find_label(name), 0), c, 1)({30, 0, 0});
   }

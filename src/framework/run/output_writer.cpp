@@ -175,8 +175,12 @@ void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
 
 void OutputWriter::write_output(const StepInfo& info, bool initial) {
   const auto start = Clock::now();
-  hierarchy_->compute_diagnostics(info.time, saved_.diagnostic);
-  if (!saved_.analysed.empty()) analysis_->store_fields(saved_.analysed);
+  std::vector<Label> computed = saved_.diagnostic;
+  if (!saved_.analysed.empty())
+    for (const Label l : analysis_->sources_of(saved_.analysed))
+      if (std::find(computed.begin(), computed.end(), l) == computed.end()) computed.push_back(l);
+  hierarchy_->compute_diagnostics(info.time, computed);
+  if (!saved_.analysed.empty()) analysis_->store_fields(saved_.analysed, info.time);
   std::vector<FieldPiece> pieces;
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_output_pieces(hierarchy_->level(l), initial, pieces);

@@ -52,6 +52,13 @@ int normal_of(const std::string& orientation) {
   return orientation == "YZ" ? 0 : orientation == "XZ" ? 1 : 2;
 }
 
+AnalysisModule::AverageWhere average_where(const std::string& word) {
+  using Where = AnalysisModule::AverageWhere;
+  return word == "interior"     ? Where::interior
+         : word == "boundaries" ? Where::boundaries
+                                : Where::everywhere;
+}
+
 void read_averages(const DeckNode& node, const std::vector<std::string>& materials,
                    AnalysisModule& m, std::vector<Fault>& faults) {
   m.plane_normal = normal_of(text_or(node, "planeOrientation", "XY"));
@@ -81,6 +88,8 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
   m.higher_order = boolean_or(node, "computeHigherOrderStats", false);
   m.energy_factor = real_or(node, "engy_convt_factor", 1);
   read_averages(node, materials, m, faults);
+  m.average_cells = int_vector_or(node, "avgBoxCells", {1, 1, 1});
+  m.average_where = average_where(text_or(node, "domain", "everywhere"));
   read_analysis_places(node, m, faults);
 }
 

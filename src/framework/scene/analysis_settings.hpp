@@ -78,6 +78,10 @@ struct AnalysisModule {
   std::optional<AnalysedVariable> velocity;  // of planeAvgTurbFluxes
   bool higher_order = false;                 // computeHigherOrderStats
   double energy_factor = 1;                  // engy_convt_factor
+  IntVec3 average_cells{1, 1, 1};            // avgBoxCells, odd
+  // Where cells have averages: all, those whose box is whole, or the others.
+  enum class AverageWhere { everywhere, interior, boundaries };
+  AverageWhere average_where = AverageWhere::everywhere;  // domain
   Location where;
 };
 
