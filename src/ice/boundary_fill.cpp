@@ -203,29 +203,30 @@ void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, 
     return;
   }
   GhostStates states(setting_, v, d, plus, moment);
-  const auto one = [&](IntVec3 ghost) {
-    const std::size_t r = region(side, ghost);
-    const GhostRule& here = rules_[n][r];
-    const IntVec3 source = source_cell(ghost, d, plus, here.mirrored(), level_->domain);
-    if (copies(side, r))
-      states.plain(here, ghost, source);
-    else if (here.waves && !mixtures_[n].empty())
-      states.mixture_waves(mixtures_[n][r], ghost, source);
-    else if (here.waves)
-      states.waves(here, ghost, source);
-    else if (mixtures_[n].empty())
-      states.gas(here, ghost, source);
-    else
-      states.mixture(mixtures_[n][r], ghost, source);
-  };
+  if (has_waves_[n]) return fill_open_side(states, ghosts, side);
   // From the boundary outward, so that hydrostatic sums find the nearer ghosts filled.
   const int layers = ghosts.size()[d];
   for (int layer = 0; layer < layers; ++layer) {
     IndexBox slice = ghosts;
     slice.lower[d] = plus ? ghosts.lower[d] + layer : ghosts.upper[d] - 1 - layer;
     slice.upper[d] = slice.lower[d] + 1;
-    for_each_cell(slice, one);
+    for_each_cell(slice,
+                  [&](IntVec3 ghost) { fill_ghost(states, side, region(side, ghost), ghost); });
   }
+}
+
+void BoundaryFill::fill_ghost(GhostStates& states, Side side, std::size_t region,
+                              IntVec3 ghost) const {
+  const auto n = static_cast<std::size_t>(side);
+  const GhostRule& rule = rules_[n][region];
+  const IntVec3 source =
+      source_cell(ghost, direction_of(side), is_plus(side), rule.mirrored(), level_->domain);
+  if (copies(side, region))
+    states.plain(rule, ghost, source);
+  else if (mixtures_[n].empty())
+    states.gas(rule, ghost, source);
+  else
+    states.mixture(mixtures_[n][region], ghost, source);
 }
 
 bool BoundaryFill::commute(std::span<const Side> sides) const {

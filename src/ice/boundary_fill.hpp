@@ -97,6 +97,10 @@ class BoundaryFill {
                     bool everywhere) const;
   void fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                  const Moment& moment) const;
+  // Of open faces, a row of cells at a time (boundary/open_sides.cpp).
+  void fill_open_side(GhostStates& states, const IndexBox& ghosts, Side side) const;
+  // By any rule but waves.
+  void fill_ghost(GhostStates& states, Side side, std::size_t region, IntVec3 ghost) const;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                  const Moment& moment) const;
   void fill_direction(Warehouse& state, int width, int direction, const ThreadTeam& team,

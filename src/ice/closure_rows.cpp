@@ -40,6 +40,28 @@ void modulus_row(const Fluid& fluid, int n, const double* __restrict rho,
       fluid.law);
 }
 
+void sound_speed_row(const Fluid& fluid, int n, const double* __restrict rho,
+                     const double* __restrict p, double* __restrict c) {
+  std::visit(
+      [&](const auto& law) {
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) c[i] = law.sound_speed(rho[i], p[i]);
+      },
+      fluid.law);
+}
+
+void energy_from_pressure_row(const Fluid& fluid, int n, const double* __restrict rho,
+                              const double* __restrict p, double* __restrict rho_e) {
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (std::decay_t<decltype(law)>::depends_on_energy) {
+#pragma GCC ivdep
+          for (int i = 0; i < n; ++i) rho_e[i] = law.energy_from_pressure(rho[i], p[i]);
+        }
+      },
+      fluid.law);
+}
+
 void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
                       const double* __restrict rho_e, double* __restrict scale) {
   std::visit(

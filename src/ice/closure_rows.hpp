@@ -13,6 +13,11 @@ void pressure_and_modulus_row(const Fluid& fluid, int n, const double* rho, cons
 void pressure_row(const Fluid& fluid, int n, const double* rho, const double* rho_e, double* p);
 // K (Pa) from density and pressure.
 void modulus_row(const Fluid& fluid, int n, const double* rho, const double* p, double* K);
+// c (m/s) from density and pressure.
+void sound_speed_row(const Fluid& fluid, int n, const double* rho, const double* p, double* c);
+// Internal energy per volume from density and pressure, of laws whose pressure depends on it.
+void energy_from_pressure_row(const Fluid& fluid, int n, const double* rho, const double* p,
+                              double* rho_e);
 // How far the energy is from where the law ends, in units of energy per volume:
 // (p + pi)/G with G = dp/d(rho e) at constant density and -pi the lowest pressure of the law. The
 // energy itself for an ideal gas.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ice/boundary/waves.hpp"
 #include "ice/scalars/mixed_gas.hpp"
 
 namespace sluice::ice {
@@ -15,19 +16,22 @@ GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& vi
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
 }
 
+double GhostStates::half_weight() const {
+  return (plus_ ? 0.5 : -0.5) * setting_.gravity[d_] * setting_.level->spacing[d_];
+}
+
 // Hydrostatic difference of pressure from the source cell out to the ghost cell: the sum of
 // g dx (rho + rho)/2 over the steps between them. Ghost densities closer in are filled already.
 double GhostStates::hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const {
-  const double g = setting_.gravity[d_];
-  if (g == 0) return 0;
-  const int outward = plus_ ? 1 : -1;
+  const double half = half_weight();
+  if (half == 0) return 0;
   double change = 0;
   IntVec3 c = source;
   while (c[d_] != ghost[d_]) {
     IntVec3 next = c;
-    next[d_] += outward;
+    next[d_] += plus_ ? 1 : -1;
     const double rho_next = next[d_] == ghost[d_] ? rho_ghost : v_.density(next);
-    change += outward * 0.5 * g * setting_.level->spacing[d_] * (v_.density(c) + rho_next);
+    change += half * (v_.density(c) + rho_next);
     c = next;
   }
   return change;

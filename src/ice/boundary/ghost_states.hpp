@@ -7,7 +7,6 @@
 #include "framework/field/array_view.hpp"
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
-#include "ice/boundary/waves.hpp"
 #include "ice/transport/settings.hpp"
 #include "models/mixed_gas.hpp"
 
@@ -27,6 +26,7 @@ struct BoundaryViews {
 };
 
 struct SlipCell;
+struct WaveState;
 
 // What holds on all sides.
 struct BoundarySetting {
@@ -59,10 +59,13 @@ class GhostStates {
   void plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   void mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
-  void waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, std::size_t material = 0) const;
-  void mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 source);
+  // `out`: what waves leave there (wave_rows.hpp), without hydrostatic pressure.
+  void waves(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
+             std::size_t material = 0) const;
+  void mixture_waves(const MixtureRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source);
 
  private:
+  friend class WaveRows;
   struct Part {
     double rho = 0, V = 0, T = 0;  // true density, share of the cell
     double V_source = 0;
@@ -72,6 +75,8 @@ class GhostStates {
   };
   // Of one material in this cell; `room` holds it where it is a gas that is a mixture itself.
   const Fluid& fluid_of(IntVec3 cell, Fluid& room, std::size_t material = 0) const;
+  // Hydrostatic difference of pressure over one step outward, over the sum of its two densities.
+  double half_weight() const;
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
   // `given`: that of the rule at this ghost.
   double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,
@@ -96,18 +101,20 @@ class GhostStates {
   double given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   double swing(IntVec3 ghost, IntVec3 source) const;
   TravellingVortices::Flow vortices(IntVec3 ghost, double rho) const;
+  // Where a direction is in the frame of the face, and with which sign.
+  struct FaceFrame {
+    int component = 0;
+    double sign = 1;
+  };
+  FaceFrame in_face_frame(int direction) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
   double pressure(IntVec3 cell) const;
   double sound_speed(IntVec3 cell, const WaveState& s) const;
+  double lowest_pressure(IntVec3 cell) const;  // of the laws of what is there
   WaveState wave_state(IntVec3 cell) const;
-  WaveState along(IntVec3 cell, int direction) const;
-  WaveCell wave_cell(const GhostRule& rule, IntVec3 source) const;
-  WaveState continued(const GhostRule& rule, IntVec3 source, int layers,
-                      double lowest_pressure) const;
   void wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
                      double rho) const;
   int alone_in(IntVec3 cell) const;
-  double transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const;
   double mixture_pressure(IntVec3 source) const;
   void take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);

@@ -5,25 +5,28 @@
 #include <limits>
 
 #include "ice/boundary/ghost_states.hpp"
+#include "ice/boundary/waves.hpp"
 
 namespace sluice::ice {
 namespace {
 
-constexpr double most_change = 0.5;  // of density, and of pressure above the lowest of the law
+constexpr double most_change = 0.5;  // of density, as waves press a mixture
 
 // The tangents of a face, in rising order.
 constexpr int tangents[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
-double largest_share(double value, double change) {
-  const double size = std::fabs(change), room = most_change * value;
-  return size > room ? std::max(room, 0.0) / size : 1.0;
-}
-
 }  // namespace
 
+GhostStates::FaceFrame GhostStates::in_face_frame(int e) const {
+  if (e == d_) return {0, plus_ ? 1.0 : -1.0};
+  return {e == tangents[d_][0] ? 1 : 2, 1.0};
+}
+
 void GhostStates::to_face_frame(Vec3 u, WaveState& s) const {
-  s.u[0] = plus_ ? u[d_] : -u[d_];
-  for (int t = 0; t < 2; ++t) s.u[1 + t] = u[tangents[d_][t]];
+  for (int e = 0; e < 3; ++e) {
+    const auto [component, sign] = in_face_frame(e);
+    s.u[component] = sign * u[e];
+  }
 }
 
 double GhostStates::pressure(IntVec3 cell) const {
@@ -57,82 +60,18 @@ WaveState GhostStates::wave_state(IntVec3 cell) const {
   return s;
 }
 
-// Central differences; at the edge of the domain one-sided. Cells beyond it have none.
-WaveState GhostStates::along(IntVec3 cell, int e) const {
-  const Neighbours at = neighbours(cell, e);
-  if (at.steps == 0) return {};
-  const WaveState a = wave_state(at.low), b = wave_state(at.high);
-  const double scale = 1.0 / (at.steps * setting_.level->spacing[e]);
-  WaveState slope;
-  slope.rho = (b.rho - a.rho) * scale;
-  slope.p = (b.p - a.p) * scale;
-  for (int t = 0; t < 3; ++t) slope.u[t] = (b.u[t] - a.u[t]) * scale;
-  return slope;
-}
-
-WaveCell GhostStates::wave_cell(const GhostRule& rule, IntVec3 source) const {
-  const Level& level = *setting_.level;
-  const LodiSettings& settings = *setting_.conditions.lodi;
-  WaveCell cell;
-  cell.here = wave_state(source);
-  cell.spacing = level.spacing[d_];
-  cell.domain_size = level.domain.size()[d_] * level.spacing[d_];
-  cell.sound_speed = sound_speed(source, cell.here);
-  if (settings.velocity_infinity && settings.rho_infinity) {
-    cell.far_known = true;
-    cell.far.rho = *settings.rho_infinity;
-    to_face_frame(*settings.velocity_infinity, cell.far);
-  } else if (rule.open_face >= 0 && !moment_.carriers.empty()) {
-    const auto& carrier = moment_.carriers[static_cast<std::size_t>(rule.open_face)];
-    cell.carrier_known = carrier.has_value();
-    if (carrier) to_face_frame(*carrier, cell.carrier);
-  }
-  IntVec3 inner = source;
-  inner[d_] += plus_ ? -1 : 1;
-  const WaveState in = wave_state(inner);
-  const double scale = 1.0 / cell.spacing;
-  cell.normal.rho = (cell.here.rho - in.rho) * scale;
-  cell.normal.p = ((cell.here.p - in.p) - hydrostatic(inner, source, cell.here.rho)) * scale;
-  for (int t = 0; t < 3; ++t) cell.normal.u[t] = (cell.here.u[t] - in.u[t]) * scale;
-  for (int t = 0; t < 2; ++t) cell.along[t] = along(source, tangents[d_][t]);
-  return cell;
-}
-
-// Along the way out to a ghost, from the two cells next to the face.
-double GhostStates::transverse_part_of(const WaveCell& cell, IntVec3 source, int layers) const {
-  WaveCell in = cell;
-  IntVec3 inner = source;
-  inner[d_] += plus_ ? -1 : 1;
-  in.here = wave_state(inner);
-  in.sound_speed = sound_speed(inner, in.here);
-  for (int t = 0; t < 2; ++t) in.along[t] = along(inner, tangents[d_][t]);
-  const double here = transverse_part(cell), change = here - transverse_part(in);
-  return here + 0.5 * layers * std::clamp(change, -std::fabs(here), std::fabs(here));
-}
-
-// The state that waves leave in a ghost, without hydrostatic pressure.
-WaveState GhostStates::continued(const GhostRule& rule, IntVec3 source, int layers,
-                                 double lowest_pressure) const {
-  const WaveCell cell = wave_cell(rule, source);
-  const double distance = layers * cell.spacing;
-  const WaveState slope =
-      outward_slopes(cell, transverse_part_of(cell, source, layers), *setting_.conditions.lodi);
-  const double step =
-      distance * std::min(largest_share(cell.here.rho, distance * slope.rho),
-                          largest_share(cell.here.p - lowest_pressure, distance * slope.p));
-  WaveState s = cell.here;
-  s.rho += step * slope.rho;
-  s.p += step * slope.p;
-  for (int t = 0; t < 3; ++t) s.u[t] += step * slope.u[t];
-  return s;
+double GhostStates::lowest_pressure(IntVec3 cell) const {
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < v_.mass.size(); ++m)
+    if (v_.mass[m](cell) > 0.0) lowest = std::max(lowest, setting_.fluids[m].lowest_pressure());
+  return lowest;
 }
 
 // Of material `m`, alone in the source; momentum for all.
-void GhostStates::waves(const GhostRule& rule, IntVec3 ghost, IntVec3 source, std::size_t m) const {
+void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
+                        std::size_t m) const {
   Fluid room, source_room;
   const Fluid& fluid = fluid_of(ghost, room, m);
-  const int layers = std::abs(ghost[d_] - source[d_]);
-  const WaveState out = continued(rule, source, layers, fluid.lowest_pressure());
   double rho = rule.fixed_density ? rule.density : out.rho;
   double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule, ghost, source)
                                                        : out.p + hydrostatic(source, ghost, rho);
@@ -162,8 +101,7 @@ void GhostStates::wave_momentum(const GhostRule& rule, const WaveState& out, Int
   const double source_rho = v_.density(source);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
     const int e = setting_.directions[c];
-    const int t = e == d_ ? 0 : e == tangents[d_][0] ? 1 : 2;
-    const double sign = t == 0 && !plus_ ? -1.0 : 1.0;
+    const auto [t, sign] = in_face_frame(e);
     v_.momentum[c](ghost) =
         rho * (rule.velocity_kind == GhostRule::Velocity::copy
                    ? sign * out.u[t]
@@ -183,20 +121,17 @@ int GhostStates::alone_in(IntVec3 cell) const {
 }
 
 // A mixture goes out as it is: mass fractions stay, each material is pressed along its isentrope.
-void GhostStates::mixture_waves(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
+void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, IntVec3 ghost,
+                                IntVec3 source) {
   IntVec3 inner = source;
   inner[d_] += plus_ ? -1 : 1;
   const int alone = alone_in(source);
   if (alone >= 0 && alone == alone_in(inner)) {
     const auto m = static_cast<std::size_t>(alone);
-    waves(rule.parts[m].rule, ghost, source, m);
+    waves(rule.parts[m].rule, out, ghost, source, m);
     return keep_slip(ghost, source);
   }
   const std::size_t count = v_.mass.size();
-  double lowest = -std::numeric_limits<double>::infinity();
-  for (std::size_t m = 0; m < count; ++m)
-    if (v_.mass[m](source) > 0.0) lowest = std::max(lowest, setting_.fluids[m].lowest_pressure());
-  const WaveState out = continued(rule.common, source, std::abs(ghost[d_] - source[d_]), lowest);
   const double p_source = mixture_pressure(source);
   const double p = rule.common.fixed_pressure || rule.common.sine_pressure
                        ? given_pressure(rule.common, ghost, source)

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "framework/base/error.hpp"
+#include "ice/boundary/waves.hpp"
 #include "ice/boundary_fill.hpp"
 #include "ice/labels.hpp"
 

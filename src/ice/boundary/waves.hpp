@@ -15,7 +15,7 @@
 // References: Poinsot and Lele, J. Comput. Phys. 101 (1992) 104; Sutherland and Kennedy, J. Comput.
 // Phys. 191 (2003) 502; Yoo and Im, Combust. Theory Model. 11 (2007) 259.
 #pragma once
-#include "ice/boundary/flow_conditions.hpp"
+#include <algorithm>
 
 namespace sluice::ice {
 
@@ -24,23 +24,94 @@ struct WaveState {
   double rho = 0, p = 0, u[3] = {0, 0, 0};
 };
 
+// (b - a) * scale.
+inline WaveState slope_from(const WaveState& a, const WaveState& b, double scale) {
+  return {(b.rho - a.rho) * scale,
+          (b.p - a.p) * scale,
+          {(b.u[0] - a.u[0]) * scale, (b.u[1] - a.u[1]) * scale, (b.u[2] - a.u[2]) * scale}};
+}
+
 struct WaveCell {
   WaveState here, normal, along[2];  // the state; its derivatives outward and along two tangents
   double sound_speed = 1;
   double spacing = 1, domain_size = 1;  // along the normal, m
-  // The flow far away, where it is given: what inflow is drawn to, and what carries vortices.
+  // The flow far away: its pressure always; where it is given the rest, which inflow is drawn to
+  // and which carries vortices.
   bool far_known = false;
   WaveState far;
+  double pull = 0;  // sigma
   // What carries vortices where it is not (its velocity alone).
   bool carrier_known = false;
   WaveState carrier;
 };
 
-// What the flow along the face adds to G-.
-double transverse_part(const WaveCell& cell);
+// Functions of one cell choose between numbers, never between ways: rows of cells vectorise.
 
-// Derivatives along the outward normal with which ghosts continue the cell; `transverse`: that part
-// on the way to them.
-WaveState outward_slopes(const WaveCell& cell, double transverse, const LodiSettings& settings);
+// c - (U - U0). A mean may be far from the flow in a cell, as beside a jet: it makes the wave at
+// most twice as strong.
+inline double speed_past(const WaveCell& cell) {
+  const double c = cell.sound_speed, U = cell.here.u[0];
+  const double past_far = c - (U - cell.far.u[0]);
+  const double past_mean = std::max(c - (U - cell.carrier.u[0]), 0.5 * c);
+  return cell.far_known ? past_far : cell.carrier_known ? past_mean : c;
+}
+
+// What the flow along the face adds to G-.
+inline double transverse_part(const WaveCell& cell) {
+  const WaveState& s = cell.here;
+  const double c = cell.sound_speed;
+  double sum = 0;
+  for (int t = 0; t < 2; ++t) {
+    const WaveState& d = cell.along[t];
+    const double carried = cell.far_known ? cell.far.u[1 + t] : cell.carrier.u[1 + t];
+    const double speed = s.u[1 + t] - carried;
+    sum += (speed * d.p + s.rho * c * c * d.u[1 + t]) - s.rho * c * speed * d.u[0];
+  }
+  return 0.5 * sum / speed_past(cell);
+}
+
+// What is the same all the way out to the ghosts.
+struct LeavingWaves {
+  double out = 0, in = 0;  // G+; G- without its transverse part
+  double hears = 0;        // 1 where that part counts
+  double entropy = 0;      // rho' without p'
+  double all_leave = 0;    // 1 where the flow is faster than sound: slopes stay as they are inside
+  WaveState inside;        // slopes; shear only where it leaves
+};
+
+inline LeavingWaves leaving_waves(const WaveCell& cell) {
+  const WaveState &s = cell.here, &d = cell.normal, &far = cell.far;
+  const double c = cell.sound_speed, U = s.u[0], mach = U / c;
+  const bool enters = U < 0, none_out = U <= -c, none_in = mach <= -1.0;
+  const double G = 0.5 * (d.p + s.rho * c * d.u[0]);
+  const double to_far = cell.pull * s.rho * c * (1.0 + mach) * (U - far.u[0]) / cell.domain_size;
+  const double back = -0.5 * cell.pull * (1.0 + mach) * (s.p - far.p) / cell.domain_size;
+  const double entering = cell.far_known ? to_far : 0.0, in = enters ? entering : back;
+  // No further than to the target in one cell.
+  const double rate = cell.pull * (c - U * U / c) / cell.domain_size;
+  const double drawn = -std::min(rate / -U, 1.0 / cell.spacing) * (s.rho - far.rho);
+  const double enters_with = cell.far_known ? drawn : 0.0;
+  const double leaves_with = d.rho - d.p / (c * c);
+  const double heard = enters ? 0.0 : 1.0;
+  LeavingWaves w;
+  w.out = none_out ? 0.0 : G;
+  w.in = none_in ? 0.0 : in;
+  w.hears = none_in ? 0.0 : heard;
+  w.entropy = enters ? enters_with : leaves_with;
+  w.all_leave = U >= c ? 1.0 : 0.0;
+  w.inside = {d.rho, d.p, {d.u[0], enters ? 0.0 : d.u[1], enters ? 0.0 : d.u[2]}};
+  return w;
+}
+
+// Derivatives along the outward normal with which ghosts continue a cell of this density and sound
+// speed; `transverse`: that part of G- on the way to them.
+inline WaveState outward_slopes(const LeavingWaves& w, double rho, double c, double transverse) {
+  const double heard = transverse + w.in, in = w.hears != 0 ? heard : w.in;
+  const double p = w.out + in, u = (w.out - in) / (rho * c), of_density = w.entropy + p / (c * c);
+  const bool all_leave = w.all_leave != 0;
+  return {all_leave ? w.inside.rho : of_density,
+          all_leave ? w.inside.p : p,
+          {all_leave ? w.inside.u[0] : u, w.inside.u[1], w.inside.u[2]}};
+}
 
 }  // namespace sluice::ice
