@@ -124,7 +124,7 @@ int GhostStates::alone_in(IntVec3 cell) const {
 void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, IntVec3 ghost,
                                 IntVec3 source) {
   IntVec3 inner = source;
-  inner[d_] += plus_ ? -1 : 1;
+  if (setting_.level->domain.size()[d_] > 1) inner[d_] += plus_ ? -1 : 1;
   const int alone = alone_in(source);
   if (alone >= 0 && alone == alone_in(inner)) {
     const auto m = static_cast<std::size_t>(alone);

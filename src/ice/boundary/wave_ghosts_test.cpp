@@ -160,6 +160,27 @@ TEST(WaveGhosts, AMeanFarFromTheFlowMakesTheWaveTwiceAsStrongAtMost) {
   EXPECT_DOUBLE_EQ(transverse_part(cell), local / 0.75);
 }
 
+// Nor does a flow far away that is given: behind a strong shock U comes near c, or passes U0 + c.
+TEST(WaveGhosts, AFlowFarAwayFarFromThatInsideMakesTheWaveTwiceAsStrongAtMost) {
+  const auto fast = [](double x, double y) {
+    return std::array{1.0, 0.9 * sound + 0.01 * x, std::sin(2 * y), far_pressure + std::sin(3 * y)};
+  };
+  const auto pressure = [&](double U0) {
+    FlowConditions given = lodi();
+    given.lodi->velocity_infinity = Vec3{U0 * sound, 0, 0};
+    given.lodi->rho_infinity = 1;
+    Plane plane(open_face(), given);
+    plane.fill(fast);
+    std::vector<double> p;
+    for (int j = 0; j < 10; ++j) p.push_back(plane.p(12, j));
+    return p;
+  };
+  const std::vector<double> bounded = pressure(0);
+  EXPECT_EQ(pressure(-0.2), bounded);
+  EXPECT_EQ(pressure(0.3), bounded);
+  EXPECT_NE(pressure(0.6), bounded);
+}
+
 TEST(WaveGhosts, OnlyFacesWithoutAFlowFarAwayAskForSums) {
   const auto sums = [](std::vector<Condition> conditions, const FlowConditions& blocks) {
     return Plane(std::move(conditions), blocks).sum_count();

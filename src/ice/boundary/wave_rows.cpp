@@ -29,7 +29,7 @@ double largest_share(double value, double change) {
 template <class F>
 void with_constants(const WaveCell& cell, F&& f) {
   if (cell.far_known)
-    f(std::true_type(), std::false_type());
+    f(std::true_type(), std::true_type());
   else if (cell.carrier_known)
     f(std::false_type(), std::true_type());
   else
@@ -62,6 +62,8 @@ WaveRows::WaveRows(const GhostStates& states, const IndexBox& ghosts)
   if (common_.far_known) {
     common_.far.rho = *settings.rho_infinity;
     s_.to_face_frame(*settings.velocity_infinity, common_.far);
+    common_.carrier_known = true;
+    common_.carrier = common_.far;
   }
   common_.far.p = settings.press_infinity;
   common_.pull = settings.scale * settings.sigma;
@@ -115,6 +117,7 @@ IntVec3 WaveRows::cell(int along, int row, int inward) const {
   IntVec3 c;
   c[a_] = along;
   c[b_] = row;
+  inward = std::min(inward, domain.size()[d] - 1);  // of one cell nothing changes inward
   c[d] = s_.plus_ ? domain.upper[d] - 1 - inward : domain.lower[d] + inward;
   return c;
 }
@@ -247,12 +250,14 @@ void WaveRows::find_transverse(const Layer& layer, int begin, int end) const {
 }
 
 void WaveRows::take(const GhostRule& rule, int begin, int end) {
-  common_.carrier_known = false;
-  common_.carrier = {};
-  if (!common_.far_known && rule.open_face >= 0 && !s_.moment_.carriers.empty()) {
-    const auto& carrier = s_.moment_.carriers[static_cast<std::size_t>(rule.open_face)];
-    common_.carrier_known = carrier.has_value();
-    if (carrier) s_.to_face_frame(*carrier, common_.carrier);
+  if (!common_.far_known) {
+    common_.carrier_known = false;
+    common_.carrier = {};
+    if (rule.open_face >= 0 && !s_.moment_.carriers.empty()) {
+      const auto& mean = s_.moment_.carriers[static_cast<std::size_t>(rule.open_face)];
+      common_.carrier_known = mean.has_value();
+      if (mean) s_.to_face_frame(*mean, common_.carrier);
+    }
   }
   for (const Layer& layer : layers_) find_transverse(layer, begin - first_, end - first_);
   find_waves(begin - first_, end - first_);
@@ -262,7 +267,9 @@ void WaveRows::find_waves(int begin, int end) const {
   const StateRow here = layers_[0].rows[turn(row_)], in = layers_[1].rows[turn(row_)];
   const double* c = layers_[0].sound_speed;
   const WaveRow waves = waves_;
-  const double scale = 1.0 / common_.spacing, half_weight = s_.half_weight();
+  const double scale = 1.0 / common_.spacing;
+  const double half_weight =
+      cell(begin_, row_, 1) == cell(begin_, row_, 0) ? 0.0 : s_.half_weight();
   with_constants(common_, [=, &common = common_](auto far, auto carrier) {
     WaveCell cell = common;
     cell.far_known = far;

@@ -64,9 +64,11 @@ bool in_circle(IntVec3 cell, int normal) {
 class Cube {
  public:
   Cube(const FlowConditions& conditions, const Flow& flow, std::vector<Condition> rest,
-       std::optional<std::vector<Condition>> circle = {}) {
+       std::optional<std::vector<Condition>> circle = {}, IntVec3 size = IntVec3::all(cells),
+       Vec3 gravity = {}) {
+    scene_.constants.gravity = gravity;
     Level level;
-    level.domain = {{0, 0, 0}, IntVec3::all(cells)};
+    level.domain = {{0, 0, 0}, size};
     level.boxes = {{level.domain, 0, 0}};
     level.spacing = {dx, dx, dx};
     scene_.grid.levels = {level};
@@ -225,6 +227,35 @@ TEST(WaveRows, EachRegionHasTheMeanOverItself) {
         EXPECT_NEAR(both.at(c)[q], far.at(c)[q], 1e-12 * far_pressure) << q;
     });
   }
+}
+
+// Nothing is known of how the flow changes across a layer of one cell: it goes on as it is.
+TEST(WaveRows, OfOneLayerOfCellsKnowNoSlope) {
+  for (int d = 0; d < 3; ++d)
+    for (const double gravity : {0.0, -0.5}) {
+      IntVec3 size = IntVec3::all(cells);
+      size[d] = 1;
+      Vec3 pull;
+      pull[d] = gravity;
+      FlowConditions conditions = blocks();
+      conditions.lodi->sigma = 0;
+      const Vec3 u{0.25, -0.5, 0.125};
+      const Cube layer(
+          conditions,
+          [&](Vec3) {
+            return Gas{2, far_pressure, u};
+          },
+          open_face(), {}, size, pull);
+      for (const int outward : {-1, 1})
+        for (int n = 1; n <= width; ++n) {
+          IntVec3 ghost{3, 4, 5};
+          ghost[d] = outward < 0 ? -n : n;
+          const std::array<double, 5> s = layer.at(ghost);
+          EXPECT_EQ(s[0], 2) << d;
+          EXPECT_EQ(layer.velocity(ghost), u) << d;
+          EXPECT_NEAR(0.4 * s[4], far_pressure + 2 * gravity * dx * outward * n, 1e-13) << d;
+        }
+    }
 }
 
 }  // namespace

@@ -35,25 +35,23 @@ struct WaveCell {
   WaveState here, normal, along[2];  // the state; its derivatives outward and along two tangents
   double sound_speed = 1;
   double spacing = 1, domain_size = 1;  // along the normal, m
-  // The flow far away: its pressure always; where it is given the rest, which inflow is drawn to
-  // and which carries vortices.
+  // The flow far away: its pressure always; where it is given the rest, which inflow is drawn to.
   bool far_known = false;
   WaveState far;
   double pull = 0;  // sigma
-  // What carries vortices where it is not (its velocity alone).
+  // What carries vortices (its velocity alone): the flow far away, or means.
   bool carrier_known = false;
   WaveState carrier;
 };
 
 // Functions of one cell choose between numbers, never between ways: rows of cells vectorise.
 
-// c - (U - U0). A mean may be far from the flow in a cell, as beside a jet: it makes the wave at
-// most twice as strong.
+// c - (U - U0). The flow in a cell may be far from what carries vortices, as in a jet beside its
+// mean or behind a shock: it makes the wave at most twice as strong.
 inline double speed_past(const WaveCell& cell) {
   const double c = cell.sound_speed, U = cell.here.u[0];
-  const double past_far = c - (U - cell.far.u[0]);
-  const double past_mean = std::max(c - (U - cell.carrier.u[0]), 0.5 * c);
-  return cell.far_known ? past_far : cell.carrier_known ? past_mean : c;
+  const double past = std::max(c - (U - cell.carrier.u[0]), 0.5 * c);
+  return cell.carrier_known ? past : c;
 }
 
 // What the flow along the face adds to G-.
@@ -63,8 +61,7 @@ inline double transverse_part(const WaveCell& cell) {
   double sum = 0;
   for (int t = 0; t < 2; ++t) {
     const WaveState& d = cell.along[t];
-    const double carried = cell.far_known ? cell.far.u[1 + t] : cell.carrier.u[1 + t];
-    const double speed = s.u[1 + t] - carried;
+    const double speed = s.u[1 + t] - cell.carrier.u[1 + t];
     sum += (speed * d.p + s.rho * c * c * d.u[1 + t]) - s.rho * c * speed * d.u[0];
   }
   return 0.5 * sum / speed_past(cell);
