@@ -76,6 +76,12 @@ TWO_ABSENT = EVERYWHERE + tuple(
 ALONE = EVERYWHERE + ("MaterialProperties/ICE/material[2]=", "MaterialProperties/ICE/material[1]=",
                       "MaterialProperties/exchange_properties=")
 
+# All sides of a cube open (LODI), and the same cube between planes of symmetry.
+OPEN_CUBE = "inputs/ice/pulse_leaving_cube.ups"
+CLOSED = FOREVER + tuple(
+    f"Grid/BoundaryConditions/Face[{n}]/BCType[{of}" for n in range(1, 7)
+    for of in ("4]=", "3]=", "2]=", "1]/@id=all", "1]/@label=Symmetric", "1]/@var=symmetry"))
+
 # On levels a cell and step is a cell update: regrids, ghost cells and matching are all in it.
 LEVELS_TUBE = "inputs/ice/amr_shock_tube.ups"
 LEVELS_EXPLOSION = "inputs/ice/amr_explosion.ups"
@@ -95,6 +101,10 @@ CASES = [
     Run("1-D, 256 cells", TUBE, 20000, "[256,1,1]", 60),
     Run("2-D, 512^2", BLAST_2D, 60, "[512,512,1]", 110),
     Run("3-D, 96^3", BLAST_3D, 15, "[96,96,96]", 190),
+    Run("3-D, 64^3, open all around", OPEN_CUBE, 20, "[64,64,64]"),
+    Run("3-D, 64^3, closed all around", OPEN_CUBE, 20, "[64,64,64]", settings=CLOSED),
+    Ratio("open cube over closed cube", "3-D, 64^3, open all around",
+          "3-D, 64^3, closed all around", 1.4),
     Run("1-D, 4096 cells, savings on", TUBE, 4000, "[4096,1,1]", savings=True),
     Run("3-D, 96^3, 2 threads", BLAST_3D, 15, "[96,96,96]", threads=2),
     Run("3-D, 96^3, 2 ranks", BLAST_3D, 15, "[96,96,96]", ranks=2),
