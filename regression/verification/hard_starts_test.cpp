@@ -53,16 +53,37 @@ TEST(HardStart, CellsThatNothingFillsAreNamed) {
               AllOf(HasSubstr("volume fractions"), HasSubstr("cell [")));
 }
 
-// More heat is taken from one of two gases than it has: the step is made smaller until no step is
-// small enough.
-TEST(HardState, OutsideItsLawIsNamedAfterSmallerSteps) {
+// More heat is taken from a material than it has: the step is made smaller until no step is small
+// enough. Among others or alone in its cells or in its deck, whatever its law.
+struct Cooled {
+  const char* name;
+  const char* deck;
+  const char* material;
+  const char* heat;  // W/kg
+  const char *called, *range;
+};
+class HardState : public testing::TestWithParam<Cooled> {};
+
+TEST_P(HardState, OutsideItsLawIsNamedAfterSmallerSteps) {
   const std::string heat = "CFD/ICE/ADD_HEAT/";
-  EXPECT_THAT(
-      how_it_fails("mixed_gases", {heat + "add_heat_matls=[1]", heat + "add_heat_coeff=[-1e4]",
-                                   heat + "add_heat_t_start=0", heat + "add_heat_t_final=9"}),
-      AllOf(HasSubstr("inadmissible even with dt ="), HasSubstr("cell ["), HasSubstr("material 1"),
-            HasSubstr("'monatomic'"), HasSubstr("pressure above 0 Pa")));
+  const Cooled& c = GetParam();
+  EXPECT_THAT(how_it_fails(c.deck, {heat + "add_heat_matls=[" + c.material + "]",
+                                    heat + "add_heat_coeff=[" + c.heat + "]",
+                                    heat + "add_heat_t_start=0", heat + "add_heat_t_final=9"}),
+              AllOf(HasSubstr("inadmissible even with dt ="), HasSubstr("cell ["),
+                    HasSubstr(std::string("level 0, material ") + c.material + ":"),
+                    HasSubstr(std::string("material ") + c.material + " ('" + c.called),
+                    HasSubstr(std::string("pressure above ") + c.range + " Pa")));
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, HardState,
+    testing::Values(Cooled{"AGasAmongOthers", "mixed_gases", "1", "-1e4", "monatomic", "0"},
+                    Cooled{"WaterInARow", "three_in_a_row", "1", "-1e10", "water", "-6e+08"},
+                    Cooled{"AirInARow", "three_in_a_row", "2", "-1e9", "air", "0"},
+                    Cooled{"AGasAlone", "shock_tube", "0", "-1e4", "gas", "0"},
+                    Cooled{"ASolidAlone", "murnaghan_shock_tube", "0", "-1e13", "solid", "0"}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace sluice::verification

@@ -20,14 +20,16 @@ namespace sluice::ice {
 // A row that must be above zero and finite everywhere, and what a fault of it is called.
 struct PositiveRow {
   const double* values = nullptr;
-  FaultKind kind = fault_density;
+  int kind = fault_density;
   double (*told)(double) = nullptr;  // what the message shows; null: the value itself
+  const double* shown = nullptr;     // the row that the message shows instead; null: this one
 };
 
 // Counts cells that are not admissible; NaN fails every comparison. The first row of `rows` that
 // fails names the fault.
 template <std::size_t N>
-void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveRow, N>& rows) {
+void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveRow, N>& rows,
+                    int material = 0) {
   const int n = row.count();
   std::array<const double*, N> q;
   for (std::size_t k = 0; k < N; ++k) q[k] = rows[k].values;
@@ -45,8 +47,10 @@ void admissible_row(const Row& row, const Axes& axes, const std::array<PositiveR
       f.cell = row.cell();
       f.cell[axes.direction[0]] += i;
       f.level = row.step().level;
+      f.material = material;
       f.kind = r.kind;
-      f.value = r.told != nullptr ? r.told(r.values[i]) : r.values[i];
+      const double value = r.shown != nullptr ? r.shown[i] : r.values[i];
+      f.value = r.told != nullptr ? r.told(value) : value;
       row.reductions().fault(f);
       break;
     }

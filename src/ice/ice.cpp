@@ -371,8 +371,6 @@ std::string Ice::describe_fault(int kind) const {
         m, ice_.materials[m].name, ice_.materials[m].fluid.lowest_pressure());
   }
   switch (kind) {
-    case fault_state:
-      return "state of the equation of state (1: density and energy are one, 0: they are not)";
     case fault_density:
       return "density (kg/m^3, must be above 0)";
     case fault_energy:

@@ -18,7 +18,7 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
     task.kernel([=](const Row& row) {
       update_row<D, C>(row, h);
       add_sources_of_one(row, sources, o, h.next.rho, h.next.momentum, h.next.energy);
-      check_row(row, h, o);
+      check_row(row, h, o, o.material);
       rates_of_row<D>(row, h.next, o);
     });
   });

@@ -101,24 +101,29 @@ void update_row(const Row& row, const UpdateHandles& h) {
   }
 }
 
-// An ideal gas needs a positive energy, any other law says itself what it bears.
-inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOptions& o) {
+// An ideal gas needs a positive energy, any other law says itself what it bears. `material`: whose
+// law it is.
+inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOptions& o,
+                      int material) {
   const auto inverse = [](double x) { return 1.0 / x; };
   const Axes& axes = o.axes;
+  const int state = fault_of_material * (material + 1);
+  const double* energy = row(h.next.energy);
   if (o.fluid.ideal() == nullptr) {
-    admissible_row(o.fluid, row.count(), row(h.next.rho), row(h.next.energy),
-                   row(h.next.closure, 2));
+    admissible_row(o.fluid, row.count(), row(h.next.rho), energy, row(h.next.closure, 2));
     return admissible_row<4>(row, axes,
                              {{{row(h.next.rho), fault_density},
                                {row(h.inverse_J), fault_volume, inverse},
-                               {row(h.next.closure, 2), fault_state},
-                               {row(h.energy_scale), fault_energy}}});
+                               {row(h.next.closure, 2), state, nullptr, energy},
+                               {row(h.energy_scale), state, nullptr, energy}}},
+                             material);
   }
   admissible_row<4>(row, axes,
                     {{{row(h.next.rho), fault_density},
                       {row(h.inverse_J), fault_volume, inverse},
-                      {row(h.next.energy), fault_energy},
-                      {row(h.energy_star), fault_energy}}});
+                      {energy, state},
+                      {row(h.energy_star), state}}},
+                    material);
 }
 
 // What the checks and rates of the new state read.

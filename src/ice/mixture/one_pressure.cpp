@@ -76,7 +76,7 @@ void copy_state(const Row& row, const Handles& h, int components) {
 // graph.
 void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::size_t m) {
   const UpdateHandles u = handles_of(h.end, static_cast<int>(m));
-  check_row(row, u, o);
+  check_row(row, u, o, static_cast<int>(m));
   end_alone(row, h.end, u, o.fluid);
   if (!scalars::is_mixed(o, m)) return;
   const double* __restrict E = row(u.next.energy);

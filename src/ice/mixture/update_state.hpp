@@ -62,7 +62,7 @@ bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, 
     if (o.sources->takes_from(m, row.step())) return true;
   }
   if (!h.closes) return false;
-  check_row(row, u, o);
+  check_row(row, u, o, m);
   end_alone(row, h, u, o.fluid);
   return false;
 }

@@ -65,7 +65,7 @@ void add_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOpti
       copy_state(row, h, C);
       add_sources_of_one(row, h.sources, o, h.end.next.rho, h.end.next.momentum, h.end.next.energy);
       release_row(row, h, o);
-      check_row(row, h.end, o);
+      check_row(row, h.end, o, o.material);
       rates_of_row<D>(row, h.end.next, o);
     });
   });
