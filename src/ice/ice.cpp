@@ -262,6 +262,7 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   o.masked = variant.masked;
   o.coverage = variant.coverage;
   o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
+  o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
   o.volumes = variant.volumes;
   o.first_volume_sum = first_volume_sum();
   if (o.classic) return declare_classic(list, o, effects_);

@@ -61,7 +61,15 @@ RealView lay_out(double* data, const IndexBox& box, const Level& level) {
   return v;
 }
 
-Warehouse::Warehouse(const Level& level, int rank) : level_(&level) {
+RealView part_of(const RealView& whole, const IndexBox& part) {
+  RealView v = whole;
+  v.data += whole.offset(part.lower);
+  v.box = part;
+  return v;
+}
+
+Warehouse::Warehouse(const Level& level, int rank, Arrays arrays)
+    : level_(&level), arrays_(arrays) {
   for (const GridBox& b : level.boxes)
     if (b.owner == rank) local_.push_back(b);
 }
@@ -73,6 +81,14 @@ int Warehouse::find(Label label, int material) const {
   return -1;
 }
 
+std::vector<BoxFrame> Warehouse::frames(int ghosts) const {
+  if (arrays_ == Arrays::shared) return box_frames(local_, *level_, ghosts);
+  std::vector<BoxFrame> frames;
+  for (std::size_t b = 0; b < local_.size(); ++b)
+    frames.push_back({local_[b].cells.grown(level_->ghosts(ghosts)), {static_cast<int>(b)}});
+  return frames;
+}
+
 int Warehouse::add(const SlotInfo& info, Contents contents) {
   if (const int old = find(info.label, info.material); old >= 0) {
     const SlotInfo& have = slots_[static_cast<std::size_t>(old)].info;
@@ -82,21 +98,28 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   }
   Slot slot;
   slot.info = info;
-  std::vector<IndexBox> boxes;
-  for (const GridBox& b : local_) boxes.push_back(b.cells.grown(level_->ghosts(info.ghosts)));
+  const IntVec3 ghosts = level_->ghosts(info.ghosts);
+  const std::vector<BoxFrame> frames = this->frames(info.ghosts);
   const auto components = static_cast<std::size_t>(info.components);
-  const auto room = [&](std::size_t n) {  // of one component
-    return room_of(static_cast<std::size_t>(boxes[n].volume()));
+  const auto room = [&](std::size_t f) {  // of one component
+    return room_of(static_cast<std::size_t>(frames[f].hull.volume()));
   };
-  for (std::size_t first = 0, last = 0; first < boxes.size(); first = last) {
+  slot.views.resize(local_.size() * components);
+  for (std::size_t first = 0, last = 0; first < frames.size(); first = last) {
     std::size_t count = components * room(last++);
-    while (last < boxes.size() && count + components * room(last) <= most_together)
+    while (last < frames.size() && count + components * room(last) <= most_together)
       count += components * room(last++);
     slot.arrays.emplace_back(count, contents);
     double* data = slot.arrays.back().data();
-    for (std::size_t n = first; n < last; ++n)
-      for (std::size_t c = 0; c < components; ++c, data += room(n))
-        slot.views.push_back(lay_out(data, boxes[n], *level_));
+    for (std::size_t f = first; f < last; ++f)
+      for (std::size_t c = 0; c < components; ++c, data += room(f)) {
+        const RealView whole = lay_out(data, frames[f].hull, *level_);
+        slot.numbers += frames[f].hull.volume();
+        for (const int b : frames[f].boxes) {
+          const auto box = static_cast<std::size_t>(b);
+          slot.views[box * components + c] = part_of(whole, local_[box].cells.grown(ghosts));
+        }
+      }
   }
   slot.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
   slots_.push_back(std::move(slot));
@@ -138,14 +161,13 @@ void Warehouse::forget() {
 
 std::size_t Warehouse::bytes() const {
   std::size_t n = 0;
-  for (const Slot& s : slots_)
-    for (const RealView& v : s.views)
-      n += static_cast<std::size_t>(v.box.volume()) * sizeof(double);
+  for (const Slot& s : slots_) n += static_cast<std::size_t>(s.numbers) * sizeof(double);
   return n;
 }
 
 void Warehouse::swap(Warehouse& other) noexcept {
   std::swap(level_, other.level_);
+  std::swap(arrays_, other.arrays_);
   std::swap(local_, other.local_);
   std::swap(slots_, other.slots_);
   std::swap(blocks_, other.blocks_);

@@ -10,6 +10,7 @@
 // cells says so (forget); ghost cells are never known. With blocks come marks of parts of rows,
 // whose meaning is the component's: they are forgotten likewise.
 #pragma once
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "framework/field/block_lattice.hpp"
 #include "framework/field/label.hpp"
 #include "framework/field/row_marks.hpp"
+#include "framework/grid/box_frames.hpp"
 #include "framework/grid/level.hpp"
 
 namespace sluice {
@@ -45,8 +47,9 @@ class AlignedArray {
   std::size_t count_ = 0;
 };
 
-// A box of cells laid out with unit stride along the first active direction.
+// A box of cells laid out with unit stride along the first active direction; and a part of it.
 RealView lay_out(double* data, const IndexBox& box, const Level& level);
+RealView part_of(const RealView& whole, const IndexBox& part);
 
 struct SlotInfo {
   Label label;
@@ -58,7 +61,7 @@ struct SlotInfo {
 class Warehouse {
  public:
   // Keeps a reference to `level`; `rank` owns the boxes whose owner it is.
-  Warehouse(const Level& level, int rank);
+  Warehouse(const Level& level, int rank, Arrays arrays = Arrays::own);
 
   // Adds a slot (or returns the existing one of the same label and material, whose ghost width and
   // component count must then suffice) and allocates it.
@@ -104,9 +107,13 @@ class Warehouse {
     std::vector<AlignedArray> arrays;
     std::vector<RealView> views;
     std::vector<double> uniform;  // by block
+    std::int64_t numbers = 0;     // in arrays
   };
+  // Boxes that lie in one array each, by frame.
+  std::vector<BoxFrame> frames(int ghosts) const;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Level* level_;
+  Arrays arrays_;
   std::vector<GridBox> local_;
   std::vector<Slot> slots_;
   BlockLattice blocks_;

@@ -52,6 +52,23 @@ TEST(Warehouse, ComponentsOfABoxFollowEachOtherAtEqualDistances) {
   }
 }
 
+// What one box holds as ghosts are the other's cells.
+TEST(Warehouse, BoxesThatFollowEachOtherMayShareArrays) {
+  Level level = level_of({40, 40, 1}, {1, 1, 1});
+  level.boxes = {{{{8, 8, 0}, {24, 16, 1}}, 0, 0}, {{{6, 16, 0}, {28, 30, 1}}, 0, 1}};
+  Warehouse shared(level, 0, Arrays::shared), apart(level, 0);
+  const int s = shared.add({label(0), 0, 2, 3}), a = apart.add({label(0), 0, 2, 3});
+  for (int c = 0; c < 2; ++c) {
+    EXPECT_EQ(shared.view(s, c, 0).box, apart.view(a, c, 0).box);
+    EXPECT_EQ(&shared.view(s, c, 0)(8, 18, 0), &shared.view(s, c, 1)(8, 18, 0));
+    EXPECT_NE(&apart.view(a, c, 0)(8, 18, 0), &apart.view(a, c, 1)(8, 18, 0));
+  }
+  EXPECT_EQ(shared.view(s, 1, 0).data - shared.view(s, 0, 0).data,
+            shared.view(s, 1, 1).data - shared.view(s, 0, 1).data);
+  EXPECT_EQ(shared.bytes(), 2u * 28u * 28u * sizeof(double));
+  EXPECT_LT(shared.bytes(), apart.bytes());
+}
+
 TEST(Warehouse, RowsRunAlongTheFirstActiveDirectionAndInactiveOnesHaveNoStride) {
   const Level level = level_of({1, 5, 4}, {1, 1, 1});
   Warehouse w(level, 0);

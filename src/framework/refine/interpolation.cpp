@@ -173,9 +173,9 @@ Interpolation& Interpolation::operator=(Interpolation&&) noexcept = default;
 Interpolation::~Interpolation() = default;
 
 Interpolation Interpolation::of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                       int width, int rank) {
-  return Interpolation(
-      std::make_unique<Plan>(coarse, coarse_ghosts, fine, interface_ghosts(fine, width), rank));
+                                       int width, int rank, Arrays arrays) {
+  return Interpolation(std::make_unique<Plan>(coarse, coarse_ghosts, fine,
+                                              interface_ghosts(fine, width, arrays), rank));
 }
 
 Interpolation Interpolation::of_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,

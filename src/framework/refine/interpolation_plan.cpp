@@ -125,16 +125,18 @@ std::vector<Part> parts_of(const IndexBox& region, const std::vector<Holder>& ho
 
 }  // namespace
 
-FineRegions interface_ghosts(const Level& fine, int width) {
+FineRegions interface_ghosts(const Level& fine, int width, Arrays arrays) {
   const BoxFinder finder(cells_of(fine.boxes));
   IndexBox inside = fine.domain;
   for (int d = 0; d < 3; ++d)
     if (fine.periodic[static_cast<std::size_t>(d)])
       inside = inside.grown(d, fine.ghosts(width)[d], fine.ghosts(width)[d]);
+  const std::vector<std::vector<IndexBox>> held = held_by_frames(fine, width, arrays);
   FineRegions regions;
   for (const GridBox& b : fine.boxes)
-    regions.push_back(pieces_without_level(intersection(b.cells.grown(fine.ghosts(width)), inside),
-                                           fine, finder));
+    regions.push_back(subtract(
+        pieces_without_level(intersection(b.cells.grown(fine.ghosts(width)), inside), fine, finder),
+        held[static_cast<std::size_t>(b.id)]));
   return regions;
 }
 

@@ -8,8 +8,9 @@ namespace sluice {
 
 // The fine cells to interpolate in one box of a level, by box.
 using FineRegions = std::vector<std::vector<IndexBox>>;
-// `width` layers around every box that no box of the level holds, inside the domain.
-FineRegions interface_ghosts(const Level& fine, int width);
+// `width` layers around every box that no box of the level holds, inside the domain; once where
+// arrays are shared.
+FineRegions interface_ghosts(const Level& fine, int width, Arrays arrays);
 // What no earlier box held.
 FineRegions new_cells(const Level& fine, const std::vector<GridBox>& earlier);
 

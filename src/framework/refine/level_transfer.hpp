@@ -21,11 +21,12 @@ namespace sluice {
 //  - or cells of fine boxes that were not there before a regrid.
 // Needs all ghost cells of the coarser level's boxes filled `coarse_ghosts` layers deep: copies of
 // other boxes' cells, outside the domain, and its own coarse-fine ghosts. A cell must have the same
-// value in all arrays that hold it.
+// value in all arrays that hold it. `arrays`: of the fine warehouses, whose
+// slots have `width` ghost layers where boxes share them.
 class Interpolation {
  public:
   static Interpolation of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                 int width, int rank);
+                                 int width, int rank, Arrays arrays = Arrays::own);
   static Interpolation of_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,
                                     const std::vector<GridBox>& earlier, int rank);
   Interpolation(Interpolation&&) noexcept;

@@ -28,7 +28,7 @@ void Hierarchy::make_joint(int coarser) {
   const Level& fine = level(coarser + 1).level();
   if (fine.boxes.empty()) return;
   joint = std::make_unique<Joint>(
-      Joint{Interpolation::of_ghosts(coarse, width, fine, width, rank),
+      Joint{Interpolation::of_ghosts(coarse, width, fine, width, rank, LevelSolver::arrays),
             FluxRegister(coarse, fine, component_->transfer().flux_quantities(), rank),
             Restriction(coarse, fine, rank)});
 }

@@ -44,9 +44,9 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
       level_(level),
       communicator_(&communicator),
       options_(options),
-      state_(level_, communicator.rank()),
-      next_(level_, communicator.rank()),
-      start_(level_, communicator.rank()),
+      state_(level_, communicator.rank(), arrays),
+      next_(level_, communicator.rank(), arrays),
+      start_(level_, communicator.rank(), arrays),
       outputs_(level_, communicator.rank()),
       team_(options.team != nullptr ? options.team
                                     : std::make_shared<const ThreadTeam>(options.threads)) {
@@ -54,7 +54,8 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
     add_state_slot(s);
     state_slots_.push_back(state_.find(s.label, s.material));
   }
-  halo_ = std::make_unique<HaloExchange>(level_, halo_width(component), communicator.rank());
+  halo_ =
+      std::make_unique<HaloExchange>(level_, halo_width(component), communicator.rank(), arrays);
   TaskList step, diagnostic;
   StepVariant general;
   general.level = level.index;
@@ -84,14 +85,14 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   const int rank = communicator_->rank();
   std::vector<SlotInfo> stored;
   for (int s = 0; s < outputs_.slot_count(); ++s) stored.push_back(outputs_.info(s));
-  state_ = Warehouse(level_, rank);
-  next_ = Warehouse(level_, rank);
-  start_ = Warehouse(level_, rank);
+  state_ = Warehouse(level_, rank, arrays);
+  next_ = Warehouse(level_, rank, arrays);
+  start_ = Warehouse(level_, rank, arrays);
   outputs_ = Warehouse(level_, rank);
   // Interior cells are filled by the caller, ghosts before every use, the others by sweeps.
   for (int s = 0; s < before.slot_count(); ++s) add_state_slot(before.info(s), Contents::undefined);
   for (const SlotInfo& s : stored) outputs_.add(s);
-  halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank);
+  halo_ = std::make_unique<HaloExchange>(level_, halo_width(*component_), rank, arrays);
   ++layout_;
   ++boxes_;
   ghosts_filled_ = false;

@@ -48,6 +48,9 @@ struct UnsoundCell {
 
 class LevelSolver {
  public:
+  // Of the state: ghosts hold what the cells do that they stand for.
+  static constexpr Arrays arrays = Arrays::shared;
+
   LevelSolver(const Component& component, const Level& level, Communicator& communicator,
               const SolverOptions& options);
   ~LevelSolver();

@@ -52,7 +52,7 @@ std::int64_t LevelSolver::mask_faults() {
   if (!masked_)
     for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
       const RealView v = state_.view(slot, 0, b);
-      std::fill_n(v.data, v.box.volume(), 1.0);
+      fill(v, v.box, 1.0);
     }
   std::int64_t now = 0;
   for (const CellFault& f : last_.faults())

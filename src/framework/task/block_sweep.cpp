@@ -109,6 +109,7 @@ BlockSweep::Sharing BlockSweep::sharing_of(const PlannedTask& planned) const {
     return Sharing::none;
   for (const VariableId v : task.writes)
     if ((*list_)[v].storage != Storage::temporary) return Sharing::none;
+  if (task.by_box) return Sharing::parts;
   for (const Access& a : task.reads)
     if ((*list_)[a.variable].storage != Storage::temporary) return Sharing::states;
   return Sharing::plane;
@@ -129,12 +130,21 @@ void BlockSweep::bind_states(std::size_t piece, int box) {
     b = {};
     b.middle = n == 3 ? view.stride[plan_->axes.direction[1]] : 0;
     b.swept = n > 1 ? view.stride[plan_->axes.direction[n - 1]] : 0;
-    b.low = cells.low[2];
-    b.first = view.data - cells.low[0] - cells.low[1] * b.middle;
+    b.first = view.data - cells.low[0] - cells.low[1] * b.middle - cells.low[2] * b.swept;
     if (variable.components > 1)
       b.component = warehouse->view(binding_->slot[v], 1, box).data - view.data;
     b.find_steps(n == 3, &state_steps_[number * BoundArray::count_of_steps(1)]);
   }
+}
+
+// Do two pieces that follow each other lie in the same frames.
+bool BlockSweep::has_arrays_of_the_one_before(std::size_t piece) const {
+  const std::size_t count = state_variables_.size();
+  const BoundArray* now = arrays_.data() + plan_->buffers.size() + piece * count;
+  return std::equal(now - count, now, now, [](const BoundArray& a, const BoundArray& b) {
+    return a.first == b.first && a.component == b.component && a.middle == b.middle &&
+           a.swept == b.swept;
+  });
 }
 
 void BlockSweep::bind_scratch(const IndexBox& hull) {
@@ -153,8 +163,7 @@ void BlockSweep::bind_scratch(const IndexBox& hull) {
     const bool same_steps = middle == b.middle && swept == b.swept;
     b.middle = middle;
     b.swept = swept;
-    b.low = 0;  // the ring wraps planes of any index
-    b.mask = b.phases = planes - 1;
+    b.mask = planes - 1;
     b.component = b.swept * planes;
     b.first = next - w.low[0] - w.low[1] * b.middle;
     next += b.component * (*list_)[p.variable].components;
@@ -186,7 +195,7 @@ void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Ro
 // The arrays of one piece for a task.
 void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
   BoundTask& t = tasks_[task];
-  if (t.chosen != piece)
+  if (t.chosen == stack_.size() || arrays_of_[t.chosen] != arrays_of_[piece])
     for (const auto& [access, number] : t.states)
       t.rows.bind(access, arrays_[number + piece * state_variables_.size()]);
   t.chosen = piece;
@@ -201,16 +210,20 @@ void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
 
 void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
   std::size_t& first = tasks_[task].first_piece;
+  const Sharing sharing = tasks_[task].sharing;
   while (first < stack_.size() && window(task, first).high[2] <= plane) ++first;
   std::size_t last = first;
   while (last < stack_.size() && window(task, last).low[2] <= plane) ++last;
   if (first == last) return;
-  if (last - first == 1 || tasks_[task].sharing == Sharing::none) {
+  if (last - first == 1 || sharing == Sharing::none) {
     for (std::size_t n = first; n < last; ++n) {
       choose(task, n, row);
       run_plane(task, window(task, n), plane, row, last - first == 1);
     }
-  } else if (tasks_[task].sharing == Sharing::plane) {
+  } else if (sharing == Sharing::plane ||
+             // In three dimensions the corners of the hull belong to no piece.
+             (sharing == Sharing::states && plan_->axes.count == 2 &&
+              arrays_of_[first] == arrays_of_[last - 1])) {
     choose(task, first, row);
     Window hull = window(task, first);
     for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
@@ -279,9 +292,11 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
     arrays_.resize(plan_->buffers.size() + states);
     state_steps_.resize(states * BoundArray::count_of_steps(1));
   }
+  arrays_of_.resize(stack.size());
   IndexBox hull = stack.front().cells;
   for (std::size_t n = 0; n < stack.size(); ++n) {
     bind_states(n, stack[n].box);
+    arrays_of_[n] = n == 0 ? 0 : arrays_of_[n - 1] + !has_arrays_of_the_one_before(n);
     hull = sluice::bounding(hull, stack[n].cells);
   }
   bind_scratch(hull);

@@ -68,7 +68,8 @@ class BlockSweep {
   enum class Sharing {
     none,    // for each piece
     plane,   // once
-    states,  // once, from the arrays of each piece what those before lack
+    states,  // likewise, if all pieces have the same arrays; else as parts
+    parts,   // of each piece what those before lack
   };
 
   // Cells in the order row, middle, swept; directions that are not active are left out.
@@ -97,6 +98,7 @@ class BlockSweep {
                                     int components);
   void find_windows();
   void bind_states(std::size_t piece, int box);
+  bool has_arrays_of_the_one_before(std::size_t piece) const;
   void bind_scratch(const IndexBox& hull);
   void choose(std::size_t task, std::size_t piece, Row& row);
   void run_task(std::size_t task, int plane, Row& row);
@@ -122,6 +124,7 @@ class BlockSweep {
   // Of the stack at hand.
   std::span<const SweepPiece> stack_;
   std::vector<Steps> state_steps_;  // by piece and state variable, two of each
+  std::vector<int> arrays_of_;      // by piece: those of one number have the same arrays
   std::vector<Window> windows_;     // by planned task and piece
 };
 

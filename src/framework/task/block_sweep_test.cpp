@@ -225,6 +225,49 @@ TEST(BlockSweep, AStackOfUnequalBoxesComputesTheWidestRows) {
   EXPECT_EQ(counts, expected);
 }
 
+// What a task asks of a box holds for its cells and ghosts alone: no row may go beyond, though the
+// task reads and writes temporaries only.
+TEST(BlockSweep, RowsOfATaskThatAsksForTheBoxStayInIt) {
+  Level level = level_of({24, 12, 1});
+  level.boxes = {{{{8, 0, 0}, {16, 6, 1}}, 0, 0}, {{{4, 6, 0}, {20, 12, 1}}, 0, 1}};
+  const auto cells_of_rows = [&](bool by_box) {
+    TaskList list;
+    const VariableId old = list.old_state(test_label(1), 0, 1),
+                     now = list.new_state(test_label(1), 0, 1);
+    const VariableId value = list.temporary("value"), slope = list.temporary("slope");
+    TaskBuilder values = list.task("values", 0);
+    values.read(old);
+    values.write(value);
+    values.kernel([](const Row&) {});
+    std::vector<std::pair<IntVec3, int>> beyond, seen;  // cell, box
+    TaskBuilder slopes = list.task("slopes", 0);
+    slopes.read(value);
+    slopes.write(slope);
+    if (by_box) slopes.by_box();
+    slopes.kernel([&](const Row& row) {
+      const IndexBox box = level.boxes[static_cast<std::size_t>(row.box())].cells.grown({1, 1, 0});
+      for (int i = 0; i < row.count(); ++i) {
+        const IntVec3 cell = row.cell() + IntVec3{i, 0, 0};
+        (box.contains(cell) ? seen : beyond).emplace_back(cell, row.box());
+      }
+    });
+    TaskBuilder update = list.task("update", 0);
+    update.read(slope, Stencil::box(1));
+    update.write(now);
+    update.kernel([](const Row&) {});
+    Warehouse before(level, 0, Arrays::shared), after(level, 0, Arrays::shared);
+    before.add({test_label(1), 0, 1, 1});
+    after.add({test_label(1), 0, 1, 1});
+    SweepExecutor executor(list, plan_sweep(list, {0, 1, 2}, axes_of(level)), level, {});
+    executor.bind(before, after, nullptr);
+    executor.run({});
+    return std::pair(seen.size(), beyond.size());
+  };
+  // The low box has rows -1 to 4 to itself; 5 and 6 are as wide as the high box wants them.
+  EXPECT_EQ(cells_of_rows(true), (std::pair<std::size_t, std::size_t>(6 * 10 + 8 * 18, 0)));
+  EXPECT_GT(cells_of_rows(false).second, 0u);
+}
+
 // A kernel is told where its row lies, on which level and in which step.
 TEST(BlockSweep, RowsKnowTheirPlace) {
   const Level level = level_of({4, 3, 2}, {1, 1, 1}, {10, 20, 30});

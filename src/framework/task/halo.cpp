@@ -69,20 +69,24 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width) {
   return copies;
 }
 
-HaloExchange::HaloExchange(const Level& level, int width, int rank) {
+HaloExchange::HaloExchange(const Level& level, int width, int rank, Arrays arrays) {
   std::vector<int> local_number(level.boxes.size(), -1);
   int count = 0;
   for (const GridBox& b : level.boxes)
     if (b.owner == rank) local_number[static_cast<std::size_t>(b.id)] = count++;
   std::map<int, Peer> peers;
+  const std::vector<std::vector<IndexBox>> held = held_by_frames(level, width, arrays);
   for (const HaloCopy& c : halo_copies(level, width)) {
     const int from_owner = level.boxes[static_cast<std::size_t>(c.from)].owner;
     const int to_owner = level.boxes[static_cast<std::size_t>(c.to)].owner;
     const Local copy{local_number[static_cast<std::size_t>(c.from)],
                      local_number[static_cast<std::size_t>(c.to)], c.region, c.shift};
     if (from_owner == rank && to_owner == rank) {
-      local_.push_back(copy);
-      local_cells_ += c.region.volume();
+      const auto to = static_cast<std::size_t>(c.to);
+      for (const IndexBox& region : subtract({c.region}, held[to])) {
+        local_.push_back({copy.from, copy.to, region, copy.shift});
+        local_cells_ += region.volume();
+      }
     } else if (from_owner == rank) {
       peers[to_owner].sends.push_back(copy);
     } else if (to_owner == rank) {

@@ -25,7 +25,9 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width);
 
 class HaloExchange {
  public:
-  HaloExchange(const Level& level, int width, int rank);
+  // `arrays`: of the warehouses. Where boxes share them, slots have `width` ghost layers, and what
+  // lies in one place is copied once.
+  HaloExchange(const Level& level, int width, int rank, Arrays arrays = Arrays::own);
 
   // Fills the ghosts of these slots. Deterministic: pure copies, those inside this rank by the team
   // where there are enough of them.

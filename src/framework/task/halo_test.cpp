@@ -31,10 +31,10 @@ bool wrapped(const Level& level, IntVec3& c) {
   return true;
 }
 
-void expect_filled(Level level, int width, const ThreadTeam* team = nullptr) {
+void expect_filled(Level level, int width, const ThreadTeam* team, Arrays arrays) {
   Communicator& ranks = world();
   assign_owners(level.boxes, ranks.size());
-  Warehouse state(level, ranks.rank());
+  Warehouse state(level, ranks.rank(), arrays);
   const std::vector<int> slots = {state.add({test_label(0), 0, 2, width}),
                                   state.add({test_label(1), 0, 1, width})};
   const auto each = [&](auto&& f) {
@@ -43,12 +43,11 @@ void expect_filled(Level level, int width, const ThreadTeam* team = nullptr) {
         for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
           f(s, c, state.view(s, c, b), state.local_boxes()[static_cast<std::size_t>(b)].cells);
   };
-  each([&](int s, int c, const RealView& v, const IndexBox& cells) {
-    for_each_cell(v.box, [&](IntVec3 cell) {
-      v(cell) = cells.contains(cell) ? value_of(s, c, cell) : untouched;
-    });
+  each([](int, int, const RealView& v, const IndexBox&) { fill(v, v.box, untouched); });
+  each([](int s, int c, const RealView& v, const IndexBox& cells) {
+    for_each_cell(cells, [&](IntVec3 cell) { v(cell) = value_of(s, c, cell); });
   });
-  HaloExchange halo(level, width, ranks.rank());
+  HaloExchange halo(level, width, ranks.rank(), arrays);
   for (int again = 0; again < 2; ++again) halo.run(state, slots, team);
   each([&](int s, int c, const RealView& v, const IndexBox&) {
     for_each_cell(v.box, [&](IntVec3 cell) {
@@ -58,6 +57,13 @@ void expect_filled(Level level, int width, const ThreadTeam* team = nullptr) {
                                  << cell.z;
     });
   });
+}
+
+void expect_filled(const Level& level, int width, const ThreadTeam* team = nullptr) {
+  for (const Arrays arrays : {Arrays::own, Arrays::shared}) {
+    SCOPED_TRACE(arrays == Arrays::own ? "own arrays" : "shared arrays");
+    expect_filled(level, width, team, arrays);
+  }
 }
 
 struct Case {
@@ -102,6 +108,39 @@ TEST(Halo, ManyCopiesAreSharedAmongThreads) {
   level.periodic = {true, false, false};
   const ThreadTeam team(3);
   expect_filled(level, 3, &team);
+}
+
+// Boxes of unequal width that follow each other, beside a tall one: what lies in one frame is not
+// copied, and what lies beyond is, once.
+TEST(Halo, BoxesOfAFrameNeedNoCopiesOfEachOther) {
+  Level level = level_of({64, 40, 1});
+  level.boxes.clear();
+  for (const IndexBox& cells :
+       {IndexBox{{16, 8, 0}, {30, 14, 1}}, IndexBox{{12, 14, 0}, {30, 18, 1}},
+        IndexBox{{8, 18, 0}, {30, 30, 1}}, IndexBox{{30, 10, 0}, {40, 28, 1}}})
+    level.boxes.push_back({cells, 0, static_cast<int>(level.boxes.size())});
+  const int ghosts = 3;
+  Warehouse state(level, 0, Arrays::shared);
+  const int slot = state.add({test_label(0), 0, 1, ghosts});
+  for (int b = 0; b < 4; ++b) {
+    const RealView v = state.view(slot, 0, b);
+    fill(v, v.box, untouched);
+  }
+  for (int b = 0; b < 4; ++b)
+    for_each_cell(level.boxes[static_cast<std::size_t>(b)].cells,
+                  [&](IntVec3 cell) { state.view(slot, 0, b)(cell) = value_of(slot, 0, cell); });
+  HaloExchange(level, ghosts, 0, Arrays::shared).run(state, {slot});
+  const auto held = [&](IntVec3 cell) {
+    for (const GridBox& box : level.boxes)
+      if (box.cells.contains(cell)) return true;
+    return false;
+  };
+  for (int b = 0; b < 4; ++b) {
+    const RealView v = state.view(slot, 0, b);
+    for_each_cell(v.box, [&](IntVec3 cell) {
+      ASSERT_EQ(v(cell), held(cell) ? value_of(slot, 0, cell) : untouched) << b;
+    });
+  }
 }
 
 TEST(Halo, CopiesAreTheSameListOnEveryRankAndCoverEachGhostOnce) {

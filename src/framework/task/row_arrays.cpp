@@ -20,7 +20,7 @@ void BoundArray::find_steps(bool middle_axis, Steps* steps) {
   swept_steps = steps + 1;
   for (int shift = -most_reach; shift <= most_reach; ++shift) {
     steps[0].at(shift) = middle_axis ? shift * middle : 0;
-    for (std::ptrdiff_t phase = 0; phase <= phases; ++phase)
+    for (std::ptrdiff_t phase = 0; phase <= (mask < 0 ? 0 : mask); ++phase)
       steps[1 + phase].at(shift) = (((phase + shift) & mask) - phase) * swept;
   }
 }
@@ -30,7 +30,7 @@ RowArrays::RowArrays(std::size_t accesses, int axes)
   const std::size_t n = whole_vectors(accesses);
   origin_.resize(n);
   first_.resize(n);
-  for (auto* v : {&component_, &middle_, &swept_, &low_, &mask_, &phases_}) v->resize(n);
+  for (auto* v : {&component_, &middle_, &swept_, &mask_}) v->resize(n);
   phase_0_.resize(n);
   along_[0].assign(n, unit_steps.data() + most_reach);
   along_[1].assign(n, no_steps.data() + most_reach);
@@ -47,28 +47,30 @@ void RowArrays::bind(std::size_t access, const BoundArray& array) {
     component_[n] = array.component;
     middle_[n] = array.middle;
     swept_[n] = array.swept;
-    low_[n] = array.low;
     mask_[n] = array.mask;
-    phases_[n] = array.phases;
     phase_0_[n] = array.swept_steps->centre();
     if (swept_axis_ == 2) along_[1][n] = array.middle_steps->centre();
   }
 }
 
-void RowArrays::start_row(int i, int j, int plane) {
+template <bool middle_axis>
+void RowArrays::find_starts(int i, int j, int plane) {
   const std::size_t count = first_.size();
   double* const* origin = origin_.data();
-  const std::ptrdiff_t *middle = middle_.data(), *swept = swept_.data(), *low = low_.data();
-  const std::ptrdiff_t *mask = mask_.data(), *phases = phases_.data();
+  const std::ptrdiff_t *middle = middle_.data(), *swept = swept_.data(), *mask = mask_.data();
   const std::ptrdiff_t* const* phase_0 = phase_0_.data();
   double** first = first_.data();
   const std::ptrdiff_t** steps = along_[swept_axis_].data();
 #pragma GCC ivdep
   for (std::size_t n = 0; n < count; ++n) {
-    const std::ptrdiff_t ring = (plane - low[n]) & mask[n];
-    first[n] = origin[n] + (i + j * middle[n] + ring * swept[n]);
-    steps[n] = phase_0[n] + (ring & phases[n]) * Steps::size;
+    const std::ptrdiff_t ring = plane & mask[n], phase = mask[n] < 0 ? 0 : ring;
+    first[n] = origin[n] + (i + (middle_axis ? j * middle[n] : 0) + ring * swept[n]);
+    steps[n] = phase_0[n] + phase * Steps::size;
   }
+}
+
+void RowArrays::start_row(int i, int j, int plane) {
+  swept_axis_ == 2 ? find_starts<true>(i, j, plane) : find_starts<false>(i, j, plane);
 }
 
 }  // namespace sluice

@@ -25,16 +25,14 @@ class Steps {
 
 // One variable as it is bound for one block.
 struct BoundArray {
-  double* first = nullptr;               // where component 0 of cell (0, 0, low) would lie
+  double* first = nullptr;               // where component 0 of cell (0, 0, 0) would lie
   std::ptrdiff_t component = 0;          // from one component to the next
   std::ptrdiff_t middle = 0, swept = 0;  // strides
-  std::ptrdiff_t low = 0;                // along the swept axis
   std::ptrdiff_t mask = -1;              // of temporaries: ring of planes, plane & mask
-  std::ptrdiff_t phases = 0;             // likewise, of the steps along the swept axis
   const Steps *middle_steps = nullptr, *swept_steps = nullptr;
 
   // Fills `steps`: those of the middle axis (none there: zeros), then those of the swept axis in
-  // every phase of the ring.
+  // every phase of the ring, which is one where there is none.
   void find_steps(bool middle_axis, Steps* steps);
   static std::size_t count_of_steps(int planes) { return static_cast<std::size_t>(1 + planes); }
 };
@@ -49,8 +47,11 @@ class RowArrays {
   const RowStarts& starts() const { return starts_; }
 
  private:
+  template <bool middle_axis>
+  void find_starts(int i, int j, int plane);
+
   std::vector<double*> origin_, first_;
-  std::vector<std::ptrdiff_t> component_, middle_, swept_, low_, mask_, phases_;
+  std::vector<std::ptrdiff_t> component_, middle_, swept_, mask_;
   std::vector<const std::ptrdiff_t*> phase_0_;  // steps along the swept axis
   std::vector<const std::ptrdiff_t*> along_[3];
   std::size_t accesses_;

@@ -73,4 +73,9 @@ TaskBuilder& TaskBuilder::always() {
   return *this;
 }
 
+TaskBuilder& TaskBuilder::by_box() {
+  list_->tasks_[task_].by_box = true;
+  return *this;
+}
+
 }  // namespace sluice

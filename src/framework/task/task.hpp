@@ -65,6 +65,7 @@ struct Task {
   std::vector<VariableId> writes;
   RowKernel kernel;
   bool always = false;  // wanted for its reductions even when nobody reads what it writes
+  bool by_box = false;  // asks row.box() about its cells: they must be the box's or its ghosts
 };
 
 class TaskList;
@@ -76,6 +77,7 @@ class TaskBuilder {
   Out write(VariableId v);
   TaskBuilder& kernel(RowKernel k);
   TaskBuilder& always();
+  TaskBuilder& by_box();
 
  private:
   TaskList* list_;

@@ -140,6 +140,7 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   h.pressure = task.read(v.pressure, Stencil::box(1));
   h.sound = task.read(v.sound);
   if (o.masked) h.mask = task.read(v.mask);
+  if (o.shocks_leave) task.by_box();
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
   h.predicted = task.write(v.predicted_pressure);
@@ -152,7 +153,7 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
       else
         slope_rows<D, false>(row, h, k);
       if (o.masked) mask_rows<D>(row, h);
-      if (o.recorder != nullptr && o.recorder->ends != nullptr)
+      if (o.shocks_leave && o.recorder->ends != nullptr)
         damp_rows<D>(row, h, *o.recorder->ends);
       predict_row<D>(row, h, k);
     });

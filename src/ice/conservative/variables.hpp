@@ -84,6 +84,7 @@ struct SchemeOptions {
   // With several levels: which cells count in sums, where fluxes are recorded.
   const LevelCoverage* coverage = nullptr;
   const FluxRecorder* recorder = nullptr;
+  bool shocks_leave = false;             // a level that shocks leave where it ends: recorder->ends
   const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
   int first_volume_sum = 0;              // of their sums among those of the step
   const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
