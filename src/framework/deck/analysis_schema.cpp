@@ -51,19 +51,20 @@ TagSpec line() {
                           .unit("length")});
 }
 
-TagSpec plane() {
-  return tag("plane", "a rectangle along two axes of which all cells are taken")
+TagSpec rectangle(const std::string& text) {
+  return tag("plane", text)
       .at_least_once()
-      .attribute(attribute("name", "name of the plane and its files").once().text())
       .with_children({corner("startingPt", "one corner"),
                       corner("endingPt", "the opposite corner; one coordinate is the same")});
 }
 
+TagSpec plane() {
+  return rectangle("a rectangle along two axes of which all cells are taken")
+      .attribute(attribute("name", "name of the plane and its files").once().text());
+}
+
 TagSpec plane_of_heat() {
-  return tag("plane", "a rectangle along two axes through which heat passes")
-      .at_least_once()
-      .with_children({corner("startingPt", "one corner"),
-                      corner("endingPt", "the opposite corner; one coordinate is the same")});
+  return rectangle("a rectangle along two axes through which heat passes");
 }
 
 TagSpec corners_of_box() {

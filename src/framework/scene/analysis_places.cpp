@@ -31,17 +31,22 @@ AnalysedLine read_line(const DeckNode& node) {
   return line;
 }
 
+// Of a rectangle: the low one first; `flat`: the first direction in which they agree.
+void order_corners(Vec3& low, Vec3& high, int& flat) {
+  for (int d = 2; d >= 0; --d)
+    if (low[d] == high[d])
+      flat = d;
+    else if (low[d] > high[d])
+      std::swap(low[d], high[d]);
+}
+
 AnalysedPlane read_plane(const DeckNode& node) {
   AnalysedPlane plane;
   plane.where = node.where;
   plane.name = file_name(node, "name");
   plane.start = node.vector("startingPt");
   plane.end = node.vector("endingPt");
-  for (int d = 2; d >= 0; --d)
-    if (plane.start[d] == plane.end[d])
-      plane.normal = d;
-    else if (plane.start[d] > plane.end[d])
-      std::swap(plane.start[d], plane.end[d]);
+  order_corners(plane.start, plane.end, plane.normal);
   return plane;
 }
 
@@ -118,11 +123,7 @@ ControlVolume read_flat(const DeckNode& node, int number) {
   v.whole = false;
   v.low = node.vector("startingPt");
   v.high = node.vector("endingPt");
-  for (int d = 2; d >= 0; --d)
-    if (v.low[d] == v.high[d])
-      v.flat = d;
-    else if (v.low[d] > v.high[d])
-      std::swap(v.low[d], v.high[d]);
+  order_corners(v.low, v.high, v.flat);
   return v;
 }
 
