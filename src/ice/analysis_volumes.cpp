@@ -101,7 +101,10 @@ void add_volume_account(TaskList& list, const SchemeVariables& v, const SchemeOp
   for (int axis = 0; axis < o.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
-    task.always().kernel([=](const Row& row) { account_faces(row, h, o, axis); });
+    task.always().only_in([volumes = o.volumes, axis](int box, const IndexBox& block) {
+      return volumes->cells_with_faces(box, axis, block);
+    });
+    task.kernel([=](const Row& row) { account_faces(row, h, o, axis); });
   }
   if (!o.gravity_on) return;
   TaskBuilder task = list.task("control volumes, gravity", effect);

@@ -28,6 +28,7 @@ std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cell
   if (cells.size()[axes_.direction[axis]] != 1 || !whole.contains(cells))
     throw std::logic_error("faces to record must be one layer of cells of their box");
   Rows& r = rows_[static_cast<std::size_t>(box * axes_.count + axis)];
+  r.cells = r.segments.empty() ? cells : bounding(r.cells, cells);
   const std::ptrdiff_t first_slot = faces_;
   const int along = axes_.direction[0];
   const int n = cells_along(whole, 1);
@@ -70,26 +71,28 @@ void FaceTable::seal() {
   for (std::vector<double>& v : values_) v.assign(static_cast<std::size_t>(faces_), 0.0);
 }
 
-bool FaceTable::touches(int box, const IndexBox& block) const {
-  const IndexBox& whole = boxes_[static_cast<std::size_t>(box)];
-  const IndexBox part = intersection(block, whole);
-  if (empty() || part.empty()) return false;
-  const int along = axes_.direction[0], n = cells_along(whole, 1);
-  const int j = place(whole, 1, part.lower), rows_in_plane = cells_along(part, 1);
-  for (int axis = 0; axis < axes_.count; ++axis) {
-    const Rows& r = rows(box, axis);
-    if (r.begin.empty()) continue;
-    for (int k = 0; k < cells_along(part, 2); ++k) {
-      // Rows of a plane follow each other, and so do their segments.
-      const std::int32_t* begin =
-          r.begin.data() + j + static_cast<std::ptrdiff_t>(n) * (place(whole, 2, part.lower) + k);
-      for (std::int32_t s = begin[0]; s < begin[rows_in_plane]; ++s) {
-        const Segment& faces = r.segments[static_cast<std::size_t>(s)];
-        if (faces.first < part.upper[along] && faces.first + faces.count > part.lower[along])
-          return true;
-      }
+IndexBox FaceTable::cells_with_faces(int box, int axis, const IndexBox& block) const {
+  const IndexBox& all = rows(box, axis).cells;
+  const IndexBox part = intersection(block, all);
+  if (part == all || part.empty()) return part;
+  IndexBox found;
+  const int along = axes_.direction[0];
+  IndexBox starts = part;
+  starts.upper[along] = starts.lower[along] + 1;
+  for_each_cell(starts, [&](IntVec3 row) {
+    for (const Segment& s : segments(box, axis, row)) {
+      IndexBox cells{row, row + IntVec3::all(1)};
+      cells.lower[along] = std::max(s.first, part.lower[along]);
+      cells.upper[along] = std::min(s.first + s.count, part.upper[along]);
+      if (!cells.empty()) found = found.empty() ? cells : bounding(found, cells);
     }
-  }
+  });
+  return found;
+}
+
+bool FaceTable::touches(int box, const IndexBox& block) const {
+  for (int axis = 0; axis < axes_.count; ++axis)
+    if (!cells_with_faces(box, axis, block).empty()) return true;
   return false;
 }
 

@@ -34,6 +34,8 @@ class FaceTable {
   // ones, ascending by `first`: of the whole row, so that a caller clips them to its part. None for
   // a row outside the box.
   std::span<const Segment> segments(int box, int axis, IntVec3 cell) const;
+  // The smallest box with all cells of this block that have faces along `axis`.
+  IndexBox cells_with_faces(int box, int axis, const IndexBox& block) const;
   // Faces that belong to cells of this block, in any axis: such a block must not sleep.
   bool touches(int box, const IndexBox& block) const;
   double* values(int quantity) { return values_[static_cast<std::size_t>(quantity)].data(); }
@@ -53,6 +55,7 @@ class FaceTable {
     std::vector<std::int32_t> begin;  // by row: first segment; one more at the end
     std::vector<Segment> segments;
     std::vector<std::int32_t> row_of;  // by segment, while building
+    IndexBox cells{};                  // all that have such faces
   };
   static void sort_rows(Rows& r, std::size_t row_count);
   const Rows& rows(int box, int axis) const {

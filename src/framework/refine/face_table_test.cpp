@@ -81,6 +81,21 @@ TEST(FaceTable, TouchesABlockWhereAnyOfItsFacesLie) {
   EXPECT_FALSE(table.touches(0, {{0, 0, 0}, {10, 16, 1}}));
 }
 
+TEST(FaceTable, TellsWhichCellsOfABlockHaveFaces) {
+  FaceTable table({{{{0, 0, 0}, {32, 16, 1}}, 0, 0}}, Axes{2, {0, 1, 2}}, 1);
+  table.add(0, 1, false, {{10, 5, 0}, {20, 6, 1}});
+  table.add(0, 1, true, {{4, 9, 0}, {12, 10, 1}});
+  table.add(0, 0, true, {{31, 2, 0}, {32, 8, 1}});
+  table.seal();
+  const IndexBox whole{{0, 0, 0}, {32, 16, 1}};
+  EXPECT_EQ(table.cells_with_faces(0, 1, whole), (IndexBox{{4, 5, 0}, {20, 10, 1}}));
+  EXPECT_EQ(table.cells_with_faces(0, 0, whole), (IndexBox{{31, 2, 0}, {32, 8, 1}}));
+  EXPECT_EQ(table.cells_with_faces(0, 1, {{0, 0, 0}, {16, 8, 1}}),
+            (IndexBox{{10, 5, 0}, {16, 6, 1}}));
+  EXPECT_TRUE(table.cells_with_faces(0, 1, {{0, 6, 0}, {32, 9, 1}}).empty());  // between the two
+  EXPECT_TRUE(table.cells_with_faces(0, 0, {{0, 0, 0}, {31, 16, 1}}).empty());
+}
+
 TEST(FaceTable, KeepsEachQuantityInOnePiece) {
   FaceTable table({{{{0, 0, 0}, {8, 8, 1}}, 0, 0}}, Axes{2, {0, 1, 2}}, 2);
   table.add(0, 0, true, {{7, 0, 0}, {8, 8, 1}});

@@ -62,6 +62,9 @@ class VolumeFaces {
   std::span<const FaceTable::Segment> segments(int box, int axis, IntVec3 cell) const {
     return table_.segments(box, axis, cell);
   }
+  IndexBox cells_with_faces(int box, int axis, const IndexBox& block) const {
+    return table_.cells_with_faces(box, axis, block);
+  }
   int side_of(const FaceTable::Segment& s) const {  // 6 * volume + side
     return side_of_[static_cast<std::size_t>(s.slot)];
   }

@@ -271,11 +271,23 @@ void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last
   }
 }
 
+// Of a task that has something to do in a part of its blocks only: that part, or nothing.
+BlockSweep::Window BlockSweep::window_in(const PlannedTask& planned,
+                                         const SweepPiece& piece) const {
+  const Window whole = window_of(piece.cells, planned.window, plan_->axes);
+  const BlockPart& part = list_->tasks()[static_cast<std::size_t>(planned.task)].part;
+  if (!part) return whole;
+  const IndexBox cells = intersection(part(piece.box, piece.cells), piece.cells);
+  if (!cells.empty()) return window_of(cells, {}, plan_->axes);
+  Window nothing = whole;
+  for (int place = 0; place < 3; ++place) nothing.high[place] = nothing.low[place];
+  return nothing;
+}
+
 void BlockSweep::find_windows() {
   windows_.clear();
   for (const PlannedTask& p : plan_->tasks)
-    for (const SweepPiece& piece : stack_)
-      windows_.push_back(window_of(piece.cells, p.window, plan_->axes));
+    for (const SweepPiece& piece : stack_) windows_.push_back(window_in(p, piece));
 }
 
 void BlockSweep::run(const StepConstants& step, int box, const IndexBox& block,
@@ -320,6 +332,7 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
   }
   const auto run_one = [&](std::size_t t, int k) {
     if (swept) return run_task(t, k + plan_->tasks[t].lead, row);
+    if (window(t, 0).low[0] == window(t, 0).high[0]) return;
     choose(t, 0, row);
     run_plane(t, window(t, 0), 0, row, true);
   };

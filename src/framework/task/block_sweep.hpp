@@ -94,6 +94,7 @@ class BlockSweep {
   Sharing sharing_of(const PlannedTask& planned) const;
   static Window window_of(const IndexBox& block, const Growth& growth, const Axes& axes);
   static Window bounding(const Window& a, const Window& b);
+  Window window_in(const PlannedTask& planned, const SweepPiece& piece) const;
   static std::ptrdiff_t buffer_size(const PlannedBuffer& buffer, IntVec3 block, const Axes& axes,
                                     int components);
   void find_windows();

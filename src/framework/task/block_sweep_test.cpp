@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "framework/task/sweep_executor.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
@@ -266,6 +268,49 @@ TEST(BlockSweep, RowsOfATaskThatAsksForTheBoxStayInIt) {
   // The low box has rows -1 to 4 to itself; 5 and 6 are as wide as the high box wants them.
   EXPECT_EQ(cells_of_rows(true), (std::pair<std::size_t, std::size_t>(6 * 10 + 8 * 18, 0)));
   EXPECT_GT(cells_of_rows(false).second, 0u);
+}
+
+// A task that has something to do in a part of its blocks only is run there, and nowhere else: in
+// lines, planes and space, over single blocks and stacks.
+TEST(BlockSweep, ATaskForPartsOfBlocksIsRunThere) {
+  for (const IntVec3 size : {IntVec3{24, 1, 1}, IntVec3{24, 12, 1}, IntVec3{24, 6, 8}}) {
+    const Level level = level_of(size);
+    const IndexBox part{{5, size.y > 1 ? 2 : 0, size.z > 1 ? 3 : 0},
+                        {14, size.y > 1 ? 5 : 1, size.z > 1 ? 7 : 1}};
+    TaskList list;
+    const VariableId old = list.old_state(test_label(1), 0, 1),
+                     now = list.new_state(test_label(1), 0, 1);
+    std::vector<int> seen(static_cast<std::size_t>(level.domain.volume()), 0);
+    TaskBuilder counts = list.task("counts", 0);
+    counts.read(old);
+    counts.always().only_in([=](int, const IndexBox& block) { return intersection(part, block); });
+    counts.kernel([&](const Row& row) {
+      for (int i = 0; i < row.count(); ++i) {
+        const IntVec3 c = row.cell() + IntVec3{i, 0, 0};
+        ++seen[static_cast<std::size_t>(c.x + size.x * (c.y + size.y * c.z))];
+      }
+    });
+    TaskBuilder update = list.task("update", 0);
+    update.read(old);
+    update.write(now);
+    update.kernel([](const Row&) {});
+    const Axes axes = axes_of(level);
+    for (const IntVec3 block : {IntVec3{100, 100, 100}, IntVec3{8, 3, 2}}) {
+      std::fill(seen.begin(), seen.end(), 0);
+      Warehouse before(level, 0), after(level, 0);
+      before.add({test_label(1), 0, 1, 0});
+      after.add({test_label(1), 0, 1, 0});
+      SweepOptions options;
+      options.block = block;
+      SweepExecutor executor(list, plan_sweep(list, {0, 1}, axes), level, options);
+      executor.bind(before, after, nullptr);
+      executor.run({});
+      std::size_t n = 0;
+      for_each_cell(level.domain, [&](IntVec3 c) {
+        EXPECT_EQ(seen[n++], part.contains(c) ? 1 : 0) << c.x << ' ' << c.y << ' ' << c.z;
+      });
+    }
+  }
 }
 
 // A kernel is told where its row lies, on which level and in which step.

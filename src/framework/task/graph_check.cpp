@@ -31,6 +31,9 @@ void check(const TaskList& list, const EffectList& effects) {
   for (std::size_t t = 0; t < list.tasks().size(); ++t) {
     if (!list.tasks()[t].kernel)
       throw std::logic_error(describe(list, effects, t) + " has no kernel");
+    if (list.tasks()[t].part && !list.tasks()[t].writes.empty())
+      throw std::logic_error(describe(list, effects, t) +
+                             " is for parts of blocks only, yet writes: the rest would be missing");
     for (VariableId v : list.tasks()[t].writes) {
       int& w = writer[static_cast<std::size_t>(v.index)];
       if (w >= 0)

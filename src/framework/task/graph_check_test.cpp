@@ -54,6 +54,15 @@ TEST(GraphCheck, AcceptsAChainFromOldToNewState) {
   EXPECT_EQ(refusal(list), "accepted");
 }
 
+TEST(GraphCheck, RefusesATaskForPartsOfBlocksThatWrites) {
+  TaskList list;
+  TaskBuilder task = list.task("account", 0);
+  task.write(list.temporary("sum"));
+  task.kernel(nothing);
+  task.only_in([](int, const IndexBox& block) { return block; });
+  EXPECT_THAT(refusal(list), AllOf(HasSubstr("task 'account'"), HasSubstr("parts of blocks only")));
+}
+
 TEST(GraphCheck, NamesTaskVariableEffectAndDeckLineOfAReadWithoutWriter) {
   TaskList list;
   const VariableId stress = list.temporary("stress");

@@ -78,4 +78,9 @@ TaskBuilder& TaskBuilder::by_box() {
   return *this;
 }
 
+TaskBuilder& TaskBuilder::only_in(BlockPart part) {
+  list_->tasks_[task_].part = std::move(part);
+  return *this;
+}
+
 }  // namespace sluice

@@ -11,6 +11,7 @@
 
 #include "framework/base/vec3.hpp"
 #include "framework/field/label.hpp"
+#include "framework/grid/index_box.hpp"
 #include "framework/task/row.hpp"
 
 namespace sluice {
@@ -57,6 +58,8 @@ struct Access {
 };
 
 using RowKernel = std::function<void(const Row&)>;
+// The cells of a block of local box `box` outside of which a kernel has nothing to do.
+using BlockPart = std::function<IndexBox(int box, const IndexBox& block)>;
 
 struct Task {
   std::string name;
@@ -64,6 +67,7 @@ struct Task {
   std::vector<Access> reads;
   std::vector<VariableId> writes;
   RowKernel kernel;
+  BlockPart part;       // of tasks that write nothing; none: whole blocks
   bool always = false;  // wanted for its reductions even when nobody reads what it writes
   bool by_box = false;  // asks row.box() about its cells: they must be the box's or its ghosts
 };
@@ -78,6 +82,7 @@ class TaskBuilder {
   TaskBuilder& kernel(RowKernel k);
   TaskBuilder& always();
   TaskBuilder& by_box();
+  TaskBuilder& only_in(BlockPart part);
 
  private:
   TaskList* list_;

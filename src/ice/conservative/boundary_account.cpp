@@ -36,6 +36,14 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
   }
 }
 
+// The cells of a block that lie at one of both sides of the domain.
+IndexBox cells_at_sides(const IndexBox& domain, int d, const IndexBox& block) {
+  IndexBox cells = block;
+  if (block.lower[d] != domain.lower[d]) cells.lower[d] = domain.upper[d] - 1;
+  if (block.upper[d] != domain.upper[d]) cells.upper[d] = domain.lower[d] + 1;
+  return intersection(cells, block);
+}
+
 // The faces of this row that lie on one side of the domain.
 void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, const Side& s) {
   const int d = o.axes.direction[s.axis];
@@ -57,7 +65,11 @@ void add_boundary_account(TaskList& list, const SchemeVariables& v, const Scheme
     if (o.periodic[static_cast<std::size_t>(o.axes.direction[axis])]) continue;
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
-    task.always().kernel([=](const Row& row) {
+    task.always().only_in(
+        [domain = o.domain, d = o.axes.direction[axis]](int, const IndexBox& block) {
+          return cells_at_sides(domain, d, block);
+        });
+    task.kernel([=](const Row& row) {
       account_side(row, h, o, {axis, false, 0});
       account_side(row, h, o, {axis, true, 1});
     });
