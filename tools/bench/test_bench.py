@@ -57,8 +57,14 @@ class Frame(unittest.TestCase):
                    for unit in ("share of regrids", "steps a regrid", "share of balance", "ms")]
         self.assertEqual(figures, [0.04, 0.1, 0.02, 7000.0])
 
+    def test_what_slept_is_not_counted_as_updated(self):
+        told = {"stepping_s": 1.0, "cell_updates": 5000, "updates_asleep": 3000}
+        updated = Run("a", "d", 0, unit="ns/cell updated")
+        self.assertEqual(measure.figure_of(updated, told, 7.0), 5e5)
+
     def test_every_unit_is_known(self):
-        units = {"ns/cell/step", "ms", "share of regrids", "steps a regrid", "share of balance"}
+        units = {"ns/cell/step", "ns/cell updated", "ms", "share of regrids", "steps a regrid",
+                 "share of balance"}
         self.assertLessEqual({case.unit for case in CASES if isinstance(case, Run)}, units)
 
     def test_savings_are_off_unless_asked_for(self):

@@ -125,7 +125,7 @@ class LevelSolver {
   std::vector<int> effect_tasks() const;
   std::vector<double> effect_doubles() const;  // doubles a cell of scratch rings, by effect
   std::vector<double> box_seconds() const;     // by local box, since the level was laid out
-  std::int64_t blocks_run() const, blocks_asleep() const;
+  std::int64_t blocks_run() const, blocks_asleep() const, cells_asleep() const;
   std::int64_t blocks_run(int kind) const;
   std::size_t memory_bytes() const;
   std::size_t message_bytes() const;

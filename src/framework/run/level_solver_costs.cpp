@@ -80,6 +80,12 @@ std::int64_t LevelSolver::blocks_asleep() const {
   return n;
 }
 
+std::int64_t LevelSolver::cells_asleep() const {
+  std::int64_t n = 0;
+  for (const auto& [key, v] : variants_) n += v->executor->cells_asleep();
+  return n;
+}
+
 std::size_t LevelSolver::memory_bytes() const {
   std::size_t n = state_.bytes() + next_.bytes() + start_.bytes() + outputs_.bytes();
   for (const auto& [key, v] : variants_) n += v->executor->scratch_bytes();

@@ -63,6 +63,7 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"ns_per_cell_step", r.ns_per_cell_step()},
           {"peak_memory_bytes", r.peak_memory_bytes},
           {"cell_updates", r.cell_updates},
+          {"updates_asleep", r.updates_asleep},
           {"uniform_updates", r.uniform_updates()},
           {"levels", levels},
           {"particles", particles},

@@ -46,12 +46,13 @@ struct RunReport {
   double wall_seconds = 0;      // of the process's run, set-up and output included
   double stepping_seconds = 0;  // of the steps alone
   double output_seconds = 0;
-  double start_seconds = 0;             // from the start to the first step
-  std::uint64_t peak_memory_bytes = 0;  // of all ranks together
-  std::int64_t blocks_run = 0, blocks_asleep = 0;
+  double start_seconds = 0;                        // from the start to the first step
+  std::uint64_t peak_memory_bytes = 0;             // of all ranks together
+  std::int64_t blocks_run = 0, blocks_asleep = 0;  // of all ranks
   std::vector<EffectCost> effects;
   std::vector<LevelCost> levels;  // coarse to fine
-  std::int64_t cell_updates = 0;  // of all levels
+  std::int64_t cell_updates = 0;  // of all levels; of these, cells asleep stayed as they were:
+  std::int64_t updates_asleep = 0;
   std::vector<ParticleCount> particles;
   int regrids = 0;
   double regrid_seconds = 0;

@@ -18,6 +18,7 @@ RunReport two_of_three_levels() {
   r.steps = 10;
   r.levels = {{100, 1, 1000, 100, 100, 1}, {100, 3, 2400, 140, 400, 2}, {0, 0, 0, 0, 6400, 8}};
   r.cell_updates = 3400;
+  r.updates_asleep = 40;
   r.cells = 200;
   r.stepping_seconds = 0.5;
   r.regrids = 1;
@@ -39,6 +40,7 @@ TEST(RunReport, TellsLevelsSavingsAndRegrids) {
   EXPECT_THAT(text, HasSubstr("1 regrid: 2 % of the stepping time\n"));
   const nlohmann::ordered_json json = to_json(two_of_three_levels());
   EXPECT_EQ(json["uniform_updates"], 8000);
+  EXPECT_EQ(json["updates_asleep"], 40);
   EXPECT_EQ(json["levels"][1]["substeps"], 2);
   EXPECT_EQ(json["levels"][1]["domain_cells"], 400);
 }

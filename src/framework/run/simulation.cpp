@@ -367,9 +367,17 @@ RunReport Simulation::report() const {
     const LevelSolver& solver = hierarchy_.level(l);
     r.blocks_run += solver.blocks_run();
     r.blocks_asleep += solver.blocks_asleep();
+    r.updates_asleep += solver.cells_asleep();
     const std::vector<double> own = solver.effect_seconds();
     for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
   }
+  Reduction of_all;
+  const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_asleep),
+             updates = of_all.add_count(r.updates_asleep);
+  communicator_.reduce(of_all);
+  r.blocks_run = of_all.count(run);
+  r.blocks_asleep = of_all.count(asleep);
+  r.updates_asleep = of_all.count(updates);
   const std::vector<int> tasks = hierarchy_.level(0).effect_tasks();
   const std::vector<double> doubles = hierarchy_.level(0).effect_doubles();
   for (int e = 0; e < component_.effects().size(); ++e) {

@@ -155,7 +155,7 @@ void SweepExecutor::make_sweep(Worker& worker, int kind) const {
 // What the workers counted and timed, before they are made anew.
 void SweepExecutor::keep_counts() {
   for (const auto& w : workers_) {
-    kept_asleep_ += w->asleep;
+    kept_asleep_.add(w->asleep);
     for (std::size_t k = 0; k < graphs_.size(); ++k)
       if (graphs_[k] != nullptr) graphs_[k]->kept.add(w->tallies[k]);
   }
@@ -264,7 +264,7 @@ void SweepExecutor::run_stack(Worker& worker, const StepConstants& step, std::si
     sleep(worker, step, block);
     if (options_.time_boxes)
       charge(worker, (std::chrono::steady_clock::now() - start).count(), {&piece, 1});
-    ++worker.asleep;
+    ++worker.asleep.blocks;
   }
   sweep_pieces(worker, step, kind, sample);
 }
@@ -278,10 +278,10 @@ const Reductions& SweepExecutor::run(const StepConstants& step) {
   });
   total_.clear();
   blocks_run_ = 0;
-  blocks_asleep_ = kept_asleep_;
+  asleep_ = kept_asleep_;
   for (auto& w : workers_) {
     total_.merge(w->reductions);
-    blocks_asleep_ += w->asleep;
+    asleep_.add(w->asleep);
   }
   for (int kind = 0; kind < kinds_.count; ++kind) blocks_run_ += blocks_run(kind);
   ++passes_;

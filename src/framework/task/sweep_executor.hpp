@@ -59,7 +59,8 @@ class SweepExecutor {
 
   std::int64_t blocks_run() const { return blocks_run_; }  // since construction
   std::int64_t blocks_run(int kind) const;
-  std::int64_t blocks_asleep() const { return blocks_asleep_; }
+  std::int64_t blocks_asleep() const { return asleep_.blocks; }
+  std::int64_t cells_asleep() const { return asleep_.cells; }  // that were not updated
   std::size_t scratch_bytes() const;
   // Seconds spent in each local box since the last bind, where boxes are timed.
   std::vector<double> box_seconds() const;
@@ -99,8 +100,17 @@ class SweepExecutor {
   std::vector<std::unique_ptr<Worker>> workers_;
   IntVec3 largest_{};  // block or stack that the workers' memory holds
   Reductions total_;
-  std::int64_t blocks_run_ = 0, blocks_asleep_ = 0, passes_ = 0;
-  std::int64_t kept_asleep_ = 0;  // counted before the workers were made anew
+  // What slept, since construction.
+  struct Asleep {
+    std::int64_t blocks = 0, cells = 0;
+    void add(const Asleep& other) {
+      blocks += other.blocks;
+      cells += other.cells;
+    }
+  };
+  std::int64_t blocks_run_ = 0, passes_ = 0;
+  Asleep asleep_;
+  Asleep kept_asleep_;  // counted before the workers were made anew
 };
 
 }  // namespace sluice

@@ -136,7 +136,7 @@ Warehouse bump(const Level& level) {
 struct Outcome {
   std::vector<double> values;
   double maximum = 0, sum = 0;
-  std::int64_t faults = 0, run = 0, asleep = 0;
+  std::int64_t faults = 0, run = 0, asleep = 0, cells_asleep = 0;
   CellFault lowest;
   int rows = 0;
 
@@ -172,6 +172,7 @@ Outcome outcome(const Level& level, const SweepOptions& given, int passes = 1) {
   }
   o.run = executor.blocks_run();
   o.asleep = executor.blocks_asleep();
+  o.cells_asleep = executor.cells_asleep();
   o.rows = graph.rows;
   o.values.resize(static_cast<std::size_t>(level.domain.volume()));
   const IntVec3 n = level.domain.size();
@@ -203,6 +204,7 @@ TEST_P(ExecutorOnShapes, ThreadsBlocksAndSleepChangeNothing) {
   plain.expect_equal(asleep);
   EXPECT_GT(asleep.asleep, asleep.run);  // most of the level is quiet
   EXPECT_EQ(asleep.asleep, threads_asleep.asleep);
+  EXPECT_EQ(asleep.cells_asleep, threads_asleep.cells_asleep);
   plain.expect_equal(outcome(level_of(cells, {3, cells.y > 1 ? 2 : 1, cells.z > 1 ? 2 : 1}), o));
 }
 
@@ -220,6 +222,8 @@ TEST(SweepExecutor, ASleepingBlockIsCheap) {
   EXPECT_EQ(asleep.asleep, 3);  // of five: the bump lies in [40, 60] and two cells around
   EXPECT_LT(asleep.rows, 2 * awake);
   EXPECT_EQ(asleep.run, 2);
+  // All but cells at the boundary of the domain, and one of each block that stands for the rest.
+  EXPECT_EQ(asleep.cells_asleep, 2 * (50 * 48 - 1) + 49 * 48 - 1);
 }
 
 TEST(SweepExecutor, ANanIsNotQuiet) {

@@ -43,7 +43,7 @@ struct SweepExecutor::Worker {
   Reductions reductions;
   TaskTimes boxes;                 // by local box
   std::vector<SweepPiece> pieces;  // awake, of one kind, to be swept as one
-  std::int64_t asleep = 0;
+  Asleep asleep;
 };
 
 }  // namespace sluice
