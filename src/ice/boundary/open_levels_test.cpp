@@ -3,17 +3,43 @@
 
 #include <algorithm>
 
-#include "framework/run/hierarchy.hpp"
-#include "framework/scene/deck_values.hpp"
-#include "ice/classic/classic_test_support.hpp"
+#include "ice/deck_run_test_support.hpp"
 
 namespace sluice::ice {
 namespace {
 
 // A box that waves leave; a finer level is where the density changes.
-class OpenLevels {
+class OpenLevels : public DeckRun {
  public:
-  explicit OpenLevels(GasBox box) {
+  explicit OpenLevels(const GasBox& box) : DeckRun(text_of(box)) {}
+
+  // All levels, boxes and quantities.
+  std::vector<double> values() const {
+    std::vector<double> all;
+    const Labels& names = labels();
+    for (int l = 0; l < hierarchy().level_count(); ++l) {
+      const Warehouse& state = hierarchy().level(l).state();
+      for (const auto& [label, components] :
+           {std::pair{names.mass, 1}, {names.momentum, 2}, {names.energy, 1}})
+        for (int c = 0; c < components; ++c)
+          for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+            const RealView v = state.view(state.find(label, 0), c, b);
+            for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+                          [&](IntVec3 cell) { all.push_back(v(cell)); });
+          }
+    }
+    return all;
+  }
+  // Does the finer level reach the side x+?
+  bool reaches_side() const {
+    if (hierarchy().level_count() < 2) return false;
+    const Level& fine = hierarchy().level(1).level();
+    return std::any_of(fine.boxes.begin(), fine.boxes.end(),
+                       [&](const GridBox& b) { return b.cells.upper.x == fine.domain.upper.x; });
+  }
+
+ private:
+  static std::string text_of(GasBox box) {
     box.scheme = "conservative";
     std::string text = deck_text(box);
     const auto replace_all = [&](const std::string& old, const std::string& by) {
@@ -31,66 +57,8 @@ class OpenLevels {
         "</Refinement_Criteria_Thresholds></ICE><Regridder type='Tiled'><max_levels>2</max_levels>"
         "<cell_refinement_ratio>[[2,2,1]]</cell_refinement_ratio>"
         "<min_patch_size>[[8,8,1]]</min_patch_size></Regridder></AMR>");
-    Schema schema;
-    add_framework_tags(schema);
-    add_ice_tags(schema);
-    deck_ = load_deck_text(text, "box.ups", {}, schema);
-    std::vector<Fault> faults = deck_.faults;
-    if (deck_.good()) scene_ = read_scene(deck_, SceneOptions{}, faults);
-    IceScene ice_scene;
-    if (!any_error(faults)) ice_scene = read_ice_scene(deck_, scene_, faults);
-    for (const Fault& f : faults)
-      if (f.severity == Severity::error) throw InputError(to_string(f));
-    ice_ = std::make_unique<Ice>(scene_, std::move(ice_scene));
-    hierarchy_ = std::make_unique<Hierarchy>(scene_, *ice_, world(), SolverOptions{});
-    hierarchy_->initialise();
+    return text;
   }
-  bool attempt(double dt) {
-    const bool good = hierarchy_->attempt(step_ + 1, time_, dt, {}, *control_, ledger_).good;
-    if (!good) {
-      hierarchy_->reject();
-      return false;
-    }
-    hierarchy_->accept();
-    hierarchy_->regrid(++step_);
-    time_ += dt;
-    return true;
-  }
-  // All levels, boxes and quantities.
-  std::vector<double> values() const {
-    std::vector<double> all;
-    const Labels& names = labels();
-    for (int l = 0; l < hierarchy_->level_count(); ++l) {
-      const Warehouse& state = hierarchy_->level(l).state();
-      for (const auto& [label, components] :
-           {std::pair{names.mass, 1}, {names.momentum, 2}, {names.energy, 1}})
-        for (int c = 0; c < components; ++c)
-          for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-            const RealView v = state.view(state.find(label, 0), c, b);
-            for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
-                          [&](IntVec3 cell) { all.push_back(v(cell)); });
-          }
-    }
-    return all;
-  }
-  double limit() const { return hierarchy_->step_limit().dt; }
-  // Does the finer level reach the side x+?
-  bool reaches_side() const {
-    if (hierarchy_->level_count() < 2) return false;
-    const Level& fine = hierarchy_->level(1).level();
-    return std::any_of(fine.boxes.begin(), fine.boxes.end(),
-                       [&](const GridBox& b) { return b.cells.upper.x == fine.domain.upper.x; });
-  }
-
- private:
-  Deck deck_;
-  Scene scene_;
-  std::unique_ptr<Ice> ice_;
-  std::unique_ptr<Hierarchy> hierarchy_;
-  std::shared_ptr<RunControl> control_ = shared_control();
-  EventLedger ledger_;
-  double time_ = 0;
-  int step_ = 0;
 };
 
 TEST(OpenLevels, ForgetARejectedStep) {

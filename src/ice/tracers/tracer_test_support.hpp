@@ -4,9 +4,7 @@
 
 #include <map>
 
-#include "framework/run/hierarchy.hpp"
-#include "framework/scene/deck_values.hpp"
-#include "ice/classic/classic_test_support.hpp"
+#include "ice/deck_run_test_support.hpp"
 
 namespace sluice::ice {
 
@@ -38,52 +36,27 @@ struct SeenParticle {
   friend bool operator==(const SeenParticle&, const SeenParticle&) = default;
 };
 
-class TracerRun {
+class TracerRun : public DeckRun {
  public:
   using Particles = std::map<std::int64_t, SeenParticle>;
 
   // `level`: text of further <Level> or <AMR> elements.
-  explicit TracerRun(GasBox box, IntVec3 boxes = {}, const std::string& level = {},
-                     const std::string& amr = {}, int threads = 1) {
-    box.scheme = "conservative";
-    std::string text = deck_text(box);
-    text.replace(text.find("</Level></Grid>"), 15, "</Level>" + level + "</Grid>" + amr);
-    Schema schema;
-    add_framework_tags(schema);
-    add_ice_tags(schema);
-    deck_ = load_deck_text(text, "box.ups", {}, schema);
-    std::vector<Fault> faults = deck_.faults;
-    SceneOptions scene_options;
-    scene_options.boxes = boxes;
-    if (deck_.good()) scene_ = read_scene(deck_, scene_options, faults);
-    IceScene ice_scene;
-    if (!any_error(faults)) ice_scene = read_ice_scene(deck_, scene_, faults);
-    for (const Fault& f : faults)
-      if (f.severity == Severity::error) throw InputError(to_string(f));
-    ice_ = std::make_unique<Ice>(scene_, std::move(ice_scene));
-    SolverOptions options;
-    options.threads = threads;
-    hierarchy_ = std::make_unique<Hierarchy>(scene_, *ice_, world(), options);
-    hierarchy_->initialise();
-  }
+  explicit TracerRun(const GasBox& box, IntVec3 boxes = {}, const std::string& level = {},
+                     const std::string& amr = {}, int threads = 1)
+      : DeckRun(text_of(box, level, amr), boxes, threads) {}
 
   // To the end, in steps as long as the flow allows; returns how many.
   int run(double end, double share = 1) {
     int steps = 0;
-    for (; time_ < end; ++steps) {
-      const double dt = std::min(share * hierarchy_->step_limit().dt, end - time_);
-      const CycleResult& result = hierarchy_->attempt(++step_, time_, dt, {}, *control_, ledger_);
-      if (!result.good) throw PhysicsError("inadmissible step");
-      hierarchy_->accept();
-      time_ = time_ + dt;
-      hierarchy_->regrid(step_);
-    }
+    for (; time() < end; ++steps)
+      if (!attempt(std::min(share * limit(), end - time())))
+        throw PhysicsError("inadmissible step");
     return steps;
   }
 
   Particles particles() const {
     Particles all;
-    const ParticleStore& store = hierarchy_->particles()->store(0);
+    const ParticleStore& store = hierarchy().particles()->store(0);
     for (int l = 0; l < store.level_count(); ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
@@ -96,21 +69,14 @@ class TracerRun {
       }
     return all;
   }
-  ParticleCount count() const { return hierarchy_->particles()->counts().front(); }
-  double time() const { return time_; }
-  Hierarchy& hierarchy() { return *hierarchy_; }
-  const Ice& ice() const { return *ice_; }
-  const Level& level() const { return scene_.grid.levels.front(); }
+  ParticleCount count() const { return hierarchy().particles()->counts().front(); }
 
  private:
-  Deck deck_;
-  Scene scene_;
-  std::unique_ptr<Ice> ice_;
-  std::unique_ptr<Hierarchy> hierarchy_;
-  std::shared_ptr<RunControl> control_ = shared_control();
-  EventLedger ledger_;
-  double time_ = 0;
-  int step_ = 0;
+  static std::string text_of(GasBox box, const std::string& level, const std::string& amr) {
+    box.scheme = "conservative";
+    std::string text = deck_text(box);
+    return text.replace(text.find("</Level></Grid>"), 15, "</Level>" + level + "</Grid>" + amr);
+  }
 };
 
 }  // namespace sluice::ice
