@@ -63,8 +63,10 @@ void declare_of_one(QuantityList& q) {
                   [fluid](int n, const double* r, const double* e, double* pressure) {
                     pressure_row(fluid, n, r, e, pressure);
                   });
-    T = q.of(rho, E, l.temperature, 0,
-             [fluid](double r, double e) { return fluid.temperature(r, e); });
+    T = q.of_rows(rho, E, l.temperature, 0,
+                  [fluid](int n, const double* r, const double* e, double* temperature) {
+                    temperature_row(fluid, n, r, e, temperature);
+                  });
     c = q.of(rho, p, l.sound_speed, 0,
              [fluid](double r, double pressure) { return fluid.sound_speed(r, pressure); });
     compressibility = q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {

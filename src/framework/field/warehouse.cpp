@@ -81,12 +81,17 @@ int Warehouse::find(Label label, int material) const {
   return -1;
 }
 
-std::vector<BoxFrame> Warehouse::frames(int ghosts) const {
-  if (arrays_ == Arrays::shared) return box_frames(local_, *level_, ghosts);
-  std::vector<BoxFrame> frames;
-  for (std::size_t b = 0; b < local_.size(); ++b)
-    frames.push_back({local_[b].cells.grown(level_->ghosts(ghosts)), {static_cast<int>(b)}});
-  return frames;
+const std::vector<BoxFrame>& Warehouse::frames(int ghosts) {
+  if (framed_ == ghosts) return frames_;
+  framed_ = ghosts;
+  frames_.clear();
+  if (arrays_ == Arrays::shared) {
+    frames_ = box_frames(local_, *level_, ghosts);
+  } else {
+    for (std::size_t b = 0; b < local_.size(); ++b)
+      frames_.push_back({local_[b].cells.grown(level_->ghosts(ghosts)), {static_cast<int>(b)}});
+  }
+  return frames_;
 }
 
 int Warehouse::add(const SlotInfo& info, Contents contents) {
@@ -99,7 +104,7 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   Slot slot;
   slot.info = info;
   const IntVec3 ghosts = level_->ghosts(info.ghosts);
-  const std::vector<BoxFrame> frames = this->frames(info.ghosts);
+  const std::vector<BoxFrame>& frames = this->frames(info.ghosts);
   const auto components = static_cast<std::size_t>(info.components);
   const auto room = [&](std::size_t f) {  // of one component
     return room_of(static_cast<std::size_t>(frames[f].hull.volume()));
@@ -170,6 +175,8 @@ void Warehouse::swap(Warehouse& other) noexcept {
   std::swap(arrays_, other.arrays_);
   std::swap(local_, other.local_);
   std::swap(slots_, other.slots_);
+  std::swap(frames_, other.frames_);
+  std::swap(framed_, other.framed_);
   std::swap(blocks_, other.blocks_);
   std::swap(marks_, other.marks_);
 }

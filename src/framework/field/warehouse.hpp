@@ -109,13 +109,16 @@ class Warehouse {
     std::vector<double> uniform;  // by block
     std::int64_t numbers = 0;     // in arrays
   };
-  // Boxes that lie in one array each, by frame.
-  std::vector<BoxFrame> frames(int ghosts) const;
+  // Boxes that lie in one array each, by frame; found once for slots that follow each other and
+  // are as wide.
+  const std::vector<BoxFrame>& frames(int ghosts);
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Level* level_;
   Arrays arrays_;
   std::vector<GridBox> local_;
   std::vector<Slot> slots_;
+  std::vector<BoxFrame> frames_;  // of slots with `framed_` ghost layers; -1: not found yet
+  int framed_ = -1;
   BlockLattice blocks_;
   std::vector<RowMarks> marks_;  // by local box
 };

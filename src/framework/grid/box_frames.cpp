@@ -19,6 +19,8 @@ class Framing {
                                  : 0) {}
 
   std::vector<BoxFrame> frames() {
+    frames_.reserve(boxes_.size());
+    apart_.reserve(boxes_.size());
     std::vector<int> order(boxes_.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -100,7 +102,7 @@ std::vector<BoxFrame> box_frames(const std::vector<GridBox>& boxes, const Level&
 
 std::vector<std::vector<IndexBox>> held_by_frames(const Level& level, int ghosts, Arrays arrays) {
   std::vector<std::vector<IndexBox>> held(level.boxes.size());
-  if (arrays == Arrays::own) return held;
+  if (arrays == Arrays::own || level.active_count() < 2) return held;
   std::map<int, std::vector<GridBox>> by_owner;
   for (const GridBox& b : level.boxes) by_owner[b.owner].push_back(b);
   const IntVec3 layers = level.ghosts(ghosts);

@@ -2,6 +2,7 @@
 #include "framework/grid/box_list.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sluice {
 namespace {
@@ -66,15 +67,25 @@ BoxFinder::BoxFinder(std::vector<IndexBox> boxes) : boxes_(std::move(boxes)) {
     bin_size_[d] = std::max(1, total[d] / n);
     bins_[d] = (bounds_.size()[d] + bin_size_[d] - 1) / bin_size_[d];
   }
-  members_.resize(static_cast<std::size_t>(bins_.x) * static_cast<std::size_t>(bins_.y) *
-                  static_cast<std::size_t>(bins_.z));
-  for (int m = 0; m < n; ++m) {
-    const IndexBox& b = boxes_[static_cast<std::size_t>(m)];
-    const IndexBox reach{bin_of(b.lower), bin_of(b.upper - IntVec3::all(1)) + IntVec3::all(1)};
-    for_each_cell(reach, [&](IntVec3 bin) {
-      members_[static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z))].push_back(m);
-    });
-  }
+  begin_.assign(static_cast<std::size_t>(bins_.x) * static_cast<std::size_t>(bins_.y) *
+                        static_cast<std::size_t>(bins_.z) +
+                    1,
+                0);
+  for (const IndexBox& b : boxes_) for_each_bin(b, [&](std::size_t bin) { ++begin_[bin]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  members_.resize(static_cast<std::size_t>(begin_.back()));
+  for (int m = n; m-- > 0;)  // from the end of every bin, so that members ascend
+    for_each_bin(boxes_[static_cast<std::size_t>(m)],
+                 [&](std::size_t bin) { members_[static_cast<std::size_t>(--begin_[bin])] = m; });
+}
+
+// The bins that a region within the bounds overlaps.
+template <class F>
+void BoxFinder::for_each_bin(const IndexBox& region, F&& f) const {
+  const IntVec3 one = IntVec3::all(1);
+  for_each_cell({bin_of(region.lower), bin_of(region.upper - one) + one}, [&](IntVec3 bin) {
+    f(static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z)));
+  });
 }
 
 IntVec3 BoxFinder::bin_of(IntVec3 cell) const {
@@ -85,12 +96,13 @@ std::vector<int> BoxFinder::overlapping(const IndexBox& region) const {
   const IndexBox seen = intersection(region, bounds_);
   std::vector<int> found;
   if (boxes_.empty() || seen.empty()) return found;
-  const IndexBox reach{bin_of(seen.lower), bin_of(seen.upper - IntVec3::all(1)) + IntVec3::all(1)};
-  for_each_cell(reach, [&](IntVec3 bin) {
-    for (const int m :
-         members_[static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z))])
+  for_each_bin(seen, [&](std::size_t bin) {
+    for (int n = begin_[bin]; n < begin_[bin + 1]; ++n) {
+      const int m = members_[static_cast<std::size_t>(n)];
       if (!intersection(boxes_[static_cast<std::size_t>(m)], region).empty()) found.push_back(m);
+    }
   });
+  if (found.size() < 2) return found;
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

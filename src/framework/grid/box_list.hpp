@@ -30,10 +30,12 @@ class BoxFinder {
 
  private:
   IntVec3 bin_of(IntVec3 cell) const;
+  template <class F>
+  void for_each_bin(const IndexBox& region, F&& f) const;
   std::vector<IndexBox> boxes_;
   IndexBox bounds_;
   IntVec3 bin_size_{1, 1, 1}, bins_{1, 1, 1};
-  std::vector<std::vector<int>> members_;  // by bin
+  std::vector<int> begin_, members_;  // by bin: its first member; one more at the end
 };
 
 }  // namespace sluice

@@ -95,11 +95,29 @@ bool empty_row(const Word* row, std::size_t count) {
   return std::all_of(row, row + count, [](Word w) { return w == 0; });
 }
 
-// Where row `at + offset` of `n` lies; -1: outside.
-int neighbour(int at, int offset, int n, bool periodic) {
-  const int to = at + offset;
-  if (to >= 0 && to < n) return to;
-  return periodic ? (to % n + n) % n : -1;
+// Widens `n` rows (or planes) of `words` each that follow each other: each becomes the or of those
+// up to `reach` <= n before and behind it. `extended`: room.
+void widen(Word* rows, std::size_t words, int n, int reach, bool periodic,
+           std::vector<Word>& extended) {
+  const auto border = static_cast<std::size_t>(reach) * words,
+             inside = static_cast<std::size_t>(n) * words;
+  if (empty_row(rows, inside)) return;
+  extended.assign(inside + 2 * border, Word{0});
+  Word* const first = extended.data();
+  std::copy_n(rows, inside, first + border);
+  if (periodic) {
+    std::copy_n(rows + inside - border, border, first);
+    std::copy_n(rows, border, first + border + inside);
+  }
+  // Windows of growing width, as within a row.
+  const int width = 2 * reach + 1;
+  for (int done = 1, step = 0; done < width; done += step) {
+    step = std::min(done, width - done);
+    const std::size_t ahead = static_cast<std::size_t>(step) * words, end = extended.size() - ahead;
+#pragma GCC ivdep
+    for (std::size_t w = 0; w < end; ++w) first[w] |= first[w + ahead];
+  }
+  std::copy_n(first, inside, rows);
 }
 
 }  // namespace
@@ -150,22 +168,14 @@ FlagField FlagField::dilated(IntVec3 reach, const std::array<bool, 3>& periodic)
       if (!empty_row(wide.words_.data() + start, row_words_))
         filter.apply(wide.words_.data() + start, row_words_);
   }
-  // Along y and z whole rows are joined: every row that is not empty is spread to its neighbours.
-  for (const int d : {1, 2}) {
-    const int n = size_[d], r = std::min(reach[d], n);
-    if (r <= 0) continue;
-    const FlagField narrow = wide;
-    for (int z = 0; z < size_.z; ++z)
-      for (int y = 0; y < size_.y; ++y) {
-        const Word* from = narrow.row(y, z);
-        if (empty_row(from, row_words_)) continue;
-        for (int k = -r; k <= r; ++k) {
-          const int to = neighbour(d == 1 ? y : z, k, n, periodic[static_cast<std::size_t>(d)]);
-          if (to >= 0 && k != 0)
-            or_rows(from, d == 1 ? wide.row(to, z) : wide.row(y, to), row_words_);
-        }
-      }
-  }
+  std::vector<Word> room;
+  const auto planes = static_cast<std::size_t>(size_.z),
+             plane = row_words_ * static_cast<std::size_t>(size_.y);
+  if (const int y = std::min(reach.y, size_.y); y > 0)
+    for (std::size_t z = 0; z < planes; ++z)
+      widen(wide.words_.data() + z * plane, row_words_, size_.y, y, periodic[1], room);
+  if (const int z = std::min(reach.z, size_.z); z > 0)
+    widen(wide.words_.data(), plane, size_.z, z, periodic[2], room);
   return wide;
 }
 

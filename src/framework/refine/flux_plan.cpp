@@ -8,6 +8,19 @@
 
 namespace sluice {
 
+namespace {
+
+// A face of the last cell of the list or of one after it.
+void append(const CellFace& face, CellFaces& list) {
+  if (list.cells.empty() || list.cells.back() != face.cell) {
+    list.cells.push_back(face.cell);
+    list.slots.push_back({-1, -1, -1, -1, -1, -1});
+  }
+  list.slots.back()[static_cast<std::size_t>(face.side)] = face.slot;
+}
+
+}  // namespace
+
 CellFaces by_cell(std::vector<CellFace>& faces) {
   const auto before = [](const CellFace& a, const CellFace& b) {
     return std::tie(a.cell.z, a.cell.y, a.cell.x, a.side) <
@@ -21,13 +34,7 @@ CellFaces by_cell(std::vector<CellFace>& faces) {
   CellFaces list;
   list.cells.reserve(cells);
   list.slots.reserve(cells);
-  for (const CellFace& f : faces) {
-    if (list.cells.empty() || list.cells.back() != f.cell) {
-      list.cells.push_back(f.cell);
-      list.slots.push_back({-1, -1, -1, -1, -1, -1});
-    }
-    list.slots.back()[static_cast<std::size_t>(f.side)] = f.slot;
-  }
+  for (const CellFace& f : faces) append(f, list);
   return list;
 }
 
@@ -93,13 +100,13 @@ void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
 // Cells of the local coarse boxes row by row, from the table of their faces.
 void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
   const int along = axes.direction[0];
-  std::vector<CellFace> faces;
+  std::vector<CellFace> faces;  // of one row
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    faces.clear();
+    CellFaces& list = coarse_cells.emplace_back();
     IndexBox rows = boxes[b].cells;
     rows.upper[along] = rows.lower[along] + 1;
     for_each_cell(rows, [&](IntVec3 row) {
-      const auto start = static_cast<std::ptrdiff_t>(faces.size());
+      faces.clear();
       for (int axis = 0; axis < axes.count; ++axis)
         for (const FaceTable::Segment& s : coarse_faces.segments(static_cast<int>(b), axis, row))
           for (int n = 0; n < s.count; ++n) {
@@ -107,11 +114,11 @@ void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
             cell[along] = s.first + n;
             faces.push_back({cell, 2 * axis + (s.high ? 1 : 0), s.slot + n});
           }
-      std::sort(faces.begin() + start, faces.end(), [=](const CellFace& a, const CellFace& c) {
+      std::sort(faces.begin(), faces.end(), [=](const CellFace& a, const CellFace& c) {
         return std::pair(a.cell[along], a.side) < std::pair(c.cell[along], c.side);
       });
+      for (const CellFace& f : faces) append(f, list);
     });
-    coarse_cells.push_back(by_cell(faces));
   }
 }
 

@@ -88,10 +88,11 @@ struct Interpolation::Plan : InterpolationPlan {
 
 void Interpolation::Plan::prepare(int threads) {
   gathers.resize(std::max(gathers.size(), static_cast<std::size_t>(threads)));
-  const auto count =
-      static_cast<std::size_t>(std::max(most_coarse_cells, group_cells) * components);
+  const std::int64_t cells =
+      std::max(most_coarse_cells, std::min(coarse_cells_of_all, group_cells));
+  const auto count = static_cast<std::size_t>(cells * components);
   for (Gather& g : gathers)
-    if (g.memory.size() < count) g.memory = AlignedArray(count);
+    if (g.memory.size() < count) g.memory = AlignedArray(count, Contents::undefined);
 }
 
 void Interpolation::Plan::send_parts() {

@@ -182,6 +182,7 @@ InterpolationPlan::InterpolationPlan(const Level& coarse_level, int coarse_ghost
   for (const Target& t : targets) {
     fine_cells += t.cells.volume();
     most_coarse_cells = std::max(most_coarse_cells, t.coarse.volume());
+    coarse_cells_of_all += t.coarse.volume();
   }
 }
 

@@ -154,7 +154,15 @@ std::vector<IndexBox> merged_tiles(const FlagField& tiles) {
   std::vector<IndexBox> blocks, open_planes;
   for (int z = 0; z < n.z; ++z) {
     std::vector<IndexBox> plane, open_rows;
-    for (int y = 0; y < n.y; ++y) join(open_rows, runs_of_row(tiles, y, z), 1, plane);
+    for (int y = 0; y < n.y; ++y) {
+      const bool as_before =
+          y > 0 &&
+          std::equal(tiles.row(y, z), tiles.row(y, z) + tiles.words_a_row(), tiles.row(y - 1, z));
+      if (as_before)
+        for (IndexBox& b : open_rows) b.upper.y = y + 1;
+      else
+        join(open_rows, runs_of_row(tiles, y, z), 1, plane);
+    }
     join(open_rows, {}, 1, plane);
     std::sort(plane.begin(), plane.end(), before);
     join(open_planes, plane, 2, blocks);

@@ -132,7 +132,8 @@ class Component {
   }
   // Nodes of a step of a level before its ghost cells are filled: where particles are exchanged and
   // projected into the interior of level.state() (which is then to be touched). A coarse step may
-  // be attempted several times: what lasts beyond it goes to the journal, in all ranks alike.
+  // be attempted several times: what lasts beyond it goes to the journal, in all ranks alike. Asked
+  // for when levels come or go, not when their boxes change.
   virtual Schedule before_sweep(LevelSolver& /*level*/) const { return {}; }
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
   virtual void declare_diagnostics(TaskList& list, int level) const = 0;

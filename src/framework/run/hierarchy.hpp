@@ -105,10 +105,12 @@ class Hierarchy {
   Verdict match(int level, const StepScope& scope);
   double share_of(int level) const;
   void make_joint(int coarser);
-  void join_levels();
-  void watch_volumes();
+  void join_levels(int first = 0);
+  void watch_volumes(int first);
   void lay_out(bool from_deck);
   void lay_out_level(int level, std::vector<GridBox> boxes, bool from_deck);
+  int flagging_levels() const;
+  int fill_read_levels();
   std::vector<FlagField> flags();
   void restrict_all();
   void measure_rates(int levels_before);
@@ -133,6 +135,7 @@ class Hierarchy {
   RefinementFlags refinement_flags_;
   std::unique_ptr<ParticleCloud> particles_;
   Schedule cycle_;
+  int levels_in_cycle_ = 0;
   StepJournal journal_;  // of the last attempt, until it is accepted or rejected
   CycleResult result_;
   // Of the attempt under way.

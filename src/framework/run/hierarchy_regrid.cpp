@@ -33,31 +33,34 @@ void Hierarchy::make_joint(int coarser) {
             Restriction(coarse, fine, rank)});
 }
 
-// What the levels know of each other, once every joint is made.
-void Hierarchy::join_levels() {
+// What the levels know of each other, once every joint is made. Levels below `first` lie where they
+// lay, and all but the one next to it meet what they met.
+void Hierarchy::join_levels(int first) {
   ++layouts_;
   const int rank = communicator_->rank();
-  for (int l = 0; l < possible_levels() && possible_levels() > 1; ++l) {
+  for (int l = std::max(0, first - 1); l < possible_levels() && possible_levels() > 1; ++l) {
     const auto n = static_cast<std::size_t>(l);
     FluxRecorder recorder;
     if (joints_[n] != nullptr) recorder.as_coarse = &joints_[n]->fluxes.coarse_faces();
     if (l > 0 && joints_[n - 1] != nullptr) recorder.as_fine = &joints_[n - 1]->fluxes.fine_faces();
-    ends_of_levels_[n] =
-        InterfaceDistance(level(l).level(), rank, component_->interface_depth(level(l).level()),
-                          halo_width(*component_));
+    if (l >= first)
+      ends_of_levels_[n] =
+          InterfaceDistance(level(l).level(), rank, component_->interface_depth(level(l).level()),
+                            halo_width(*component_));
     if (!ends_of_levels_[n].empty()) recorder.ends = &ends_of_levels_[n];
     const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
     level(l).join(recorder, LevelCoverage(level(l).level(), finer, rank));
-    level(l).touch();
   }
-  watch_volumes();
+  watch_volumes(first);
+  if (level_count() == levels_in_cycle_) return;
+  levels_in_cycle_ = level_count();
   cycle_ = schedule_of(0);
   check(cycle_);
 }
 
-void Hierarchy::watch_volumes() {
+void Hierarchy::watch_volumes(int first) {
   if (volumes_.empty()) return;
-  for (int l = 0; l < possible_levels(); ++l) {
+  for (int l = std::max(0, first - 1); l < possible_levels(); ++l) {
     const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
     level(l).watch(VolumeFaces(volumes_, scene_->grid.levels.front(), level(l).level(), finer,
                                communicator_->rank()));
@@ -86,31 +89,42 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
 }
 
 // The boxes that the regridder wants, coarse to fine. Each new level needs the ghost cells of the
-// one below it, and those the joint below.
+// one below it, and those the joint below: the next step finds them filled, as those of levels that
+// nothing changes below.
 void Hierarchy::lay_out(bool from_deck) {
-  int laid_out = -1;  // the last level that has changed
+  int first = possible_levels(), laid_out = -1;  // and last level that has changed
   for (int l = 1; l < possible_levels(); ++l) {
     std::vector<GridBox> boxes = regridder_->boxes(l);
     deal_out(boxes, level(l), particles_.get(), *communicator_);
     if (same_boxes(boxes, level(l).level().boxes)) {
       if (laid_out == l - 1) make_joint(l - 1);
+      if (laid_out > 0) level(l).touch();  // cells have come where it took ghosts of ghosts from
       continue;
     }
     if (!from_deck && !boxes.empty()) fill(l - 1, time_);
     lay_out_level(l, std::move(boxes), from_deck);
+    first = std::min(first, l);
     laid_out = l;
     make_joint(l - 1);
   }
-  join_levels();
+  join_levels(first);
+}
+
+// Levels whose cells ask for finer ones, coarse to fine, and how many must be read to know.
+int Hierarchy::flagging_levels() const {
+  return std::min(level_count(), possible_levels() - 1);
+}
+
+int Hierarchy::fill_read_levels() {
+  const int read = refinement_flags_.levels_read(level_count(), flagging_levels());
+  for (int l = 0; l < read; ++l) fill(l, time_);
+  return read;
 }
 
 std::vector<FlagField> Hierarchy::flags() {
-  const int flagging = std::min(level_count(), possible_levels() - 1);
+  const int flagging = flagging_levels(), read = fill_read_levels();
   std::vector<LevelSolver*> levels;
-  for (int l = 0; l < refinement_flags_.levels_read(level_count(), flagging); ++l) {
-    fill(l, time_);
-    levels.push_back(&level(l));
-  }
+  for (int l = 0; l < read; ++l) levels.push_back(&level(l));
   return refinement_flags_.of(levels, flagging, time_, *communicator_, particles_.get());
 }
 
@@ -166,7 +180,11 @@ void Hierarchy::return_memory() {
 
 bool Hierarchy::regrid(int step) {
   if (!regridder_ || !regridder_->looks_at(step)) return false;
-  const auto start = std::chrono::steady_clock::now();
+  // Ghost cells that are filled to look at flags are those of the next step, unless levels change.
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  fill_read_levels();
+  const auto filled = Clock::now();
   const int levels_before = level_count();
   const bool changed = regridder_->regrid(step, flags());
   if (changed) {
@@ -177,7 +195,7 @@ bool Hierarchy::regrid(int step) {
     ++regrids_;
   }
   regrid_seconds_ +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      std::chrono::duration<double>(Clock::now() - (changed ? start : filled)).count();
   return changed;
 }
 
@@ -186,23 +204,24 @@ bool Hierarchy::balance(int step) {
   if (communicator_->size() == 1 || step - last_balance_ < interval) return false;
   last_balance_ = step;
   const auto start = std::chrono::steady_clock::now();
-  bool moved = false;
+  int moved = level_count();  // the first level with boxes that moved
   for (int l = 0; l < level_count(); ++l) {
     std::vector<GridBox> boxes =
         rebalanced(level(l), particles_.get(), scene_->refinement.balance_gain, *communicator_);
     if (boxes.empty()) continue;
     lay_out_level(l, std::move(boxes), false);
-    moved = true;
+    moved = std::min(moved, l);
   }
-  if (moved) {
-    for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
-    join_levels();
+  const bool any = moved < level_count();
+  if (any) {
+    for (int l = std::max(0, moved - 1); l + 1 < level_count(); ++l) make_joint(l);
+    join_levels(moved);
     if (particles_ != nullptr) particles_->follow(existing_levels());
     ++balances_;
   }
   balance_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return moved;
+  return any;
 }
 
 std::string Hierarchy::regrid_state() const {

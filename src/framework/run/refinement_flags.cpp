@@ -16,11 +16,11 @@ constexpr double least_range = 1e-10;
 
 // Bits of the values above `most`; most rows have none, which is found out fast.
 Word bits_of(const double* values, int count, double most) {
-  int found = 0;
-  for (int i = 0; i < count; ++i) found += values[i] > most;
+  Word found = 0;  // as wide as the values: comparisons are masks of it
+  for (int i = 0; i < count; ++i) found |= values[i] > most ? 1 : 0;
   if (found == 0) return 0;
   Word bits = 0;
-  for (int i = 0; i < count; ++i) bits |= Word{values[i] > most} << i;
+  for (int i = 0; i < count; ++i) bits |= values[i] > most ? Word{1} << i : 0;
   return bits;
 }
 
