@@ -72,7 +72,6 @@ void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
           for (int i = 0; i < n; ++i)
             scale[i] = (law.pressure(rho[i], rho_e[i]) + pi) * rho[i] / law.dp_de(rho[i], rho_e[i]);
         } else {
-#pragma GCC ivdep
           for (int i = 0; i < n; ++i) scale[i] = rho[i] * law.thermal_energy(rho[i], rho_e[i]);
         }
       },
