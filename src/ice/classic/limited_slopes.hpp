@@ -1,10 +1,11 @@
 // The limiter of the classic form, for one cell.
 //
-//   phi = min(1, max(0, (q_max - q + S)/(v_max - q + S)), max(0, (q_min - q + S)/(v_min - q + S)))
+//   phi = min(1, max(0, (q_max - q)/(v_max - q + S)), max(0, (q - q_min)/(q - v_min + S)))
 // q_max and q_min: bounds of the face neighbours without the cell itself; v_max and v_min: of the
-// reconstructed values at the cell's corners; S = 1e-100. All slopes of the cell are scaled by the
-// same phi. With compatible fluxes the deviation of a corner is weighted by rho over the corner's
-// own density. Limits: bounds are not kept in several dimensions, and an extremum is flattened.
+// reconstructed values at the cell's corners; S = 1e-100 is added on either side alike, so that
+// mirrored values give mirrored slopes. All slopes of the cell are scaled by the same phi. With
+// compatible fluxes the deviation of a corner is weighted by rho over the corner's own density.
+// Limits: bounds are not kept in several dimensions, and an extremum is flattened.
 // Reference: W. B. VanderHeyden and B. A. Kashiwa, Compatible fluxes for van Leer advection,
 // J. Comput. Phys. 146 (1998) 1-28.
 #pragma once
@@ -21,8 +22,8 @@ struct MassSlopes {
 
 inline double limiter(double q, double low, double high, double corner_low, double corner_high) {
   constexpr double S = 1e-100;
-  const double above = larger(0.0, ((high - q) + S) / ((corner_high - q) + S));
-  const double below = larger(0.0, ((low - q) + S) / ((corner_low - q) + S));
+  const double above = larger(0.0, (high - q) / ((corner_high - q) + S));
+  const double below = larger(0.0, (q - low) / ((q - corner_low) + S));
   return smaller(1.0, smaller(above, below));
 }
 

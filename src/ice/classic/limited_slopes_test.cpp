@@ -36,6 +36,15 @@ TEST(ClassicLimiter, IsOddUnderChangeOfSign) {
             phi);
 }
 
+// However small the differences: S of the quotients must not tell up from down.
+TEST(ClassicLimiter, IsOddWhereDifferencesAreTiny) {
+  for (const double d : {0.0, 1e-200, 1e-150, 3e-101, 1e-100, 2e-99, 1e-90}) {
+    const double phi = limiter_of_cell<1, false>(d, {0.0}, {1.0}, {0.5}, unweighted_1d);
+    EXPECT_EQ((limiter_of_cell<1, false>(-d, {-1.0}, {0.0}, {0.5}, unweighted_1d)), phi) << d;
+    EXPECT_LE(phi, 1.0);
+  }
+}
+
 TEST(ClassicLimiter, WeightsCornersWithTheirDensity) {
   // rho = 1 +- 0.5: the light corner's deviation doubles, 1 - 2 (0.5) = 0 against a bound of 0.5.
   MassSlopes<1> mass;
