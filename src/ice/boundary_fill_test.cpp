@@ -123,11 +123,19 @@ TEST(BoundaryFill, OutletPressureWithTemperatureGivesTheDensity) {
 }
 
 TEST(BoundaryFill, UnderGravityTheWallPressureContinuesTheDiscreteBalance) {
-  const double g = -3;
+  const double g = -1;
   const Tube tube(symmetric(), g);
   // p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2 across the wall, with mirrored densities.
   EXPECT_DOUBLE_EQ(tube.p(0) - tube.p(-1), g * tube.rho(0));
   EXPECT_DOUBLE_EQ(tube.p(8) - tube.p(7), g * tube.rho(7));
+}
+
+TEST(BoundaryFill, AColumnHeavierThanItsPressureLeavesATenthOfIt) {
+  // On either wall, whichever way the weight acts: p = 10, and g rho dx is 24 above, 12 below.
+  EXPECT_DOUBLE_EQ(Tube(symmetric(), -3).p(8), 1.0);
+  EXPECT_DOUBLE_EQ(Tube(symmetric(), -3).p(10), 1.0);
+  EXPECT_DOUBLE_EQ(Tube(symmetric(), 12).p(-1), 1.0);
+  EXPECT_DOUBLE_EQ(Tube(symmetric(), 12).p(-3), 1.0);
 }
 
 TEST(BoundaryFill, ASpecificVolumeMustBeThatOfTheDensity) {

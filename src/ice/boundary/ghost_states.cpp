@@ -22,7 +22,10 @@ double GhostStates::half_weight() const {
 
 // Hydrostatic difference of pressure from the source cell out to the ghost cell: the sum of
 // g dx (rho + rho)/2 over the steps between them. Ghost densities closer in are filled already.
-double GhostStates::hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const {
+// A column that weighs more than it is pressed leaves a tenth of `room`, the pressure above the
+// lowest one of the law: a ghost without a sound speed would spoil the flux of the wall.
+double GhostStates::hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost,
+                                double room) const {
   const double half = half_weight();
   if (half == 0) return 0;
   double change = 0;
@@ -34,7 +37,7 @@ double GhostStates::hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost)
     change += half * (v_.density(c) + rho_next);
     c = next;
   }
-  return change;
+  return std::max(change, -0.9 * std::max(0.0, room));
 }
 
 void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
@@ -149,7 +152,7 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   } else {
     p = p_source - rule.pressure_gradient * distance;
     if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
-    p += hydrostatic(source, ghost, rho);
+    p += hydrostatic(source, ghost, rho, p - fluid.lowest_pressure());
   }
   if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
   if (rule.velocity_kind == GhostRule::Velocity::vortices) {
@@ -247,7 +250,7 @@ void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source
   if (!rule.common.fixed_pressure && !rule.common.sine_pressure) {
     p = mixture_pressure(source) - rule.common.pressure_gradient * distance;
     rho = fill_cell(rule, p);
-    p += hydrostatic(source, ghost, rho);
+    p += hydrostatic(source, ghost, rho, p - lowest_pressure(source));
   }
   rho = fill_cell(rule, p);
   bool slides = rule.common.mirrored();  // one velocity: one viscous material sticks for all

@@ -77,7 +77,7 @@ class GhostStates {
   const Fluid& fluid_of(IntVec3 cell, Fluid& room, std::size_t material = 0) const;
   // Hydrostatic difference of pressure over one step outward, over the sum of its two densities.
   double half_weight() const;
-  double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost) const;
+  double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost, double room) const;
   // `given`: that of the rule at this ghost.
   double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,
                   double distance) const;

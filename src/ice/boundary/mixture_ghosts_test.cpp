@@ -195,6 +195,14 @@ TEST(MixtureGhosts, UnderGravityTheMixtureWeighs) {
     EXPECT_NEAR(tube.p(m, -2) - 1e5, -g * (tube.density(1) + 2 * tube.density(0)), 1e-5);
 }
 
+TEST(MixtureGhosts, AMixtureHeavierThanItsPressureLeavesATenthOfIt) {
+  // Above the lowest pressure of what is there: that of the gas, 0.
+  for (const double g : {-3e5, 3e5}) {
+    const TwoMaterials tube({condition("Symmetric", ConditionKind::symmetry, 0)}, g);
+    for (int m = 0; m < 2; ++m) EXPECT_NEAR(tube.p(m, g > 0 ? -2 : 9), 1e4, 1e-5);
+  }
+}
+
 TEST(MixtureGhosts, GivenSpecificVolumesTellWhatAnInflowFills) {
   // Mass per volume of the cell times volume per mass is the share of the cell.
   const TwoMaterials tube({given("Density", 0.5, 0), given("Density", 600, 1),

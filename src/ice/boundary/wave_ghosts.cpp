@@ -73,8 +73,9 @@ void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 gho
   Fluid room, source_room;
   const Fluid& fluid = fluid_of(ghost, room, m);
   double rho = rule.fixed_density ? rule.density : out.rho;
-  double p = rule.fixed_pressure || rule.sine_pressure ? given_pressure(rule, ghost, source)
-                                                       : out.p + hydrostatic(source, ghost, rho);
+  double p = rule.fixed_pressure || rule.sine_pressure
+                 ? given_pressure(rule, ghost, source)
+                 : out.p + hydrostatic(source, ghost, rho, out.p - fluid.lowest_pressure());
   const double source_rho = v_.mass[m](source);
   const double T =
       rule.fixed_temperature
@@ -133,9 +134,10 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
   }
   const std::size_t count = v_.mass.size();
   const double p_source = mixture_pressure(source);
-  const double p = rule.common.fixed_pressure || rule.common.sine_pressure
-                       ? given_pressure(rule.common, ghost, source)
-                       : out.p + hydrostatic(source, ghost, out.rho);
+  const double p =
+      rule.common.fixed_pressure || rule.common.sine_pressure
+          ? given_pressure(rule.common, ghost, source)
+          : out.p + hydrostatic(source, ghost, out.rho, out.p - lowest_pressure(source));
   double filled = 0;
   Fluid room;
   for (std::size_t m = 0; m < count; ++m) {
