@@ -1,0 +1,87 @@
+// The mirror image of every deck gives the mirror image of its states, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/sluice_schema.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/deck/load_deck.hpp"
+#include "ice/labels.hpp"
+#include "properties/deck_run.hpp"
+#include "properties/mirrored_deck.hpp"
+#include "properties/mirrored_state.hpp"
+
+namespace sluice::properties {
+namespace {
+
+// Decks without a mirror image along an axis, and why. A deck that has one is not to stand here:
+// its test fails.
+struct Unmirrored {
+  const char* deck;
+  const char* axes;
+  const char* why;
+};
+const Unmirrored unmirrored[] = {
+    {"manufactured_vortices", "xy",
+     "the start mms_1 and its sides MMS_1 know one solution: it travels with (1, 1)"},
+};
+
+class MirrorImageOfDecks : public testing::TestWithParam<PropertyDeck> {
+ protected:
+  void SetUp() override {
+    if (!GetParam().here()) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
+  }
+  static bool is_left_out(int axis) {
+    return std::any_of(std::begin(unmirrored), std::end(unmirrored), [&](const Unmirrored& u) {
+      return GetParam().name == u.deck &&
+             std::string(u.axes).find("xyz"[axis]) != std::string::npos;
+    });
+  }
+  RunReport run(const Deck& deck, const std::string& folder) const {
+    const RunReport report = carry_out(deck, scratch_ / folder);
+    EXPECT_EQ(report.message, "");
+    return report;
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_P(MirrorImageOfDecks, GivesTheImageOfTheStates) {
+  const std::string& name = GetParam().name;
+  const Deck deck =
+      load_deck_text(centred_deck(load_property_deck(name)), name, {}, sluice_schema());
+  const RunReport plain = run(deck, "plain");
+  EXPECT_EQ(plain.steps, steps);
+  const Archive archive = Archive::open(plain.archive.value());
+  const ArchiveStep state = archive.read_checkpoint(archive.select_checkpoint());
+  int images = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Nothing moves along an axis that the run does not have.
+    if (state.find(ice::labels().momentum_component[axis].name(), 0, 0) == nullptr) continue;
+    ++images;
+    const std::string folder = std::string("image along ") + "xyz"[axis];
+    const Deck image = load_deck_text(mirrored_deck(deck, axis), name, {}, sluice_schema());
+    const RunReport turned = run(image, folder);
+    const std::string words =
+        mirror_difference(plain.archive.value(), turned.archive.value(), axis);
+    if (is_left_out(axis)) {
+      EXPECT_NE(words, "") << folder << ": take the deck off the list";
+    } else {
+      EXPECT_EQ(words, "") << folder;
+    }
+  }
+  EXPECT_GE(images, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, MirrorImageOfDecks, testing::ValuesIn(property_decks()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(MirrorImage, LeavesOutNamedDecksOnly) {
+  const auto& decks = property_decks();
+  for (const Unmirrored& u : unmirrored)
+    EXPECT_TRUE(std::any_of(decks.begin(), decks.end(), [&](const PropertyDeck& d) {
+      return d.name == u.deck;
+    })) << u.deck;
+}
+
+}  // namespace
+}  // namespace sluice::properties
