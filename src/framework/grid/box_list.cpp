@@ -26,10 +26,11 @@ IndexBox refine(const IndexBox& coarse, IntVec3 ratio) {
   return {coarse.lower * ratio, coarse.upper * ratio};
 }
 
-std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole) {
+namespace {
+
+// Appends what is left of `box` without `hole`, which meet.
+void append_rest(const IndexBox& box, const IndexBox& hole, std::vector<IndexBox>& pieces) {
   const IndexBox common = intersection(box, hole);
-  if (common.empty()) return box.empty() ? std::vector<IndexBox>{} : std::vector<IndexBox>{box};
-  std::vector<IndexBox> pieces;
   IndexBox rest = box;
   // Whole slabs along z, then y, then x: pieces keep long rows.
   for (int d = 2; d >= 0; --d) {
@@ -41,15 +42,35 @@ std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole) {
     rest.lower[d] = common.lower[d];
     rest.upper[d] = common.upper[d];
   }
+}
+
+bool meet(const IndexBox& a, const IndexBox& b) {
+  return !intersection(a, b).empty();
+}
+
+}  // namespace
+
+std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole) {
+  std::vector<IndexBox> pieces;
+  if (meet(box, hole))
+    append_rest(box, hole, pieces);
+  else if (!box.empty())
+    pieces.push_back(box);
   return pieces;
 }
 
 std::vector<IndexBox> subtract(std::vector<IndexBox> boxes, const std::vector<IndexBox>& holes) {
+  std::vector<IndexBox> left;
   for (const IndexBox& hole : holes) {
-    std::vector<IndexBox> left;
+    const auto met = [&](const IndexBox& b) { return meet(b, hole); };
+    if (std::none_of(boxes.begin(), boxes.end(), met)) continue;
+    left.clear();
     for (const IndexBox& b : boxes)
-      for (const IndexBox& piece : subtract(b, hole)) left.push_back(piece);
-    boxes = std::move(left);
+      if (met(b))
+        append_rest(b, hole, left);
+      else
+        left.push_back(b);
+    std::swap(boxes, left);
   }
   return boxes;
 }

@@ -18,16 +18,17 @@ std::vector<IndexBox> covered_around(const IndexBox& cells, const Level& level,
     layer[d] = level.active[n] ? 1 : 0;
     images[d] = level.active[n] && level.periodic[n] ? 1 : 0;
   }
+  const IndexBox grown = cells.grown(layer);
+  const std::vector<IndexBox> parts = subtract(grown, cells);
   std::vector<IndexBox> covered;
-  for (const IndexBox& part : subtract(cells.grown(layer), cells))
-    for_each_cell(IndexBox{IntVec3{} - images, images + IntVec3::all(1)}, [&](IntVec3 image) {
-      const IntVec3 shift = image * level.domain.size();
-      const IndexBox there{part.lower + shift, part.upper + shift};
-      for (const int n : finder.overlapping(there)) {
-        const IndexBox both = intersection(there, finder.boxes()[static_cast<std::size_t>(n)]);
-        covered.push_back({both.lower - shift, both.upper - shift});
-      }
-    });
+  for_each_cell(IndexBox{IntVec3{} - images, images + IntVec3::all(1)}, [&](IntVec3 image) {
+    const IntVec3 shift = image * level.domain.size();
+    for (const int n : finder.overlapping(grown.shifted(shift))) {
+      const IndexBox box = finder.boxes()[static_cast<std::size_t>(n)].shifted(IntVec3{} - shift);
+      for (const IndexBox& part : parts)
+        if (const IndexBox both = intersection(part, box); !both.empty()) covered.push_back(both);
+    }
+  });
   return covered;
 }
 
@@ -47,7 +48,10 @@ LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank)
       covered.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
     Box& box = boxes_.emplace_back();
     box.cells = b.cells;
-    box.uncovered = pieces_without(b.cells, covered, along_);
+    if (covered.empty())
+      box.uncovered = {b.cells};
+    else
+      box.uncovered = pieces_without(b.cells, covered, along_);
     if (any_) box.around = covered_around(b.cells, level, finder);
     list_rows(box);
   }

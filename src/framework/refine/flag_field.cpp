@@ -36,16 +36,45 @@ void or_shifted_down(const Word* from, Word* to, int shift, std::size_t count) {
   }
 }
 
+// Widens one row by less than a word, where what wraps around wraps by whole words: bits come from
+// the words on both sides. Windows of 1, 2, 4, ... bits are joined, then of reach + 1.
+void widen_row(Word* row, std::size_t words, int reach, bool periodic) {
+  const Word first = row[0];
+  Word before = periodic ? row[words - 1] : 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    Word up = row[w], down = up, below = before,
+         above = w + 1 < words ? row[w + 1] : (periodic ? first : 0);
+    before = up;
+    if ((up | below | above) == 0) continue;
+    for (int done = 1, step = 0; done <= reach; done += step) {
+      step = std::min(done, reach + 1 - done);
+      up |= up << step | below >> (word_bits - step);
+      below |= below << step;
+      down |= down >> step | above << (word_bits - step);
+      above |= above >> step;
+    }
+    row[w] = up | down;
+  }
+}
+
 // Widens one row: bit i of the result is the or of bits i - reach .. i + reach.
 class RowFilter {
  public:
   RowFilter(int cells, int reach, bool periodic)
-      : cells_(cells),
-        reach_(std::min(reach, cells)),
-        periodic_(periodic),
-        extended_(static_cast<std::size_t>((cells + 2 * reach_) / word_bits + 1)) {}
+      : cells_(cells), reach_(std::min(reach, cells)), periodic_(periodic) {}
 
   void apply(Word* row, std::size_t row_words) {
+    if (reach_ < word_bits && (!periodic_ || cells_ % word_bits == 0)) {
+      widen_row(row, row_words, reach_, periodic_);
+    } else {
+      widen_far(row, row_words);
+    }
+    if (cells_ % word_bits != 0) row[row_words - 1] &= mask(0, cells_ % word_bits);
+  }
+
+ private:
+  void widen_far(Word* row, std::size_t row_words) {
+    extended_.assign(static_cast<std::size_t>((cells_ + 2 * reach_) / word_bits + 1), Word{0});
     extend(row, row_words);
     // Windows of growing width: or of 1, 2, 4, ... bits, then of 2 reach + 1.
     const int width = 2 * reach_ + 1;
@@ -56,13 +85,9 @@ class RowFilter {
       done += step;
     }
     std::copy_n(extended_.data(), row_words, row);
-    if (cells_ % word_bits != 0) row[row_words - 1] &= mask(0, cells_ % word_bits);
   }
-
- private:
   // The row behind `reach_` bits that are empty, or the row's other end.
   void extend(const Word* row, std::size_t row_words) {
-    std::fill(extended_.begin(), extended_.end(), Word{0});
     const auto whole = static_cast<std::size_t>(reach_ / word_bits);
     const int part = reach_ % word_bits;
     for (std::size_t w = 0; w < row_words; ++w) {

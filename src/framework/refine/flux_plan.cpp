@@ -64,6 +64,7 @@ FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, i
   for (int side = 0; side < 2 * axes.count; ++side)
     back[static_cast<std::size_t>(side)] = fine.ratio[axes.direction[side / 2]];
   const std::vector<InterfacePatch> found = interface_patches(coarse, fine, rank);
+  patches.reserve(found.size());
   for (const InterfacePatch& f : found) {
     IntVec3 faces_each = fine.ratio;
     faces_each[axes.direction[f.axis]] = 1;
@@ -82,7 +83,7 @@ FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, i
 
 void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
                          const LocalBoxes& fine, IntVec3 faces_each) {
-  FluxPatch p;
+  FluxPatch& p = patches.emplace_back();
   p.side = 2 * found.axis + (found.high ? 1 : 0);
   p.coarse_cells = found.coarse_cells;
   p.fine_cells = found.fine_cells;
@@ -94,7 +95,6 @@ void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
   }
   if (p.coarse_box >= 0)
     p.coarse_slot = coarse_faces.add(p.coarse_box, found.axis, found.high, p.coarse_cells);
-  patches.push_back(p);
 }
 
 // Cells of the local coarse boxes row by row, from the table of their faces.
@@ -114,9 +114,11 @@ void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
             cell[along] = s.first + n;
             faces.push_back({cell, 2 * axis + (s.high ? 1 : 0), s.slot + n});
           }
-      std::sort(faces.begin(), faces.end(), [=](const CellFace& a, const CellFace& c) {
+      const auto before = [=](const CellFace& a, const CellFace& c) {
         return std::pair(a.cell[along], a.side) < std::pair(c.cell[along], c.side);
-      });
+      };
+      if (!std::is_sorted(faces.begin(), faces.end(), before))
+        std::sort(faces.begin(), faces.end(), before);
       for (const CellFace& f : faces) append(f, list);
     });
   }

@@ -165,6 +165,7 @@ std::vector<IndexBox> merged_tiles(const FlagField& tiles) {
     }
     join(open_rows, {}, 1, plane);
     std::sort(plane.begin(), plane.end(), before);
+    if (n.z == 1) return plane;
     join(open_planes, plane, 2, blocks);
   }
   join(open_planes, {}, 2, blocks);

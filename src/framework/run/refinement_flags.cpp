@@ -14,13 +14,24 @@ constexpr int word_bits = 64;
 // Range of a variable below this share of its largest magnitude: round-off, nothing to resolve.
 constexpr double least_range = 1e-10;
 
-// Bits of the values above `most`; most rows have none, which is found out fast.
+// Numbers that are compared at a time: the compiler unrolls a loop over lanes and then compares
+// number by number.
+constexpr int lanes = 8;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+using Words = Word __attribute__((vector_size(lanes * sizeof(Word))));
+
+// Bits of the values above `most`, at most as many as a word has.
 Word bits_of(const double* values, int count, double most) {
-  Word found = 0;  // as wide as the values: comparisons are masks of it
-  for (int i = 0; i < count; ++i) found |= values[i] > most ? 1 : 0;
-  if (found == 0) return 0;
+  Words found{}, bit{1, 2, 4, 8, 16, 32, 64, 128};
+  int i = 0;
+  for (; i + lanes <= count; i += lanes, bit <<= lanes) {
+    Lanes v;
+    std::memcpy(&v, values + i, sizeof v);
+    found |= reinterpret_cast<Words>(v > most) & bit;
+  }
   Word bits = 0;
-  for (int i = 0; i < count; ++i) bits |= values[i] > most ? Word{1} << i : 0;
+  for (int k = 0; k < lanes; ++k) bits |= found[k];
+  for (; i < count; ++i) bits |= values[i] > most ? Word{1} << i : 0;
   return bits;
 }
 
@@ -59,8 +70,7 @@ void add_flagged(const Warehouse& outputs, Label label, int material, double mos
                });
 }
 
-// Smallest and largest of many values, eight at a time: the compiler unrolls a loop over lanes and
-// then compares number by number.
+// Smallest and largest of many values.
 class Extremes {
  public:
   void add(const double* values, int count) {
@@ -88,8 +98,6 @@ class Extremes {
   }
 
  private:
-  static constexpr int lanes = 8;
-  using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
   static constexpr double huge = 1e300;
   Lanes low_ = huge - Lanes{}, high_ = Lanes{} - huge;
 };
