@@ -105,24 +105,6 @@ class FaceFluxRows {
     }
   }
 
-  // Of cell i of one gas, the conservative scheme's, where nothing rubs or conducts.
-  FaceFlux plain(int i) const {
-    FaceFlux flux;
-    flux.mass = mass_[i];
-    double FU2 = 0;
-    for (int c = 0; c < o_->components; ++c) {
-      const double FU = flux.mass * carried_[c][i];
-      FU2 += FU * carried_[c][i];
-      flux.impulse[c] = c == axis_ ? l_ * pressure_[i] : 0.0;
-      flux.momentum[c] = FU + flux.impulse[c];
-    }
-    flux.energy = l_ * pressure_[i] * velocity_[i] + 0.5 * FU2 + energy_[i];
-    return flux;
-  }
-  static bool are_plain(const SchemeOptions& o) {
-    return !o.classic && !o.viscous && !o.conducting && !o.mixture;
-  }
-
   // Of cell i.
   FaceFlux operator()(int i) const {
     const SchemeOptions& o = *o_;

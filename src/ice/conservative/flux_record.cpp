@@ -85,21 +85,9 @@ void record_segment(const Row& row, const FaceFluxRows& rows, int next, const Fa
   }
 }
 
-// Likewise one gas alone, nothing of which rubs, conducts or is a scalar.
-void record_plain(const FaceFluxRows& rows, int first, int count, int components,
-                  std::ptrdiff_t slot, FaceTable& table) {
-  for (int n = 0; n < count; ++n, ++slot) {
-    const FaceFlux flux = rows.plain(first + n);
-    table.values(0)[slot] = flux.mass;
-    for (int c = 0; c < components; ++c) table.values(1 + c)[slot] = flux.momentum[c];
-    table.values(1 + components)[slot] = flux.energy;
-  }
-}
-
 void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& scalars,
                 const SchemeOptions& o, int axis, FaceTable* table) {
   if (table == nullptr || table->empty()) return;
-  const bool plain = o.fluids.size() == 1 && o.scalars.empty() && FaceFluxRows::are_plain(o);
   std::array<std::optional<FaceFluxRows>, 2> rows;  // low and high ones
   for (const FaceTable::Segment& s : table->segments(row.box(), axis, row.cell())) {
     // A row is the part of a box's row that one block holds.
@@ -113,10 +101,7 @@ void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& s
     const int shift = s.high ? 1 : 0, next = axis == 0 ? shift : 0;
     auto& faces = rows[static_cast<std::size_t>(shift - next)];
     if (!faces) faces.emplace(row, h, o, axis, shift - next);
-    if (plain)
-      record_plain(*faces, here.first - low + next, here.count, o.components, here.slot, *table);
-    else
-      record_segment(row, *faces, next, h, scalars, o, axis, here, *table);
+    record_segment(row, *faces, next, h, scalars, o, axis, here, *table);
   }
 }
 
