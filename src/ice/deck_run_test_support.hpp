@@ -4,31 +4,18 @@
 #include <string>
 
 #include "framework/run/hierarchy.hpp"
-#include "framework/scene/deck_values.hpp"
 #include "ice/classic/classic_test_support.hpp"
 
 namespace sluice::ice {
 
 class DeckRun {
  public:
-  // Throws InputError with the first fault of the deck.
-  explicit DeckRun(const std::string& text, IntVec3 boxes = {}, int threads = 1) {
-    Schema schema;
-    add_framework_tags(schema);
-    add_ice_tags(schema);
-    deck_ = load_deck_text(text, "box.ups", {}, schema);
-    std::vector<Fault> faults = deck_.faults;
-    SceneOptions scene_options;
-    scene_options.boxes = boxes;
-    if (deck_.good()) scene_ = read_scene(deck_, scene_options, faults);
-    IceScene ice_scene;
-    if (!any_error(faults)) ice_scene = read_ice_scene(deck_, scene_, faults);
-    for (const Fault& f : faults)
-      if (f.severity == Severity::error) throw InputError(to_string(f));
-    ice_ = std::make_unique<Ice>(scene_, std::move(ice_scene));
+  // Throws InputError with the first error of the deck.
+  explicit DeckRun(const std::string& text, IntVec3 boxes = {}, int threads = 1)
+      : scene_(text, boxes) {
     SolverOptions options;
     options.threads = threads;
-    hierarchy_ = std::make_unique<Hierarchy>(scene_, *ice_, world(), options);
+    hierarchy_ = std::make_unique<Hierarchy>(scene_.scene, ice(), world(), options);
     hierarchy_->initialise();
   }
 
@@ -47,13 +34,11 @@ class DeckRun {
   double limit() const { return hierarchy_->step_limit().dt; }
   Hierarchy& hierarchy() { return *hierarchy_; }
   const Hierarchy& hierarchy() const { return *hierarchy_; }
-  const Ice& ice() const { return *ice_; }
-  const Level& level() const { return scene_.grid.levels.front(); }
+  const Ice& ice() const { return *scene_.ice; }
+  const Level& level() const { return scene_.scene.grid.levels.front(); }
 
  private:
-  Deck deck_;
-  Scene scene_;
-  std::unique_ptr<Ice> ice_;
+  DeckScene scene_;
   std::unique_ptr<Hierarchy> hierarchy_;
   std::shared_ptr<RunControl> control_ = shared_control();
   EventLedger ledger_;

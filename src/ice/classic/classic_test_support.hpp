@@ -9,6 +9,7 @@
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/run/level_solver.hpp"
+#include "framework/scene/deck_values.hpp"
 #include "ice/ice.hpp"
 #include "ice/ice_schema.hpp"
 #include "ice/labels.hpp"
@@ -94,24 +95,39 @@ inline std::shared_ptr<RunControl> shared_control() {
   return control;
 }
 
-// The deck, its scene, and a solver at the start.
-class Stepper {
- public:
-  explicit Stepper(const GasBox& box, const SolverOptions& options = {}, IntVec3 boxes = {}) {
+// A deck, its scene, and its gas, which keeps a pointer to the scene.
+struct DeckScene {
+  Deck deck;
+  Scene scene;
+  std::unique_ptr<Ice> ice;
+
+  // Throws InputError with the first error of the deck.
+  explicit DeckScene(const std::string& text, IntVec3 boxes = {}) {
     Schema schema;
     add_framework_tags(schema);
     add_ice_tags(schema);
-    deck_ = load_deck_text(deck_text(box), "box.ups", {}, schema);
-    std::vector<Fault> faults = deck_.faults;
-    SceneOptions scene_options;
-    scene_options.boxes = boxes;
-    if (deck_.good()) scene_ = read_scene(deck_, scene_options, faults);
+    deck = load_deck_text(text, "box.ups", {}, schema);
+    std::vector<Fault> faults = deck.faults;
+    SceneOptions options;
+    options.boxes = boxes;
+    if (deck.good()) scene = read_scene(deck, options, faults);
     IceScene ice_scene;
-    if (!any_error(faults)) ice_scene = read_ice_scene(deck_, scene_, faults);
-    if (any_error(faults)) throw InputError(to_string(faults.front()));
-    ice_ = std::make_unique<Ice>(scene_, std::move(ice_scene));
-    solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), options);
-    ice_->initialise(solver_->state());
+    if (!any_error(faults)) ice_scene = read_ice_scene(deck, scene, faults);
+    for (const Fault& f : faults)
+      if (f.severity == Severity::error) throw InputError(to_string(f));
+    ice = std::make_unique<Ice>(scene, std::move(ice_scene));
+  }
+  DeckScene(const DeckScene&) = delete;
+  DeckScene& operator=(const DeckScene&) = delete;
+};
+
+// A deck's gas and a solver at the start.
+class Stepper {
+ public:
+  explicit Stepper(const GasBox& box, const SolverOptions& options = {}, IntVec3 boxes = {})
+      : scene_(deck_text(box), boxes) {
+    solver_ = std::make_unique<LevelSolver>(ice(), level(), world(), options);
+    scene_.ice->initialise(solver_->state());
   }
 
   // One step that must be admissible.
@@ -136,10 +152,10 @@ class Stepper {
   double& energy_at(IntVec3 cell) { return view(labels().energy, 0, cell)(cell); }
   double& momentum_at(IntVec3 cell, int c) { return view(labels().momentum, c, cell)(cell); }
 
-  const Level& level() const { return scene_.grid.levels.front(); }
+  const Level& level() const { return scene_.scene.grid.levels.front(); }
   const IndexBox& domain() const { return level().domain; }
   double time() const { return time_; }
-  const Ice& ice() const { return *ice_; }
+  const Ice& ice() const { return *scene_.ice; }
   LevelSolver& solver() { return *solver_; }
 
   eos::IdealGas gas;
@@ -165,9 +181,7 @@ class Stepper {
     return view(label, component, cell)(cell);
   }
 
-  Deck deck_;
-  Scene scene_;
-  std::unique_ptr<Ice> ice_;
+  DeckScene scene_;
   std::unique_ptr<LevelSolver> solver_;
   std::shared_ptr<RunControl> control_ = shared_control();
   double time_ = 0;
