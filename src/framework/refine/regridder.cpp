@@ -40,6 +40,7 @@ Regridder::Regridder(const RefinementSettings& settings, const std::vector<Level
   layouts_.resize(levels.size());
   for (std::size_t l = 1; l < levels.size(); ++l)
     layouts_[l] = TileLayout(levels[l], settings.tile[l]);
+  find_present();
 }
 
 void Regridder::restore(const RegridState& state) {
@@ -54,13 +55,22 @@ void Regridder::restore(const RegridState& state) {
         "the checkpoint's tiles do not fit the levels of the deck; restart with the regridder that "
         "the run began with");
   state_ = state;
-  if (adaptive()) count_cells(present());
+  if (adaptive()) find_present();
 }
 
-void Regridder::count_cells(const Fields& tiles) {
+void Regridder::find_present() {
+  present_.resize(levels_.size());
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    present_[l] = FlagField(layouts_[l].all());
+    for (const IntVec3& t : state_.tiles[l].tiles) present_[l].set(t);
+  }
+  count_cells();
+}
+
+void Regridder::count_cells() {
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     cells_[l] = 0;
-    for (const IndexBox& block : merged_tiles(tiles[l]))
+    for (const IndexBox& block : merged_tiles(present_[l]))
       cells_[l] += layouts_[l].cells(block).volume();
   }
 }
@@ -96,15 +106,6 @@ IntVec3 Regridder::regrid_reach(std::size_t level, const Flags& flags) const {
       reach[d] = (reach[d] + ratio - 1) / ratio;
     }
   return stability_reach(level) + reach;
-}
-
-Regridder::Fields Regridder::present() const {
-  Fields there(levels_.size());
-  for (std::size_t l = 1; l < levels_.size(); ++l) {
-    there[l] = FlagField(layouts_[l].all());
-    for (const IntVec3& t : state_.tiles[l].tiles) there[l].set(t);
-  }
-  return there;
 }
 
 // Cells of the level two coarser that must be refined so that the tiles of `level` keep a margin.
@@ -146,11 +147,11 @@ Regridder::Fields Regridder::asked(const Flags& flags, IntVec3 further, Change&&
   return tiles;
 }
 
-bool Regridder::lacks(const Fields& there, const Flags& flags) const {
+bool Regridder::lacks(const Flags& flags) const {
   for (std::size_t l = 0; l < flagged_levels(flags); ++l)
     if (!layouts_[l + 1]
              .holding(flags[l].dilated(stability_reach(l), levels_[l].periodic))
-             .within(there[l + 1]))
+             .within(present_[l + 1]))
       return true;
   return false;
 }
@@ -188,7 +189,7 @@ bool Regridder::wasteful() const {
   return idle >= step && idle > 0;
 }
 
-bool Regridder::take(const Fields& tiles) {
+bool Regridder::take(Fields tiles) {
   bool changed = false;
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     const std::vector<IntVec3> old = std::move(state_.tiles[l].tiles);
@@ -210,17 +211,24 @@ bool Regridder::take(const Fields& tiles) {
     });
     changed = changed || state_.tiles[l].tiles != old;
   }
-  if (changed) count_cells(tiles);
-  return changed;
+  if (!changed) return false;
+  present_ = std::move(tiles);
+  count_cells();
+  return true;
 }
 
 bool Regridder::regrid(int step, const Flags& flags) {
-  const Fields there = present();
-  if (std::any_of(there.begin(), there.end(), [](const FlagField& f) { return f.any(); }))
-    count_idle(asked(flags, settings_.deletion_dilation,
-                     [&](std::size_t l, FlagField& tiles) { tiles &= there[l]; }));
+  // What the stability dilation asks for is among what wider ones ask for.
+  bool covered = false;
+  if (std::any_of(present_.begin(), present_.end(), [](const FlagField& f) { return f.any(); })) {
+    covered = true;
+    count_idle(asked(flags, settings_.deletion_dilation, [&](std::size_t l, FlagField& tiles) {
+      covered = covered && tiles.within(present_[l]);
+      tiles &= present_[l];
+    }));
+  }
   const bool due = settings_.max_interval > 0 && step - state_.last_step > settings_.max_interval;
-  if (!due && !lacks(there, flags) && !wasteful()) return false;
+  if (!due && (covered || !lacks(flags)) && !wasteful()) return false;
   const Fields stay = lasting();
   const bool changed =
       take(asked(flags, {}, [&](std::size_t l, FlagField& tiles) { tiles |= stay[l]; }));
@@ -230,16 +238,13 @@ bool Regridder::regrid(int step, const Flags& flags) {
 
 bool Regridder::regrid_at_start(const Flags& flags) {
   if (!adaptive()) return false;
-  const Fields there = present();
-  return take(asked(flags, {}, [&](std::size_t l, FlagField& tiles) { tiles |= there[l]; }));
+  return take(asked(flags, {}, [&](std::size_t l, FlagField& tiles) { tiles |= present_[l]; }));
 }
 
 std::vector<GridBox> Regridder::boxes(int level) const {
   const auto l = static_cast<std::size_t>(level);
   if (level == 0 || !adaptive()) return levels_[l].boxes;
-  FlagField tiles(layouts_[l].all());
-  for (const IntVec3& t : state_.tiles[l].tiles) tiles.set(t);
-  return boxes_of_tiles(layouts_[l], tiles, ranks_, threads_, most_cells_);
+  return boxes_of_tiles(layouts_[l], present_[l], ranks_, threads_, most_cells_);
 }
 
 std::int64_t Regridder::cells(int level) const {

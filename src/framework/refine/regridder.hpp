@@ -71,18 +71,18 @@ class Regridder {
   std::size_t flagged_levels(const Flags& flags) const;
   IntVec3 stability_reach(std::size_t level) const;
   IntVec3 regrid_reach(std::size_t level, const Flags& flags) const;
-  Fields present() const;
   // Tiles that flags widened by the regrid reach and `further` ask for, fine to coarse, each set
   // changed by `change` before its margin asks for coarser tiles.
   template <class Change>
   Fields asked(const Flags& flags, IntVec3 further, Change&& change) const;
   FlagField asked_by_margin(std::size_t level, const FlagField& tiles) const;
-  bool lacks(const Fields& there, const Flags& flags) const;
-  void count_cells(const Fields& tiles);
+  bool lacks(const Flags& flags) const;
+  void find_present();
+  void count_cells();
   void count_idle(const Fields& living);
   Fields lasting() const;
   bool wasteful() const;
-  bool take(const Fields& tiles);
+  bool take(Fields tiles);
 
   RefinementSettings settings_;
   std::vector<Level> levels_;
@@ -92,6 +92,7 @@ class Regridder {
   int ranks_ = 1, threads_ = 1;
   std::int64_t most_cells_ = 0;  // of a box; 0: no limit
   RegridState state_;
+  Fields present_;  // its tiles
 };
 
 }  // namespace sluice

@@ -93,6 +93,10 @@ void TileLayout::hold_row(const std::vector<Word>& cells, Word* tiles,
 FlagField TileLayout::holding(const FlagField& coarse_flags) const {
   FlagField tiles(all());
   if (coarse_flags.words().empty()) return tiles;
+  if (coarse_flags.domain().size().y == 1 && coarse_flags.domain().size().z == 1) {
+    hold_row(coarse_flags.words(), tiles.row(0, 0), tiles.words_a_row());
+    return tiles;
+  }
   std::vector<Word> joined(coarse_flags.words_a_row());
   for (int tz = 0; tz < count_.z; ++tz)
     for (int ty = 0; ty < count_.y; ++ty) {

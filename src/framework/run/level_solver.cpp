@@ -97,9 +97,10 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   ++boxes_;
   ghosts_filled_ = false;
   accept();
-  if (level_.boxes.empty())
-    for (auto* variants : {&variants_, &diagnostics_})
-      for (auto& [key, v] : *variants) v->executor->rest();
+  if (level_.boxes.empty()) {
+    for (auto& [key, v] : variants_) v->executor->rest();
+    for (auto& [key, v] : diagnostics_) v->executor->rest();
+  }
   return before;
 }
 
@@ -225,10 +226,11 @@ LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>
 }
 
 LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted) {
-  auto& v = diagnostics_[{false, wanted}];
-  if (v == nullptr) v = make_variant(false, true, wanted);
-  bind(*v);
-  return *v;
+  auto found = diagnostics_.find(wanted);
+  if (found == diagnostics_.end())
+    found = diagnostics_.emplace(wanted, make_variant(false, true, wanted)).first;
+  bind(*found->second);
+  return *found->second;
 }
 
 // All ranks come here together: they fill the same levels in the same order.
@@ -319,10 +321,13 @@ void LevelSolver::reject() {
 }
 
 void LevelSolver::compute_diagnostics(double time, const std::vector<Label>& wanted) {
-  std::vector<Label> stored = wanted;
-  std::sort(stored.begin(), stored.end());
-  if (stored.empty()) return;
-  diagnostics(stored).executor->run({time, 0.0, level_.spacing, level_.index});
+  if (wanted.empty()) return;
+  if (!std::is_sorted(wanted.begin(), wanted.end())) {
+    std::vector<Label> sorted = wanted;
+    std::sort(sorted.begin(), sorted.end());
+    return compute_diagnostics(time, sorted);
+  }
+  diagnostics(wanted).executor->run({time, 0.0, level_.spacing, level_.index});
 }
 
 std::vector<double> LevelSolver::initial_rates() {

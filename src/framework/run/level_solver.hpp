@@ -164,7 +164,8 @@ class LevelSolver {
   std::vector<int> state_slots_;
   std::shared_ptr<const ThreadTeam> team_;
   std::unique_ptr<HaloExchange> halo_;
-  std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_, diagnostics_;
+  std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_;
+  std::map<std::vector<Label>, std::unique_ptr<Variant>> diagnostics_;
   std::vector<Variable> step_outputs_, diagnostic_outputs_;
   std::vector<Label> step_labels_, diagnostic_labels_;
   Reductions last_;

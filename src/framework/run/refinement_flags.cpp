@@ -122,6 +122,14 @@ RefinementFlags::RefinementFlags(const RefinementSettings& settings, const Compo
       flag_(component.refine_flag()),
       estimates_(settings.adaptive ? component.error_estimates() : std::vector<ErrorEstimate>()) {
   for (const Level& level : levels) regions_.emplace_back(settings.regions, level);
+  for (const ErrorEstimate& e : estimates_) values_.push_back(e.value);
+  all_ = values_;
+  all_.push_back(flag_);
+  for (const ErrorEstimate& e : estimates_) all_.push_back(e.estimate);
+  for (std::vector<Label>* labels : {&values_, &all_}) {
+    std::sort(labels->begin(), labels->end());
+    labels->erase(std::unique(labels->begin(), labels->end()), labels->end());
+  }
 }
 
 int RefinementFlags::levels_read(int existing, int flagging) const {
@@ -130,14 +138,8 @@ int RefinementFlags::levels_read(int existing, int flagging) const {
 
 void RefinementFlags::compute(const std::vector<LevelSolver*>& levels, int flagging,
                               double time) const {
-  std::vector<Label> values, all{flag_};
-  for (const ErrorEstimate& e : estimates_) values.push_back(e.value);
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  all.insert(all.end(), values.begin(), values.end());
-  for (const ErrorEstimate& e : estimates_) all.push_back(e.estimate);
   for (std::size_t l = 0; l < levels.size(); ++l)
-    levels[l]->compute_diagnostics(time, static_cast<int>(l) < flagging ? all : values);
+    levels[l]->compute_diagnostics(time, static_cast<int>(l) < flagging ? all_ : values_);
 }
 
 // The tolerated error of each estimate. The range of a vector is the largest of its components'.

@@ -34,6 +34,7 @@ class RefinementFlags {
   const Component* component_;
   Label flag_;
   std::vector<ErrorEstimate> estimates_;
+  std::vector<Label> values_, all_;   // diagnostics: what errors are estimated of; with the flags
   std::vector<RegionFlags> regions_;  // by level
 };
 
