@@ -45,6 +45,13 @@ TEST(RunReport, TellsLevelsSavingsAndRegrids) {
   EXPECT_EQ(json["levels"][1]["domain_cells"], 400);
 }
 
+TEST(RunReport, TellsHowToRegridLessWhereThatTakesLong) {
+  RunReport r = two_of_three_levels();
+  EXPECT_THAT(summary(r), Not(HasSubstr("cell_regrid_dilation")));
+  r.regrid_seconds = 0.06;
+  EXPECT_THAT(summary(r), HasSubstr("12 % of the stepping time; a larger <cell_regrid_dilation>"));
+}
+
 TEST(RunReport, SaysNothingOfLevelsWhereThereIsOne) {
   RunReport r = two_of_three_levels();
   r.levels.resize(1);
