@@ -55,7 +55,9 @@ class Framing {
   int below(const IndexBox& box) {
     std::int64_t most = 0;
     int best = -1;
-    for (const int f : open_[box.lower[swept_]]) {
+    std::erase_if(open_, [&](const Open& o) { return o.end < box.lower[swept_]; });
+    for (const auto& [end, f] : open_) {
+      if (end > box.lower[swept_]) continue;
       const BoxFrame& frame = frames_[static_cast<std::size_t>(f)];
       const std::int64_t common = meeting(cells(frame.boxes.back()), box);
       const std::int64_t apart = apart_[static_cast<std::size_t>(f)] + box.grown(ghosts_).volume();
@@ -75,22 +77,26 @@ class Framing {
       frames_.push_back({box.grown(ghosts_), {}});
       apart_.push_back(0);
     } else {
-      std::erase(open_[box.lower[swept_]], f);
+      std::erase_if(open_, [&](const Open& o) { return o.frame == f; });
     }
     BoxFrame& frame = frames_[static_cast<std::size_t>(f)];
     frame.hull = bounding(frame.hull, box.grown(ghosts_));
     frame.boxes.push_back(n);
     apart_[static_cast<std::size_t>(f)] += box.grown(ghosts_).volume();
-    if (shares) open_[box.upper[swept_]].push_back(f);
+    if (shares) open_.push_back({box.upper[swept_], f});
   }
 
+  struct Open {
+    int end = 0;  // along the swept direction
+    int frame = 0;
+  };
   const std::vector<GridBox>& boxes_;
   const Level& level_;
   const IntVec3 ghosts_;
   const int swept_;
   std::vector<BoxFrame> frames_;
-  std::vector<std::int64_t> apart_;       // numbers that arrays for each box would hold, by frame
-  std::map<int, std::vector<int>> open_;  // frames by where they end
+  std::vector<std::int64_t> apart_;  // numbers that arrays for each box would hold, by frame
+  std::vector<Open> open_;           // frames that boxes to come may follow
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "framework/grid/box_list.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace sluice {
@@ -59,19 +60,26 @@ std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole) {
   return pieces;
 }
 
+namespace {
+
+// Takes a hole out of all boxes; `left` is room to work.
+void take_out(const IndexBox& hole, std::vector<IndexBox>& boxes, std::vector<IndexBox>& left) {
+  const auto met = [&](const IndexBox& b) { return meet(b, hole); };
+  if (std::none_of(boxes.begin(), boxes.end(), met)) return;
+  left.clear();
+  for (const IndexBox& b : boxes)
+    if (met(b))
+      append_rest(b, hole, left);
+    else
+      left.push_back(b);
+  std::swap(boxes, left);
+}
+
+}  // namespace
+
 std::vector<IndexBox> subtract(std::vector<IndexBox> boxes, const std::vector<IndexBox>& holes) {
   std::vector<IndexBox> left;
-  for (const IndexBox& hole : holes) {
-    const auto met = [&](const IndexBox& b) { return meet(b, hole); };
-    if (std::none_of(boxes.begin(), boxes.end(), met)) continue;
-    left.clear();
-    for (const IndexBox& b : boxes)
-      if (met(b))
-        append_rest(b, hole, left);
-      else
-        left.push_back(b);
-    std::swap(boxes, left);
-  }
+  for (const IndexBox& hole : holes) take_out(hole, boxes, left);
   return boxes;
 }
 
@@ -85,54 +93,66 @@ BoxFinder::BoxFinder(std::vector<IndexBox> boxes) : boxes_(std::move(boxes)) {
   }
   const auto n = static_cast<int>(boxes_.size());
   for (int d = 0; d < 3; ++d) {
-    bin_size_[d] = std::max(1, total[d] / n);
-    bins_[d] = (bounds_.size()[d] + bin_size_[d] - 1) / bin_size_[d];
+    shift_[d] = std::bit_width(static_cast<unsigned>(std::max(1, total[d] / n))) - 1;
+    bins_[d] = ((bounds_.size()[d] - 1) >> shift_[d]) + 1;
   }
-  begin_.assign(static_cast<std::size_t>(bins_.x) * static_cast<std::size_t>(bins_.y) *
-                        static_cast<std::size_t>(bins_.z) +
-                    1,
-                0);
-  for (const IndexBox& b : boxes_) for_each_bin(b, [&](std::size_t bin) { ++begin_[bin]; });
+  begin_.assign(number({0, 0, bins_.z}) + 1, 0);
+  for (const IndexBox& b : boxes_)
+    for_each_cell(bins_of(b), [&](IntVec3 bin) { ++begin_[number(bin)]; });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   members_.resize(static_cast<std::size_t>(begin_.back()));
   for (int m = n; m-- > 0;)  // from the end of every bin, so that members ascend
-    for_each_bin(boxes_[static_cast<std::size_t>(m)],
-                 [&](std::size_t bin) { members_[static_cast<std::size_t>(--begin_[bin])] = m; });
+    for_each_cell(bins_of(boxes_[static_cast<std::size_t>(m)]), [&](IntVec3 bin) {
+      members_[static_cast<std::size_t>(--begin_[number(bin)])] = m;
+    });
 }
 
 // The bins that a region within the bounds overlaps.
-template <class F>
-void BoxFinder::for_each_bin(const IndexBox& region, F&& f) const {
+IndexBox BoxFinder::bins_of(const IndexBox& region) const {
   const IntVec3 one = IntVec3::all(1);
-  for_each_cell({bin_of(region.lower), bin_of(region.upper - one) + one}, [&](IntVec3 bin) {
-    f(static_cast<std::size_t>(bin.x + bins_.x * (bin.y + bins_.y * bin.z)));
-  });
+  return {bin_of(region.lower), bin_of(region.upper - one) + one};
 }
 
 IntVec3 BoxFinder::bin_of(IntVec3 cell) const {
-  return coarsen(cell - bounds_.lower, bin_size_);
+  const IntVec3 c = cell - bounds_.lower;
+  return {c.x >> shift_.x, c.y >> shift_.y, c.z >> shift_.z};
+}
+
+std::size_t BoxFinder::number(IntVec3 bin) const {
+  const auto x = static_cast<std::size_t>(bin.x), y = static_cast<std::size_t>(bin.y),
+             z = static_cast<std::size_t>(bin.z);
+  return x + static_cast<std::size_t>(bins_.x) * (y + static_cast<std::size_t>(bins_.y) * z);
 }
 
 std::vector<int> BoxFinder::overlapping(const IndexBox& region) const {
-  const IndexBox seen = intersection(region, bounds_);
   std::vector<int> found;
-  if (boxes_.empty() || seen.empty()) return found;
-  for_each_bin(seen, [&](std::size_t bin) {
-    for (int n = begin_[bin]; n < begin_[bin + 1]; ++n) {
-      const int m = members_[static_cast<std::size_t>(n)];
-      if (!intersection(boxes_[static_cast<std::size_t>(m)], region).empty()) found.push_back(m);
-    }
-  });
-  if (found.size() < 2) return found;
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  find(region, found);
   return found;
 }
 
+void BoxFinder::find(const IndexBox& region, std::vector<int>& found) const {
+  found.clear();
+  const IndexBox seen = intersection(region, bounds_);
+  if (boxes_.empty() || seen.empty()) return;
+  const IndexBox bins = bins_of(seen);
+  for_each_cell(bins, [&](IntVec3 bin) {
+    const std::size_t at = number(bin);
+    for (int n = begin_[at]; n < begin_[at + 1]; ++n) {
+      const int m = members_[static_cast<std::size_t>(n)];
+      const IndexBox common = intersection(boxes_[static_cast<std::size_t>(m)], seen);
+      if (!common.empty() && bin_of(common.lower) == bin) found.push_back(m);  // once
+    }
+  });
+  if (!std::is_sorted(found.begin(), found.end())) std::sort(found.begin(), found.end());
+}
+
 std::vector<IndexBox> BoxFinder::uncovered(const IndexBox& region) const {
-  std::vector<IndexBox> holes;
-  for (const int m : overlapping(region)) holes.push_back(boxes_[static_cast<std::size_t>(m)]);
-  return region.empty() ? std::vector<IndexBox>{} : subtract({region}, holes);
+  std::vector<IndexBox> pieces, left;
+  if (region.empty()) return pieces;
+  pieces.push_back(region);
+  for (const int m : overlapping(region))
+    take_out(boxes_[static_cast<std::size_t>(m)], pieces, left);
+  return pieces;
 }
 
 }  // namespace sluice

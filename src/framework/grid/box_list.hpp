@@ -16,13 +16,15 @@ IndexBox refine(const IndexBox& coarse, IntVec3 ratio);
 std::vector<IndexBox> subtract(const IndexBox& box, const IndexBox& hole);
 std::vector<IndexBox> subtract(std::vector<IndexBox> boxes, const std::vector<IndexBox>& holes);
 
-// Finds the boxes that overlap a region without asking all of them (bins of the average box size).
+// Finds the boxes that overlap a region without asking all (bins near the average box size).
 class BoxFinder {
  public:
   explicit BoxFinder(std::vector<IndexBox> boxes);
 
   // Positions of the boxes that overlap `region`, ascending.
   std::vector<int> overlapping(const IndexBox& region) const;
+  // The same, in place of what `found` held: its memory is kept.
+  void find(const IndexBox& region, std::vector<int>& found) const;
   // `region` without all boxes.
   std::vector<IndexBox> uncovered(const IndexBox& region) const;
   bool covers(const IndexBox& region) const { return uncovered(region).empty(); }
@@ -30,11 +32,11 @@ class BoxFinder {
 
  private:
   IntVec3 bin_of(IntVec3 cell) const;
-  template <class F>
-  void for_each_bin(const IndexBox& region, F&& f) const;
+  IndexBox bins_of(const IndexBox& region) const;
+  std::size_t number(IntVec3 bin) const;
   std::vector<IndexBox> boxes_;
   IndexBox bounds_;
-  IntVec3 bin_size_{1, 1, 1}, bins_{1, 1, 1};
+  IntVec3 shift_{}, bins_{1, 1, 1};   // a bin has 2^shift cells a direction
   std::vector<int> begin_, members_;  // by bin: its first member; one more at the end
 };
 

@@ -43,15 +43,21 @@ class Cutter {
     if (!gap.empty()) pieces_.push_back(gap);
   }
 
-  void slabs(const IndexBox& region, const std::vector<IndexBox>& holes, int depth) {
+  void slabs(const IndexBox& region, std::vector<IndexBox>& holes, int depth) {
     const int d = order_[static_cast<std::size_t>(depth)];
-    std::vector<int> ends = {region.lower[d], region.upper[d]};
+    std::vector<int> ends;
+    ends.reserve(2 * holes.size() + 2);
     for (const IndexBox& h : holes)
       for (const int end : {h.lower[d], h.upper[d]})
         if (end > region.lower[d] && end < region.upper[d]) ends.push_back(end);
+    if (ends.empty()) return cut(region, holes, depth + 1);
+    ends.push_back(region.lower[d]);
+    ends.push_back(region.upper[d]);
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<IndexBox> active, inside;
+    active.reserve(holes.size());
+    inside.reserve(holes.size());
     std::size_t next = 0;
     for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
       std::erase_if(active, [&](const IndexBox& h) { return h.upper[d] <= ends[n]; });
@@ -77,17 +83,19 @@ void join_along(std::vector<IndexBox>& boxes, int d) {
   };
   std::sort(boxes.begin(), boxes.end(),
             [&](const IndexBox& a, const IndexBox& b) { return key(a) < key(b); });
-  std::vector<IndexBox> out;
-  for (const IndexBox& b : boxes) {
-    const bool continues = !out.empty() && out.back().upper[d] == b.lower[d] &&
-                           out.back().lower[e] == b.lower[e] && out.back().upper[e] == b.upper[e] &&
-                           out.back().lower[f] == b.lower[f] && out.back().upper[f] == b.upper[f];
+  std::size_t last = 0;  // of those that are joined
+  for (std::size_t n = 1; n < boxes.size(); ++n) {
+    IndexBox& before = boxes[last];
+    const IndexBox& b = boxes[n];
+    const bool continues = before.upper[d] == b.lower[d] && before.lower[e] == b.lower[e] &&
+                           before.upper[e] == b.upper[e] && before.lower[f] == b.lower[f] &&
+                           before.upper[f] == b.upper[f];
     if (continues)
-      out.back().upper[d] = b.upper[d];
+      before.upper[d] = b.upper[d];
     else
-      out.push_back(b);
+      boxes[++last] = b;
   }
-  boxes = std::move(out);
+  boxes.resize(last + 1);
 }
 
 }  // namespace
@@ -96,12 +104,12 @@ int row_direction(const std::array<bool, 3>& active) {
   return active[0] ? 0 : active[1] ? 1 : 2;
 }
 
-std::vector<IndexBox> pieces_without(const IndexBox& region, const std::vector<IndexBox>& holes,
-                                     int row) {
-  std::vector<IndexBox> pieces, inside;
-  for (const IndexBox& h : holes)
-    if (!intersection(h, region).empty()) inside.push_back(h);
-  if (!region.empty()) Cutter(row, pieces).cut(region, inside, 0);
+std::vector<IndexBox> pieces_without(const IndexBox& region, std::vector<IndexBox> holes, int row) {
+  std::vector<IndexBox> pieces;
+  if (region.empty()) return pieces;
+  std::erase_if(holes, [&](const IndexBox& h) { return intersection(h, region).empty(); });
+  pieces.reserve(2 * holes.size() + 2);
+  Cutter(row, pieces).cut(region, holes, 0);
   return joined(std::move(pieces), row);
 }
 
@@ -130,10 +138,13 @@ std::vector<IntVec3> image_shifts(const Level& level, const IndexBox& region, in
 std::vector<IndexBox> pieces_without_level(const IndexBox& region, const Level& level,
                                            const BoxFinder& finder) {
   std::vector<IndexBox> holes;
-  for (const IntVec3 shift : image_shifts(level, region, 0))
-    for (const int box : finder.overlapping(region.shifted(shift)))
+  std::vector<int> found;
+  for (const IntVec3 shift : image_shifts(level, region, 0)) {
+    finder.find(region.shifted(shift), found);
+    for (const int box : found)
       holes.push_back(finder.boxes()[static_cast<std::size_t>(box)].shifted(IntVec3{} - shift));
-  return pieces_without(region, holes, row_direction(level.active));
+  }
+  return pieces_without(region, std::move(holes), row_direction(level.active));
 }
 
 }  // namespace sluice

@@ -12,8 +12,7 @@ int row_direction(const std::array<bool, 3>& active);
 
 // Disjoint boxes that make up `region` without all `holes` (which may overlap), as whole rows.
 // Takes near n log n for n holes on a lattice of tiles.
-std::vector<IndexBox> pieces_without(const IndexBox& region, const std::vector<IndexBox>& holes,
-                                     int row);
+std::vector<IndexBox> pieces_without(const IndexBox& region, std::vector<IndexBox> holes, int row);
 
 // Joins boxes that share a whole side, first along `row`. They must be disjoint.
 std::vector<IndexBox> joined(std::vector<IndexBox> boxes, int row);

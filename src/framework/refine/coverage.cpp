@@ -2,6 +2,7 @@
 #include "framework/refine/coverage.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "framework/grid/box_list.hpp"
 #include "framework/refine/box_pieces.hpp"
@@ -9,28 +10,38 @@
 namespace sluice {
 namespace {
 
-// What the finder's boxes and their periodic images cover of the layer around a box.
-std::vector<IndexBox> covered_around(const IndexBox& cells, const Level& level,
-                                     const BoxFinder& finder) {
-  IntVec3 layer{}, images{};
-  for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    layer[d] = level.active[n] ? 1 : 0;
-    images[d] = level.active[n] && level.periodic[n] ? 1 : 0;
-  }
-  const IndexBox grown = cells.grown(layer);
-  const std::vector<IndexBox> parts = subtract(grown, cells);
-  std::vector<IndexBox> covered;
-  for_each_cell(IndexBox{IntVec3{} - images, images + IntVec3::all(1)}, [&](IntVec3 image) {
-    const IntVec3 shift = image * level.domain.size();
-    for (const int n : finder.overlapping(grown.shifted(shift))) {
-      const IndexBox box = finder.boxes()[static_cast<std::size_t>(n)].shifted(IntVec3{} - shift);
-      for (const IndexBox& part : parts)
-        if (const IndexBox both = intersection(part, box); !both.empty()) covered.push_back(both);
+// Finds what of a box and of one layer around it the boxes of a finer level and their periodic
+// images cover.
+class Covered {
+ public:
+  Covered(const Level& level, const BoxFinder& finder)
+      : finder_(finder), layer_(level.ghosts(1)), period_(level.domain.size()) {
+    for (int d = 0; d < 3; ++d) {
+      const auto n = static_cast<std::size_t>(d);
+      images_[d] = level.active[n] && level.periodic[n] ? 1 : 0;
     }
-  });
-  return covered;
-}
+  }
+
+  // Appends parts that lie inside whole, others as far as the layer goes.
+  void find(const IndexBox& cells, std::vector<IndexBox>& inside, std::vector<IndexBox>& around) {
+    const IndexBox grown = cells.grown(layer_);
+    for_each_cell({IntVec3{} - images_, images_ + IntVec3::all(1)}, [&](IntVec3 image) {
+      const IntVec3 shift = image * period_;
+      finder_.find(grown.shifted(shift), found_);
+      for (const int n : found_) {
+        const IndexBox box =
+            finder_.boxes()[static_cast<std::size_t>(n)].shifted(IntVec3{} - shift);
+        if (image == IntVec3{} && !intersection(cells, box).empty()) inside.push_back(box);
+        if (!cells.contains(box)) around.push_back(intersection(grown, box));
+      }
+    });
+  }
+
+ private:
+  const BoxFinder& finder_;
+  IntVec3 layer_, images_{}, period_;
+  std::vector<int> found_;
+};
 
 }  // namespace
 
@@ -41,19 +52,21 @@ LevelCoverage::LevelCoverage(const Level& level, const Level* finer, int rank)
     for (const GridBox& b : finer->boxes) above.push_back(coarsen(b.cells, finer->ratio));
   any_ = !above.empty();
   const BoxFinder finder(std::move(above));
+  Covered covered(level, finder);
+  std::vector<IndexBox> inside, pieces;
   for (const GridBox& b : level.boxes) {
     if (b.owner != rank) continue;
-    std::vector<IndexBox> covered;
-    for (const int n : finder.overlapping(b.cells))
-      covered.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+    inside.clear();
     Box& box = boxes_.emplace_back();
     box.cells = b.cells;
-    if (covered.empty())
+    box.whole_row = {b.cells.lower[along_], b.cells.size()[along_]};
+    if (any_) covered.find(b.cells, inside, box.around);
+    if (inside.empty()) {
       box.uncovered = {b.cells};
-    else
-      box.uncovered = pieces_without(b.cells, covered, along_);
-    if (any_) box.around = covered_around(b.cells, level, finder);
-    list_rows(box);
+    } else {
+      box.uncovered = pieces_without(b.cells, inside, along_);
+      list_rows(box, pieces);
+    }
   }
 }
 
@@ -64,10 +77,10 @@ std::size_t LevelCoverage::row_number(const Box& box, IntVec3 cell) const {
   return static_cast<std::size_t>(place.x + size.x * (place.y + size.y * place.z));
 }
 
-void LevelCoverage::list_rows(Box& box) const {
-  std::vector<IndexBox> pieces = box.uncovered;
+void LevelCoverage::list_rows(Box& box, std::vector<IndexBox>& pieces) const {
+  pieces = box.uncovered;
   std::sort(pieces.begin(), pieces.end(), [&](const IndexBox& a, const IndexBox& b) {
-    return a.lower[along_] < b.lower[along_];
+    return a.lower[along_] > b.lower[along_];
   });
   const auto each_row = [&](const IndexBox& piece, auto&& f) {
     IndexBox starts = piece;
@@ -75,19 +88,20 @@ void LevelCoverage::list_rows(Box& box) const {
     for_each_cell(starts, [&](IntVec3 c) { f(row_number(box, c)); });
   };
   box.begin.assign(row_number(box, box.cells.upper - IntVec3::all(1)) + 2, 0);
-  for (const IndexBox& p : pieces) each_row(p, [&](std::size_t row) { ++box.begin[row + 1]; });
-  for (std::size_t n = 1; n < box.begin.size(); ++n) box.begin[n] += box.begin[n - 1];
+  for (const IndexBox& p : pieces) each_row(p, [&](std::size_t row) { ++box.begin[row]; });
+  std::partial_sum(box.begin.begin(), box.begin.end(), box.begin.begin());
   box.segments.resize(static_cast<std::size_t>(box.begin.back()));
-  std::vector<std::int32_t> next = box.begin;
-  for (const IndexBox& p : pieces)
+  for (const IndexBox& p : pieces)  // descending, from the end of every row
     each_row(p, [&](std::size_t row) {
-      box.segments[static_cast<std::size_t>(next[row]++)] = {p.lower[along_], p.size()[along_]};
+      box.segments[static_cast<std::size_t>(--box.begin[row])] = {p.lower[along_],
+                                                                  p.size()[along_]};
     });
 }
 
 std::span<const LevelCoverage::Segment> LevelCoverage::uncovered_in_row(int box,
                                                                         IntVec3 cell) const {
   const Box& b = boxes_[static_cast<std::size_t>(box)];
+  if (b.begin.empty()) return {&b.whole_row, 1};
   const std::size_t row = row_number(b, cell);
   const auto first = static_cast<std::size_t>(b.begin[row]);
   return {b.segments.data() + first, static_cast<std::size_t>(b.begin[row + 1]) - first};

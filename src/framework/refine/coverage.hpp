@@ -38,12 +38,13 @@ class LevelCoverage {
   struct Box {
     IndexBox cells;
     std::vector<IndexBox> uncovered;
-    std::vector<IndexBox> around;     // covered parts of the layer around
-    std::vector<std::int32_t> begin;  // by row: its first segment; one more at the end
+    std::vector<IndexBox> around;     // what is covered of the layer around, and some of the box
+    Segment whole_row;                // of all rows where nothing of the box is covered
+    std::vector<std::int32_t> begin;  // else, by row: its first segment; one more at the end
     std::vector<Segment> segments;
   };
   std::size_t row_number(const Box& box, IntVec3 cell) const;
-  void list_rows(Box& box) const;
+  void list_rows(Box& box, std::vector<IndexBox>& pieces) const;  // `pieces`: room to work
 
   std::vector<Box> boxes_;  // local ones
   int along_ = 0;           // the direction of rows

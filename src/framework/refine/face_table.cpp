@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
+#include <tuple>
 
 namespace sluice {
 
@@ -18,8 +18,9 @@ Axes active_axes(const Level& level) {
 
 FaceTable::FaceTable(const std::vector<GridBox>& boxes, const Axes& axes, int quantities)
     : rows_(boxes.size() * static_cast<std::size_t>(axes.count)),
-      values_(static_cast<std::size_t>(quantities)),
+      quantities_(quantities),
       axes_(axes) {
+  boxes_.reserve(boxes.size());
   for (const GridBox& b : boxes) boxes_.push_back(b.cells);
 }
 
@@ -27,48 +28,59 @@ std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cell
   const IndexBox& whole = boxes_[static_cast<std::size_t>(box)];
   if (cells.size()[axes_.direction[axis]] != 1 || !whole.contains(cells))
     throw std::logic_error("faces to record must be one layer of cells of their box");
-  Rows& r = rows_[static_cast<std::size_t>(box * axes_.count + axis)];
-  r.cells = r.segments.empty() ? cells : bounding(r.cells, cells);
+  Rows& r = rows(box, axis);
+  r.cells = r.cells.empty() ? cells : bounding(r.cells, cells);
   const std::ptrdiff_t first_slot = faces_;
-  const int along = axes_.direction[0];
-  const int n = cells_along(whole, 1);
-  IndexBox starts = cells;
-  starts.upper[along] = starts.lower[along] + 1;
-  for_each_cell(starts, [&](IntVec3 c) {
-    const int count = cells.size()[along];
-    r.segments.push_back({c[along], count, high, faces_});
-    r.row_of.push_back(place(whole, 1, c) + n * place(whole, 2, c));
-    faces_ += count;
-  });
+  layers_.push_back({box, axis, high, cells, first_slot});
+  faces_ += cells.volume();
   return first_slot;
 }
 
-// Segments in the order of their rows.
-void FaceTable::sort_rows(Rows& r, std::size_t row_count) {
-  r.begin.assign(row_count + 1, 0);
-  for (const std::int32_t row : r.row_of) ++r.begin[static_cast<std::size_t>(row) + 1];
-  std::partial_sum(r.begin.begin(), r.begin.end(), r.begin.begin());
-  std::vector<std::int32_t> next(r.begin.begin(), r.begin.end() - 1);
-  std::vector<Segment> sorted(r.segments.size());
-  for (std::size_t s = 0; s < r.segments.size(); ++s)
-    sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(r.row_of[s])]++)] = r.segments[s];
-  for (std::size_t row = 0; row < row_count; ++row)
-    std::sort(sorted.begin() + r.begin[row], sorted.begin() + r.begin[row + 1],
-              [](const Segment& a, const Segment& b) {
-                return std::pair(a.first, a.high) < std::pair(b.first, b.high);
-              });
-  r.segments = std::move(sorted);
-  r.row_of = {};
+// Calls f(row) for the rows of a layer in the order of its slots.
+template <class F>
+void FaceTable::for_each_row(const Layer& layer, F&& f) const {
+  const IndexBox& whole = boxes_[static_cast<std::size_t>(layer.box)];
+  const int n = cells_along(whole, 1), rows_along = cells_along(layer.cells, 1),
+            planes = cells_along(layer.cells, 2);
+  const std::ptrdiff_t first = rows(layer.box, layer.axis).first +
+                               place(whole, 1, layer.cells.lower) +
+                               n * static_cast<std::ptrdiff_t>(place(whole, 2, layer.cells.lower));
+  for (std::ptrdiff_t k = 0; k < planes; ++k)
+    for (std::ptrdiff_t j = 0; j < rows_along; ++j) f(static_cast<std::size_t>(first + j + n * k));
+}
+
+std::ptrdiff_t FaceTable::number_rows() {
+  std::ptrdiff_t count = 0;
+  for (std::size_t n = 0; n < rows_.size(); ++n) {
+    if (rows_[n].cells.empty()) continue;
+    const IndexBox& box = boxes_[n / static_cast<std::size_t>(axes_.count)];
+    rows_[n].first = count;
+    count += static_cast<std::ptrdiff_t>(cells_along(box, 1)) * cells_along(box, 2);
+  }
+  return count;
 }
 
 void FaceTable::seal() {
-  for (std::size_t n = 0; n < rows_.size(); ++n) {
-    if (rows_[n].segments.empty()) continue;
-    const IndexBox& box = boxes_[n / static_cast<std::size_t>(axes_.count)];
-    sort_rows(rows_[n], static_cast<std::size_t>(cells_along(box, 1)) *
-                            static_cast<std::size_t>(cells_along(box, 2)));
+  begin_.assign(static_cast<std::size_t>(number_rows()) + 1, 0);
+  for (const Layer& l : layers_) for_each_row(l, [&](std::size_t row) { ++begin_[row]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  segments_.resize(static_cast<std::size_t>(begin_.back()));
+  const int along = axes_.direction[0];
+  for (const Layer& l : layers_) {
+    Segment s{l.cells.lower[along], l.cells.size()[along], l.high, l.slot};
+    for_each_row(l, [&](std::size_t row) {  // from the end of every row
+      segments_[static_cast<std::size_t>(--begin_[row])] = s;
+      s.slot += s.count;
+    });
   }
-  for (std::vector<double>& v : values_) v.assign(static_cast<std::size_t>(faces_), 0.0);
+  for (std::size_t row = 0; row + 1 < begin_.size(); ++row)
+    if (begin_[row + 1] - begin_[row] > 1)
+      std::sort(segments_.begin() + begin_[row], segments_.begin() + begin_[row + 1],
+                [](const Segment& a, const Segment& b) {
+                  return std::tuple(a.first, a.high, a.slot) < std::tuple(b.first, b.high, b.slot);
+                });
+  layers_ = {};
+  values_.assign(static_cast<std::size_t>(quantities_ * faces_), 0.0);
 }
 
 IndexBox FaceTable::cells_with_faces(int box, int axis, const IndexBox& block) const {
@@ -97,15 +109,12 @@ bool FaceTable::touches(int box, const IndexBox& block) const {
 }
 
 void FaceTable::clear() {
-  for (std::vector<double>& v : values_) std::fill(v.begin(), v.end(), 0.0);
+  std::fill(values_.begin(), values_.end(), 0.0);
 }
 
 std::size_t FaceTable::bytes() const {
-  std::size_t n = 0;
-  for (const Rows& r : rows_)
-    n += r.begin.capacity() * sizeof(std::int32_t) + r.segments.capacity() * sizeof(Segment);
-  for (const std::vector<double>& v : values_) n += v.capacity() * sizeof(double);
-  return n;
+  return begin_.capacity() * sizeof(std::int32_t) + segments_.capacity() * sizeof(Segment) +
+         values_.capacity() * sizeof(double);
 }
 
 }  // namespace sluice

@@ -38,10 +38,8 @@ class FaceTable {
   IndexBox cells_with_faces(int box, int axis, const IndexBox& block) const;
   // Faces that belong to cells of this block, in any axis: such a block must not sleep.
   bool touches(int box, const IndexBox& block) const;
-  double* values(int quantity) { return values_[static_cast<std::size_t>(quantity)].data(); }
-  const double* values(int quantity) const {
-    return values_[static_cast<std::size_t>(quantity)].data();
-  }
+  double* values(int quantity) { return values_.data() + quantity * faces_; }
+  const double* values(int quantity) const { return values_.data() + quantity * faces_; }
   void clear();  // all values zero
   std::size_t bytes() const;
 
@@ -51,13 +49,24 @@ class FaceTable {
   void seal();
 
  private:
-  struct Rows {                       // of one box and axis; all empty without faces
-    std::vector<std::int32_t> begin;  // by row: first segment; one more at the end
-    std::vector<Segment> segments;
-    std::vector<std::int32_t> row_of;  // by segment, while building
-    IndexBox cells{};                  // all that have such faces
+  // Of one box and axis. Rows of all that have faces are numbered through.
+  struct Rows {
+    std::ptrdiff_t first = -1;  // of its rows; -1: no faces
+    IndexBox cells{};           // all that have such faces
   };
-  static void sort_rows(Rows& r, std::size_t row_count);
+  // What was added: a segment in every row of `cells`.
+  struct Layer {
+    int box = 0, axis = 0;
+    bool high = false;
+    IndexBox cells;
+    std::ptrdiff_t slot = 0;
+  };
+  template <class F>
+  void for_each_row(const Layer& layer, F&& f) const;
+  std::ptrdiff_t number_rows();
+  Rows& rows(int box, int axis) {
+    return rows_[static_cast<std::size_t>(box * axes_.count + axis)];
+  }
   const Rows& rows(int box, int axis) const {
     return rows_[static_cast<std::size_t>(box * axes_.count + axis)];
   }
@@ -71,9 +80,13 @@ class FaceTable {
   }
 
   std::vector<IndexBox> boxes_;
-  std::vector<Rows> rows_;  // by box * axes + axis
-  std::vector<std::vector<double>> values_;
+  std::vector<Rows> rows_;           // by box * axes + axis
+  std::vector<Layer> layers_;        // while building
+  std::vector<std::int32_t> begin_;  // by row: first segment; one more at the end
+  std::vector<Segment> segments_;
+  std::vector<double> values_;  // by quantity and slot
   std::ptrdiff_t faces_ = 0;
+  int quantities_ = 0;
   Axes axes_;
 };
 
@@ -89,13 +102,13 @@ struct FluxRecorder {
 inline std::span<const FaceTable::Segment> FaceTable::segments(int box, int axis,
                                                                IntVec3 cell) const {
   const Rows& r = rows(box, axis);
-  if (r.begin.empty()) return {};
+  if (r.first < 0) return {};
   const IndexBox& cells = boxes_[static_cast<std::size_t>(box)];
   const int j = place(cells, 1, cell), k = place(cells, 2, cell);
   const int n = cells_along(cells, 1);
   if (j < 0 || j >= n || k < 0 || k >= cells_along(cells, 2)) return {};
-  const std::int32_t* begin = r.begin.data() + (j + static_cast<std::ptrdiff_t>(n) * k);
-  return {r.segments.data() + begin[0], static_cast<std::size_t>(begin[1] - begin[0])};
+  const std::int32_t* begin = begin_.data() + r.first + (j + static_cast<std::ptrdiff_t>(n) * k);
+  return {segments_.data() + begin[0], static_cast<std::size_t>(begin[1] - begin[0])};
 }
 
 }  // namespace sluice

@@ -10,11 +10,13 @@ namespace sluice {
 
 namespace {
 
+constexpr std::array<std::ptrdiff_t, 6> no_faces = {-1, -1, -1, -1, -1, -1};
+
 // A face of the last cell of the list or of one after it.
 void append(const CellFace& face, CellFaces& list) {
   if (list.cells.empty() || list.cells.back() != face.cell) {
     list.cells.push_back(face.cell);
-    list.slots.push_back({-1, -1, -1, -1, -1, -1});
+    list.slots.push_back(no_faces);
   }
   list.slots.back()[static_cast<std::size_t>(face.side)] = face.slot;
 }
@@ -97,30 +99,70 @@ void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
     p.coarse_slot = coarse_faces.add(p.coarse_box, found.axis, found.high, p.coarse_cells);
 }
 
+// The faces of the cells of one row, to be listed in order.
+class FluxPlan::RowFaces {
+ public:
+  RowFaces(const IndexBox& box, int along)
+      : along_(along),
+        low_(box.lower[along]),
+        slots_(static_cast<std::size_t>(box.size()[along]), no_faces),
+        any_(slots_.size(), 0) {}
+
+  void add(const FaceTable::Segment& s, int side) {
+    const auto low = static_cast<std::size_t>(s.first - low_),
+               count = static_cast<std::size_t>(s.count);
+    first_ = std::min(first_, low);
+    last_ = std::max(last_, low + count);
+    for (std::size_t n = 0; n < count; ++n) {
+      slots_[low + n][static_cast<std::size_t>(side)] = s.slot + static_cast<std::ptrdiff_t>(n);
+      any_[low + n] = 1;
+    }
+  }
+  // Lists them from number `next` on; how many.
+  std::size_t move_to(CellFaces& list, std::size_t next, IntVec3 row) {
+    const std::size_t start = next;
+    for (std::size_t n = first_; n < last_; ++n) {
+      if (any_[n] == 0) continue;
+      row[along_] = low_ + static_cast<int>(n);
+      list.cells[next] = row;
+      list.slots[next++] = slots_[n];
+      slots_[n] = no_faces;
+      any_[n] = 0;
+    }
+    first_ = any_.size();
+    last_ = 0;
+    return next - start;
+  }
+
+ private:
+  int along_, low_;
+  std::vector<std::array<std::ptrdiff_t, 6>> slots_;  // by cell
+  std::vector<std::uint8_t> any_;
+  std::size_t first_ = any_.size(), last_ = 0;  // cells with faces
+};
+
 // Cells of the local coarse boxes row by row, from the table of their faces.
 void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
+  std::vector<std::size_t> faces(boxes.size(), 0);
+  for (const FluxPatch& p : patches)
+    if (p.coarse_box >= 0) faces[static_cast<std::size_t>(p.coarse_box)] += p.faces();
+  coarse_cells.resize(boxes.size());
   const int along = axes.direction[0];
-  std::vector<CellFace> faces;  // of one row
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    CellFaces& list = coarse_cells.emplace_back();
+    if (faces[b] == 0) continue;
+    CellFaces& list = coarse_cells[b];
+    list.resize(faces[b]);
+    std::size_t count = 0;
+    RowFaces found(boxes[b].cells, along);
     IndexBox rows = boxes[b].cells;
     rows.upper[along] = rows.lower[along] + 1;
     for_each_cell(rows, [&](IntVec3 row) {
-      faces.clear();
       for (int axis = 0; axis < axes.count; ++axis)
         for (const FaceTable::Segment& s : coarse_faces.segments(static_cast<int>(b), axis, row))
-          for (int n = 0; n < s.count; ++n) {
-            IntVec3 cell = row;
-            cell[along] = s.first + n;
-            faces.push_back({cell, 2 * axis + (s.high ? 1 : 0), s.slot + n});
-          }
-      const auto before = [=](const CellFace& a, const CellFace& c) {
-        return std::pair(a.cell[along], a.side) < std::pair(c.cell[along], c.side);
-      };
-      if (!std::is_sorted(faces.begin(), faces.end(), before))
-        std::sort(faces.begin(), faces.end(), before);
-      for (const CellFace& f : faces) append(f, list);
+          found.add(s, 2 * axis + (s.high ? 1 : 0));
+      count += found.move_to(list, count, row);
     });
+    list.resize(count);
   }
 }
 

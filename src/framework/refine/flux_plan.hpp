@@ -35,6 +35,11 @@ struct CellFace {
 struct CellFaces {
   std::vector<IntVec3> cells;
   std::vector<std::array<std::ptrdiff_t, 6>> slots;
+
+  void resize(std::size_t count) {
+    cells.resize(count);
+    slots.resize(count);
+  }
 };
 
 // Takes faces in any order; sorts them.
@@ -65,6 +70,7 @@ struct FluxPlan {
 
  private:
   struct LocalBoxes;
+  class RowFaces;
   void add_patch(const InterfacePatch& found, const LocalBoxes& coarse, const LocalBoxes& fine,
                  IntVec3 faces_each);
   void add_peers(const Level& coarse, const Level& fine, int rank,

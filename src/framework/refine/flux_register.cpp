@@ -9,13 +9,25 @@
 namespace sluice {
 namespace {
 
-using Values = std::vector<std::vector<double>>;  // by quantity, by slot
+// A number for each quantity and slot.
+class Values {
+ public:
+  Values(std::size_t quantities, std::size_t slots) : slots_(slots), all_(quantities * slots) {}
+  double* operator[](std::size_t quantity) { return all_.data() + quantity * slots_; }
+  const double* operator[](std::size_t quantity) const { return all_.data() + quantity * slots_; }
+  void clear() { std::fill(all_.begin(), all_.end(), 0.0); }
+  std::size_t bytes() const { return all_.capacity() * sizeof(double); }
+
+ private:
+  std::size_t slots_;
+  std::vector<double> all_;
+};
 
 // The two faces of a direction are added first, so that mirrored cells get mirrored bits.
-double over_faces(const std::array<std::ptrdiff_t, 6>& slots, const std::vector<double>& values,
+double over_faces(const std::array<std::ptrdiff_t, 6>& slots, const double* values,
                   const BySide& scale) {
   const auto at = [&](std::size_t side) {
-    return slots[side] < 0 ? 0.0 : scale[side] * values[static_cast<std::size_t>(slots[side])];
+    return slots[side] < 0 ? 0.0 : scale[side] * values[slots[side]];
   };
   return ((at(0) + at(1)) + (at(2) + at(3))) + (at(4) + at(5));
 }
@@ -64,8 +76,8 @@ struct FluxRegister::Work : FluxPlan {
 
 FluxRegister::Work::Work(const Level& coarse, const Level& fine, int quantity_count, int rank)
     : FluxPlan(coarse, fine, quantity_count, rank),
-      sums(quantities, std::vector<double>(sum_count)),
-      changes(quantities, std::vector<double>(static_cast<std::size_t>(coarse_faces.faces()))),
+      sums(quantities, sum_count),
+      changes(quantities, static_cast<std::size_t>(coarse_faces.faces())),
       coarse_shares(coarse_cells.size()) {
   change.amount.resize(quantities);
 }
@@ -75,8 +87,8 @@ void FluxRegister::Work::pack(const std::vector<std::size_t>& which,
                               std::vector<double>& buffer) const {
   double* next = buffer.data();
   for (const std::size_t n : which)
-    for (const std::vector<double>& v : values)
-      next = std::copy_n(v.data() + patches[n].*slot, patches[n].faces(), next);
+    for (std::size_t q = 0; q < quantities; ++q)
+      next = std::copy_n(values[q] + patches[n].*slot, patches[n].faces(), next);
 }
 
 void FluxRegister::Work::unpack(const std::vector<std::size_t>& which,
@@ -84,8 +96,8 @@ void FluxRegister::Work::unpack(const std::vector<std::size_t>& which,
                                 const std::vector<double>& buffer) const {
   const double* next = buffer.data();
   for (const std::size_t n : which)
-    for (std::vector<double>& v : values) {
-      std::copy_n(next, patches[n].faces(), v.data() + patches[n].*slot);
+    for (std::size_t q = 0; q < quantities; ++q) {
+      std::copy_n(next, patches[n].faces(), values[q] + patches[n].*slot);
       next += patches[n].faces();
     }
 }
@@ -104,7 +116,7 @@ void FluxRegister::Work::bring_sums() {
   for (const FluxPatch& p : patches)
     if (p.fine_box >= 0 && p.coarse_box >= 0)
       for (std::size_t q = 0; q < quantities; ++q)
-        std::copy_n(sums[q].data() + p.sum_slot, p.faces(), changes[q].data() + p.coarse_slot);
+        std::copy_n(sums[q] + p.sum_slot, p.faces(), changes[q] + p.coarse_slot);
   messages.wait_all();
   for (const FluxPeer& peer : peers)
     unpack(peer.coarse_here, &FluxPatch::coarse_slot, changes, peer.coarse_buffer);
@@ -116,7 +128,7 @@ void FluxRegister::Work::find_changes() {
     const double sign = p.side % 2 == 0 ? 1.0 : -1.0;  // low faces: what passes comes in
     for (std::size_t q = 0; q < quantities; ++q) {
       const double* recorded = coarse_faces.values(static_cast<int>(q)) + p.coarse_slot;
-      double* c = changes[q].data() + p.coarse_slot;
+      double* c = changes[q] + p.coarse_slot;
       for (std::size_t n = 0; n < p.faces(); ++n) c[n] = sign * (c[n] - recorded[n]);
     }
   }
@@ -193,8 +205,8 @@ void FluxRegister::Work::keep_rest() {
       const double share = coarse_shares[b][c];
       for (const std::ptrdiff_t slot : coarse_cells[b].slots[c]) {
         if (slot < 0) continue;
-        for (std::vector<double>& v : changes) {
-          double& rest = v[static_cast<std::size_t>(slot)];
+        for (std::size_t q = 0; q < quantities; ++q) {
+          double& rest = changes[q][slot];
           rest = share < 1.0 ? (1.0 - share) * rest : 0.0;
         }
       }
@@ -213,7 +225,7 @@ void FluxRegister::Work::bring_rest() {
   for (const FluxPatch& p : patches)
     if (p.fine_box >= 0 && p.coarse_box >= 0)
       for (std::size_t q = 0; q < quantities; ++q)
-        std::copy_n(changes[q].data() + p.coarse_slot, p.faces(), sums[q].data() + p.sum_slot);
+        std::copy_n(changes[q] + p.coarse_slot, p.faces(), sums[q] + p.sum_slot);
   messages.wait_all();
   for (const FluxPeer& peer : peers)
     unpack(peer.fine_here, &FluxPatch::sum_slot, sums, peer.fine_buffer);
@@ -233,9 +245,8 @@ bool FluxRegister::Work::correct_fine(Warehouse& fine, const std::vector<int>& s
       const IntVec3 at = cell - p.fine_cells.lower;
       const std::ptrdiff_t slot =
           p.sum_slot + at.x / each.x + wide.x * (at.y / each.y + wide.y * (at.z / each.z));
-      const bool some = std::any_of(sums.begin(), sums.end(), [&](const std::vector<double>& v) {
-        return v[static_cast<std::size_t>(slot)] != 0.0;
-      });
+      bool some = false;
+      for (std::size_t q = 0; q < quantities; ++q) some = some || sums[q][slot] != 0.0;
       if (some) faces[static_cast<std::size_t>(p.fine_box)].push_back({cell, p.side ^ 1, slot});
     });
   }
@@ -266,7 +277,7 @@ FaceTable& FluxRegister::fine_faces() {
 void FluxRegister::clear() {
   work_->coarse_faces.clear();
   work_->fine_faces.clear();
-  for (std::vector<double>& s : work_->sums) std::fill(s.begin(), s.end(), 0.0);
+  work_->sums.clear();
 }
 
 void FluxRegister::add_substep() {
@@ -274,7 +285,7 @@ void FluxRegister::add_substep() {
     if (p.fine_box >= 0)
       for (std::size_t q = 0; q < work_->quantities; ++q)
         p.fold.add(work_->fine_faces.values(static_cast<int>(q)) + p.fine_slot, work_->volume_ratio,
-                   work_->sums[q].data() + p.sum_slot);
+                   work_->sums[q] + p.sum_slot);
 }
 
 CorrectionReport FluxRegister::correct(Warehouse& coarse, Warehouse& fine,
@@ -306,10 +317,9 @@ CorrectionReport FluxRegister::correct(Warehouse& coarse, Warehouse& fine,
 
 std::size_t FluxRegister::bytes() const {
   const Work& p = *work_;
-  std::size_t n =
-      p.coarse_faces.bytes() + p.fine_faces.bytes() + p.patches.size() * sizeof(FluxPatch);
-  for (const Values* values : {&p.sums, &p.changes, &p.coarse_shares})
-    for (const std::vector<double>& v : *values) n += v.capacity() * sizeof(double);
+  std::size_t n = p.coarse_faces.bytes() + p.fine_faces.bytes() + p.sums.bytes() +
+                  p.changes.bytes() + p.patches.size() * sizeof(FluxPatch);
+  for (const std::vector<double>& v : p.coarse_shares) n += v.capacity() * sizeof(double);
   for (const CellFaces& c : p.coarse_cells)
     n += c.cells.capacity() * (sizeof(IntVec3) + sizeof(c.slots.front()));
   for (const FluxPeer& peer : p.peers)

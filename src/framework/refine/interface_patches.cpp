@@ -1,10 +1,12 @@
 // Finding the faces where two levels meet, in the indices of the coarser one.
 #include "framework/refine/interface_patches.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "framework/grid/box_list.hpp"
 #include "framework/refine/face_table.hpp"
+#include "framework/refine/region_exchange.hpp"
 
 namespace sluice {
 namespace {
@@ -17,10 +19,10 @@ class PatchFinder {
         rank_(rank),
         axes_(active_axes(coarse)),
         covered_(coarsened(fine)),
-        held_(cells_of(coarse, -1)),
-        held_here_(cells_of(coarse, rank)) {}
+        held_(cells_of(coarse.boxes)) {}
 
   std::vector<InterfacePatch> all() {
+    patches_.reserve(4 * fine_.boxes.size());
     for (const GridBox& b : fine_.boxes)
       for (int axis = 0; axis < axes_.count; ++axis) {
         search_side(b, axis, false);
@@ -32,18 +34,12 @@ class PatchFinder {
  private:
   static BoxFinder coarsened(const Level& fine) {
     std::vector<IndexBox> boxes;
+    boxes.reserve(fine.boxes.size());
     for (const GridBox& b : fine.boxes) {
       boxes.push_back(coarsen(b.cells, fine.ratio));
       if (refine(boxes.back(), fine.ratio) != b.cells)
         throw std::logic_error("a box of a fine level must begin and end at coarse cells");
     }
-    return BoxFinder(std::move(boxes));
-  }
-
-  static BoxFinder cells_of(const Level& level, int rank) {
-    std::vector<IndexBox> boxes;
-    for (const GridBox& b : level.boxes)
-      if (rank < 0 || b.owner == rank) boxes.push_back(b.cells);
     return BoxFinder(std::move(boxes));
   }
 
@@ -62,15 +58,24 @@ class PatchFinder {
       outside = outside.shifted(wrap);
       back = back - wrap;
     }
-    if (box.owner != rank_ && held_here_.overlapping(outside).empty()) return;
+    if (box.owner != rank_ && !any_here(outside)) return;
     for (const IndexBox& piece : covered_.uncovered(outside))
       add_piece(box, axis, plus, piece, back);
+  }
+
+  // Is any of these cells of the coarse level on this rank.
+  bool any_here(const IndexBox& cells) {
+    held_.find(cells, holders_);
+    return std::any_of(holders_.begin(), holders_.end(), [&](int c) {
+      return coarse_.boxes[static_cast<std::size_t>(c)].owner == rank_;
+    });
   }
 
   void add_piece(const GridBox& box, int axis, bool plus, const IndexBox& piece, IntVec3 back) {
     const int d = axes_.direction[axis];
     std::int64_t held = 0;
-    for (const int c : held_.overlapping(piece)) {
+    held_.find(piece, holders_);
+    for (const int c : holders_) {
       const GridBox& other = coarse_.boxes[static_cast<std::size_t>(c)];
       InterfacePatch p{box.id, other.id, axis, !plus, intersection(piece, other.cells), {}};
       held += p.coarse_cells.volume();
@@ -90,7 +95,8 @@ class PatchFinder {
   const Level& fine_;
   int rank_;
   Axes axes_;
-  BoxFinder covered_, held_, held_here_;
+  BoxFinder covered_, held_;
+  std::vector<int> holders_;
   std::vector<InterfacePatch> patches_;
 };
 

@@ -23,24 +23,28 @@ class CoarseLevel {
         numbers_(local_numbers(level, rank)),
         finder_(grown_boxes(level, ghosts)) {}
 
-  // Holders of `region`, by box and shift.
-  std::vector<Holder> holders(const IndexBox& region) const {
-    std::vector<Holder> found;
-    for (const IntVec3 shift : image_shifts(level_, region, ghosts_))
-      for (const int n : finder_.overlapping(region.shifted(shift))) {
+  // Holders of `region`, by box and shift, until asked again.
+  const std::vector<Holder>& holders(const IndexBox& region) {
+    holders_.clear();
+    const std::vector<IntVec3> shifts = image_shifts(level_, region, ghosts_);
+    for (const IntVec3 shift : shifts) {
+      finder_.find(region.shifted(shift), found_);
+      for (const int n : found_) {
         const GridBox& box = level_.boxes[static_cast<std::size_t>(n)];
         const IntVec3 back = IntVec3{} - shift;
-        found.push_back({n, numbers_[static_cast<std::size_t>(n)], box.owner, shift,
-                         box.cells.shifted(back),
-                         box.cells.grown(level_.ghosts(ghosts_)).shifted(back),
-                         trusted(box.cells).shifted(back)});
+        holders_.push_back({n, numbers_[static_cast<std::size_t>(n)], box.owner, shift,
+                            box.cells.shifted(back),
+                            box.cells.grown(level_.ghosts(ghosts_)).shifted(back),
+                            trusted(box.cells).shifted(back)});
       }
+    }
     const auto key = [](const Holder& h) {
       return std::tuple(h.box, h.shift.z, h.shift.y, h.shift.x);
     };
-    std::sort(found.begin(), found.end(),
-              [&](const Holder& a, const Holder& b) { return key(a) < key(b); });
-    return found;
+    if (shifts.size() > 1)
+      std::sort(holders_.begin(), holders_.end(),
+                [&](const Holder& a, const Holder& b) { return key(a) < key(b); });
+    return holders_;
   }
 
  private:
@@ -74,6 +78,8 @@ class CoarseLevel {
   int ghosts_;
   std::vector<int> numbers_;
   BoxFinder finder_;
+  std::vector<int> found_;
+  std::vector<Holder> holders_;
 };
 
 struct Part {
@@ -84,17 +90,11 @@ struct Part {
 // Takes from `missing` what one holder has.
 void take(const Holder& holder, const IndexBox& has, std::vector<IndexBox>& missing,
           std::vector<Part>& parts) {
-  std::vector<IndexBox> left;
-  for (const IndexBox& m : missing) {
-    const IndexBox common = intersection(m, has);
-    if (common.empty()) {
-      left.push_back(m);
-      continue;
-    }
-    parts.push_back({&holder, common});
-    for (const IndexBox& piece : subtract(m, common)) left.push_back(piece);
-  }
-  missing = std::move(left);
+  const std::size_t before = parts.size();
+  for (const IndexBox& m : missing)
+    if (const IndexBox common = intersection(m, has); !common.empty())
+      parts.push_back({&holder, common});
+  if (parts.size() > before) missing = subtract(std::move(missing), {has});
 }
 
 // Cuts `region` into parts: from arrays of rank `owner` where they hold it (trusted ghost cells are
@@ -103,6 +103,7 @@ void take(const Holder& holder, const IndexBox& has, std::vector<IndexBox>& miss
 std::vector<Part> parts_of(const IndexBox& region, const std::vector<Holder>& holders, int owner,
                            std::vector<IndexBox>& missing) {
   std::vector<Part> parts;
+  parts.reserve(4);
   missing = {region};
   for (const Holder& h : holders)
     if (h.owner == owner) take(h, h.trusted, missing, parts);
@@ -133,6 +134,7 @@ FineRegions interface_ghosts(const Level& fine, int width, Arrays arrays) {
       inside = inside.grown(d, fine.ghosts(width)[d], fine.ghosts(width)[d]);
   const std::vector<std::vector<IndexBox>> held = held_by_frames(fine, width, arrays);
   FineRegions regions;
+  regions.reserve(fine.boxes.size());
   for (const GridBox& b : fine.boxes)
     regions.push_back(subtract(
         pieces_without_level(intersection(b.cells.grown(fine.ghosts(width)), inside), fine, finder),
@@ -143,11 +145,14 @@ FineRegions interface_ghosts(const Level& fine, int width, Arrays arrays) {
 FineRegions new_cells(const Level& fine, const std::vector<GridBox>& earlier) {
   const BoxFinder finder(cells_of(earlier));
   FineRegions regions;
+  regions.reserve(fine.boxes.size());
+  std::vector<int> found;
   for (const GridBox& b : fine.boxes) {
+    finder.find(b.cells, found);
     std::vector<IndexBox> holes;
-    for (const int n : finder.overlapping(b.cells))
-      holes.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
-    regions.push_back(pieces_without(b.cells, holes, row_direction(fine.active)));
+    holes.reserve(found.size());
+    for (const int n : found) holes.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+    regions.push_back(pieces_without(b.cells, std::move(holes), row_direction(fine.active)));
   }
   return regions;
 }
@@ -159,7 +164,7 @@ InterpolationPlan::InterpolationPlan(const Level& coarse_level, int coarse_ghost
       fine(without_boxes(fine_level)),
       geometry{fine_level.ratio, fine_level.active},
       rank(this_rank) {
-  const CoarseLevel coarse_boxes(coarse_level, coarse_ghosts, rank);
+  CoarseLevel coarse_boxes(coarse_level, coarse_ghosts, rank);
   const std::vector<int> fine_number = local_numbers(fine_level, rank);
   std::vector<Target> late;  // those that wait for messages
   for (std::size_t f = 0; f < fine_level.boxes.size(); ++f) {
@@ -167,7 +172,7 @@ InterpolationPlan::InterpolationPlan(const Level& coarse_level, int coarse_ghost
     const GridBox& box = fine_level.boxes[f];
     IndexBox reach = regions[f].front();
     for (const IndexBox& r : regions[f]) reach = bounding(reach, r);
-    const std::vector<Holder> holders = coarse_boxes.holders(coarse_cells_of(reach));
+    const std::vector<Holder>& holders = coarse_boxes.holders(coarse_cells_of(reach));
     const bool sends_some =
         std::any_of(holders.begin(), holders.end(), [](const Holder& h) { return h.number >= 0; });
     if (box.owner != rank && !sends_some) continue;

@@ -24,8 +24,10 @@ LevelCopy::Plan::Plan(const Level& from, const Level& to, int rank) : frame(with
   const BoxFinder finder(cells_of(from.boxes));
   const std::vector<int> from_number = local_numbers(from, rank);
   const std::vector<int> to_number = local_numbers(to, rank);
-  for (std::size_t t = 0; t < to.boxes.size(); ++t)
-    for (const int n : finder.overlapping(to.boxes[t].cells)) {
+  std::vector<int> found;
+  for (std::size_t t = 0; t < to.boxes.size(); ++t) {
+    finder.find(to.boxes[t].cells, found);
+    for (const int n : found) {
       const auto f = static_cast<std::size_t>(n);
       const Part part{
           from_number[f], to_number[t], intersection(from.boxes[f].cells, to.boxes[t].cells), {}};
@@ -39,6 +41,7 @@ LevelCopy::Plan::Plan(const Level& from, const Level& to, int rank) : frame(with
         receives.back().piece = messages.add_receive(from.boxes[f].owner, part.cells.volume());
       }
     }
+  }
 }
 
 LevelCopy::LevelCopy(const Level& from, const Level& to, int rank)

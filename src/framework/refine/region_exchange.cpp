@@ -46,6 +46,7 @@ Level without_boxes(const Level& level) {
 
 std::vector<int> local_numbers(const Level& level, int rank) {
   std::vector<int> numbers;
+  numbers.reserve(level.boxes.size());
   int count = 0;
   for (const GridBox& b : level.boxes) numbers.push_back(b.owner == rank ? count++ : -1);
   return numbers;
@@ -53,6 +54,7 @@ std::vector<int> local_numbers(const Level& level, int rank) {
 
 std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes) {
   std::vector<IndexBox> cells;
+  cells.reserve(boxes.size());
   for (const GridBox& b : boxes) cells.push_back(b.cells);
   return cells;
 }

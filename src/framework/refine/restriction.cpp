@@ -48,11 +48,13 @@ Restriction::Plan::Plan(const Level& coarse, const Level& fine, int rank)
   const BoxFinder finder(cells_of(coarse.boxes));
   const std::vector<int> coarse_number = local_numbers(coarse, rank);
   const std::vector<int> fine_number = local_numbers(fine, rank);
+  std::vector<int> found;
   for (std::size_t f = 0; f < fine.boxes.size(); ++f) {
     const GridBox& box = fine.boxes[f];
     const IndexBox covered = coarsen(box.cells, geometry.ratio);
     std::int64_t held = 0;
-    for (const int n : finder.overlapping(covered)) {
+    finder.find(covered, found);
+    for (const int n : found) {
       const auto c = static_cast<std::size_t>(n);
       const Part part{
           fine_number[f], coarse_number[c], intersection(covered, coarse.boxes[c].cells), {}};

@@ -50,21 +50,26 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width) {
   const IntVec3 ghosts = level.ghosts(width);
   const std::vector<IntVec3> shifts = periodic_shifts(level, ghosts);
   std::vector<IndexBox> cells;
+  cells.reserve(level.boxes.size());
   for (const GridBox& b : level.boxes) cells.push_back(b.cells);
-  const BoxFinder finder(cells);
+  const BoxFinder finder(std::move(cells));
+  std::vector<int> found;
   for (const GridBox& to : level.boxes) {
     const IndexBox grown = to.cells.grown(ghosts);
     const auto first = copies.end() - copies.begin();
-    for (const IntVec3 shift : shifts)
-      for (const int n : finder.overlapping(grown.shifted(shift))) {
+    for (const IntVec3 shift : shifts) {
+      finder.find(grown.shifted(shift), found);
+      for (const int n : found) {
         const GridBox& from = level.boxes[static_cast<std::size_t>(n)];
         if (from.id == to.id && shift == IntVec3{}) continue;
         copies.push_back(
             {from.id, to.id, intersection(grown, from.cells.shifted(IntVec3{} - shift)), shift});
       }
+    }
     // Of one box, shifts keep their order.
-    std::stable_sort(copies.begin() + first, copies.end(),
-                     [](const HaloCopy& a, const HaloCopy& b) { return a.from < b.from; });
+    if (shifts.size() > 1)
+      std::stable_sort(copies.begin() + first, copies.end(),
+                       [](const HaloCopy& a, const HaloCopy& b) { return a.from < b.from; });
   }
   return copies;
 }
@@ -76,17 +81,23 @@ HaloExchange::HaloExchange(const Level& level, int width, int rank, Arrays array
     if (b.owner == rank) local_number[static_cast<std::size_t>(b.id)] = count++;
   std::map<int, Peer> peers;
   const std::vector<std::vector<IndexBox>> held = held_by_frames(level, width, arrays);
+  const auto add_local = [&](const Local& copy) {
+    local_.push_back(copy);
+    local_cells_ += copy.region.volume();
+  };
   for (const HaloCopy& c : halo_copies(level, width)) {
     const int from_owner = level.boxes[static_cast<std::size_t>(c.from)].owner;
     const int to_owner = level.boxes[static_cast<std::size_t>(c.to)].owner;
     const Local copy{local_number[static_cast<std::size_t>(c.from)],
                      local_number[static_cast<std::size_t>(c.to)], c.region, c.shift};
     if (from_owner == rank && to_owner == rank) {
-      const auto to = static_cast<std::size_t>(c.to);
-      for (const IndexBox& region : subtract({c.region}, held[to])) {
-        local_.push_back({copy.from, copy.to, region, copy.shift});
-        local_cells_ += region.volume();
+      const std::vector<IndexBox>& holes = held[static_cast<std::size_t>(c.to)];
+      if (holes.empty()) {
+        add_local(copy);
+        continue;
       }
+      for (const IndexBox& region : subtract({c.region}, holes))
+        add_local({copy.from, copy.to, region, copy.shift});
     } else if (from_owner == rank) {
       peers[to_owner].sends.push_back(copy);
     } else if (to_owner == rank) {
