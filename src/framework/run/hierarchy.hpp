@@ -107,10 +107,10 @@ class Hierarchy {
   void make_joint(int coarser);
   void join_levels(int first = 0);
   void watch_volumes(int first);
-  void lay_out(bool from_deck);
+  int lay_out(bool from_deck);
   void lay_out_level(int level, std::vector<GridBox> boxes, bool from_deck);
   int flagging_levels() const;
-  int fill_read_levels();
+  int read_levels() const;
   std::vector<FlagField> flags();
   void restrict_all();
   void measure_rates(int levels_before);

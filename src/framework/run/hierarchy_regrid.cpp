@@ -90,9 +90,9 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
 
 // The boxes that the regridder wants, coarse to fine. Each new level needs the ghost cells of the
 // one below it, and those the joint below: the next step finds them filled, as those of levels that
-// nothing changes below.
-void Hierarchy::lay_out(bool from_deck) {
-  int first = possible_levels(), laid_out = -1;  // and last level that has changed
+// nothing changes below. The first level that has changed.
+int Hierarchy::lay_out(bool from_deck) {
+  int first = possible_levels(), laid_out = -1;  // and the last one
   for (int l = 1; l < possible_levels(); ++l) {
     std::vector<GridBox> boxes = regridder_->boxes(l);
     deal_out(boxes, level(l), particles_.get(), *communicator_);
@@ -108,6 +108,7 @@ void Hierarchy::lay_out(bool from_deck) {
     make_joint(l - 1);
   }
   join_levels(first);
+  return first;
 }
 
 // Levels whose cells ask for finer ones, coarse to fine, and how many must be read to know.
@@ -115,17 +116,17 @@ int Hierarchy::flagging_levels() const {
   return std::min(level_count(), possible_levels() - 1);
 }
 
-int Hierarchy::fill_read_levels() {
-  const int read = refinement_flags_.levels_read(level_count(), flagging_levels());
-  for (int l = 0; l < read; ++l) fill(l, time_);
-  return read;
+int Hierarchy::read_levels() const {
+  return refinement_flags_.levels_read(level_count(), flagging_levels());
 }
 
 std::vector<FlagField> Hierarchy::flags() {
-  const int flagging = flagging_levels(), read = fill_read_levels();
   std::vector<LevelSolver*> levels;
-  for (int l = 0; l < read; ++l) levels.push_back(&level(l));
-  return refinement_flags_.of(levels, flagging, time_, *communicator_, particles_.get());
+  for (int l = 0; l < read_levels(); ++l) {
+    fill(l, time_);
+    levels.push_back(&level(l));
+  }
+  return refinement_flags_.of(levels, flagging_levels(), time_, *communicator_, particles_.get());
 }
 
 void Hierarchy::restrict_all() {
@@ -180,22 +181,25 @@ void Hierarchy::return_memory() {
 
 bool Hierarchy::regrid(int step) {
   if (!regridder_ || !regridder_->looks_at(step)) return false;
-  // Ghost cells that are filled to look at flags are those of the next step, unless levels change.
+  // Ghost cells that are filled to look at flags are those of the next step, except of levels that
+  // are laid anew.
   using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  fill_read_levels();
-  const auto filled = Clock::now();
+  std::vector<Clock::time_point> filled = {Clock::now()};  // before the first, and after each level
+  for (int l = 0; l < read_levels(); ++l) {
+    fill(l, time_);
+    filled.push_back(Clock::now());
+  }
   const int levels_before = level_count();
+  auto start = filled.back();
   const bool changed = regridder_->regrid(step, flags());
   if (changed) {
-    lay_out(false);
+    start = filled[std::min(static_cast<std::size_t>(lay_out(false)), filled.size() - 1)];
     measure_rates(levels_before);
     if (particles_ != nullptr) particles_->follow(existing_levels());
     return_memory();
     ++regrids_;
   }
-  regrid_seconds_ +=
-      std::chrono::duration<double>(Clock::now() - (changed ? start : filled)).count();
+  regrid_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
   return changed;
 }
 
