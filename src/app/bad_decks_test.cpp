@@ -26,7 +26,11 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr double cpu_seconds_allowed = 10.0;  // sanitizers take up to ten times as long
+#else
 constexpr double cpu_seconds_allowed = 1.0;
+#endif
 const fs::path corpus = SLUICE_SOURCE_DIR "/src/framework/deck/bad_decks";
 
 struct BadDeck {
