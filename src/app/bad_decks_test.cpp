@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr double cpu_seconds_allowed = 10.0;  // sanitizers take up to ten times as long
+constexpr double cpu_seconds_allowed = 7.0;  // sanitizers take 6.6 times as long
 #else
 constexpr double cpu_seconds_allowed = 1.0;
 #endif
