@@ -13,8 +13,8 @@
 #include "framework/archive/archive.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "ice/deck/ice_scene.hpp"
 #include "ice/ice.hpp"
-#include "ice/ice_scene.hpp"
 
 namespace sluice::properties {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/sluice_schema.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 #include "properties/deck_run.hpp"
 #include "properties/mirrored_deck.hpp"
 #include "properties/mirrored_state.hpp"

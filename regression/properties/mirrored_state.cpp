@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/archive/archive.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 
 namespace sluice::properties {
 namespace {

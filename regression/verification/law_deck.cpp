@@ -7,7 +7,7 @@
 
 #include "framework/base/error.hpp"
 #include "framework/deck/deck.hpp"
-#include "ice/read_fluid.hpp"
+#include "ice/deck/read_fluid.hpp"
 
 namespace sluice::verification {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "ice/fluid.hpp"
+#include "ice/fluid/fluid.hpp"
 
 namespace sluice::verification {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ice/mixture/exchange_test_support.hpp"
+#include "ice/test_support/exchange.hpp"
 #include "verification/amr_case.hpp"
 
 namespace sluice::verification {

@@ -7,7 +7,7 @@
 
 #include "framework/field/label.hpp"
 #include "framework/run/particle_method.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 #include "models/tracer_particles.hpp"
 #include "models/transported_scalar.hpp"
 

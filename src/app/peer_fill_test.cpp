@@ -7,7 +7,7 @@
 #include "app/sluice_schema.hpp"
 #include "framework/base/environment.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "ice/material_fill.hpp"
+#include "ice/start/material_fill.hpp"
 
 namespace sluice {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app/exact_solution_tag.hpp"
 #include "framework/deck/framework_schema.hpp"
-#include "ice/ice_schema.hpp"
+#include "ice/deck/schema.hpp"
 
 namespace sluice {
 

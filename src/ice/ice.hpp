@@ -4,11 +4,11 @@
 
 #include "framework/run/component.hpp"
 #include "framework/run/particle_method.hpp"
-#include "ice/boundary_fill.hpp"
-#include "ice/conservative/variables.hpp"
-#include "ice/ice_scene.hpp"
-#include "ice/refine/mixture_transfer.hpp"
+#include "ice/boundary/boundary_fill.hpp"
+#include "ice/deck/ice_scene.hpp"
+#include "ice/levels/mixture_transfer.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 

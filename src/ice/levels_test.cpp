@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "framework/grid/box_list.hpp"
-#include "ice/classic/classic_test_support.hpp"
-#include "ice/refine/transfer_test_support.hpp"
+#include "ice/test_support/classic.hpp"
+#include "ice/test_support/transfer.hpp"
 
 namespace sluice::ice {
 namespace {

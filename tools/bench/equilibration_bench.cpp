@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ice/mixture/equilibrate.hpp"
-#include "ice/mixture/ideal_relaxation.hpp"
+#include "ice/closure/equilibrate.hpp"
+#include "ice/closure/ideal_relaxation.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "framework/scene/boundary.hpp"
-#include "ice/boundary/flow_conditions.hpp"
-#include "ice/ice_scene.hpp"
+#include "ice/deck/flow_conditions.hpp"
+#include "ice/deck/ice_scene.hpp"
 
 namespace sluice::ice {
 

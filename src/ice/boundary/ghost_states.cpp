@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "ice/boundary/waves.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 
 namespace sluice::ice {
 

@@ -7,7 +7,7 @@
 #include "framework/field/array_view.hpp"
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
-#include "ice/transport/settings.hpp"
+#include "ice/deck/transport_settings.hpp"
 #include "models/mixed_gas.hpp"
 
 namespace sluice::ice {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "framework/base/error.hpp"
-#include "ice/boundary/condition_test_support.hpp"
-#include "ice/boundary_fill.hpp"
-#include "ice/fluid_test_support.hpp"
-#include "ice/labels.hpp"
+#include "ice/boundary/boundary_fill.hpp"
+#include "ice/fluid/labels.hpp"
+#include "ice/test_support/conditions.hpp"
+#include "ice/test_support/fluid.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "ice/boundary_fill.hpp"
+#include "ice/boundary/boundary_fill.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ice/deck_run_test_support.hpp"
+#include "ice/test_support/deck_run.hpp"
 
 namespace sluice::ice {
 namespace {

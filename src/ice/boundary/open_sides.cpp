@@ -1,7 +1,7 @@
 // Ghosts of a side with open faces (LODI): waves, row by row, and what else there is beside them.
+#include "ice/boundary/boundary_fill.hpp"
 #include "ice/boundary/layer_copy.hpp"
 #include "ice/boundary/wave_rows.hpp"
-#include "ice/boundary_fill.hpp"
 
 namespace sluice::ice {
 

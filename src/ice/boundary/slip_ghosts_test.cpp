@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "framework/base/error.hpp"
+#include "ice/boundary/boundary_fill.hpp"
 #include "ice/boundary/wall_slip.hpp"
-#include "ice/boundary_fill.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice::ice {

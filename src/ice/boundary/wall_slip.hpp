@@ -14,7 +14,7 @@
 // References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Trans.
 // 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
 #pragma once
-#include "ice/boundary/flow_conditions.hpp"
+#include "ice/deck/flow_conditions.hpp"
 
 namespace sluice::ice {
 

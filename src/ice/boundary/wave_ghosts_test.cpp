@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "framework/base/error.hpp"
+#include "ice/boundary/boundary_fill.hpp"
 #include "ice/boundary/waves.hpp"
-#include "ice/boundary_fill.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 
 namespace sluice::ice {
 namespace {

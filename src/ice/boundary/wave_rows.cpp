@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "ice/closure_rows.hpp"
+#include "ice/fluid/closure_rows.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -8,7 +8,7 @@
 // LA-UR-93-3922 (1994); J. E. Guilkey, T. B. Harman and B. Banerjee, Comput. Struct. 85 (2007) 660.
 #pragma once
 #include "framework/task/effect.hpp"
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/classic/classic_test_support.hpp"
+#include "ice/test_support/classic.hpp"
 
 namespace sluice::ice {
 namespace {

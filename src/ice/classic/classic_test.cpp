@@ -6,7 +6,7 @@
 
 #include "exact/riemann.hpp"
 #include "ice/classic/classic.hpp"
-#include "ice/classic/classic_test_support.hpp"
+#include "ice/test_support/classic.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -6,7 +6,7 @@
 // Both means are written as the plain mean plus half the difference times a weight, so that equal
 // values give their own bits and mirrored states mirrored ones. On a wall u_f = 0.
 #include "ice/classic/variables.hpp"
-#include "ice/wall_faces.hpp"
+#include "ice/step/wall_faces.hpp"
 
 namespace sluice::ice::classic {
 namespace {

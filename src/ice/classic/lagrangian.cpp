@@ -3,7 +3,7 @@
 //   m_L = m - dp (impulse.hpp),  E_L = E*
 // What is advected with compatible fluxes is m_L/rho and E_L/rho, otherwise m_L and E_L.
 #include "ice/classic/variables.hpp"
-#include "ice/impulse.hpp"
+#include "ice/step/impulse.hpp"
 
 namespace sluice::ice::classic {
 namespace {

@@ -9,7 +9,7 @@
 // Reference: W. B. VanderHeyden and B. A. Kashiwa, Compatible fluxes for van Leer advection,
 // J. Comput. Phys. 146 (1998) 1-28.
 #pragma once
-#include "ice/limiters.hpp"
+#include "ice/fluid/limiters.hpp"
 
 namespace sluice::ice::classic {
 

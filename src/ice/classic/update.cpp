@@ -4,8 +4,8 @@
 //   E'   = E* + sum_d (F_E- - F_E+)
 // A cell must not lose more volume through its faces than it has: sum_d outflow < 1.
 #include "ice/classic/variables.hpp"
-#include "ice/end_of_step.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step/end_of_step.hpp"
 
 namespace sluice::ice::classic {
 namespace {

@@ -3,7 +3,7 @@
 // Step numbers in this folder are those of the section "The classic form" of docs/theory_ice.md.
 // Lengths are in cells: a slope is the difference across one cell, l = dt/dx.
 #pragma once
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice::classic {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "eos/eos_test_support.hpp"
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "ice/mixture/mixture_test_support.hpp"
-#include "ice/mixture/traces.hpp"
+#include "ice/closure/traces.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

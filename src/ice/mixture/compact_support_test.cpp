@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/closure_rows.hpp"
-#include "ice/conservative/face_mean.hpp"
-#include "ice/conservative/heat_flux_rows.hpp"
-#include "ice/limiters.hpp"
-#include "ice/material_runs.hpp"
-#include "ice/mixture/contacts.hpp"
+#include "ice/closure/contacts.hpp"
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/face_mean.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/one_material/heat_flux_rows.hpp"
+#include "ice/step/material_runs.hpp"
+#include "ice/step/wall_faces.hpp"
 #include "ice/transport/viscosity.hpp"
-#include "ice/wall_faces.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

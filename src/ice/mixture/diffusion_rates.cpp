@@ -1,8 +1,8 @@
 // Diffusion rates of rows of cells.
 #include "ice/mixture/diffusion_rates.hpp"
 
-#include "ice/end_of_step.hpp"
-#include "ice/mixture/contacts.hpp"
+#include "ice/closure/contacts.hpp"
+#include "ice/step/end_of_step.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

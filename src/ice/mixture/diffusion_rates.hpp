@@ -8,8 +8,8 @@
 #pragma once
 #include <vector>
 
-#include "ice/conservative/variables.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/step/material_runs.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 
 namespace sluice::ice::mixture {
 

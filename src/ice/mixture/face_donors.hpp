@@ -4,9 +4,9 @@
 // numbered steps are those of remap_fluxes.cpp. Only the materials present around the faces take
 // part.
 #pragma once
-#include "ice/conservative/remap_flux_rows.hpp"
-#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/remap_flux_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 

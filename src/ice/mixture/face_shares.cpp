@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/material_runs.hpp"
+#include "ice/closure/interface_band.hpp"
+#include "ice/closure/whole_masses.hpp"
 #include "ice/mixture/face_donors.hpp"
-#include "ice/mixture/interface_band.hpp"
-#include "ice/mixture/whole_masses.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -8,11 +8,11 @@
 // pressure of that state. The scale of the mixture is sum V_m scale_m.
 #include <algorithm>
 
-#include "ice/closure_rows.hpp"
-#include "ice/end_of_step.hpp"
-#include "ice/limiters.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/step/end_of_step.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ice/mixture/mixture_test_support.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

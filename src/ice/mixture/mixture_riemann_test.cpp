@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact/material_riemann.hpp"
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

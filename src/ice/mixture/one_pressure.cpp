@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "ice/material_runs.hpp"
-#include "ice/mixture/cell_closure.hpp"
+#include "ice/closure/cell_closure.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <bit>
 
-#include "ice/material_runs.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <limits>
 
-#include "ice/closure_rows.hpp"
-#include "ice/conservative/primitives_rows.hpp"
-#include "ice/limiters.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/presence.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/one_material/primitives_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -3,14 +3,14 @@
 //   V_m:         V_m - sum_{t != d} h_t u_t L3_t(V_m)
 //   rho_m:       rho_mL - sum_{t != d} [ h_t u_t L3_t(rho_m) - h_t rho_m su_t ]
 //   (rho e)_m:   eps_mL - sum_{t != d} [ h_t u_t L3_t((rho e)_m) - h_t ((rho e)_m + p) su_t ]
-// as for one material (conservative/remap_base_rows.hpp). Differences count only where the material
+// as for one material (one_material/remap_base_rows.hpp). Differences count only where the material
 // fills more than a trace of the cell and of both neighbours. Density is floored at a tenth,
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
 
-#include "ice/conservative/remap_base_rows.hpp"
-#include "ice/material_runs.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/remap_base_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -1,7 +1,7 @@
 // Step 8 with several materials: which volume, mass and energy of each pass a face.
 //
 // Where a face lies between two cells of pure neighbourhood, the rows of one material
-// (conservative/remap_flux_rows.hpp); elsewhere, with the donor's values, H = l u_f, nu = |H|/J,
+// (one_material/remap_flux_rows.hpp); elsewhere, with the donor's values, H = l u_f, nu = |H|/J,
 // s = sign(H), N the outflow Courant number, B = 2/max(N,.05):
 //   1. theta_m = V_m + s (1-nu)/2 S, S = sign min(B |dm|, 2 |dp|) (0 at extrema) near an interface,
 //      where one of five cells has V_m < .01 or > .99, else Q3(dm, dp; nu, B);
@@ -21,11 +21,11 @@
 //      of the mixture as for one material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
 
-#include "ice/conservative/remap_flux_rows.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/one_material/remap_flux_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -3,9 +3,9 @@
 //
 //   base of the mixture + w_L - sum_{t != d} h_t [u_mt L3_t(u_m) - u_t L3_t(u)] - R_t/2
 // R_t, what pressure along t != d gave to w_t, goes back by half as that of the mixture does.
-#include "ice/conservative/remap_base_rows.hpp"
-#include "ice/material_runs.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/one_material/remap_base_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

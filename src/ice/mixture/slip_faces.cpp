@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "framework/base/infinity.hpp"
-#include "ice/limiters.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

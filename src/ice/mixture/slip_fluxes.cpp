@@ -10,11 +10,11 @@
 #include <cmath>
 
 #include "framework/refine/coverage.hpp"
-#include "ice/conservative/remap_flux_rows.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/closure/interface_band.hpp"
 #include "ice/mixture/face_donors.hpp"
-#include "ice/mixture/interface_band.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/one_material/remap_flux_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <string>
 
-#include "ice/labels.hpp"
-#include "ice/limiters.hpp"
-#include "ice/mixture/drag.hpp"
+#include "ice/closure/drag.hpp"
+#include "ice/fluid/labels.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
 

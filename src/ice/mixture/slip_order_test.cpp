@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

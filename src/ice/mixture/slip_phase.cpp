@@ -9,8 +9,8 @@
 // slip, dt f . sum V_m w_half, is added and counted.
 #include <cmath>
 
-#include "ice/limiters.hpp"
-#include "ice/mixture/drag.hpp"
+#include "ice/closure/drag.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
 
 namespace sluice::ice::mixture {

@@ -1,7 +1,7 @@
 // Friction of each material on itself, with velocities of their own.
 //
 //   t_m = (mu_m/mu) t + tau_m,   tau_m the stress of w_m = u_m - u with mu_m,   t' = t + sum tau_m
-// t: the stress of the mixture's motion (conservative/viscous_stress.cpp), mu_m: harmonic mean of
+// t: the stress of the mixture's motion (one_material/viscous_stress.cpp), mu_m: harmonic mean of
 // V_m mu_m of both cells, mu: that of the mixture. What is no material's own, of eddies and between
 // fluids that lie side by side, moves all alike. mu_m is at most 3 M_m/(8 dt sum 1/dx^2): a trace
 // with little mass takes the friction that it can bear in a step. Absent without friction.
@@ -11,9 +11,9 @@
 #include <cmath>
 #include <string>
 
-#include "ice/conservative/face_mean.hpp"
-#include "ice/limiters.hpp"
-#include "ice/mixture/drag.hpp"
+#include "ice/closure/drag.hpp"
+#include "ice/fluid/face_mean.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
 

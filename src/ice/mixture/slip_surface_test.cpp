@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "ice/mixture/drag.hpp"
-#include "ice/mixture/mixture_test_support.hpp"
+#include "ice/closure/drag.hpp"
+#include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice {
 namespace {

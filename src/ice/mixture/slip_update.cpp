@@ -12,14 +12,14 @@
 //       - |sum a_m|^2/(2 rho') - sum_m M_m' w_m''^2/2
 // (nothing of q_m/M_m' before the drag: of a trace it is as good as nought by nought). Cells of
 // pure neighbourhood run the rows of one material.
-#include "ice/conservative/update_rows.hpp"
-#include "ice/material_runs.hpp"
-#include "ice/mixture/cell_closure.hpp"
+#include "ice/closure/cell_closure.hpp"
+#include "ice/closure/drag.hpp"
+#include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/drag.hpp"
 #include "ice/mixture/slip.hpp"
-#include "ice/mixture/traces.hpp"
 #include "ice/mixture/update_state.hpp"
+#include "ice/one_material/update_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/conservative/face_mean.hpp"
-#include "ice/limiters.hpp"
-#include "ice/material_runs.hpp"
+#include "ice/fluid/face_mean.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

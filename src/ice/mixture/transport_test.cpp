@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ice/mixture/transport_test_support.hpp"
+#include "ice/test_support/transport.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -10,14 +10,14 @@
 // pressure waits for its new fraction: one_pressure.cpp.
 #include <algorithm>
 
-#include "ice/conservative/update_rows.hpp"
-#include "ice/material_runs.hpp"
-#include "ice/mixture/cell_closure.hpp"
+#include "ice/closure/cell_closure.hpp"
+#include "ice/closure/ideal_relaxation.hpp"
+#include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/ideal_relaxation.hpp"
-#include "ice/mixture/traces.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/update_rows.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

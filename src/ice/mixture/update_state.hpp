@@ -3,13 +3,13 @@
 #pragma once
 #include <algorithm>
 
-#include "ice/conservative/update_rows.hpp"
-#include "ice/material_runs.hpp"
-#include "ice/mixture/cell_closure.hpp"
+#include "ice/closure/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/update_rows.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
 

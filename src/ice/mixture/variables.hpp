@@ -8,7 +8,7 @@
 #pragma once
 #include <vector>
 
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 struct MaterialsOfStep;

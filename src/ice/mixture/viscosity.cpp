@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <string>
 
+#include "ice/fluid/mixed_gas.hpp"
 #include "ice/ice.hpp"
-#include "ice/material_runs.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/step/material_runs.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice::mixture {

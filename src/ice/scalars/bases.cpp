@@ -7,7 +7,7 @@
 // One that is carried by volume offers the amount A = rho q, as density and energy are offered:
 //   base_d = rho_L q - sum_{t != d} h_t (u_t L3_t(A) - A su_t)
 // A scalar is nowhere but where its material is: neighbours without mass do not count.
-#include "ice/limiters.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
 

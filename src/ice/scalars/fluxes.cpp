@@ -8,7 +8,7 @@
 // (remap_flux_rows.hpp): what stays of the share is between the same bounds, so that no step makes
 // a new extremum. Diffusion: dt D M_f (half_a - half_b)/dx^2, see bases.cpp, where a material that
 // does not fill its cell counts with what surely stays there in this step: all of it may leave.
-#include "ice/limiters.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
 

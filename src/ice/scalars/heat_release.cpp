@@ -1,8 +1,8 @@
 // The task that ends a step with heat of mixing.
 #include "ice/scalars/heat_release.hpp"
 
-#include "ice/conservative/update_rows.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/one_material/update_rows.hpp"
 #include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice::scalars {

@@ -6,7 +6,7 @@
 // the change of sum rho' Q(f'). It counts as a source (sources/sources.hpp); other sources act
 // before it. Absent where no heat is given: then the update ends the step.
 #pragma once
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice::scalars {
 

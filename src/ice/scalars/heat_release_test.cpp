@@ -2,8 +2,8 @@
 #include <fstream>
 
 #include "framework/base/temporary_folder.hpp"
-#include "ice/scalars/mixed_gas.hpp"
-#include "ice/scalars/scalar_test_support.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/test_support/scalars.hpp"
 #include "models/flame_sheet.hpp"
 
 namespace sluice::ice {

@@ -1,6 +1,6 @@
 // Small functions of the row kernels of scalars.
 #pragma once
-#include "ice/limiters.hpp"
+#include "ice/fluid/limiters.hpp"
 
 namespace sluice::ice::scalars {
 

@@ -1,7 +1,7 @@
 // Scalars in a flow: accuracy, bounds, conservation, symmetry.
 #include <gtest/gtest.h>
 
-#include "ice/scalars/scalar_test_support.hpp"
+#include "ice/test_support/scalars.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -1,8 +1,8 @@
 // A scalar of one material where several meet: it stays with its material.
 #include <gtest/gtest.h>
 
-#include "ice/mixture/mixture_test_support.hpp"
-#include "ice/scalars/scalar_test_support.hpp"
+#include "ice/test_support/mixture.hpp"
+#include "ice/test_support/scalars.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -10,10 +10,10 @@
 #include <memory>
 
 #include "framework/task/reductions.hpp"
-#include "ice/end_of_step.hpp"
-#include "ice/scalars/regions.hpp"
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
+#include "ice/step/end_of_step.hpp"
+#include "ice/step/region_runs.hpp"
 
 namespace sluice::ice::scalars {
 namespace {

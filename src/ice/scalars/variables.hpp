@@ -6,7 +6,7 @@
 #pragma once
 #include <span>
 
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice::ice::mixture {

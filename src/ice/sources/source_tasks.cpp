@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ice/cell_sums.hpp"
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
+#include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice {
 namespace {

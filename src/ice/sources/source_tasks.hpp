@@ -1,7 +1,7 @@
 // What sources need in the graph of a step: rows to act on, an account, labels.
 #pragma once
-#include "ice/conservative/variables.hpp"
 #include "ice/sources/sources.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 

@@ -6,9 +6,9 @@
 
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "ice/deck/schema.hpp"
+#include "ice/fluid/labels.hpp"
 #include "ice/ice.hpp"
-#include "ice/ice_schema.hpp"
-#include "ice/labels.hpp"
 
 namespace sluice::ice {
 namespace {

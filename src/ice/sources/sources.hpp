@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "framework/task/task.hpp"
-#include "ice/fluid.hpp"
-#include "ice/sources/row_region.hpp"
+#include "ice/fluid/fluid.hpp"
+#include "ice/step/row_region.hpp"
 #include "models/added_heat.hpp"
 #include "models/models.hpp"
 

@@ -1,7 +1,7 @@
 // Looking up the fields of a box.
 #include "ice/tracers/flow_at_points.hpp"
 
-#include "ice/labels.hpp"
+#include "ice/fluid/labels.hpp"
 
 namespace sluice::ice {
 

@@ -13,7 +13,7 @@
 
 #include "framework/run/particle_method.hpp"
 #include "framework/scene/scene.hpp"
-#include "ice/boundary_fill.hpp"
+#include "ice/boundary/boundary_fill.hpp"
 #include "models/tracer_particles.hpp"
 
 namespace sluice::ice {

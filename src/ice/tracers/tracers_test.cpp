@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "framework/run/load_balance.hpp"
-#include "ice/tracers/tracer_test_support.hpp"
+#include "ice/test_support/tracers.hpp"
 
 namespace sluice::ice {
 namespace {

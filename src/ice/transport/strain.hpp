@@ -1,6 +1,6 @@
 // Central differences of the velocity in a row of cells, and the rate of strain.
 #pragma once
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 

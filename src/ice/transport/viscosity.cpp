@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/closure_rows.hpp"
-#include "ice/limiters.hpp"
-#include "ice/scalars/mixed_gas.hpp"
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/fluid/mixed_gas.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "ice/conservative/variables.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 

@@ -1,6 +1,6 @@
 // Friction on walls from laws of the boundary layer.
 #pragma once
-#include "ice/transport/settings.hpp"
+#include "ice/deck/transport_settings.hpp"
 
 namespace sluice::ice {
 

@@ -1,0 +1,180 @@
+// What passes through a face in a step, of either scheme, as amounts per volume of a cell.
+//
+//   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u + l q,
+// l = dt/dx, t the viscous stress, u the velocity between the two cells, q the flux of heat.
+// Positive along the axis.
+#pragma once
+#include "ice/fluid/face_mean.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+struct FaceFluxHandles {
+  In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
+  In materials, pure;      // of a mixture
+  In material_velocities;  // where each material has its own
+};
+
+// Low and high faces of the cells of a row.
+inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables& v,
+                                        const SchemeOptions& o, int axis) {
+  const auto face = static_cast<std::size_t>(axis);
+  const int direction = o.axes.direction[axis];
+  const Stencil both = Stencil::along(direction, 0, 1);
+  FaceFluxHandles h;
+  h.flux = task.read(v.flux[face], both);
+  h.face_velocity = task.read(v.face_velocity[face], both);
+  h.face_pressure = task.read(v.face_pressure[face], both);
+  if (o.mixture) {
+    h.materials = task.read(v.material_flux[face], both);
+    h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
+    if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[face], both);
+  }
+  if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
+  if (!o.viscous) return h;
+  h.stress = task.read(v.stress[face], both);
+  h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
+  if (o.friction_tilts())
+    h.viscosity = task.read(v.front_viscosity, Stencil::along(direction, 1, 1));
+  return h;
+}
+
+// Velocity of the fluid on a face on which friction works, component c.
+inline double rubbed_velocity(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                              int axis, int shift, int i, int c) {
+  const double a = row(h.velocity, c, axis, shift - 1)[i], b = row(h.velocity, c, axis, shift)[i];
+  const double mean = 0.5 * (a + b);
+  if (!o.friction_tilts()) return mean;
+  return mean + velocity_tilt(row(h.viscosity, 0, axis, shift - 1)[i],
+                              row(h.viscosity, 0, axis, shift)[i]) *
+                    (b - a);
+}
+
+struct FaceFlux {
+  double mass = 0, energy = 0;
+  double momentum[3] = {0, 0, 0};  // by component
+  double impulse[3] = {0, 0, 0};   // the part of momentum that is no advection
+};
+
+// The material that both cells of a face and all around them hold alone; -1: there are several.
+inline int alone_at_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+                         int shift, int i) {
+  if (!o.mixture) return o.material;
+  const double below = row(h.pure, 0, axis, shift - 1)[i], above = row(h.pure, 0, axis, shift)[i];
+  return below == above && below >= 0.0 ? static_cast<int>(above) : -1;
+}
+
+// What materials with velocities of their own carry along component c: momentum sum F_m U_m and
+// twice the kinetic energy, sum F_m U_m^2.
+struct CarriedApart {
+  double momentum = 0, square = 0;
+};
+inline CarriedApart carried_apart(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                                  int axis, int shift, int i, int c) {
+  CarriedApart sum;
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+    const double F = row(h.materials, 3 * m + 1, axis, shift)[i];
+    const double U = row(h.material_velocities, m * o.components + c, axis, shift)[i];
+    sum.momentum += F * U;
+    sum.square += F * U * U;
+  }
+  return sum;
+}
+
+// The low (shift 0) or high (shift 1) faces of the cells of a row. What is the same for all of them
+// is found once.
+class FaceFluxRows {
+ public:
+  FaceFluxRows(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
+               int shift)
+      : row_(&row),
+        h_(&h),
+        o_(&o),
+        axis_(axis),
+        shift_(shift),
+        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {
+    const auto faces = [&](In in, int c = 0) { return row(in, c, axis, shift); };
+    mass_ = faces(h.flux, 0);
+    energy_ = faces(h.flux, 1);
+    velocity_ = faces(h.face_velocity);
+    pressure_ = faces(h.face_pressure);
+    if (o.conducting) heat_ = faces(h.heat_flux);
+    for (int c = 0; c < o.components; ++c) {
+      carried_[c] = faces(h.flux, 2 + c);
+      if (o.viscous) stress_[c] = faces(h.stress, c);
+    }
+  }
+
+  // Of cell i.
+  FaceFlux operator()(int i) const {
+    const SchemeOptions& o = *o_;
+    const double F = mass_[i], pf = pressure_[i];
+    FaceFlux flux;
+    flux.mass = F;
+    double FU2 = 0, friction = 0;
+    const bool apart =
+        o.own_velocities && o.mixture && alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
+    for (int c = 0; c < o.components; ++c) {
+      // The flux holds U, or F U in the classic form.
+      const double carried = carried_[c][i];
+      double FU = o.classic ? carried : F * carried;
+      const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
+      if (apart) {
+        const CarriedApart sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
+        FU = sum.momentum;
+        FU2 += sum.square;
+      } else {
+        FU2 += FU * U;
+      }
+      double impulse = c == axis_ ? l_ * pf : 0.0;
+      if (o.viscous) {
+        const double t = stress_[c][i];
+        impulse -= l_ * t;
+        friction += l_ * t * rubbed_velocity(*row_, *h_, o, axis_, shift_, i, c);
+      }
+      flux.impulse[c] = impulse;
+      flux.momentum[c] = FU + impulse;
+    }
+    flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
+    if (o.conducting) flux.energy += l_ * heat_[i];
+    return flux;
+  }
+
+ private:
+  const Row* row_;
+  const FaceFluxHandles* h_;
+  const SchemeOptions* o_;
+  int axis_, shift_;
+  double l_;
+  const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr;
+  const double *carried_[3] = {}, *stress_[3] = {};
+};
+
+// What passes of one material, per volume of a cell: volume, mass, energy (with its share of the
+// kinetic correction). The graph of one material alone knows that nothing of the others passes.
+struct MaterialFlux {
+  double volume = 0, mass = 0, energy = 0;
+  double momentum[3] = {0, 0, 0};  // by component, where each material has its own velocity
+};
+
+inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
+                                  int axis, int shift, int i, int material) {
+  const auto face = [&](In in, int c) { return row(in, c, axis, shift)[i]; };
+  const int alone = alone_at_face(row, h, o, axis, shift, i);
+  MaterialFlux flux;
+  if (alone < 0) {
+    const int c = 3 * material;
+    flux = {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2), {}};
+    if (o.own_velocities)
+      for (int n = 0; n < o.components; ++n)
+        flux.momentum[n] = flux.mass * face(h.material_velocities, material * o.components + n);
+    return flux;
+  }
+  if (material != alone) return flux;
+  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
+  flux = {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1), {}};
+  for (int n = 0; n < o.components; ++n) flux.momentum[n] = flux.mass * face(h.flux, 2 + n);
+  return flux;
+}
+
+}  // namespace sluice::ice

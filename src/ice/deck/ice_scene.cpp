@@ -1,0 +1,235 @@
+// Reading the ICE blocks of a deck that the schema has checked.
+#include "ice/deck/ice_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/scene/deck_values.hpp"
+#include "ice/deck/read_fluid.hpp"
+#include "ice/deck/read_transport.hpp"
+#include "ice/deck/schema.hpp"
+
+namespace sluice::ice {
+namespace {
+
+Location place(const DeckNode* node) {
+  return node != nullptr ? node->where : Location{};
+}
+
+std::optional<std::string> formula_text(const DeckNode& formula, std::string_view name) {
+  const DeckNode* child = formula.child(name);
+  if (child == nullptr || child->text.empty()) return std::nullopt;
+  return child->text;
+}
+
+std::optional<FormulaFill> read_formula(const DeckNode* ice) {
+  const DeckNode* node = ice != nullptr ? ice->find("customInitialization/formula") : nullptr;
+  if (node == nullptr) return std::nullopt;
+  FormulaFill fill;
+  fill.where = node->where;
+  fill.density = formula_text(*node, "density");
+  fill.pressure = formula_text(*node, "pressure");
+  fill.temperature = formula_text(*node, "temperature");
+  constexpr const char* velocities[] = {"velocity_x", "velocity_y", "velocity_z"};
+  for (std::size_t d = 0; d < 3; ++d) fill.velocity[d] = formula_text(*node, velocities[d]);
+  return fill;
+}
+
+IceMaterial read_material(const DeckNode& node, int index, const GeometryReader& geometry,
+                          std::vector<Fault>& faults) {
+  IceMaterial m;
+  m.index = index;
+  m.name = node.attribute("name").value_or("");
+  m.where = node.where;
+  m.fluid = read_fluid(node, faults);
+  m.viscosity = node.real("dynamic_viscosity");
+  m.viscosity_models = read_viscosity_models(node);
+  m.viscosity_where = place(node.child("dynamic_viscosity"));
+  m.conductivity = node.real("thermal_conductivity");
+  m.conductivity_where = place(node.child("thermal_conductivity"));
+  m.surrounding = boolean_or(node, "isSurroundingMatl", false);
+  for (const DeckNode* object : node.all("geom_object"))
+    m.objects.push_back(geometry.object(*object, faults));
+  return m;
+}
+
+void read_numerics(const DeckNode& cfd, IceScene& s) {
+  s.cfl = cfd.real("cfl");
+  s.cfl_where = place(cfd.child("cfl"));
+  const DeckNode* ice = cfd.child("ICE");
+  if (ice == nullptr) return;
+  if (const DeckNode* scheme = ice->child("scheme")) {
+    s.classic = scheme->text == "classic";
+    s.scheme_where = scheme->where;
+  }
+  if (const DeckNode* advection = ice->child("advection")) {
+    s.second_order = advection->attribute("type").value_or("SecondOrder") == "SecondOrder";
+    s.compatible_fluxes = advection->attribute("useCompatibleFluxes").value_or("true") == "true";
+    s.advection_where = advection->where;
+  }
+  if (const DeckNode* h = ice->child("applyHydrostaticPressure"))
+    s.hydrostatic_start = h->as_boolean();
+  if (const DeckNode* control = ice->child("TimeStepControl")) {
+    if (const DeckNode* n = control->child("Scheme_for_delT_calc"))
+      s.conservative_time_step = n->text == "conservative";
+    if (const DeckNode* n = control->child("knob_for_speedSound"))
+      s.sound_speed_knob = n->as_real();
+    if (const DeckNode* n = control->child("knob_for_diffusion")) s.diffusion_knob = n->as_real();
+  }
+  s.added_heat = read_added_heat(*ice);
+  s.driving_force = read_driving_force(*ice);
+  s.formula = read_formula(ice);
+  if (const DeckNode* custom = ice->child("customInitialization"))
+    s.custom = read_custom_starts(*custom);
+}
+
+// `all` materials: one criterion each.
+void read_criteria(const DeckNode& root, IceScene& s) {
+  const DeckNode* list = root.find("AMR/ICE/Refinement_Criteria_Thresholds");
+  if (list == nullptr) return;
+  for (const DeckNode* v : list->all("Variable")) {
+    RefinementCriterion c;
+    c.label = v->attribute("name").value_or("");
+    c.value = std::stod(v->attribute("value").value_or("0"));
+    const std::string material = v->attribute("matl").value_or("all");
+    for (const IceMaterial& m : s.materials) {
+      c.material = m.index;
+      if (material == "all" || std::stoi(material) == m.index) s.criteria.push_back(c);
+    }
+  }
+}
+
+// A vortex turns in a plane; what it has along a direction that is no dimension has no place.
+void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
+                        std::vector<Fault>& faults) {
+  for (const int d : {(axis + 1) % 3, (axis + 2) % 3}) {
+    const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
+    if (direction.velocity != VelocityComponent::dropped) continue;
+    add_warning(faults, node.where,
+                fmt::format("<{}> about {} also turns the velocity along {}, which is no "
+                            "dimension of this run; that part is dropped",
+                            node.name, "xyz"[axis], "xyz"[d]),
+                "an axis along a direction of one cell turns the other two");
+  }
+}
+
+// Fewer cells than four a pair hold no vortices.
+void warn_of_narrow_pairs(const DeckNode& node, const VortexPairs& pairs, const Level& coarsest,
+                          std::vector<Fault>& faults) {
+  constexpr int least_cells = 4;
+  const int along = directions_of(pairs, coarsest).along, cells = coarsest.domain.size()[along];
+  if (cells / least_cells >= pairs.pairs) return;
+  add_warning(faults, node.where,
+              fmt::format("<vortexPairs>: {} pairs side by side along {}, where the coarsest level "
+                          "has {} cells",
+                          pairs.pairs, "xyz"[along], cells),
+              fmt::format("take fewer pairs, or {} cells for each", least_cells));
+}
+
+void warn_of_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
+                      std::vector<Fault>& faults) {
+  const DeckNode* custom = deck.root->find("CFD/ICE/customInitialization");
+  if (custom == nullptr) return;
+  std::size_t n = 0;
+  for (const CustomStart& start : s.custom) {
+    if (const auto* vortices = std::get_if<Vortices>(&start))
+      for (const Vortex& v : vortices->list)
+        warn_of_flat_plane(*custom->child("vortices")->all("vortex")[n++], v.axis, scene, faults);
+    if (const auto* pairs = std::get_if<VortexPairs>(&start)) {
+      const DeckNode& node = *custom->child("vortexPairs");
+      warn_of_flat_plane(node, pairs->axis, scene, faults);
+      warn_of_narrow_pairs(node, *pairs, scene.grid.levels.front(), faults);
+    }
+  }
+}
+
+// A region is held at a state that its material's law has.
+void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
+  for (const models::FixedValues& f : s.models.fixed_values) {
+    const IceMaterial& m = s.materials[static_cast<std::size_t>(f.material)];
+    const double rho_e = m.fluid.energy_from_temperature(f.density, f.temperature);
+    if (m.fluid.admissible(f.density, rho_e)) continue;
+    add_error(faults, f.where,
+              fmt::format("the equation of state of '{}' has no state with density_src {:g} and "
+                          "temperature_src {:g}: pressure {:g} (must be above {:g}), sound speed "
+                          "squared must be above 0",
+                          m.name, f.density, f.temperature, m.fluid.pressure(f.density, rho_e),
+                          m.fluid.lowest_pressure()),
+              "see the range of the law in docs/theory_eos.md");
+  }
+}
+
+// What a model of a mixed gas leaves to the material, and what the material gets from it: its
+// coefficients are then the largest of the mixture's.
+void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
+  if (!s.models.mixed) return;
+  models::MixedGas& gas = *s.models.mixed;
+  IceMaterial& m = s.materials[static_cast<std::size_t>(gas.material)];
+  gas.change_nodes([&](models::MixedGas::Node& node) {
+    if (!gas.own_heat_capacity) {
+      node.cv = m.fluid.specific_heat;
+      node.R = (m.fluid.gamma - 1.0) * m.fluid.specific_heat;
+    }
+    if (!gas.own_viscosity) node.viscosity = m.viscosity;
+    if (!gas.own_conductivity) node.conductivity = m.conductivity;
+  });
+  m.viscosity = gas.most(&models::MixedGas::Node::viscosity);
+  m.conductivity = gas.most(&models::MixedGas::Node::conductivity);
+  const double ox = gas.oxidizer_temperature, fuel = gas.fuel_temperature;
+  for (const GeomObject& object : m.objects) {
+    const double T = object.value("temperature");
+    if (ox == 0 || T == ox || T == fuel) continue;
+    add_warning(faults, gas.where,
+                fmt::format("<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' "
+                            "starts at {:g} K: the heat given is the same, temperatures differ "
+                            "by as much",
+                            gas.type, ox, fuel, m.name, T));
+  }
+}
+
+}  // namespace
+
+bool IceScene::one_velocity() const {
+  return materials.size() < 2 || exchange.momentum.least_of_pairs() >= one_velocity_coefficient;
+}
+
+const IceMaterial& IceScene::surrounding() const {
+  const auto marked = std::find_if(materials.begin(), materials.end(),
+                                   [](const IceMaterial& m) { return m.surrounding; });
+  return marked != materials.end() ? *marked : materials.front();
+}
+
+IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
+  IceScene s;
+  const DeckNode& root = *deck.root;
+  if (const DeckNode* cfd = root.child("CFD")) read_numerics(*cfd, s);
+  const GeometryReader geometry(root, faults);
+  for (const DeckNode* node : ice_materials(root))
+    s.materials.push_back(
+        read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
+  if (const DeckNode* ice = root.find("CFD/ICE")) {
+    s.turbulence = read_turbulence(*ice);
+    s.wall_shear = read_wall_shear(*ice, scene, faults);
+  }
+  for (IceMaterial& m : s.materials) m.subgrid = s.turbulence || !s.wall_shear.empty();
+  const auto count = static_cast<int>(s.materials.size());
+  if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
+  s.exchange = read_exchange(root, count);
+  std::vector<std::string> names;
+  for (const IceMaterial& m : s.materials) names.push_back(m.name);
+  s.models = models::read_models(root, names, geometry, faults);
+  complete_mixed_gas(s, faults);
+  check_fixed_values(s, faults);
+  for (const models::TransportedScalar& scalar : s.models.scalars)
+    if (scalar.refine_above >= 0)
+      s.criteria.push_back({scalar.value().name(), scalar.refine_above, scalar.material});
+  s.conditions = read_flow_conditions(root);
+  if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
+  read_criteria(root, s);
+  warn_of_vortices(deck, scene, s, faults);
+  s.gravity_where = scene.constants.gravity_where;
+  return s;
+}
+
+}  // namespace sluice::ice

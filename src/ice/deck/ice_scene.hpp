@@ -1,0 +1,79 @@
+// What the ICE part of a deck means: numerics, materials, initial state. Plain data.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/scene/scene.hpp"
+#include "ice/deck/body_sources.hpp"
+#include "ice/deck/custom_start.hpp"
+#include "ice/deck/exchange_settings.hpp"
+#include "ice/deck/flow_conditions.hpp"
+#include "ice/deck/transport_settings.hpp"
+#include "ice/fluid/fluid.hpp"
+#include "models/models.hpp"
+
+namespace sluice::ice {
+
+struct IceMaterial {
+  std::string name;
+  int index = 0;
+  Fluid fluid;
+  double viscosity = 0;     // dynamic, Pa s
+  double conductivity = 0;  // W/(m K)
+  ViscosityModels viscosity_models;
+  bool subgrid = false;      // turbulence or a law of the wall acts on it
+  bool surrounding = false;  // its weight makes the hydrostatic pressure
+  std::vector<GeomObject> objects;
+  Location where, viscosity_where, conductivity_where;
+
+  bool viscous() const { return viscosity > 0 || viscosity_models.any() || subgrid; }
+};
+
+// Formulas of x, y, z that replace values of the geometry objects.
+struct FormulaFill {
+  std::optional<std::string> density, pressure, temperature;
+  std::array<std::optional<std::string>, 3> velocity;
+  Location where;
+};
+
+struct RefinementCriterion {
+  std::string label;  // a cell variable that is a function of the state
+  double value = 0;   // threshold of the gradient's magnitude
+  int material = 0;
+};
+
+struct IceScene {
+  bool classic = false;      // <scheme>classic</scheme>
+  bool second_order = true;  // <advection type=>
+  bool compatible_fluxes = true;
+  double cfl = 0.4;
+  double sound_speed_knob = 1;
+  double diffusion_knob = 1;
+  bool conservative_time_step = false;  // Scheme_for_delT_calc
+  bool hydrostatic_start = true;
+  std::vector<IceMaterial> materials;
+  std::optional<Turbulence> turbulence;
+  std::vector<WallShear> wall_shear;
+  FlowConditions conditions;        // LODI, Sine and inlet profiles of the boundary
+  std::vector<CustomStart> custom;  // in the order in which they act
+  std::optional<FormulaFill> formula;
+  std::vector<RefinementCriterion> criteria;
+  ExchangeSettings exchange;
+  models::ModelList models;
+  std::vector<models::AddedHeat> added_heat;
+  DrivingForce driving_force;
+  Location advection_where, cfl_where, scheme_where, gravity_where;
+
+  // Drag so strong in every pair that all materials move together (one_velocity_coefficient).
+  bool one_velocity() const;
+  // The material whose weight makes the hydrostatic pressure: the one marked, or the only one.
+  const IceMaterial& surrounding() const;
+};
+
+// Adds errors and warnings to `faults`.
+IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults);
+
+}  // namespace sluice::ice

@@ -1,0 +1,291 @@
+// The tags of ICE.
+#include "ice/deck/schema.hpp"
+
+#include <algorithm>
+
+#include "framework/field/label.hpp"
+#include "ice/deck/body_sources.hpp"
+#include "ice/deck/custom_start.hpp"
+#include "ice/deck/exchange_settings.hpp"
+#include "ice/deck/fluid_laws.hpp"
+#include "ice/deck/read_fluid.hpp"
+#include "ice/deck/read_transport.hpp"
+#include "ice/fluid/labels.hpp"
+#include "models/adiabatic_table.hpp"
+#include "models/models.hpp"
+
+namespace sluice {
+namespace {
+
+TagSpec advection() {
+  return tag("advection", "order of the scheme in space and time")
+      .once()
+      .with_attributes(
+          {attribute("type", "the order")
+               .once()
+               .words({"FirstOrder", "SecondOrder"})
+               .not_built({"FirstOrderGPU"}),
+           attribute("useCompatibleFluxes", "classic scheme: fluxes of q/m weighted with mass")
+               .boolean()
+               .alias("compatibleFluxes")
+               .by_default("true")});
+}
+
+TagSpec time_step_control() {
+  return tag("TimeStepControl", "the deck's own rule for the time step")
+      .fill()
+      .with_children({tag("Scheme_for_delT_calc", "which rule")
+                          .words({"aggressive", "conservative"})
+                          .by_default("aggressive"),
+                      tag("knob_for_speedSound", "share of the sound speed in the rule")
+                          .real()
+                          .at_least(0)
+                          .at_most(1)
+                          .by_default("1"),
+                      tag("knob_for_diffusion", "share of diffusion in the rule")
+                          .real()
+                          .at_least(0)
+                          .at_most(1)
+                          .by_default("1")});
+}
+
+TagSpec formula_of(const std::string& name, const std::string& unit) {
+  return tag(name, "formula of x, y, z; absent: as the geometry objects say").text().unit(unit);
+}
+
+TagSpec custom_initialization() {
+  return tag("customInitialization",
+             "initial state that geometry objects cannot give; the last of several acts first, a "
+             "formula after all")
+      .with_children(ice::custom_start_tags())
+      .child(
+          tag("formula", "initial state as formulas of x, y, z at the centre of each cell")
+              .with_children(
+                  {formula_of("density", "density"), formula_of("velocity_x", "velocity"),
+                   formula_of("velocity_y", "velocity"), formula_of("velocity_z", "velocity"),
+                   formula_of("pressure", "pressure"), formula_of("temperature", "temperature")}));
+}
+
+TagSpec ice_block() {
+  return tag("ICE", "the multi-material finite-volume method")
+      .with_children({tag("scheme",
+                          "conservative: total energy conserved, second order in space "
+                          "and time; classic: internal energy, one stage")
+                          .words({"conservative", "classic"})
+                          .by_default("conservative"),
+                      advection(), time_step_control(), custom_initialization(),
+                      tag("max_iteration_equilibration",
+                          "accepted without effect: the search for one pressure always ends")
+                          .integer()
+                          .at_least(1),
+                      tag("ClampSpecificVolume", "accepted without effect: there are no clamps")
+                          .boolean()
+                          .by_default("false"),
+                      tag("applyHydrostaticPressure",
+                          "with gravity: the pressure at the start balances the weight")
+                          .boolean()
+                          .by_default("true")})
+      .with_children(ice::transport_tags())
+      .with_children(ice::body_source_tags());
+}
+
+TagSpec fluid_dynamics() {
+  return tag("CFD", "the fluid")
+      .with_children({tag("cfl", "share of the stable time step").once().real().above(0).at_most(1),
+                      ice_block()});
+}
+
+TagSpec geom_object() {
+  return tag("geom_object",
+             "a region and the state in it; later objects overwrite earlier ones of the same "
+             "material")
+      .at_least_once()
+      .attribute(attribute("name", "name of the object").text())
+      .group("geometry_piece")
+      .with_children(
+          {tag("res", "sample points per cell and direction")
+               .int_vector()
+               .at_least(1)
+               .by_default("[2,2,2]"),
+           tag("velocity", "velocity").once().vector().unit("velocity"),
+           tag("temperature", "temperature").once().real().above(0).unit("temperature"),
+           tag("density", "density of the material itself").once().real().above(0).unit("density"),
+           tag("volumeFraction", "share of the object that is this material; absent: 1")
+               .real()
+               .at_least(0)
+               .at_most(1),
+           tag("pressure", "read, not used: density and temperature give the pressure")
+               .real()
+               .unit("pressure")});
+}
+
+TagSpec material() {
+  return tag("material", "a material of ICE")
+      .at_least_once()
+      .with_attributes({attribute("name", "name of the material").text(),
+                        attribute("index", "accepted without effect: order gives the index")
+                            .integer()
+                            .at_least(0)})
+      .with_children(
+          {ice::equation_of_state_tag(), ice::specific_heat_tag(),
+           tag("gamma",
+               "ratio of specific heats; above 1 for ideal_gas, StiffenedGas and "
+               "hard_sphere_gas, without effect for the rest")
+               .once()
+               .real()
+               .above(0),
+           tag("specific_heat", "at constant volume; <SpecificHeatModel> stands in its place")
+               .once()
+               .real()
+               .above(0)
+               .unit("energy/(mass temperature)"),
+           tag("dynamic_viscosity", "dynamic viscosity")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("pressure time"),
+           ice::viscosity_models_tag(),
+           tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
+           tag("tiny_rho", "accepted without effect: no mass is added")
+               .real()
+               .above(0)
+               .unit("density"),
+           tag("isSurroundingMatl",
+               "its weight makes the hydrostatic pressure; with one material "
+               "this may be left out")
+               .boolean()
+               .by_default("false"),
+           tag("includeFlowWork",
+               "accepted without effect: the work of the pressure always changes the energy")
+               .boolean()
+               .by_default("true"),
+           geom_object()});
+}
+
+TagSpec refinement() {
+  return tag("ICE", "refinement of ICE")
+      .with_children(
+          {tag("orderOfInterpolation", "order of interpolation onto finer levels")
+               .once()
+               .integer()
+               .at_least(0)
+               .at_most(2),
+           tag("orderOf_CFI_Interpolation", "order at the faces between levels; absent: the same")
+               .integer()
+               .at_least(0)
+               .at_most(2),
+           tag("do_Refluxing", "fluxes are matched between levels").boolean().by_default("true"),
+           tag("ClampSpecificVolume", "accepted without effect: there are no clamps").boolean(),
+           tag("Refinement_Criteria_Thresholds", "gradients that flag a cell")
+               .child(tag("Variable", "one criterion")
+                          .multiple()
+                          .with_attributes(
+                              {attribute("name", "a cell variable of the state that can be saved")
+                                   .once()
+                                   .text(),
+                               attribute("value", "cells with a larger gradient are flagged")
+                                   .once()
+                                   .real()
+                                   .at_least(0),
+                               attribute("matl", "material index or all").once().text()}))});
+}
+
+}  // namespace
+
+bool runs_ice(const DeckNode& root) {
+  const DeckNode* component = root.child("SimulationComponent");
+  return component != nullptr && component->attribute("type") == "ice";
+}
+
+std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
+  std::vector<const DeckNode*> materials;
+  for (const DeckNode* properties : root.all("MaterialProperties")) {
+    const DeckNode* ice = properties->child("ICE");
+    if (ice == nullptr) continue;
+    for (const DeckNode* node : ice->all("material")) materials.push_back(node);
+  }
+  return materials;
+}
+
+// What ICE declares (ice/labels.cpp) is built; names with a point are the state's own.
+SaveLabels ice_save_labels() {
+  SaveLabels savable;
+  for (const Label label : ice::own_labels())
+    if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
+  savable.not_built = {"imp_delP",
+                       "sum_imp_delP",
+                       "rhs",
+                       "matrix",
+                       "max_RHS",
+                       "TMV_CC",
+                       "delT",
+                       "cumulativeEnergyReleased",
+                       "HeatReleaseRate",
+                       "dt_chemistry",
+                       "F",
+                       "delF",
+                       "totalMassBurned",
+                       "totalHeatReleased",
+                       "totalMassExchange"};
+  savable.foreign = {
+      {"temp_CC_Xchange", "heat passes between materials at the very end of a step",
+       "save temp_CC, the temperature after it"},
+      {"grad_dp_", "the pressure changes in one go, without corrections",
+       "save grad_P_XFC, grad_P_YFC or grad_P_ZFC"},
+      {"mom_exch_error", "what one material gives another takes",
+       "the run's report says how far momentum is kept; save TotalMomentum"},
+      {"eng_exch_error", "what one material gives another takes",
+       "the run's report says how far energy is kept; save TotalIntEng and KineticEnergy"},
+      {"eq_press_iters",
+       "one pressure is found by closed forms and bracketed searches, not counted",
+       "remove the line"},
+      {"maxMach_", "LODI faces take the Mach number of each cell, not the largest of the face",
+       "save mach"}};
+  for (const char* end : {"*_FC_flux", "*_FC_corr"})
+    savable.foreign.push_back({end,
+                               "registers match the fluxes where levels meet, and are no fields",
+                               "remove the line"});
+  for (const char* face : {"sp_volX_FC", "sp_volY_FC", "sp_volZ_FC"})
+    savable.foreign.push_back({face, "the scheme takes no specific volume on faces",
+                               "save sp_vol_CC of the cells on both sides"});
+  return savable;
+}
+
+// Models bring variables of their own.
+void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_ice(root) || !models::all_built(root)) return;
+  SaveLabels savable = ice_save_labels();
+  for (std::string& label : models::save_labels(root)) savable.built.push_back(std::move(label));
+  check_save_labels(std::move(savable))(root, faults);
+}
+
+void add_ice_tags(Schema& schema) {
+  schema.add(fluid_dynamics());
+  schema.add(tag("AMR", "").child(refinement()));
+  schema.add(
+      tag("MaterialProperties", "the materials and how they act on each other")
+          .multiple()
+          .attribute(attribute("add", "accepted without effect").boolean())
+          .with_children({tag("ICE", "materials of ICE").child(material()), ice::exchange_tag()}));
+  schema.add(models::models_tag());
+  schema.rewrites.emplace_back(drop_foreign_eos_tags);
+  schema.rewrites.emplace_back(models::move_parameters);
+  schema.rewrites.emplace_back(models::rename_scalar_totals);
+  schema.rewrites.emplace_back(models::locate_tables);
+  schema.rules.emplace_back(check_ice_blocks);
+  schema.rules.emplace_back(check_ice_materials);
+  schema.rules.emplace_back(check_ice_fluids);
+  schema.rules.emplace_back(ice::check_ice_exchange);
+  schema.rules.emplace_back(ice::check_transport);
+  schema.rules.emplace_back(check_ice_fill);
+  schema.rules.emplace_back(check_ice_conditions);
+  schema.rules.emplace_back(check_ice_coverage);
+  schema.rules.emplace_back(check_wave_conditions);
+  schema.rules.emplace_back(check_slip_conditions);
+  schema.rules.emplace_back(check_criteria);
+  schema.rules.emplace_back(check_ice_models);
+  schema.rules.emplace_back(ice::check_body_sources);
+  schema.rules.emplace_back(check_ice_labels);
+}
+
+}  // namespace sluice

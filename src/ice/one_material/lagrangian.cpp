@@ -1,0 +1,221 @@
+// Step 6: the Lagrangian phase, cells including one ghost layer.
+//
+//   dp_d = l_d (p_f+ - p_f-) - dt F_d       F: force per volume of gravity and viscous stress
+//   v_d  = u_d - dp_d/rho                    ub_d = u_d - dp_d/(2 rho)
+//   J    = 1 + sum_d l_d (u_f+ - u_f-)
+//   E*   = E - sum_d l_d [p_f+ (u_f+ - ub_d) - p_f- (u_f- - ub_d)]     (work defect)
+//   rho_L = rho/J,  E_L = E*/J,  N = (1/J) sum_d l_d [max(0,u_f+) + max(0,-u_f-)]
+// l = dt/dx. The work defect is what remains of the work of the face pressures when the kinetic
+// energy that the cell gains is taken away: no kinetic energy is ever subtracted. Viscous stress
+// adds its own defect, sum_d l_d [t_f+ . (u_f+ - ub) - t_f- . (u_f- - ub)] with t_f the stress
+// vector on the face and u_f the mean of the two cells: friction becomes heat, exactly. Conduction
+// adds -sum_d l_d (q+ - q-).
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/face_mean.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/step/end_of_step.hpp"
+#include "ice/step/impulse.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+namespace {
+
+struct Handles {
+  In inverse_rho, velocity, energy, viscosity;
+  std::array<In, 3> face_velocity, heat_flux;
+  ImpulseHandles forces;
+  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
+  Out mixture;  // work of pressures, of friction
+};
+
+// Work of the viscous stress, its kinetic part taken away. Summed over components, then over
+// directions: no order of the axes shows in the bits of one and two dimensions.
+template <int D, int C, bool varies>
+void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                       double* __restrict friction) {
+  const int n = row.count();
+  const double* __restrict w = row(h.inverse_rho);
+  const double *tm[D][C], *tp[D][C], *um[D][C], *up[D][C], *u[C], *dp[C];
+  for (int c = 0; c < C; ++c) {
+    u[c] = row(h.velocity, c);
+    dp[c] = row(h.forces.impulse, c);
+    for (int d = 0; d < D; ++d) {
+      const In stress = h.forces.stress[static_cast<std::size_t>(d)];
+      tm[d][c] = row(stress, c);
+      tp[d][c] = row(stress, c, d, 1);
+      um[d][c] = row(h.velocity, c, d, -1);
+      up[d][c] = row(h.velocity, c, d, 1);
+    }
+  }
+  const double *mu = nullptr, *mum[D], *mup[D];
+  if constexpr (varies) {
+    mu = row(h.viscosity);
+    for (int d = 0; d < D; ++d) {
+      mum[d] = row(h.viscosity, 0, d, -1);
+      mup[d] = row(h.viscosity, 0, d, 1);
+    }
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double work = 0;
+    for (int d = 0; d < D; ++d) {
+      double along = 0, carried = 0;
+      for (int c = 0; c < C; ++c) {
+        const double ub = u[c][i] - 0.5 * dp[c][i] * w[i];
+        double above = 0.5 * (u[c][i] + up[d][c][i]), below = 0.5 * (um[d][c][i] + u[c][i]);
+        if constexpr (varies) {
+          above += velocity_tilt(mu[i], mup[d][i]) * (up[d][c][i] - u[c][i]);
+          below += velocity_tilt(mum[d][i], mu[i]) * (u[c][i] - um[d][c][i]);
+        }
+        (c < D ? along : carried) += tp[d][c][i] * (above - ub) - tm[d][c][i] * (below - ub);
+      }
+      if constexpr (C > D) along += carried;
+      work += s.l[d] * along;
+    }
+    friction[i] = work;
+  }
+}
+
+template <int D>
+void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                     double* __restrict Es) {
+  const int n = row.count();
+  const double *qm[D], *qp[D];
+  for (int d = 0; d < D; ++d) {
+    qm[d] = row(h.heat_flux[static_cast<std::size_t>(d)]);
+    qp[d] = row(h.heat_flux[static_cast<std::size_t>(d)], 0, d, 1);
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double heat = 0;
+    for (int d = 0; d < D; ++d) heat += s.l[d] * (qm[d][i] - qp[d][i]);
+    Es[i] += heat;
+  }
+}
+
+// All but friction and conduction.
+template <int D, int C>
+void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constants) {
+  const int n = row.whole_vectors();
+  const ImpulseConstants s = constants;
+  const double* __restrict r = row(h.forces.rho);
+  const double* __restrict w = row(h.inverse_rho);
+  const double* __restrict E = row(h.energy);
+  const double* um[3];
+  const double* up[3];
+  const double* pm[3];
+  const double* pp[3];
+  const double* u[C];
+  const double* dp[C];
+  double* v[C];
+  for (int d = 0; d < D; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    um[d] = row(h.face_velocity[axis]);
+    up[d] = row(h.face_velocity[axis], 0, d, 1);
+    pm[d] = row(h.forces.face_pressure[axis]);
+    pp[d] = row(h.forces.face_pressure[axis], 0, d, 1);
+  }
+  for (int c = 0; c < C; ++c) {
+    u[c] = row(h.velocity, c);
+    dp[c] = row(h.forces.impulse, c);
+    v[c] = row(h.velocity_L, c);
+  }
+  double* __restrict iJ = row(h.inverse_J);
+  double* __restrict rL = row(h.rho_L);
+  double* __restrict EL = row(h.energy_L);
+  double* __restrict Es = row(h.energy_star);
+  double* __restrict N = row(h.courant);
+  double* __restrict iN = row(h.inverse_courant);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    for (int c = 0; c < C; ++c) v[c][i] = u[c][i] - dp[c][i] * w[i];
+    double stretch = 0, work = 0, out = 0;
+    for (int d = 0; d < D; ++d) {
+      const double ub = u[d][i] - 0.5 * dp[d][i] * w[i];
+      stretch += s.l[d] * (up[d][i] - um[d][i]);
+      work += s.l[d] * (pp[d][i] * (up[d][i] - ub) - pm[d][i] * (um[d][i] - ub));
+      out += s.l[d] * (larger(0.0, up[d][i]) + larger(0.0, -um[d][i]));
+    }
+    // Carried components flow out too, as they would if their direction were swept.
+    double carried = 0;
+    for (int c = D; c < C; ++c) carried += s.l[c] * std::fabs(u[c][i]);
+    if constexpr (C > D) out += carried;
+    const double inverse = 1.0 / (1.0 + stretch), energy = E[i] - work;
+    const double outflow = smaller(out * inverse, 1.0);
+    iJ[i] = inverse;
+    Es[i] = energy;
+    EL[i] = energy * inverse;
+    rL[i] = r[i] * inverse;
+    N[i] = outflow;
+    iN[i] = 1.0 / larger(outflow, 0.05);
+  }
+}
+
+// E* and E_L with friction and conduction; of a mixture, what the materials share out.
+template <int D, int C>
+void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+               const SchemeOptions& o) {
+  if (!o.keeps_work() && !o.viscous && !o.conducting) return;
+  const int n = row.whole_vectors();
+  double *Es = row(h.energy_star), *EL = row(h.energy_L);
+  if (o.keeps_work()) {
+    const double* E = row(h.energy);
+    double* work = row(h.mixture, 0);
+    for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
+  }
+  if (o.viscous) {
+    double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written again
+    if (o.friction_tilts())
+      viscous_work_rows<D, C, true>(row, h, s, friction);
+    else
+      viscous_work_rows<D, C, false>(row, h, s, friction);
+    for (int i = 0; i < n; ++i) Es[i] += friction[i];
+  }
+  if (o.conducting) conduction_rows<D>(row, h, s, Es);
+  const double* iJ = row(h.inverse_J);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) EL[i] = Es[i] * iJ[i];
+}
+
+}  // namespace
+
+void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("Lagrangian phase", effect);
+  Handles h;
+  h.forces.rho = task.read(v.rho);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
+  h.energy = task.read(v.energy);
+  if (o.friction_tilts()) h.viscosity = task.read(v.front_viscosity, Stencil::box(1));
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+    h.face_velocity[a] = task.read(v.face_velocity[a], both);
+    h.forces.face_pressure[a] = task.read(v.face_pressure[a], both);
+    if (o.viscous) h.forces.stress[a] = task.read(v.stress[a], both);
+    if (o.conducting) h.heat_flux[a] = task.read(v.heat_flux[a], both);
+  }
+  h.inverse_J = task.write(v.inverse_J);
+  h.rho_L = task.write(v.rho_L);
+  h.energy_L = task.write(v.energy_L);
+  h.velocity_L = task.write(v.velocity_L);
+  h.energy_star = task.write(v.energy_star);
+  h.courant = task.write(v.courant);
+  h.inverse_courant = task.write(v.inverse_courant);
+  const bool scaled = o.fluid.ideal() == nullptr;
+  if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
+  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
+  h.forces.impulse = task.write(v.impulse);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      const ImpulseConstants s = impulse_constants(o, row.step());
+      impulse_rows<D, C>(row, h.forces, s, o.viscous);
+      cell_rows<D, C>(row, h, s);
+      heat_rows<D, C>(row, h, s, o);
+      if (scaled && !o.mixture)
+        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));
+    });
+  });
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,23 @@
+// Step 7 (2-D and 3-D): declaring what each cell offers to the remap; remap_base_rows.hpp.
+#include "ice/one_material/remap_base_rows.hpp"
+
+namespace sluice::ice {
+
+void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
+  TaskBuilder task = list.task("remap bases", effect);
+  const RemapBaseHandles h = declare_remap_bases(task, v, o);
+  const bool scaled = o.fluid.ideal() == nullptr;
+  const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    if constexpr (D > 1)
+      task.kernel([=](const Row& row) {
+        if (o.masked)
+          base_rows<D, C, true>(row, h, o.axes, gravity, scaled);
+        else
+          base_rows<D, C, false>(row, h, o.axes, gravity, scaled);
+      });
+  });
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,27 @@
+// Step 9: declaring the update; update_rows.hpp.
+#include "ice/one_material/update_rows.hpp"
+#include "ice/sources/source_tasks.hpp"
+
+namespace sluice::ice {
+
+void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("update", effect);
+  const UpdateHandles h = declare_update(task, v, o);
+  if (o.releases_heat) {  // the step ends in scalars/heat_release.cpp
+    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+      task.kernel([=](const Row& row) { update_row<D, C>(row, h); });
+    });
+    return;
+  }
+  const SourceHandles sources = declare_sources(task, v, o);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      update_row<D, C>(row, h);
+      add_sources_of_one(row, sources, o, h.next.rho, h.next.momentum, h.next.energy);
+      check_row(row, h, o, o.material);
+      rates_of_row<D>(row, h.next, o);
+    });
+  });
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,132 @@
+// What the labels of a step read of each material of a mixture.
+#include "ice/closure/drag.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/ice.hpp"
+#include "ice/mixture/slip.hpp"
+#include "ice/saved/step_labels.hpp"
+#include "ice/step/material_runs.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+std::string of_material(const char* what, int m) {
+  return std::string(what) + " of material " + std::to_string(m);
+}
+
+// Energy after the Lagrangian phase; where the material is alone the mixture's.
+VariableId declare_energy(TaskList& list, const Variables& v, int m) {
+  const std::string name = of_material("energy after the Lagrangian phase", m);
+  const VariableId energy = list.temporary(name);
+  TaskBuilder task = list.task(name, effect_saved_intermediates);
+  const In pure = task.read(v.pure), own = task.read(v.energy_L),
+           alone = task.read(v.common.energy_star);
+  const Out out = task.write(energy);
+  task.kernel([=](const Row& row) {
+    pick_row(row.count(), row(pure), m, row(own, m), row(alone), row(out));
+  });
+  return energy;
+}
+
+// Of the volume that passes a face, l u_f (its own u_f where it has one), the share of the
+// material. Nothing passes: mean of the two cells.
+VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptions& o, int m,
+                           int axis) {
+  const auto a = static_cast<std::size_t>(axis);
+  const int d = o.axes.direction[axis];
+  const std::string name =
+      of_material("share of what passes", m) + ", axis " + std::to_string(axis);
+  const VariableId share = list.temporary(name, 1, d);
+  TaskBuilder task = list.task(name, effect_saved_intermediates);
+  const In pure = task.read(v.pure, Stencil::along(d, 1, 0));
+  const In volume = task.read(v.volume[static_cast<std::size_t>(m)], Stencil::along(d, 1, 0));
+  const In flux = task.read(v.flux[a]);
+  const In velocity =
+      task.read(o.own_velocities ? v.slip.face_velocity[a] : v.common.face_velocity[a]);
+  const int own = o.own_velocities ? m : 0;
+  const Out out = task.write(share);
+  task.kernel([=](const Row& row) {
+    const double l = row.step().dt / row.step().spacing[d];
+    const auto run = [&](int first, int count, double alone) {
+      for (int i = first; i < first + count; ++i) {
+        if (alone >= 0.0) {
+          row(out)[i] = alone == m ? 1.0 : 0.0;
+          continue;
+        }
+        const double all = l * row(velocity, own)[i];
+        row(out)[i] = all != 0.0 ? row(flux, component(m, of_volume))[i] / all
+                                 : 0.5 * (row(volume, 0, axis, -1)[i] + row(volume)[i]);
+      }
+    };
+    for_each_face_run(runs_of(row, pure, axis, -1), runs_of(row, pure), row.count(), run);
+  });
+  return share;
+}
+
+// Momentum by which friction pushes the material apart from the others.
+VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOptions& o, int m) {
+  const std::string name = of_material("friction against the others", m);
+  const VariableId friction = list.temporary(name, o.components);
+  TaskBuilder task = list.task(name, effect_saved_intermediates);
+  const In presence = task.read(v.presence);
+  const FrictionOnSlip pull = read_friction(task, v, o);
+  SlipReads state;
+  read_slip(task, v, state);
+  const Out out = task.write(friction);
+  task.kernel([=, components = o.components](const Row& row) {
+    const double *mass[most_materials], *volume[most_materials];
+    const int materials = static_cast<int>(state.mass.size());
+    for (std::size_t k = 0; k < state.mass.size(); ++k) {
+      mass[k] = row(state.mass[k]);
+      volume[k] = row(state.volume[k]);
+    }
+    for (int i = 0; i < row.count(); ++i) {
+      for (int c = 0; c < components; ++c) row(out, c)[i] = 0.0;
+      if (is_single(row(presence)[i])) continue;
+      DragCell cell;
+      find_present(materials, mass, volume, i, cell);
+      for (int c = 0; c < components; ++c) {
+        double push[most_materials] = {};
+        pull.add(row, cell, c, i, push);
+        for (int k = 0; k < cell.count; ++k)
+          if (cell.index[k] == m) row(out, c)[i] = push[k];
+      }
+    }
+  });
+  return friction;
+}
+
+}  // namespace
+
+MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const SchemeOptions& o) {
+  MaterialsOfStep materials;
+  materials.density_new = v.end;
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    MaterialOfStep one{m,
+                       o.fluids[k],
+                       v.mass[k],
+                       v.volume[k],
+                       v.energy[k],
+                       v.mass_new[k],
+                       v.volume_new[k],
+                       v.energy_new[k],
+                       declare_energy(list, v, m),
+                       {},
+                       {}};
+    for (int axis = 0; axis < o.axes.count; ++axis)
+      one.passing[static_cast<std::size_t>(axis)] = declare_passing(list, v, o, m, axis);
+    if (o.own_velocities) {
+      one.motion =
+          OwnMotion{v.slip.slip[k], v.slip.slip_new[k], v.slip.velocity_L, m * o.components, {}};
+      if (o.viscous) one.motion->friction = declare_friction(list, v, o, m);
+    }
+    materials.each.push_back(std::move(one));
+  }
+  if (o.mixed != nullptr) {
+    materials.f = scalars::old_fraction(list, o);
+    materials.f_new = v.common.scalars.fraction;
+  }
+  return materials;
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,287 @@
+// Labels of each material, from the primitives of the mixture.
+#include "ice/saved/mixture_quantities.hpp"
+
+#include <algorithm>
+
+#include "ice/closure/traces.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/mixture/variables.hpp"
+#include "ice/transport/subgrid_stress.hpp"
+
+namespace sluice::ice::mixture {
+namespace {
+
+class Declarer {
+ public:
+  explicit Declarer(QuantityList& q)
+      : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
+    const SchemeOptions mixed = of_mixture(o_);
+    add_primitives(q.list(), v_, mixed, effect_diagnostics, true);
+    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixed, effect_diagnostics);
+    if (o_.transport.turbulence) declare_eddies(mixed);
+    if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
+    const SchemeVariables& c = v_.common;
+    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
+      q.add(labels().sum_rho, m, c.rho);
+      q.add(labels().pressure, m, c.pressure);
+      const VariableId u = velocity_of(m);
+      declare_material(m);
+      q.slopes(c.pressure, labels().gradient_pressure, m);
+      q.slopes(u, labels().divergence_velocity, m, true);
+      q.vorticity(u, m);
+      q.mach(u, c.sound, m);
+    }
+    declare_compressibility();
+  }
+
+ private:
+  static SchemeOptions of_mixture(const SchemeOptions& o) {
+    SchemeOptions mixed = o;
+    mixed.mixture = true;
+    mixed.viscosity_varies = o.viscous;
+    return mixed;
+  }
+  // Of the common motion, for every material alike.
+  void declare_eddies(const SchemeOptions& mixed) {
+    const SchemeVariables& c = v_.common;
+    const StateVariables state{c.rho, c.energy, c.velocity};
+    add_eddy_viscosity({q_.list(), mixed, effect_diagnostics, "eddies of the mixture: "}, state,
+                       c.eddy_viscosity);
+    const SubgridStress stress{q_.fresh(labels().subgrid_normal, 0),
+                               q_.fresh(labels().subgrid_shear, 0)};
+    add_subgrid_stress({q_.list(), mixed, effect_diagnostics, "compute the subgrid stress"}, state,
+                       c.eddy_viscosity, stress);
+    for (int m = 1; m < static_cast<int>(o_.fluids.size()); ++m) {
+      q_.add(labels().subgrid_normal, m, stress.normal);
+      q_.add(labels().subgrid_shear, m, stress.shear);
+    }
+  }
+  // By level direction; that of the mixture where the material is absent.
+  VariableId velocity_of(int m) {
+    if (!o_.own_velocities) {
+      if (m > 0) q_.add(labels().velocity, m, velocity_);
+      return velocity_;
+    }
+    const auto k = static_cast<std::size_t>(m);
+    const VariableId to = q_.fresh(labels().velocity, m);
+    TaskBuilder t = q_.task(labels().velocity, m);
+    const In rho = t.read(v_.common.rho), momentum = t.read(v_.common.momentum);
+    const In mass = t.read(v_.mass[k]), slip = t.read(v_.slip.slip[k]);
+    const Out out = t.write(to);
+    t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
+      const int n = row.count();
+      const double *r = row(rho), *M = row(mass);
+      for (int d = 0; d < 3; ++d) std::fill(row(out, d), row(out, d) + n, 0.0);
+      for (int c = 0; c < components; ++c) {
+        const double *P = row(momentum, c), *S = row(slip, c);
+        double* u = row(out, direction[static_cast<std::size_t>(c)]);
+        for (int i = 0; i < n; ++i) u[i] = P[i] / r[i] + (M[i] > 0.0 ? S[i] / M[i] : 0.0);
+      }
+    });
+    return to;
+  }
+  // One component of a variable, under a name of its own.
+  VariableId single(VariableId from, int c, Label label, int m) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In in = t.read(from);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double* q = row(in, c);
+      double* copy = row(out);
+      for (int i = 0; i < row.count(); ++i) copy[i] = q[i];
+    });
+    return to;
+  }
+  // f(density, energy per volume) of the material itself, 0 where it is absent.
+  template <class F>
+  VariableId closure(Label label, int m, F f) {
+    return law_closure(label, m, [f](const Fluid&, double r, double e) { return f(r, e); });
+  }
+  // f(law, density, energy per volume), the law of a mixed gas being that of its fraction.
+  template <class F>
+  VariableId law_closure(Label label, int m, F f) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
+    const scalars::LawsOfCells laws = read_laws(t);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double *r = row(density, m), *e = row(energy, m);
+      double* value = row(out);
+      Fluid room;
+      for (int i = 0; i < row.count(); ++i)
+        value[i] =
+            r[i] > 0.0 ? f(laws.at(row, static_cast<std::size_t>(m), i, room), r[i], e[i]) : 0.0;
+    });
+    return to;
+  }
+  // g(the mixed gas at its fraction), 0 where it is absent.
+  template <class G>
+  void of_fraction(Label label, int m, G g) {
+    const VariableId to = q_.fresh(label, m);
+    TaskBuilder t = q_.task(label, m);
+    const In density = t.read(v_.density);
+    const In fraction = t.read(scalars::old_fraction(q_.list(), o_));
+    const Out out = t.write(to);
+    t.kernel([=, gas = o_.mixed](const Row& row) {
+      const double *r = row(density, m), *f = row(fraction);
+      double* value = row(out);
+      for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? g(gas->at(f[i])) : 0.0;
+    });
+  }
+  scalars::LawsOfCells read_laws(TaskBuilder& t) {
+    scalars::LawsOfCells laws{o_.fluids, o_.mixed, {}};
+    if (o_.mixed != nullptr) laws.fraction = t.read(scalars::old_fraction(q_.list(), o_));
+    return laws;
+  }
+
+  // A trace is as warm as the heaviest material.
+  VariableId temperature(int m) {
+    const VariableId to = q_.fresh(labels().temperature, m);
+    TaskBuilder t = q_.task(labels().temperature, m);
+    const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
+    const In total = t.read(v_.common.rho);
+    std::vector<In> mass;
+    for (const VariableId id : v_.mass) mass.push_back(t.read(id));
+    const scalars::LawsOfCells laws = read_laws(t);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      Fluid room;
+      const auto own = [&](int k, int i) {
+        return laws.at(row, static_cast<std::size_t>(k), i, room)
+            .temperature(row(density, k)[i], row(energy, k)[i]);
+      };
+      const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
+      double* T = row(out);
+      for (int i = 0; i < row.count(); ++i) {
+        if (M[i] == 0.0 || has_temperature(M[i], rho[i])) {
+          T[i] = M[i] == 0.0 ? 0.0 : own(m, i);
+          continue;
+        }
+        std::size_t heaviest = 0;
+        for (std::size_t k = 1; k < mass.size(); ++k)
+          if (row(mass[k])[i] > row(mass[heaviest])[i]) heaviest = k;
+        T[i] = own(static_cast<int>(heaviest), i);
+      }
+    });
+    return to;
+  }
+
+  // Molecular and subgrid viscosity of a material and their sum, 0 where it is absent.
+  void declare_viscosities(int m) {
+    const Labels& l = labels();
+    const double constant = o_.viscosities[static_cast<std::size_t>(m)];
+    const VariableId molecular =
+        o_.own_viscosity_varies()
+            ? single(v_.own_viscosity, m, l.viscosity, m)
+            : closure(l.viscosity, m, [=](double, double) { return constant; });
+    const VariableId eddy = eddy_viscosity(m);
+    const VariableId total = q_.fresh(l.total_viscosity, m);
+    TaskBuilder t = q_.task(l.total_viscosity, m);
+    const In a = t.read(molecular), b = t.read(eddy);
+    const Out out = t.write(total);
+    t.kernel([=](const Row& row) {
+      const double *mu = row(a), *mu_t = row(b);
+      double* sum = row(out);
+      for (int i = 0; i < row.count(); ++i) sum[i] = mu[i] + mu_t[i];
+    });
+  }
+  // rho_m C Delta^2 |S|.
+  VariableId eddy_viscosity(int m) {
+    if (!o_.transport.turbulence)
+      return closure(labels().eddy_viscosity, m, [](double, double) { return 0.0; });
+    const VariableId to = q_.fresh(labels().eddy_viscosity, m);
+    TaskBuilder t = q_.task(labels().eddy_viscosity, m);
+    const In density = t.read(v_.density), all = t.read(v_.common.rho);
+    const In eddy = t.read(v_.common.eddy_viscosity);
+    const Out out = t.write(to);
+    t.kernel([=](const Row& row) {
+      const double *r = row(density, m), *rho = row(all), *mu_t = row(eddy);
+      double* own = row(out);
+      for (int i = 0; i < row.count(); ++i) own[i] = mu_t[i] * (r[i] / rho[i]);
+    });
+    return to;
+  }
+
+  void declare_material(int m) {
+    const Labels& l = labels();
+    const auto k = static_cast<std::size_t>(m);
+    const Fluid fluid = o_.fluids[k];
+    q_.add(l.rho, m, v_.mass[k]);
+    q_.add(l.volume_fraction, m, v_.volume[k]);
+    single(v_.density, m, l.rho_micro, m);
+    closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
+    const VariableId T = temperature(m);
+    law_closure(l.sound_speed, m, [](const Fluid& law, double r, double e) {
+      return law.sound_speed(r, law.pressure(r, e));
+    });
+    compressibility_.push_back(
+        law_closure(l.compressibility, m, [](const Fluid& law, double r, double e) {
+          return 1.0 / law.bulk_modulus(r, law.pressure(r, e));
+        }));
+    const auto constant = [&](Label label, double value) {
+      closure(label, m, [value](double, double) { return value; });
+    };
+    declare_viscosities(m);
+    if (scalars::is_mixed(o_, k)) {
+      using At = models::MixedGas::Between;
+      of_fraction(l.thermal_conductivity, m,
+                  [](const At& at) { return at(&models::MixedGas::Node::conductivity); });
+      of_fraction(l.gamma, m, [](const At& at) { return 1.0 + at.ratio(); });
+      of_fraction(l.specific_heat, m, [](const At& at) { return at(&models::MixedGas::Node::cv); });
+    } else {
+      constant(l.thermal_conductivity, o_.conductivities[k]);
+      constant(l.gamma, fluid.gamma);
+      constant(l.specific_heat, fluid.specific_heat);
+    }
+    q_.slopes(v_.mass[k], l.gradient_rho, m);
+    q_.slopes(T, l.gradient_temperature, m);
+    q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
+  }
+
+  // sum V_m/K_m, and the share of each in it.
+  void declare_compressibility() {
+    const VariableId sum = q_.fresh(labels().compressibility_of_cell, 0);
+    TaskBuilder t = q_.task(labels().compressibility_of_cell, 0);
+    std::vector<In> volume, own;
+    for (const VariableId id : v_.volume) volume.push_back(t.read(id));
+    for (const VariableId id : compressibility_) own.push_back(t.read(id));
+    const Out out = t.write(sum);
+    t.kernel([=](const Row& row) {
+      double* to = row(out);
+      std::fill_n(to, row.count(), 0.0);
+      for (std::size_t m = 0; m < own.size(); ++m) {
+        const double *V = row(volume[m]), *k = row(own[m]);
+        for (int i = 0; i < row.count(); ++i) to[i] += V[i] * k[i];
+      }
+    });
+    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) declare_share(sum, m);
+  }
+  void declare_share(VariableId of_all, int m) {
+    const auto k = static_cast<std::size_t>(m);
+    const VariableId share = q_.fresh(labels().compressibility_share, m);
+    TaskBuilder t = q_.task(labels().compressibility_share, m);
+    const In volume = t.read(v_.volume[k]), own = t.read(compressibility_[k]), all = t.read(of_all);
+    const Out out = t.write(share);
+    t.kernel([=](const Row& row) {
+      const double *V = row(volume), *each = row(own), *sum = row(all);
+      double* to = row(out);
+      for (int i = 0; i < row.count(); ++i) to[i] = V[i] * each[i] / sum[i];
+    });
+  }
+
+  QuantityList& q_;
+  const SchemeOptions& o_;
+  Variables v_;
+  VariableId velocity_;
+  std::vector<VariableId> compressibility_;
+};
+
+}  // namespace
+
+void declare_quantities(QuantityList& quantities) {
+  Declarer{quantities};
+}
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,85 @@
+// Labels that only exist within a step, of each material, the same in every graph of a step.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+// A velocity of its own: momentum relative to the mixture before and after the step; velocity
+// relative to the mixture's before advection (components from `first` on); momentum that friction
+// pushes it apart from the others.
+struct OwnMotion {
+  VariableId slip, slip_new, velocity_L;
+  int first = 0;
+  std::optional<VariableId> friction;
+};
+
+// A material in a graph; all per volume of the cell.
+struct MaterialOfStep {
+  int index = 0;
+  Fluid fluid;
+  VariableId mass, volume, energy, mass_new, volume_new, energy_new;
+  VariableId energy_L;  // after the Lagrangian phase
+  std::optional<OwnMotion> motion;
+  // By axis: its share of the volume that passes; absent where it is all of it.
+  std::array<std::optional<VariableId>, 3> passing;
+};
+
+struct MaterialsOfStep {
+  std::vector<MaterialOfStep> each;
+  VariableId density_new;              // of all; its first component
+  std::optional<VariableId> f, f_new;  // of a gas whose properties are mixed
+};
+
+// The one material of a graph of one.
+MaterialsOfStep material_alone(TaskList&, const SchemeVariables&, const SchemeOptions&);
+
+// Mass, volume and energy in the Lagrangian phase; how the temperature changes in it and in the
+// step.
+void declare_phase_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                          const MaterialsOfStep&, int effect);
+// Momentum and velocity.
+void declare_motion_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                           const MaterialsOfStep&, int effect);
+// Temperature and share of each material on faces; gradient of the pressure there.
+void declare_face_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                         const MaterialsOfStep&, int effect);
+
+// Temperature of a material from mass, volume and energy per volume of the cell; `f`: of a gas
+// whose properties are mixed.
+struct Thermometer {
+  Fluid fluid;
+  const models::MixedGas* gas;
+  double at(double M, double V, double E, double f) const;
+};
+
+Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o);
+
+// The axis along a level direction, or -1.
+int axis_along(const SchemeOptions& o, int direction);
+
+// A task that saves a number of a material in each cell:
+// f(row, values, i) of variables at the cell.
+template <std::size_t N, class F>
+void save_values(TaskList& list, Label label, int material, int effect,
+                 const std::array<VariableId, N>& variables, F f) {
+  TaskBuilder task = list.task("save " + label.name(), effect);
+  std::array<In, N> in;
+  for (std::size_t n = 0; n < N; ++n) in[n] = task.read(variables[n]);
+  const Out out = task.write(list.output(label, material));
+  task.kernel([=](const Row& row) {
+    std::array<const double*, N> values;
+    for (std::size_t n = 0; n < N; ++n) values[n] = row(in[n]);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = f(row, values, i);
+  });
+}
+
+inline void save_copy(TaskList& list, Label label, int material, int effect, VariableId from) {
+  save_values(list, label, material, effect, std::array{from},
+              [](const Row&, const auto& q, int i) { return q[0][i]; });
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,258 @@
+// Filling cells of one material from geometry objects, named starts and formulas; hydrostatic
+// pressure.
+//
+// A cell takes the values of the last object that holds at least one of its sub-points; with one
+// material the volume fraction is one wherever anything is. Under gravity the pressure follows
+// from the scheme's own discrete balance along each direction,
+//   p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2,   p = reference_pressure at cell (0,0,0).
+// A gas keeps the density of the deck, and its internal energy follows from both; a liquid or solid
+// (law that bears tension, or whose pressure knows density alone) keeps the temperature, and its
+// density follows, if that changes it by little (docs/initial_state.md).
+#include "ice/start/initial_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/deck/faults.hpp"
+#include "framework/scene/formula.hpp"
+#include "ice/start/initial_state_parts.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// Share by which the density at the reference pressure may differ from that of the deck.
+constexpr double density_tolerance = 0.02;
+
+void apply_objects(const IceMaterial& m, const Level& level, PrimitiveFill& fill) {
+  std::vector<char> covered(fill.density.size(), 0);
+  for (const GeomObject& o : m.objects) {
+    const std::vector<std::int32_t> inside = count_inside(o, level, fill.cells);
+    for (std::size_t n = 0; n < inside.size(); ++n) {
+      if (inside[n] == 0) continue;
+      covered[n] = 1;
+      fill.density[n] = o.value("density");
+      fill.temperature[n] = o.value("temperature");
+      for (int d = 0; d < 3; ++d) fill.velocity[d][n] = o.velocity[d];
+    }
+  }
+  std::size_t n = 0;
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    if (covered[n++]) return;
+    const Vec3 x = level.centre(c);
+    throw DeckError(
+        m.where,
+        fmt::format(
+            "no geom_object of ICE material {} covers cell [{}, {}, {}] at ({:g}, {:g}, {:g})",
+            m.index, c.x, c.y, c.z, x.x, x.y, x.z),
+        "every cell of the domain needs an initial state: add a geom_object that covers the rest");
+  });
+}
+
+// Evaluates one formula in every cell, into `values`.
+void evaluate(const std::optional<std::string>& text, const Level& level, const IndexBox& cells,
+              std::vector<double>& values) {
+  if (!text) return;
+  const Formula formula(*text);
+  std::size_t n = 0;
+  for_each_cell(cells, [&](IntVec3 c) { values[n++] = formula(level.centre(c)); });
+}
+
+double law_pressure(const IceMaterial& m, double density, double temperature) {
+  return m.fluid.pressure(density, m.fluid.energy_from_temperature(density, temperature));
+}
+
+void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& level,
+                   PrimitiveFill& fill) {
+  const std::vector<double> before = fill.pressure;
+  evaluate(f.density, level, fill.cells, fill.density);
+  evaluate(f.temperature, level, fill.cells, fill.temperature);
+  for (std::size_t d = 0; d < 3; ++d) evaluate(f.velocity[d], level, fill.cells, fill.velocity[d]);
+  if (f.density || f.temperature)
+    for (std::size_t n = 0; n < fill.density.size(); ++n)
+      fill.pressure[n] = law_pressure(m, fill.density[n], fill.temperature[n]);
+  evaluate(f.pressure, level, fill.cells, fill.pressure);
+  if (!f.pressure || m.fluid.depends_on_energy()) return;
+  for (std::size_t n = 0; n < fill.density.size(); ++n)
+    if (fill.pressure[n] != before[n])
+      fill.density[n] = m.fluid.density(fill.pressure[n], fill.temperature[n]);
+}
+
+void apply_custom(const IceScene& scene, double reference_pressure, const IceMaterial& m,
+                  const Level& coarsest, const Level& level, PrimitiveFill& fill) {
+  const CustomPlace place{coarsest, reference_pressure};
+  std::size_t n = 0;
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    CellStart cell{level.centre(c),
+                   fill.density[n],
+                   fill.temperature[n],
+                   {fill.velocity[0][n], fill.velocity[1][n], fill.velocity[2][n]},
+                   m.viscosity,
+                   fill.pressure[n],
+                   false};
+    for (const CustomStart& start : scene.custom) apply(start, place, cell);
+    for (int d = 0; d < 3; ++d) fill.velocity[d][n] = cell.velocity[d];
+    fill.temperature[n] = cell.temperature;
+    if (cell.pressure_given)
+      set_pressure(m, what_is_kept(m, fill.density[n], fill.temperature[n], reference_pressure),
+                   cell.pressure, n, fill);
+    else
+      fill.pressure[n] = law_pressure(m, fill.density[n], fill.temperature[n]);
+    ++n;
+  });
+}
+
+}  // namespace
+
+void set_pressure(const IceMaterial& m, Keeps keeps, double pressure, std::size_t n,
+                  PrimitiveFill& fill) {
+  fill.pressure[n] = pressure;
+  if (keeps == Keeps::temperature)
+    fill.density[n] = m.fluid.density(pressure, fill.temperature[n]);
+  else
+    fill.temperature[n] = m.fluid.temperature(
+        fill.density[n],
+        m.fluid.energy_from_pressure(fill.density[n], pressure, fill.temperature[n]));
+}
+
+Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
+                   double reference_pressure) {
+  if (m.fluid.depends_on_energy() && !(m.fluid.lowest_pressure() < 0)) return Keeps::density;
+  const double meant = m.fluid.density(reference_pressure, temperature);
+  if (std::abs(meant - density) <= density_tolerance * density) return Keeps::temperature;
+  if (m.fluid.depends_on_energy()) return Keeps::density;
+  throw DeckError(
+      m.where,
+      fmt::format(
+          "ICE material {} has density {:g} at the start, but {:g} at the reference pressure "
+          "{:g}, and no temperature changes that",
+          m.index, density, meant, reference_pressure),
+      "write a density near it, or <applyHydrostaticPressure>false</applyHydrostaticPressure>");
+}
+
+void size_fill(const IndexBox& cells, PrimitiveFill& fill) {
+  fill.cells = cells;
+  const auto count = static_cast<std::size_t>(cells.volume());
+  for (std::vector<double>* v : {&fill.density, &fill.temperature, &fill.pressure,
+                                 &fill.velocity[0], &fill.velocity[1], &fill.velocity[2]})
+    v->assign(count, 0.0);
+}
+
+IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants,
+                       const Level& level, const IndexBox& cells) {
+  IndexBox wider = cells;
+  for (int d = 0; d < 3 && is_hydrostatic(scene, constants); ++d)
+    if (constants.gravity[d] != 0) wider.lower[d] = level.domain.lower[d];
+  return wider;
+}
+
+bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants) {
+  return scene.hydrostatic_start && !(constants.gravity == Vec3{});
+}
+
+void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
+                  const Level& coarsest, const Level& level, PrimitiveFill& fill) {
+  for (std::size_t n = 0; n < fill.density.size(); ++n)
+    fill.pressure[n] = law_pressure(m, fill.density[n], fill.temperature[n]);
+  if (!scene.custom.empty())
+    apply_custom(scene, constants.reference_pressure, m, coarsest, level, fill);
+  if (scene.formula) apply_formula(*scene.formula, m, level, fill);
+}
+
+// The pressure over `below` and its density; a density that follows the pressure is searched for:
+// each round is better by g dx/c^2.
+void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
+                        const Level& coarsest, const Level& level, PrimitiveFill& fill) {
+  constexpr int most_rounds = 100;
+  const Vec3 g = constants.gravity;
+  double below_reference = 0;  // g times distance
+  if (level.index != coarsest.index)
+    for (int d = 0; d < 3; ++d)
+      below_reference +=
+          g[d] * (level.centre(level.domain.lower)[d] - coarsest.centre(coarsest.domain.lower)[d]);
+  const auto balanced = [&](IntVec3 c, std::size_t n) {
+    for (int d = 2; d >= 0; --d) {
+      if (g[d] == 0 || c[d] == level.domain.lower[d]) continue;
+      IntVec3 below = c;
+      below[d] -= 1;
+      const std::size_t b = fill.offset(below);
+      return fill.pressure[b] + 0.5 * g[d] * level.spacing[d] * (fill.density[b] + fill.density[n]);
+    }
+    if (below_reference == 0) return constants.reference_pressure;
+    return constants.reference_pressure + below_reference * fill.density[n];
+  };
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    const std::size_t n = fill.offset(c);
+    const Keeps keeps =
+        what_is_kept(m, fill.density[n], fill.temperature[n], constants.reference_pressure);
+    double pressure = balanced(c, n);
+    for (int round = 0; keeps == Keeps::temperature && round < most_rounds; ++round) {
+      set_pressure(m, keeps, pressure, n, fill);
+      const double next = balanced(c, n);
+      if (next == pressure) break;
+      pressure = next;
+    }
+    set_pressure(m, keeps, pressure, n, fill);
+  });
+}
+
+void check_admissible(const IceMaterial& m, const Level& level, IntVec3 c, std::size_t n,
+                      const PrimitiveFill& fill) {
+  const double density = fill.density[n], pressure = fill.pressure[n];
+  const double energy = m.fluid.energy_from_pressure(density, pressure, fill.temperature[n]);
+  if (density > 0 && pressure > m.fluid.lowest_pressure() && m.fluid.admissible(density, energy))
+    return;
+  const Vec3 x = level.centre(c);
+  throw DeckError(
+      m.where,
+      fmt::format(
+          "ICE material {} starts with density {:g} and pressure {:g} in cell [{}, {}, {}] "
+          "at ({:g}, {:g}, {:g}); its equation of state has no such state: the density must "
+          "be above 0, the pressure above {:g}",
+          m.index, density, pressure, c.x, c.y, c.z, x.x, x.y, x.z, m.fluid.lowest_pressure()),
+      "see docs/theory_eos.md");
+}
+
+PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
+  PrimitiveFill fill;
+  fill.cells = cells;
+  for_each_cell(cells, [&](IntVec3 c) {
+    const std::size_t n = from.offset(c);
+    fill.density.push_back(from.density[n]);
+    fill.temperature.push_back(from.temperature[n]);
+    fill.pressure.push_back(from.pressure[n]);
+    for (int d = 0; d < 3; ++d) fill.velocity[d].push_back(from.velocity[d][n]);
+  });
+  return fill;
+}
+
+void apply_mixture(const models::ModelList& models, int material, const Level& level,
+                   PrimitiveFill& fill) {
+  if (!models.mixed || models.mixed->material != material || !models.mixed->start_density) return;
+  const auto fraction =
+      std::find_if(models.scalars.begin(), models.scalars.end(),
+                   [&](const auto& s) { return s.name == models.mixed->fraction; });
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    fill.density[fill.offset(c)] =
+        models.mixed->density_at_start(fraction->at_start(level.centre(c)));
+  });
+}
+
+PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& constants,
+                              const IceMaterial& material, const Level& coarsest,
+                              const Level& level, const IndexBox& cells) {
+  PrimitiveFill fill;
+  size_fill(cells_to_fill(scene, constants, level, cells), fill);
+  apply_objects(material, level, fill);
+  apply_mixture(scene.models, material.index, level, fill);
+  apply_starts(scene, constants, material, coarsest, level, fill);
+  if (is_hydrostatic(scene, constants))
+    apply_hydrostatics(constants, material, coarsest, level, fill);
+  for_each_cell(fill.cells,
+                [&](IntVec3 c) { check_admissible(material, level, c, fill.offset(c), fill); });
+  if (fill.cells == cells) return fill;  // moved, not copied
+  return cut(fill, cells);
+}
+
+}  // namespace sluice::ice

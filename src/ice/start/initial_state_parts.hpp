@@ -1,0 +1,35 @@
+// Steps of the initial state that one material and several have in common.
+#pragma once
+#include "ice/start/initial_state.hpp"
+
+namespace sluice::ice {
+
+void size_fill(const IndexBox& cells, PrimitiveFill& fill);  // all zero
+
+bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants);
+// Under gravity from the bottom of the domain on, as the pressure is a sum from there.
+IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants,
+                       const Level& level, const IndexBox& cells);
+
+// What a pressure given beside density and temperature leaves: the temperature of a liquid or solid
+// if law and deck agree on its density, the density otherwise. A function of the deck's values.
+enum class Keeps { density, temperature };
+Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
+                   double reference_pressure);
+void set_pressure(const IceMaterial& m, Keeps keeps, double pressure, std::size_t n,
+                  PrimitiveFill& fill);
+
+// The densities that a model gives the gases of this material apart, if it does.
+void apply_mixture(const models::ModelList& models, int material, const Level& level,
+                   PrimitiveFill& fill);
+// Density, temperature and velocity are there; pressure, named starts and formulas follow.
+void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
+                  const Level& coarsest, const Level& level, PrimitiveFill& fill);
+void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
+                        const Level& coarsest, const Level& level, PrimitiveFill& fill);
+// InputError when the law has no such state.
+void check_admissible(const IceMaterial& m, const Level& level, IntVec3 c, std::size_t n,
+                      const PrimitiveFill& fill);
+PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells);
+
+}  // namespace sluice::ice

@@ -1,0 +1,161 @@
+// The conserved state at the start, from what the deck fills cells with.
+//
+// Several materials: each has its own density and temperature where it is, at whatever pressure its
+// law then has; one pressure is found before the first step, total energy kept. The momentum is the
+// sum over the materials.
+#include <fmt/format.h>
+
+#include "framework/deck/faults.hpp"
+#include "ice/closure/equilibrate.hpp"
+#include "ice/fluid/labels.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+#include "ice/ice.hpp"
+#include "ice/start/initial_state_parts.hpp"
+#include "ice/start/material_fill.hpp"
+
+namespace sluice::ice {
+namespace {
+
+// No pressure suits the materials of a cell as the deck has them.
+[[noreturn]] void refuse_start(const IceScene& scene, const MixtureFill& fill, std::size_t n,
+                               IntVec3 cell, int level, int failed) {
+  std::string states;
+  for (std::size_t m = 0; m < fill.materials.size(); ++m) {
+    const MaterialFill& f = fill.materials[m];
+    if (f.volume_fraction[n] == 0.0) continue;
+    const Fluid& fluid = scene.materials[m].fluid;
+    states += fmt::format(
+        "\n  material {} ('{}'): volume fraction {:g}, density {:g} kg/m^3, temperature {:g} K, "
+        "pressure {:g} Pa (its law allows more than {:g})",
+        m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
+        f.pressure[n], fluid.lowest_pressure() + 0.0);  // no "-0"
+  }
+  const IceMaterial& material = scene.materials[static_cast<std::size_t>(failed)];
+  throw DeckError(
+      material.where,
+      fmt::format("initial state: the materials of cell [{}, {}, {}] of level {} have no common "
+                  "pressure; material {} ('{}') finds no state:{}\n  ",
+                  cell.x, cell.y, cell.z, level, failed, material.name, states),
+      "give the materials that share a cell densities and temperatures of about one pressure");
+}
+
+}  // namespace
+
+void Ice::initialise(Warehouse& state) const {
+  if (material_count() > 1)
+    initialise_materials(state);
+  else
+    initialise_material(state);
+  initialise_scalars(state);
+}
+
+void Ice::initialise_material(Warehouse& state) const {
+  const IceMaterial& m = ice_.materials.front();
+  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
+            energy = state.find(labels().energy, 0);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
+                                               scene_->grid.levels.front(), state.level(), cells);
+    std::size_t n = 0;
+    for_each_cell(cells, [&](IntVec3 cell) {
+      state.view(mass, 0, b)(cell) = fill.density[n];
+      state.view(energy, 0, b)(cell) =
+          options_.mixed != nullptr ? mixed_energy(state.level().centre(cell), fill, n)
+                                    : m.fluid.energy_from_pressure(
+                                          fill.density[n], fill.pressure[n], fill.temperature[n]);
+      for (int c = 0; c < options_.components; ++c)
+        state.view(momentum, c, b)(cell) =
+            fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
+      ++n;
+    });
+  }
+}
+
+Fluid Ice::mixed_law(Vec3 centre) const {
+  return scalars::fluid_of(*options_.mixed, scalars::fraction_of(options_).at_start(centre));
+}
+
+// What holds beside the density: the pressure where it is that of the weight or of a formula, the
+// temperature otherwise.
+double Ice::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
+  const Fluid fluid = mixed_law(centre);
+  if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
+    return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
+  return fluid.energy_from_temperature(fill.density[n], fill.temperature[n]);
+}
+
+// Writes only what differs: memory of an absent material stays untouched.
+void Ice::initialise_materials(Warehouse& state) const {
+  const auto put = [](double& at, double value) {
+    if (at != value) at = value;
+  };
+  mixture::Equilibration equilibration(options_.fluids);
+  const models::MixedGas* gas = options_.mixed;
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const MixtureFill fill =
+        fill_materials(ice_, scene_->constants, scene_->grid.levels.front(), state.level(), cells);
+    std::size_t n = 0;
+    for_each_cell(cells, [&](IntVec3 cell) {
+      double M[most_materials], V[most_materials], E[most_materials];
+      double momentum[3] = {0, 0, 0}, rho = 0;
+      for (std::size_t m = 0; m < fill.materials.size(); ++m) {
+        const MaterialFill& f = fill.materials[m];
+        M[m] = V[m] = E[m] = 0.0;
+        if (f.volume_fraction[n] == 0.0) continue;
+        const Fluid& fluid = options_.fluids[m];
+        const bool is_mixed = scalars::is_mixed(gas, m);
+        if (is_mixed) equilibration.set_law(gas->material, mixed_law(state.level().centre(cell)));
+        V[m] = f.volume_fraction[n];
+        M[m] = V[m] * f.density[n];
+        rho += M[m];
+        E[m] = V[m] * (is_mixed ? mixed_energy(state.level().centre(cell), f, n)
+                                : fluid.energy_from_pressure(f.density[n], f.pressure[n],
+                                                             f.temperature[n]));
+        for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
+      }
+      const int failed = equilibration.equilibrate({M, V, E}).failed;
+      if (failed >= 0) refuse_start(ice_, fill, n, cell, state.level().index, failed);
+      const auto at = [&](Label label, int m, int c) -> double& {
+        return state.view(state.find(label, m), c, b)(cell);
+      };
+      for (int m = 0; m < material_count(); ++m) {
+        put(at(labels().mass, m, 0), M[m]);
+        put(at(labels().volume, m, 0), V[m]);
+        put(at(labels().energy, m, 0), E[m]);
+      }
+      for (int c = 0; c < options_.components; ++c)
+        at(labels().momentum, 0, c) = momentum[options_.direction[static_cast<std::size_t>(c)]];
+      for (std::size_t m = 0; m < fill.materials.size() && options_.own_velocities; ++m)
+        for (int c = 0; c < options_.components; ++c) {
+          const int d = options_.direction[static_cast<std::size_t>(c)];
+          const double u = fill.materials[m].velocity[d][n];
+          const bool apart = M[m] > 0 && M[m] != rho;
+          put(at(labels().slip, static_cast<int>(m), c),
+              apart ? M[m] * (u - momentum[d] / rho) : 0.0);
+        }
+      ++n;
+    });
+  }
+}
+
+// At cell centres; where there is nothing of the material there is no scalar. A mixture has given
+// its heat of mixing at the start: the deck says its state. As above, only what differs is written.
+void Ice::initialise_scalars(Warehouse& state) const {
+  const auto at_start = [&](const models::TransportedScalar& s, Vec3 x) {
+    if (!s.plain_name) return s.at_start(x);
+    return options_.mixed->heat(scalars::fraction_of(options_).at_start(x));
+  };
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+      const RealView value = state.view(state.find(s.state(), s.material), 0, b);
+      const RealView mass = state.view(state.find(labels().mass, s.material), 0, b);
+      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+        const double start = mass(cell) > 0.0 ? at_start(s, state.level().centre(cell)) : 0.0;
+        if (value(cell) != start) value(cell) = start;
+      });
+    }
+}
+
+}  // namespace sluice::ice

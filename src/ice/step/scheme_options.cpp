@@ -1,0 +1,92 @@
+// From the settings of a deck to those of the scheme.
+#include "ice/step/scheme_options.hpp"
+
+#include "framework/refine/face_table.hpp"
+#include "ice/deck/transport_settings.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+
+namespace sluice::ice {
+
+namespace {
+
+void take_directions(const Scene& scene, SchemeOptions& o) {
+  const Level& level = scene.grid.levels.front();
+  o.axes = active_axes(level);
+  o.components = 0;
+  for (int a = 0; a < o.axes.count; ++a)
+    o.direction[static_cast<std::size_t>(o.components++)] = o.axes.direction[a];
+  for (int d = 0; d < 3; ++d)
+    if (scene.directions[static_cast<std::size_t>(d)].velocity == VelocityComponent::carried)
+      o.direction[static_cast<std::size_t>(o.components++)] = d;
+  o.domain = level.domain;
+  o.periodic = level.periodic;
+}
+
+void take_exchange(const IceScene& ice, SchemeOptions& o) {
+  o.heat_exchange = ice.exchange.heat;
+  o.own_velocities = !ice.one_velocity();
+  o.drag = ice.exchange.momentum;
+  if (ice.materials.size() < 2) return;
+  if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
+    o.slip_exchange = ice.exchange.slip;
+  o.convective = ice.exchange.convective;
+}
+
+void take_forces(const Scene& scene, const IceScene& ice, SchemeOptions& o) {
+  o.gravity = scene.constants.gravity;
+  o.force = ice.driving_force.force;
+  o.force_on = ice.driving_force.on();
+  o.gravity_on = !(o.gravity == Vec3{}) || o.force_on;
+  const bool summed = o.force_on || (o.gravity_on && scene.grid.levels.size() > 1);
+  o.sums = summed ? StepSlots::sums_with_gravity : StepSlots::sums;
+}
+
+// After the exchange: what passes between materials is conducted too.
+void take_friction_and_conduction(const IceScene& ice, const Level& level, SchemeOptions& o) {
+  for (const IceMaterial& each : ice.materials) {
+    o.viscosities.push_back(each.viscosity);
+    o.conductivities.push_back(each.conductivity);
+    o.viscous = o.viscous || each.viscous();
+    o.conducting = o.conducting || each.conductivity > 0;
+  }
+  o.viscosity = o.viscosities.front();
+  o.conductivity = o.conductivities.front();
+  o.transports = transport_models(ice, level);
+  o.transport = o.transports.front();
+  o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
+  o.conducting = o.conducting || ice.turbulence || o.convective;
+  o.conductivity_varies = ice.turbulence.has_value();
+}
+
+}  // namespace
+
+std::vector<TransportModels> transport_models(const IceScene& ice, const Level& level) {
+  std::vector<TransportModels> all;
+  for (const IceMaterial& m : ice.materials)
+    all.push_back({m.viscosity_models.sutherland, sponge_cells(m.viscosity_models, level),
+                   ice.turbulence, ice.wall_shear,
+                   ice.models.mixed && ice.models.mixed->material == m.index && m.viscosity > 0});
+  return all;
+}
+
+SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
+  SchemeOptions o;
+  take_directions(scene, o);
+  o.fluid = ice.materials.front().fluid;
+  for (const IceMaterial& each : ice.materials) o.fluids.push_back(each.fluid);
+  o.scalars = ice.models.scalars;
+  take_exchange(ice, o);
+  take_forces(scene, ice, o);
+  take_friction_and_conduction(ice, scene.grid.levels.front(), o);
+  o.classic = ice.classic;
+  o.second_order = ice.second_order;
+  o.compatible_fluxes = ice.compatible_fluxes;
+  o.cfl = ice.cfl;
+  o.sound_speed_knob = ice.sound_speed_knob;
+  o.diffusion_knob = ice.diffusion_knob;
+  o.conservative_time_step = ice.conservative_time_step;
+  if (ice.models.mixed) scalars::take_mixed_gas(*ice.models.mixed, o);
+  return o;
+}
+
+}  // namespace sluice::ice

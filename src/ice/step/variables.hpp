@@ -1,0 +1,243 @@
+// The variables of one step of the conservative scheme, and the options its tasks depend on.
+//
+// Axes are the active directions in order; component c < axes of momentum and velocity is along
+// axis c, further components are carried passively.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "framework/grid/index_box.hpp"
+#include "framework/task/task.hpp"
+#include "ice/deck/exchange_settings.hpp"
+#include "ice/deck/transport_settings.hpp"
+#include "ice/fluid/fluid.hpp"
+
+namespace sluice::models {
+class MixedGas;
+struct TransportedScalar;
+}  // namespace sluice::models
+
+namespace sluice {
+struct Level;
+class LevelCoverage;
+class VolumeFaces;
+struct FluxRecorder;
+}  // namespace sluice
+
+namespace sluice::ice {
+
+class BoundaryFill;
+class Sources;
+
+// What bounds the density on a face: sharp keeps contacts in slow flow two to three cells wide; as
+// energy keeps what is linear in both linear, so that gases of one pressure and temperature raise
+// no waves where they mix.
+enum class DensityBound { sharp, as_energy };
+
+struct SchemeOptions {
+  Axes axes;
+  int components = 1;                     // of momentum, axes.count <= components <= 3
+  std::array<int, 3> direction{0, 1, 2};  // level direction of each component
+  Fluid fluid;                            // of the one material that this graph is for
+  int material = 0;                       // its index
+  bool mixture = false;                   // the graph of blocks with several materials
+  std::vector<Fluid> fluids;              // of all materials
+  PairCoefficients heat_exchange;
+  bool own_velocities = false;                // several materials that move apart: mixture/slip.hpp
+  PairCoefficients drag;                      // K, kg/(m^3 s)
+  std::optional<SlipExchange> slip_exchange;  // at the surface of one material
+  std::optional<ConvectiveExchange> convective;
+  int sums = 8;          // exact sums before those of further materials: see StepSlots
+  bool classic = false;  // the classic form, see classic/
+  bool second_order = true;
+  bool compatible_fluxes = true;  // of the classic form
+  bool masked = false;            // a redo: slopes vanish where the mask says so
+  double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
+  Vec3 gravity{};                 // m/s^2
+  Vec3 force{};                   // driving force, N/m^3
+  bool gravity_on = false;        // one of the two is there
+  bool force_on = false;
+  // Transport: one number for all cells, or the cell field of that name in SchemeVariables.
+  double viscosity = 0;  // dynamic, Pa s
+  bool viscous = false, viscosity_varies = false;
+  double conductivity = 0;  // W/(m K)
+  bool conducting = false, conductivity_varies = false;
+  std::vector<double> viscosities, conductivities;  // of all materials
+  TransportModels transport;                // what fills these fields, and friction on walls
+  std::vector<TransportModels> transports;  // of all materials
+  double diffusion_knob = 1;                // weight of diffusion in the deck's time-step rule
+  bool conservative_time_step = false;      // Scheme_for_delT_calc
+  double cfl = 0.4;
+  std::span<const models::TransportedScalar> scalars;  // of all materials
+  // Of the one gas, where its properties follow from a scalar: fluid/mixed_gas.hpp. `fluid` then
+  // has its highest gamma and lowest specific heat.
+  const models::MixedGas* mixed = nullptr;
+  bool releases_heat = false;  // by mixing
+  DensityBound density_bound = DensityBound::sharp;
+  const Level* level = nullptr;  // that this graph is for
+  IndexBox domain;               // cells of the physical domain
+  std::array<bool, 3> periodic{};
+  const BoundaryFill* boundary = nullptr;  // knows the walls
+  // With several levels: which cells count in sums, where fluxes are recorded.
+  const LevelCoverage* coverage = nullptr;
+  const FluxRecorder* recorder = nullptr;
+  bool shocks_leave = false;             // a level that shocks leave where it ends: recorder->ends
+  const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
+  int first_volume_sum = 0;              // of their sums among those of the step
+  const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
+  int first_source_sum = 0;              // likewise
+
+  // Whether a material of a mixture conducts heat, in itself or into another.
+  bool conducts(int m) const {
+    return conductivity_varies || conductivities[static_cast<std::size_t>(m)] > 0 ||
+           (convective && (convective->fluid == m || convective->solid == m));
+  }
+  // Whether the molecular viscosity is a cell field: of a mixture it always is.
+  bool molecular_varies() const { return mixture || transport.molecular_varies(); }
+  // Whether that of a material of a mixture is one.
+  bool own_viscosity_varies() const {
+    return std::any_of(transports.begin(), transports.end(),
+                       [](const TransportModels& t) { return t.molecular_varies(); });
+  }
+  // Whether friction works on the velocity of a sharp front between two viscosities
+  // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
+  bool friction_tilts() const { return mixture && viscosity_varies; }
+  // Is the work of pressures on a mixture a field of its own: elsewhere it is E - E*.
+  bool keeps_work() const { return mixture && (viscous || conducting || own_velocities); }
+};
+
+// Scalars that a graph carries; see scalars/variables.hpp.
+struct ScalarVariables {
+  struct Each {
+    int index = 0;  // among the scalars of the scene
+    VariableId old, now, mass, mass_new;
+    VariableId volume;  // of the material; in a mixture
+    int carrier = 0;    // component of `carrier`
+  };
+  std::vector<Each> each;
+  std::vector<int> materials;         // of the components of `carrier`
+  VariableId fraction;                // of a mixed gas: the new f
+  VariableId released, released_new;  // what it had released before this step's end, and after it
+  bool diffusive = false;
+  VariableId base, half;
+  // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
+  std::array<VariableId, 3> carrier, face, spread;
+};
+
+struct SchemeVariables {
+  // State: mass, momentum and internal energy per volume.
+  VariableId rho, momentum, energy, mask;        // old
+  VariableId rho_new, momentum_new, energy_new;  // new
+  // What the remap leaves: the new state, but where mixing then releases heat.
+  VariableId rho_remap, momentum_remap, energy_remap;
+  // Primitives of the old state.
+  VariableId velocity, pressure, sound, inverse_rho;
+  // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse
+  // advection of the normal velocity.
+  VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
+  std::array<VariableId, 3> face_velocity, face_pressure;  // by axis
+  std::array<VariableId, 3> stress;                        // viscous, by axis: force per area
+  std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
+  VariableId temperature;                                  // of the old state; conduction only
+  VariableId viscosity, conductivity;                      // of cells, where they vary
+  VariableId molecular_viscosity, eddy_viscosity;          // their parts with turbulence
+  VariableId front_viscosity;  // of a mixture: as if no material's varied, see face_mean.hpp
+  VariableId heat_capacity;    // cv of the new state, likewise
+  // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
+  // the inverse of its bounded value, momentum source (what p and the forces took).
+  VariableId inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant;
+  VariableId impulse;
+  // Of a mixture: shock slope and minus the lowest pressure of each cell; work, friction.
+  VariableId shock_slope, pi, lagrangian_mixture, new_pressure;
+  VariableId pure;                 // see mixture/variables.hpp
+  VariableId energy_scale;         // (p + pi)/G of the Lagrangian state; not for ideal gases
+  VariableId closure;              // pressure, modulus, admissibility of the new state; likewise
+  VariableId source_change;        // what sources add, see sources/sources.hpp
+  VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
+  std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
+  std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
+  // Of a mixture, by axis: what passes of each material, see mixture/variables.hpp.
+  std::array<VariableId, 3> material_flux;
+  std::array<VariableId, 3> material_velocity;  // with which it passes, if each has its own
+  ScalarVariables scalars;
+};
+
+// The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.
+SchemeVariables declare_common_variables(TaskList&, const SchemeOptions&);
+// Temporaries of either scheme, and of the conservative scheme alone: what does not depend on how
+// many materials there are.
+void declare_step_temporaries(TaskList&, const SchemeOptions&, SchemeVariables&);
+void declare_conservative_temporaries(TaskList&, const SchemeOptions&, SchemeVariables&);
+// All that one material needs in the conservative scheme.
+SchemeVariables declare_conservative_variables(TaskList&, const SchemeOptions&);
+
+// What the reductions of a step hold.
+struct StepSlots {
+  static constexpr int deck_rate = 0;       // max of sum or max of (|u| + knob c)/dx: 1/s
+  static constexpr int flow_rate = 1;       // max of sum |u|/dx
+  static constexpr int sound_rate = 2;      // max of (|u| + c)/dx and .8 of its sum
+  static constexpr int diffusion_rate = 3;  // max of 2 D sum 1/dx^2, D = mu/rho or k/(rho cv)
+  static constexpr int maxima = 4;
+  // Exact sums: what came in through the boundary in this step.
+  static constexpr int mass = 0;
+  static constexpr int momentum = 1;  // three
+  static constexpr int energy = 4;
+  static constexpr int pressure_impulse = 5;  // three: the part of momentum that is no advection
+  static constexpr int sums = 8;
+  // With several levels under gravity, and with a driving force, also their impulse (three) and
+  // their work.
+  static constexpr int gravity_impulse = 8;
+  static constexpr int gravity_work = 11;
+  static constexpr int sums_with_gravity = 12;
+  // The masses of materials 1, 2, ... come after these; `base` is one of the two counts.
+  static constexpr int mass_of(int material, int base) {
+    return material == 0 ? mass : base + material - 1;
+  }
+};
+
+enum FaultKind {
+  fault_density = 0,
+  fault_energy = 1,
+  fault_volume = 2,
+  fault_outflow = 3,
+  fault_of_material = 16  // times the material + 1
+};
+
+// Calls f.operator()<D, C>() for D active axes and C momentum components.
+template <class F>
+auto dispatch(int axes, int components, F&& f) {
+  switch (axes * 10 + components) {
+    case 11:
+      return f.template operator()<1, 1>();
+    case 12:
+      return f.template operator()<1, 2>();
+    case 13:
+      return f.template operator()<1, 3>();
+    case 22:
+      return f.template operator()<2, 2>();
+    case 23:
+      return f.template operator()<2, 3>();
+    default:
+      return f.template operator()<3, 3>();
+  }
+}
+
+// Tasks of the step, in order; each in the file of its name.
+void add_primitives(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_viscous_stress(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_heat_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_volume_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice

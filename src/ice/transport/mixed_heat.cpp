@@ -1,0 +1,48 @@
+// Conductivity of a mixed gas, and the enthalpy that its diffusion carries.
+#include "ice/transport/mixed_heat.hpp"
+
+#include "ice/scalars/rows.hpp"
+#include "models/transported_scalar.hpp"
+
+namespace sluice::ice::scalars {
+
+using models::MixedGas;
+
+void add_conductivity(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                      int effect) {
+  TaskBuilder task = list.task("conductivity of the mixture", effect);
+  const In f = task.read(old_fraction(list, o));
+  const Out k = task.write(v.conductivity);
+  task.kernel([=, gas = o.mixed](const Row& row) {
+    property_row(*gas, &MixedGas::Node::conductivity, row.count(), row(f), row(k));
+  });
+}
+
+SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, const SchemeVariables& v,
+                                const SchemeOptions& o, int axis) {
+  SpreadingHandles h;
+  if (!(fraction_of(o).diffusivity > 0)) return h;
+  const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  h.fraction = task.read(old_fraction(list, o), both);
+  h.mass = task.read(v.rho, both);
+  return h;
+}
+
+void add_carried_enthalpy(const Row& row, const SpreadingHandles& h, In temperature,
+                          const SchemeOptions& o, int axis, double* __restrict q) {
+  if (h.fraction.index < 0) return;
+  const int n = row.count();
+  const double D = fraction_of(o).diffusivity / row.step().spacing[o.axes.direction[axis]];
+  const double* __restrict fa = row(h.fraction, 0, axis, -1);
+  const double* __restrict fb = row(h.fraction);
+  const double* __restrict Ma = row(h.mass, 0, axis, -1);
+  const double* __restrict Mb = row(h.mass);
+  const double* __restrict Ta = row(temperature, 0, axis, -1);
+  const double* __restrict Tb = row(temperature);
+  for (int i = 0; i < n; ++i) {
+    const double change = o.mixed->at(fa[i]).cp() - o.mixed->at(fb[i]).cp();
+    q[i] += D * shared_mass(Ma[i], Mb[i]) * (0.5 * (Ta[i] + Tb[i]) * change);
+  }
+}
+
+}  // namespace sluice::ice::scalars
