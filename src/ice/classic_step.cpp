@@ -1,11 +1,10 @@
 // The classic ICE step as a table of tasks.
 #include "ice/classic/classic.hpp"
 
-#include <cmath>
-
 #include "ice/classic/variables.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/step_labels.hpp"
+#include "ice/sources/source_tasks.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -48,15 +47,6 @@ void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& e
   add_volume_account(list, s, o, effect_diagnostics);           // F, p_f          sums
   add_flux_record(list, s, o, effect_flux_record);  // F, p_f                      face tables
   declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
-}
-
-int classic_ghost_layers(const SchemeOptions& o) {
-  return classic::ghost_layers(o);
-}
-
-double classic_sound_share(int axes) {
-  constexpr double margin = 0.98;
-  return margin / std::sqrt(2.0 * axes);
 }
 
 }  // namespace sluice::ice
