@@ -26,7 +26,7 @@ classic::Variables declare_variables(TaskList& list, const SchemeOptions& o) {
 }  // namespace
 
 // Each line is a task (one for each axis where it says "face" or "fluxes"), in the file of its name
-// under classic/ or, without "classic::", under conservative/.
+// under classic/ or, without "classic::", under one_material/.
 void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   const classic::Variables v = declare_variables(list, o);
   const SchemeVariables& s = v.common;

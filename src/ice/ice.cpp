@@ -58,7 +58,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 }  // namespace
 
 // One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
-// in the file of its name under conservative/; when it is absent is said there in its first line.
+// in the file of its name under one_material/; when it is absent is said there in its first line.
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   SchemeVariables v = declare_conservative_variables(list, o);
   scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});

@@ -113,10 +113,19 @@ class Links(Tree):
     def test_only_missing_files_are_told(self):
         self.write("docs/a.md", "[b](b.md) [web](https://x.org)\n[up](../README.md#head)\n"
                    "[gone](c.md)\n")
-        self.write("docs/b.md", "see [top](#top)\n")
-        self.write("README.md", "![p](docs/p.png)\n")
+        self.write("docs/b.md", "# Top\nsee [top](#top)\n")
+        self.write("README.md", "![p](docs/p.png)\n# Head\n")
         self.assertEqual(check_links.check(self.root), [
             "README.md:1: 'docs/p.png' is not there", "docs/a.md:3: 'c.md' is not there"])
+
+    def test_headings_are_looked_for(self):
+        self.write("docs/a.md", "# One page\n```\n# no heading\n```\n[1](#one-page) "
+                   "[2](#no-heading)\n[3](b.md#step-1-what-it-is) [4](b.md#step-1)\n[5](b.txt#1)\n")
+        self.write("docs/b.md", "## Step 1: what `it` *is*\n")
+        self.write("docs/b.txt", "")
+        self.assertEqual(check_links.check(self.root), [
+            "docs/a.md:5: '#no-heading': the page has no such heading",
+            "docs/a.md:6: 'b.md#step-1': the page has no such heading"])
 
 
 if __name__ == "__main__":
