@@ -40,10 +40,8 @@ class FlowInTime {
  public:
   FlowInTime(const ParticleStep& step, int material, const FlowStorage& flow)
       : step_(step),
-        before_(*step.old_state, step.box, material, flow.materials, flow.directions,
-                flow.own_velocities),
-        after_(*step.new_state, step.box, material, flow.materials, flow.directions,
-               flow.own_velocities) {}
+        before_(*step.old_state, step.box, material, flow),
+        after_(*step.new_state, step.box, material, flow) {}
 
   bool velocity(Vec3 point, double time, Vec3& u) const {
     const double share = (time - step_.old_time) / (step_.new_time - step_.old_time);
