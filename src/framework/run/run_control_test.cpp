@@ -41,7 +41,9 @@ TEST(RunControl, clock_is_the_slowest_of_all_ranks) {
   if (world().is_root()) std::this_thread::sleep_for(std::chrono::milliseconds(30));
   const double wall = ask_once(control).wall_seconds;
   EXPECT_GE(wall, 0.03);
-  if (world().size() == 1) EXPECT_LE(wall, control.wall_seconds());
+  if (world().size() == 1) {
+    EXPECT_LE(wall, control.wall_seconds());
+  }
 }
 
 TEST(RunControl, second_sigterm_ends_at_once) {
