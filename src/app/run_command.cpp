@@ -164,7 +164,7 @@ void add_run_command(CLI::App& app, int& exit_status) {
   command->add_option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command->add_option("-o,--output", o->parent, "Parent folder of the archive");
   command->add_option("--threads", o->threads, "Threads of this rank");
-  command->add_option("--max-steps", o->max_steps, "Stop when this step number is done");
+  command->add_option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
   command->add_option("--wall-limit", o->wall_limit,
                       "Stop with a checkpoint after so many seconds");
   command->add_option("--set", o->overrides, "Override PATH=VALUE (may be repeated)")

@@ -125,7 +125,7 @@ TEST(ArchiveFailure, WhereverAFileIsCutTheProgramEndsInOrder) {
   const TemporaryFolder folder;
   for (const bool gzip : {false, true}) {
     std::vector<int> statuses;
-    for (int kib = 0; kib < 150; kib += kib < 8 ? 1 : 7)
+    for (int kib = 0; kib < 150; kib += kib < 8 ? 1 : 14)
       statuses.push_back(status_of_writing(folder.path(), gzip, static_cast<rlim_t>(kib * 1024)));
     EXPECT_THAT(statuses, ::testing::Each(AnyOf(3, 0)));
     EXPECT_TRUE(std::is_sorted(statuses.rbegin(), statuses.rend())) << "first all 3, then all 0";
