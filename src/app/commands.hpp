@@ -1,5 +1,5 @@
 // The subcommands of `sluice`: each adds itself to the parser and, when it is the one called,
-// runs in its callback and sets the exit status (0 good, 1 failed, 2 bad input, 3 system).
+// runs in its callback and sets the exit status.
 //
 // A callback may throw InputError, PhysicsError or SystemError; main prints the message and exits
 // with the error's own status.
@@ -10,6 +10,11 @@ class App;
 }
 
 namespace sluice {
+
+// For --help and `sluice help`.
+inline constexpr const char* exit_statuses =
+    "Exit status: 0 good; 1 the physics or a comparison failed; 2 bad input; 3 the system failed\n"
+    "(disk, memory, MPI); 4 a run ended early, by a signal or its time limit, with a checkpoint";
 
 void add_accuracy_command(CLI::App& app, int& exit_status);
 void add_run_command(CLI::App& app, int& exit_status);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -37,9 +38,11 @@ void refuse_unknown_subcommand(const CLI::App& app, const std::string& word) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told as a full disk is
   CLI::App app("Sluice: coupled fluid-structure simulation with ICE, MPM and MPMICE", "sluice");
   app.set_version_flag("--version", std::string("sluice ") + sluice::version::kText);
   app.require_subcommand(1);
+  app.footer(sluice::exit_statuses);
 
   int exit_status = 0;
   sluice::add_accuracy_command(app, exit_status);

@@ -28,9 +28,9 @@ void add_plot_command(CLI::App& app, int& exit_status) {
                     "Every cell of a 2-D or 3-D run against its distance from the origin");
   command
       ->add_option("--levels", request->levels,
-                   "What is drawn of finer levels: boxes (usual), the regridder's tiles, only "
-                   "outer edges, or none")
-      ->check(CLI::IsMember({"boxes", "tiles", "edges", "none"}));
+                   "What is drawn of finer levels: their outer edges (default), boxes, the "
+                   "regridder's tiles, or none")
+      ->check(CLI::IsMember({"edges", "boxes", "tiles", "none"}));
   command->add_option("--exact", request->exact,
                       "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
   command->add_option("--particles", request->particles,

@@ -122,6 +122,8 @@ std::string summary(const RunReport& r) {
       to_string(r.status), r.steps, r.time, human_duration(r.wall_seconds), human_count(r.cells),
       r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
       r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
+  text += fmt::format("time: start {}, stepping {}, output {}\n", human_duration(r.start_seconds),
+                      human_duration(r.stepping_seconds), human_duration(r.output_seconds));
   if (r.levels.size() > 1) text += levels_text(r);
   for (const ParticleCount& p : r.particles)
     text += fmt::format("particles {}: {} in the domain; {} made, {} left it\n", p.name,
