@@ -10,9 +10,10 @@
 
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::analysis_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +158,4 @@ TEST(AnalysisFiles, UnknownLabelsAndDoubleNamesAreRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::analysis_files_test

@@ -9,7 +9,7 @@
 
 #include "framework/base/memory.hpp"
 
-namespace sluice {
+namespace sluice::console_test {
 namespace {
 
 TEST(Console, bytes) {
@@ -81,4 +81,4 @@ TEST(Memory, peak_follows_what_is_touched) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::console_test

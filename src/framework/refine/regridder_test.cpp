@@ -10,7 +10,7 @@
 #include "framework/base/error.hpp"
 #include "framework/grid/box_list.hpp"
 
-namespace sluice {
+namespace sluice::regridder_test {
 namespace {
 
 struct Case {
@@ -350,4 +350,4 @@ TEST(Regridder, IsFast) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::regridder_test

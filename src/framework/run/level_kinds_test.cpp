@@ -9,7 +9,7 @@
 #include "framework/run/kinds_mock.hpp"
 #include "framework/run/level_solver.hpp"
 
-namespace sluice {
+namespace sluice::level_kinds_test {
 namespace {
 
 using namespace kinds_test;
@@ -387,4 +387,4 @@ TEST(Kinds, FieldsOfAbsentMaterialsTakeNoMemory) {
 #endif
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_kinds_test

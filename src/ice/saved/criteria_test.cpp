@@ -7,7 +7,7 @@
 
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::criteria_test {
 namespace {
 
 // A periodic box of waves that are no function of one direction alone.
@@ -146,4 +146,4 @@ TEST(WantedEstimates, AreOneForEachVariableWithTheSmallestTolerance) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::criteria_test
