@@ -165,7 +165,7 @@ TEST(DrivingForce, AcceleratesAUniformFlowOnLevels) {
 }
 
 // Two gases by halves, each with a velocity of its own: the mixture goes as one gas, the gradient
-// acts by volume (with the virtual mass of theory_ice.md), drag holds.
+// acts by volume (with the virtual mass of docs/theory/ice_velocities.md), drag holds.
 TEST(DrivingForce, PushesMaterialsApartUntilDragHoldsThem) {
   for (const double K : {0., 2., 1e6}) {
     const CaseRun run("driven_mixture",

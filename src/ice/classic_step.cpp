@@ -1,11 +1,10 @@
 // The classic ICE step as a table of tasks.
 #include "ice/classic/classic.hpp"
 
-#include <cmath>
-
 #include "ice/classic/variables.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/step_labels.hpp"
+#include "ice/sources/source_tasks.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -27,7 +26,7 @@ classic::Variables declare_variables(TaskList& list, const SchemeOptions& o) {
 }  // namespace
 
 // Each line is a task (one for each axis where it says "face" or "fluxes"), in the file of its name
-// under classic/ or, without "classic::", under conservative/.
+// under classic/ or, without "classic::", under one_material/.
 void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   const classic::Variables v = declare_variables(list, o);
   const SchemeVariables& s = v.common;
@@ -48,15 +47,6 @@ void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& e
   add_volume_account(list, s, o, effect_diagnostics);           // F, p_f          sums
   add_flux_record(list, s, o, effect_flux_record);  // F, p_f                      face tables
   declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
-}
-
-int classic_ghost_layers(const SchemeOptions& o) {
-  return classic::ghost_layers(o);
-}
-
-double classic_sound_share(int axes) {
-  constexpr double margin = 0.98;
-  return margin / std::sqrt(2.0 * axes);
 }
 
 }  // namespace sluice::ice

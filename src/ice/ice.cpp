@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
+#include "ice/account/rates.hpp"
+#include "ice/account/step_limit.hpp"
+#include "ice/account/totals.hpp"
 #include "ice/classic/classic.hpp"
+#include "ice/classic/variables.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
+#include "ice/levels/interface_seeds.hpp"
 #include "ice/levels/scalar_transfer.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
@@ -16,7 +20,9 @@
 #include "ice/saved/step_labels.hpp"
 #include "ice/scalars/heat_release.hpp"
 #include "ice/scalars/variables.hpp"
-#include "ice/start/initial_state.hpp"
+#include "ice/start/initialise.hpp"
+#include "ice/step/effect_ids.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/step/scheme_options.hpp"
 #include "ice/tracers/tracers.hpp"
 #include "ice/transport/viscosity.hpp"
@@ -52,7 +58,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 }  // namespace
 
 // One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
-// in the file of its name under conservative/; when it is absent is said there in its first line.
+// in the file of its name under one_material/; when it is absent is said there in its first line.
 void Ice::declare_conservative(TaskList& list, const SchemeOptions& o) const {
   SchemeVariables v = declare_conservative_variables(list, o);
   scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
@@ -172,6 +178,7 @@ Ice::Ice(const Scene& scene, IceScene ice_scene)
   for (const Level& level : scene.grid.levels)
     sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,
                                                  level, options_.direction));
+  options_.sources = sources_.front().get();
 }
 
 SchemeOptions Ice::at_level(int level) const {
@@ -183,7 +190,6 @@ SchemeOptions Ice::at_level(int level) const {
   o.transport = o.transports.front();
   o.boundary = boundary_[static_cast<std::size_t>(level)].get();
   if (!sources_.empty()) o.sources = sources_[static_cast<std::size_t>(level)].get();
-  o.first_source_sum = first_source_sum();
   return o;
 }
 
@@ -199,7 +205,7 @@ std::vector<SlotInfo> Ice::state_slots() const {
   // Their friction follows what the dynamic model has filtered.
   const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
   const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
-  const int ghosts = (options_.classic ? classic_ghost_layers(options_) : 3) + aside + around;
+  const int ghosts = (options_.classic ? classic::ghost_layers(options_) : 3) + aside + around;
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m) slots.push_back({label, m, 1, ghosts});
@@ -274,7 +280,7 @@ void Ice::declare_step(TaskList& list, const StepVariant& variant) const {
   o.material = variant.kind;
   const auto m = static_cast<std::size_t>(o.material);
   o.fluid = o.fluids[m];
-  if (!scalars::is_mixed(o, m)) {
+  if (!is_mixed(o, m)) {
     o.mixed = nullptr;
     o.density_bound = DensityBound::sharp;
     o.conductivity_varies = ice_.turbulence.has_value();
@@ -316,15 +322,11 @@ std::optional<double> Ice::absent_value(Label label, int material, int kind) con
 }
 
 void Ice::declare_diagnostics(TaskList& list, int level) const {
-  declare_diagnostic_outputs(list, at_level(level), ice_, estimates_);
-}
-
-int Ice::first_source_sum() const {
-  return options_.sums + material_count() - 1;
+  declare_diagnostic_outputs(list, at_level(level), ice_.criteria, estimates_);
 }
 
 int Ice::step_sums() const {
-  return first_source_sum() + (sources_.empty() ? 0 : SourceSums::count(material_count()));
+  return options_.first_source_sum + (sources_.empty() ? 0 : SourceSums::count(material_count()));
 }
 
 int Ice::first_volume_sum() const {
@@ -336,15 +338,49 @@ int Ice::reduction_sums() const {
   return step_sums() + of_volumes.count(static_cast<int>(control_volumes(scene_->analysis).size()));
 }
 
+bool Ice::diffusive() const {
+  return ice::diffusive(options_);
+}
+
+void Ice::initialise(Warehouse& state) const {
+  ice::initialise(state, *scene_, ice_, options_);
+}
+
+void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
+  ice::measure_rates(state, at_level(state.level().index), rates);
+}
+
+StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
+  return ice::step_limit(options_, maxima);
+}
+
+void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Totals& totals) const {
+  ice::add_totals(state, coverage, options_, totals);
+}
+
+StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
+  return ice::balance(options_, sums, start, dt);
+}
+
+std::vector<std::string> Ice::tally_names() const {
+  return ice::tally_names(options_);
+}
+
+std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
+  return ice::tallies(options_, sums);
+}
+
+double Ice::history_value(Label label, const Totals& totals) const {
+  return ice::history_value(options_, label, totals);
+}
+
+Vec3 Ice::history_vector(Label label, const Totals& totals) const {
+  return ice::history_vector(label, totals);
+}
+
 // What passes through a control volume's side must be counted in uniform flow as well. Materials
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
-bool Ice::diffusive() const {
-  return options_.viscous || options_.conducting ||
-         std::any_of(ice_.models.scalars.begin(), ice_.models.scalars.end(),
-                     [](const models::TransportedScalar& s) { return s.diffusivity > 0; });
-}
-
 bool Ice::quiet_blocks_allowed() const {
   if (material_count() > 1 &&
       (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))

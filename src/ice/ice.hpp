@@ -12,9 +12,6 @@
 
 namespace sluice::ice {
 
-struct PrimitiveFill;
-struct MaterialsOfStep;
-
 class Ice : public Component {
  public:
   Ice(const Scene& scene, IceScene ice_scene);
@@ -67,14 +64,6 @@ class Ice : public Component {
   void declare_slip(TaskList& list, const SchemeOptions& options) const;
   SchemeOptions at_level(int level) const;
   int step_sums() const;  // without those of control volumes
-  int first_source_sum() const;
-  void add_source_balance(const std::vector<double>& sums, StepBalance& balance) const;
-  void initialise_material(Warehouse& state) const;  // one
-  void initialise_materials(Warehouse& state) const;
-  void initialise_scalars(Warehouse& state) const;
-  // The law of a mixed gas at the start, and its energy.
-  Fluid mixed_law(Vec3 centre) const;
-  double mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
 
   const Scene* scene_;
   IceScene ice_;
@@ -96,39 +85,5 @@ Effect open_faces(const IceScene& ice, const BoundaryFill& boundary);
 // Whether levels are made to agree on what passes between them: always, but for the classic form.
 bool matches_fluxes(const Scene& scene, const IceScene& ice);
 
-// Ids in that list, in its order.
-enum EffectId {
-  effect_flow = 0,
-  effect_second_order,
-  effect_gravity,
-  effect_viscosity,
-  effect_boundary_account,
-  effect_flux_record,
-  effect_saved_intermediates,
-  effect_diagnostics,
-  effect_conduction,
-  effect_equilibration,
-  effect_momentum_exchange,
-  effect_heat_exchange,
-  effect_turbulence,
-  effect_scalars,
-  effect_driving_force,
-  effect_sources,
-  effect_reactions,
-  effect_tracers,
-  effect_open_faces
-};
-
-// Whose task the account of forces is.
-inline int effect_of_forces(const SchemeOptions& o) {
-  return o.force_on ? effect_driving_force : effect_gravity;
-}
-
-// Labels that are functions of a state, as tasks that read it as old state.
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options, const IceScene& ice,
-                                const std::vector<ErrorEstimate>& estimates);
-// Labels that only exist inside a step.
-void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& options,
-                          const MaterialsOfStep& materials);
 
 }  // namespace sluice::ice

@@ -92,7 +92,7 @@ WIDE = ("Grid/Level/Box/resolution=[32,32,1]", "AMR/Regridder/cell_refinement_ra
         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=0.01")
 UNIFORM = ("AMR/Regridder/max_levels=1",)
 # A quarter of an explosion (with the bits of the whole) by the estimated error. As many cells as
-# give the L1 error of the density of the uniform grid beside it (theory_ice.md).
+# give the L1 error of the density of the uniform grid beside it (docs/theory/measured_levels.md).
 ERROR_EXPLOSION = "inputs/ice/amr_explosion_quarter.ups"
 FINER = ("AMR/ErrorEstimate/@tolerance=0.012",)
 

@@ -40,6 +40,34 @@ class Layers(Tree):
         self.write("ice/b.cpp", '// b\n#include "mpm/m.hpp"\n')
         self.assertEqual(len(check_layers.check(self.root)), 1)
 
+    def test_floors_of_a_house(self):
+        self.write("ice/fluid/f.hpp", "// f\n")
+        self.write("ice/mixture/m.hpp", '// m\n#include "ice/fluid/f.hpp"\n')
+        self.write("ice/fluid/g.cpp", '// g\n#include "ice/mixture/m.hpp"\n')
+        self.write("ice/ice.hpp", "// top\n")
+        self.write("ice/mixture/n.cpp", '// n\n#include "ice/ice.hpp"\n')
+        faults = check_layers.check(self.root)
+        self.assertEqual(len(faults), 2)
+        self.assertIn("ice/fluid/g.cpp:2: ice/fluid may not include ice/mixture", faults[0])
+        self.assertIn("ice/mixture/n.cpp:2: ice/mixture may not include ice (", faults[1])
+
+    def test_rooms_of_one_floor_do_not_know_each_other(self):
+        self.write("ice/levels/l.hpp", "// l\n")
+        self.write("ice/account/a.cpp", '// a\n#include "ice/levels/l.hpp"\n')
+        self.assertEqual(len(check_layers.check(self.root)), 1)
+
+    def test_tests_may_use_their_house_and_test_support(self):
+        self.write("ice/ice.hpp", "// top\n")
+        self.write("ice/test_support/s.hpp", '// s\n#include "ice/ice.hpp"\n')
+        self.write("ice/fluid/f_test.cpp", '// f\n#include "ice/test_support/s.hpp"\n')
+        self.assertEqual(check_layers.check(self.root), [])
+        self.write("ice/fluid/f.cpp", '// f\n#include "ice/test_support/s.hpp"\n')
+        self.assertEqual(len(check_layers.check(self.root)), 1)
+
+    def test_unknown_room_of_a_house(self):
+        self.write("ice/attic/a.cpp", "// a\n")
+        self.assertIn("'ice/attic' is no room", check_layers.check(self.root)[0])
+
     def test_circle_of_headers(self):
         self.write("ice/a.hpp", '// a\n#include "ice/b.hpp"\n')
         self.write("ice/b.hpp", '// b\n#include "ice/a.hpp"\n')
@@ -85,10 +113,19 @@ class Links(Tree):
     def test_only_missing_files_are_told(self):
         self.write("docs/a.md", "[b](b.md) [web](https://x.org)\n[up](../README.md#head)\n"
                    "[gone](c.md)\n")
-        self.write("docs/b.md", "see [top](#top)\n")
-        self.write("README.md", "![p](docs/p.png)\n")
+        self.write("docs/b.md", "# Top\nsee [top](#top)\n")
+        self.write("README.md", "![p](docs/p.png)\n# Head\n")
         self.assertEqual(check_links.check(self.root), [
             "README.md:1: 'docs/p.png' is not there", "docs/a.md:3: 'c.md' is not there"])
+
+    def test_headings_are_looked_for(self):
+        self.write("docs/a.md", "# One page\n```\n# no heading\n```\n[1](#one-page) "
+                   "[2](#no-heading)\n[3](b.md#step-1-what-it-is) [4](b.md#step-1)\n[5](b.txt#1)\n")
+        self.write("docs/b.md", "## Step 1: what `it` *is*\n")
+        self.write("docs/b.txt", "")
+        self.assertEqual(check_links.check(self.root), [
+            "docs/a.md:5: '#no-heading': the page has no such heading",
+            "docs/a.md:6: 'b.md#step-1': the page has no such heading"])
 
 
 if __name__ == "__main__":

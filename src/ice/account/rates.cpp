@@ -1,4 +1,5 @@
-// Rates of a state outside a step: the first step of a run and of a restart.
+#include "ice/account/rates.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,10 +7,9 @@
 #include "ice/closure/equilibrate.hpp"
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/scalars/variables.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/step/step_bounds.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -30,7 +30,7 @@ class CellStates {
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
       if (own_velocities) slip_.push_back(state.find(labels().slip, m));
     }
-    if (gas_ != nullptr) fraction_ = view(scalars::fraction_of(o).state(), gas_->material);
+    if (gas_ != nullptr) fraction_ = view(fraction_of(o).state(), gas_->material);
   }
 
   struct State {
@@ -52,7 +52,7 @@ class CellStates {
       bool alone = M[gas] != 0.0;
       for (std::size_t m = 0; m < fluids_.size(); ++m) alone = alone && (m == gas || M[m] == 0.0);
       if (alone) return of_one(gas, M[gas], E[gas]);
-      equilibration_.set_law(gas_->material, scalars::fluid_of(*gas_, fraction_(cell)));
+      equilibration_.set_law(gas_->material, fluid_of(*gas_, fraction_(cell)));
     }
     return {rho, equilibration_.look({M, V, E}).modulus};
   }
@@ -241,39 +241,43 @@ class Waves {
 
 }  // namespace
 
-void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
+bool diffusive(const SchemeOptions& o) {
+  return o.viscous || o.conducting ||
+         std::any_of(o.scalars.begin(), o.scalars.end(),
+                     [](const models::TransportedScalar& s) { return s.diffusivity > 0; });
+}
+
+void measure_rates(const Warehouse& state, const SchemeOptions& o, Reductions& rates) {
   const int momentum = state.find(labels().momentum, 0);
   const Vec3 spacing = state.level().spacing;
-  const Waves waves(options_, state.level(), rates);
-  const mixture::DiffusionRates of_mixtures(options_);
+  const Waves waves(o, state.level(), rates);
+  const mixture::DiffusionRates of_mixtures(o);
   double inverse_dx2 = 0;
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const double dx = spacing[options_.axes.direction[a]];
+  for (int a = 0; a < o.axes.count; ++a) {
+    const double dx = spacing[o.axes.direction[a]];
     inverse_dx2 += 1.0 / (dx * dx);
   }
-  if (diffusive())
-    rates.maximum(StepSlots::diffusion_rate,
-                  ordered_bits(scalars::diffusion_rate(options_, spacing)));
+  if (diffusive(o))
+    rates.maximum(StepSlots::diffusion_rate, ordered_bits(scalars::diffusion_rate(o, spacing)));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    CellStates states(state, options_, b);
-    const Diffusion diffusion(state, at_level(state.level().index), b);
+    CellStates states(state, o, b);
+    const Diffusion diffusion(state, o, b);
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
       const auto [rho, modulus] = states.at(cell);
       double velocity[3] = {}, own[3] = {};
-      for (int a = 0; a < options_.axes.count; ++a)
-        velocity[a] = state.view(momentum, a, b)(cell) / rho;
+      for (int a = 0; a < o.axes.count; ++a) velocity[a] = state.view(momentum, a, b)(cell) / rho;
       waves.add_mixture(velocity, std::sqrt(modulus / rho));
       const mixture::DragCell present = states.sharing(cell);
       const double of_each =
           present.count > 0 ? std::sqrt(modulus * mixture::Drag::inverse_inertia(present)) : 0.0;
       for (int n = 0; n < present.count; ++n) {
-        for (int a = 0; a < options_.axes.count; ++a)
+        for (int a = 0; a < o.axes.count; ++a)
           own[a] = velocity[a] + states.slip(present, n, cell, a);
         waves.add(own, of_each);
       }
-      if (!options_.viscous && !options_.conducting) return;
+      if (!o.viscous && !o.conducting) return;
       double rate = 0;
-      if (of_mixtures.on() && material_count() > 1)
+      if (of_mixtures.on() && o.fluids.size() > 1)
         rate = diffusion.rate(states, of_mixtures, cell);
       else
         rate = 2.0 * inverse_dx2 * diffusion.coefficient(states, cell) / rho;

@@ -1,28 +1,27 @@
-// How long the next step may be, and which bound says so.
-#include "ice/classic/classic.hpp"
-#include "ice/ice.hpp"
+#include "ice/account/step_limit.hpp"
+
+#include "ice/classic/limits.hpp"
 #include "ice/step/step_bounds.hpp"
 
 namespace sluice::ice {
 
-StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
+StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) {
   constexpr double flow_share = 0.9;
   // Friction along its own direction acts with 4/3 mu: 0.75 is what explicit steps can bear.
   constexpr double diffusion_share = 0.7;
-  const double sound_share =
-      options_.classic ? classic_sound_share(options_.axes.count) : most_in_one_direction;
-  StepLimit limit{options_.cfl / maxima[StepSlots::deck_rate], options_.conservative_time_step
-                                                                   ? "deck: conservative rule"
-                                                                   : "deck: cfl dx/(|u| + knob c)"};
+  const double sound_share = o.classic ? classic::sound_share(o.axes.count) : most_in_one_direction;
+  StepLimit limit{o.cfl / maxima[StepSlots::deck_rate], o.conservative_time_step
+                                                            ? "deck: conservative rule"
+                                                            : "deck: cfl dx/(|u| + knob c)"};
   auto at_most = [&](double dt, const char* reason) {
     if (dt < limit.dt) limit = {dt, reason};
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
   at_most(sound_share / maxima[StepSlots::sound_rate],
-          options_.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
-                           : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
+          o.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
+                    : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
   const double diffusion = maxima[StepSlots::diffusion_rate];
-  at_most(options_.cfl / (options_.diffusion_knob * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
+  at_most(o.cfl / (o.diffusion_knob * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
   at_most(diffusion_share / diffusion, "scheme: 0.7/(2 D sum 1/dx^2)");
   return limit;
 }

@@ -1,8 +1,9 @@
-// Totals over the cells of a rank, and what a step added to them.
+#include "ice/account/totals.hpp"
+
 #include <algorithm>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/ice.hpp"
+#include "ice/sources/source_tasks.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -103,12 +104,23 @@ class TotalsOfRows {
   std::vector<double> values_, kinetic_, density_;
 };
 
+void add_source_balance(const SchemeOptions& o, const std::vector<double>& sums, StepBalance& b) {
+  if (o.sources == nullptr) return;
+  const auto first = static_cast<std::size_t>(o.first_source_sum);
+  const std::size_t beside = first + o.fluids.size();
+  for (std::size_t s = first; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
+  for (int d = 0; d < 3; ++d)
+    b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + static_cast<std::size_t>(d)];
+  b.energy_of_forces += sums[beside + SourceSums::total_energy];
+}
+
 }  // namespace
 
-void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Totals& totals) const {
-  totals.mass.resize(static_cast<std::size_t>(material_count()));
-  totals.amounts.resize(ice_.models.scalars.size());
-  TotalsOfRows rows(state, options_, material_count(), totals);
+void add_totals(const Warehouse& state, const LevelCoverage& coverage, const SchemeOptions& o,
+                Totals& totals) {
+  totals.mass.resize(o.fluids.size());
+  totals.amounts.resize(o.scalars.size());
+  TotalsOfRows rows(state, o, static_cast<int>(o.fluids.size()), totals);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     if (!coverage.any())
       rows.add(b, state.local_boxes()[static_cast<std::size_t>(b)].cells);
@@ -117,30 +129,17 @@ void Ice::add_totals(const Warehouse& state, const LevelCoverage& coverage, Tota
   }
 }
 
-// Gravity acts on the mass at the start of the step and works along the mean momentum of the
-// Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
-void Ice::add_source_balance(const std::vector<double>& sums, StepBalance& b) const {
-  if (sources_.empty()) return;
-  const auto first = static_cast<std::size_t>(first_source_sum());
-  const std::size_t beside = first + static_cast<std::size_t>(material_count());
-  for (std::size_t s = first; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
-  for (int d = 0; d < 3; ++d)
-    b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + static_cast<std::size_t>(d)];
-  b.energy_of_forces += sums[beside + SourceSums::total_energy];
-}
-
-// What models add: mass, momentum, total energy; what passes between materials.
-std::vector<std::string> Ice::tally_names() const {
-  if (sources_.empty()) return {};
+std::vector<std::string> tally_names(const SchemeOptions& o) {
+  if (o.sources == nullptr) return {};
   return {"model mass",   "model momentum x", "model momentum y", "model momentum z",
           "model energy", "exchanged mass",   "exchanged energy"};
 }
 
-std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
-  if (sources_.empty()) return {};
+std::vector<double> tallies(const SchemeOptions& o, const std::vector<double>& sums) {
+  if (o.sources == nullptr) return {};
   StepBalance added;
-  add_source_balance(sums, added);
-  const auto beside = static_cast<std::size_t>(first_source_sum() + material_count());
+  add_source_balance(o, sums, added);
+  const auto beside = static_cast<std::size_t>(o.first_source_sum) + o.fluids.size();
   double mass = 0;
   for (const double m : added.mass_of_sources) mass += m;
   const Vec3 momentum = added.momentum_of_forces;
@@ -153,31 +152,34 @@ std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
           sums[beside + SourceSums::exchanged_energy]};
 }
 
-StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start, double dt) const {
+// Gravity acts on the mass at the start of the step and works along the mean momentum of the
+// Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
+StepBalance balance(const SchemeOptions& o, const std::vector<double>& sums, const StepStart* start,
+                    double dt) {
   StepBalance b;
-  for (int m = 0; m < material_count(); ++m)
-    b.mass.push_back(sums[static_cast<std::size_t>(StepSlots::mass_of(m, options_.sums))]);
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    b.mass.push_back(sums[static_cast<std::size_t>(StepSlots::mass_of(m, o.sums))]);
   double mass = 0;  // of all materials at the start
   if (start != nullptr)
     for (const double of_one : start->mass) mass += of_one;
   b.energy = sums[StepSlots::energy];
   for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
-    if (start == nullptr || options_.force_on) continue;
+    if (start == nullptr || o.force_on) continue;
     const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
-    const double kick = dt * options_.gravity[d] * mass;
+    const double kick = dt * o.gravity[d] * mass;
     b.momentum_of_forces[d] = kick;
-    b.energy_of_forces += dt * options_.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
+    b.energy_of_forces += dt * o.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
-  add_source_balance(sums, b);
-  if (!options_.gravity_on || (start != nullptr && !options_.force_on)) return b;
+  add_source_balance(o, sums, b);
+  if (!o.gravity_on || (start != nullptr && !o.force_on)) return b;
   for (int d = 0; d < 3; ++d)
     b.momentum_of_forces[d] += sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
   b.energy_of_forces += sums[StepSlots::gravity_work];
   return b;
 }
 
-double Ice::history_value(Label label, const Totals& totals) const {
+double history_value(const SchemeOptions& o, Label label, const Totals& totals) {
   if (label == labels().total_mass) {
     ExactSum all;
     for (const ConservedTotal& mass : totals.mass) all.merge(mass.sum);
@@ -190,13 +192,13 @@ double Ice::history_value(Label label, const Totals& totals) const {
   if (label == labels().total_model_energy) return tally(4);
   if (label == labels().total_mass_exchanged) return tally(5);
   if (label == labels().total_energy_exchanged) return tally(6);
-  for (std::size_t s = 0; s < ice_.models.scalars.size(); ++s)
-    if (label == ice_.models.scalars[s].total()) return totals.amounts[s].sum.value();
+  for (std::size_t s = 0; s < o.scalars.size(); ++s)
+    if (label == o.scalars[s].total()) return totals.amounts[s].sum.value();
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
   return totals.kinetic_energy.sum.value();
 }
 
-Vec3 Ice::history_vector(Label label, const Totals& totals) const {
+Vec3 history_vector(Label label, const Totals& totals) {
   if (label == labels().total_model_momentum) {
     if (totals.tallies.empty()) return {};
     return {totals.tallies[1], totals.tallies[2], totals.tallies[3]};

@@ -124,8 +124,8 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
 }
 
 const Fluid& GhostStates::fluid_of(IntVec3 cell, Fluid& room, std::size_t material) const {
-  if (!scalars::is_mixed(setting_.mixed, material)) return setting_.fluids[material];
-  return room = scalars::fluid_of(*setting_.mixed, v_.composition(cell));
+  if (!is_mixed(setting_.mixed, material)) return setting_.fluids[material];
+  return room = ice::fluid_of(*setting_.mixed, v_.composition(cell));
 }
 
 void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {

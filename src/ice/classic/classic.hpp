@@ -14,11 +14,5 @@ namespace sluice::ice {
 
 // Tasks of a step, in order.
 void declare_classic(TaskList& list, const SchemeOptions& options, const EffectList& effects);
-// Ghost layers of the state that they read.
-int classic_ghost_layers(const SchemeOptions& options);
-// Largest stable (|u| + c) dt/dx. Face velocity and pressure change are leap-frogged over two
-// cells: a sound wave of the shortest length is damped by 1 - 4 axes (c dt/dx)^2, which must stay
-// above -1.
-double classic_sound_share(int axes);
 
 }  // namespace sluice::ice

@@ -1,6 +1,6 @@
 // The variables of one step of the classic form, and its tasks.
 //
-// Step numbers in this folder are those of the section "The classic form" of docs/theory_ice.md.
+// Step numbers in this folder are those of docs/theory/ice_classic.md.
 // Lengths are in cells: a slope is the difference across one cell, l = dt/dx.
 #pragma once
 #include "ice/step/variables.hpp"

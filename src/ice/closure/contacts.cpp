@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ice/closure/surface_law.hpp"
 #include "ice/fluid/face_mean.hpp"
-#include "ice/mixture/surface.hpp"
-#include "ice/step/material_runs.hpp"
+#include "ice/fluid/material_set.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ice/closure/pair_relaxation.hpp"
+#include "ice/closure/surface_law.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

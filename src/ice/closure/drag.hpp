@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "ice/deck/exchange_settings.hpp"
-#include "ice/step/material_runs.hpp"
+#include "ice/fluid/material_set.hpp"
 
 namespace sluice::ice::mixture {
 

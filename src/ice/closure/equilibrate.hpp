@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ice/fluid/fluid.hpp"
-#include "ice/step/material_runs.hpp"
+#include "ice/fluid/material_set.hpp"
 
 namespace sluice::ice::mixture {
 

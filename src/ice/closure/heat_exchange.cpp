@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ice/closure/pair_relaxation.hpp"
-#include "ice/mixture/surface.hpp"
+#include "ice/closure/surface_law.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

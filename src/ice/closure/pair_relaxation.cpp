@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ice/step/material_runs.hpp"
+#include "ice/fluid/material_set.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

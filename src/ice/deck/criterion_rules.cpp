@@ -9,7 +9,6 @@
 #include "framework/deck/rule_tools.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/saved/state_quantities.hpp"
 
 namespace sluice {
 namespace {
@@ -21,10 +20,8 @@ bool listed(const std::vector<std::string>& list, std::string_view name) {
 // Cell variables that follow from a state alone.
 const std::vector<std::string>& usable_variables() {
   static const std::vector<std::string> names = [] {
-    TaskList list;
     std::vector<std::string> found;
-    for (const ice::DiagnosticQuantity& q : ice::declare_quantities(list, ice::SchemeOptions{}))
-      found.push_back(q.label.name());
+    for (const Label label : ice::state_functions()) found.push_back(label.name());
     return found;
   }();
   return names;

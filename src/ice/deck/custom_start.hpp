@@ -27,7 +27,11 @@ struct VortexPairs {  // across the domain, side by side
 struct PairDirections {
   int across, along;
 };
-PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest);
+inline PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest) {
+  const int b = (pairs.axis + 1) % 3, c = (pairs.axis + 2) % 3;
+  const auto periodic = [&](int d) { return coarsest.periodic[static_cast<std::size_t>(d)]; };
+  return periodic(b) && !periodic(c) ? PairDirections{c, b} : PairDirections{b, c};
+}
 
 struct GaussianTemperature {
   Vec3 origin{};

@@ -14,7 +14,7 @@
 #include "ice/deck/mixed_gas_rules.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/schema.hpp"
-#include "ice/step/material_runs.hpp"
+#include "ice/fluid/material_set.hpp"
 #include "models/models.hpp"
 
 namespace sluice {

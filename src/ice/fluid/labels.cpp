@@ -258,6 +258,41 @@ const Labels& labels() {
   return all;
 }
 
+std::vector<Label> state_functions() {
+  const Labels& l = labels();
+  std::vector<Label> all = {l.rho,
+                            l.rho_micro,
+                            l.sum_rho,
+                            l.velocity,
+                            l.pressure,
+                            l.temperature,
+                            l.sound_speed,
+                            l.compressibility,
+                            l.specific_volume,
+                            l.compressibility_of_cell,
+                            l.compressibility_share,
+                            l.volume_fraction,
+                            l.gradient_volume_fraction,
+                            l.viscosity,
+                            l.eddy_viscosity,
+                            l.total_viscosity,
+                            l.thermal_conductivity,
+                            l.gamma,
+                            l.specific_heat,
+                            l.mach,
+                            l.gradient_rho,
+                            l.gradient_temperature,
+                            l.gradient_pressure,
+                            l.divergence_velocity,
+                            l.vorticity,
+                            l.mass_of_cell,
+                            l.momentum_of_cell,
+                            l.energy_of_cell,
+                            l.volume_of_cell};
+  all.insert(all.end(), std::begin(l.wave_amplitude), std::end(l.wave_amplitude));
+  return all;
+}
+
 const std::vector<Label>& own_labels() {
   labels();
   return declared();

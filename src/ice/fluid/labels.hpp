@@ -50,5 +50,8 @@ struct Labels {
 const Labels& labels();
 // All of them; none that models or analyses of some deck bring.
 const std::vector<Label>& own_labels();
+// Those of cells that follow from the state of one material alone: what criteria of refinement may
+// name in any deck.
+std::vector<Label> state_functions();
 
 }  // namespace sluice::ice

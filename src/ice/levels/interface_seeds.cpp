@@ -1,12 +1,10 @@
-// Where interfaces between materials lie: cells that a material fills in part, and both cells at a
-// face where one that is full of it meets one that has none. Traces count as none: a run of many
-// steps leaves some behind.
+#include "ice/levels/interface_seeds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "ice/closure/interface_band.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/saved/criteria.hpp"
 
 namespace sluice::ice {
 namespace {

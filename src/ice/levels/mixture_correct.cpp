@@ -89,11 +89,10 @@ class MixtureCorrector {
       total_.m[c] = change.amount[layout_.momentum(c)][n];
     }
     total_.E = change.amount[layout_.total_energy()][n];
-    if (mixed_.gas != nullptr)
-      mixed_law_ = scalars::fluid_of(*mixed_.gas, state[mixed_.fraction](cell));
+    if (mixed_.gas != nullptr) mixed_law_ = fluid_of(*mixed_.gas, state[mixed_.fraction](cell));
   }
   const Fluid& law(std::size_t m) const {
-    return scalars::is_mixed(mixed_.gas, m) ? mixed_law_ : fluids_[m];
+    return is_mixed(mixed_.gas, m) ? mixed_law_ : fluids_[m];
   }
   void write(const StateViews& state, IntVec3 cell) const {
     for (std::size_t m = 0; m < part_.size(); ++m) {

@@ -18,7 +18,7 @@ MixtureTransfer::MixtureTransfer(std::vector<Fluid> fluids, int components, bool
   for (std::size_t m = 0; m < fluids_.size(); ++m)
     alone_.emplace_back(
         components, false, matches_fluxes, fluids_[m],
-        scalars::is_mixed(mixed_.gas, m) ? std::vector{behind_energy} : std::vector<std::size_t>{});
+        is_mixed(mixed_.gas, m) ? std::vector{behind_energy} : std::vector<std::size_t>{});
 }
 
 namespace {
@@ -104,7 +104,7 @@ StateViews views_of(const StateViews& state, const MixtureLayout& layout, std::s
   StateViews views = {state[layout.mass(material)]};
   for (std::size_t c = 0; c < layout.components; ++c) views.push_back(state[layout.momentum(c)]);
   views.push_back(state[layout.energy(material)]);
-  if (scalars::is_mixed(gas.gas, material)) views.push_back(state[gas.fraction]);
+  if (is_mixed(gas.gas, material)) views.push_back(state[gas.fraction]);
   return views;
 }
 
@@ -130,7 +130,7 @@ void MixtureTransfer::prolong(const StateViews& coarse, const StateViews& fine,
     const auto present = static_cast<std::size_t>(material);
     alone_[present].prolong(views_of(coarse, layout_, present, mixed_),
                             views_of(fine, layout_, present, mixed_), part, geometry, order);
-    if (mixed_.gas != nullptr && !scalars::is_mixed(mixed_.gas, present))
+    if (mixed_.gas != nullptr && !is_mixed(mixed_.gas, present))
       write(fine[mixed_.fraction], part, along, 0.0);
     for (std::size_t m = 0; m < layout_.materials; ++m) {
       write(fine[layout_.volume(m)], part, along, m == present ? 1.0 : 0.0);

@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "framework/grid/box_list.hpp"
+#include "ice/fluid/shared_mass.hpp"
 #include "ice/levels/children.hpp"
-#include "ice/scalars/rows.hpp"
 
 namespace sluice::ice::scalars {
 namespace {

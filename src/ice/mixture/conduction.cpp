@@ -12,11 +12,11 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -32,7 +32,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
   const Out own = task.write(list.temporary("density and energy of a material", 2));
   const bool varies = o.conductivity_varies, turbulent = o.transport.turbulence.has_value();
-  const In fraction = o.mixed != nullptr ? task.read(scalars::old_fraction(list, o)) : In{};
+  const In fraction = o.mixed != nullptr ? task.read(old_fraction(list, o)) : In{};
   const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
   const In rho = turbulent ? task.read(v.common.rho) : In{};
   const Out conductivity = varies ? task.write(v.common.conductivity) : Out{};
@@ -49,13 +49,13 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
         double* __restrict C = part(capacity, m);
-        if (scalars::is_mixed(o, n)) {
+        if (is_mixed(o, n)) {
           const double* f = part(fraction);
-          scalars::mixed_temperature_row(*o.mixed, count, f, r, e, part(temperature, m));
-          scalars::property_row(*o.mixed, &models::MixedGas::Node::cv, count, f, C);
+          mixed_temperature_row(*o.mixed, count, f, r, e, part(temperature, m));
+          property_row(*o.mixed, &models::MixedGas::Node::cv, count, f, C);
           if (varies)
-            scalars::property_row(*o.mixed, &models::MixedGas::Node::conductivity, count, f,
-                                  part(conductivity, m));
+            property_row(*o.mixed, &models::MixedGas::Node::conductivity, count, f,
+                         part(conductivity, m));
         } else {
           temperature_row(o.fluids[n], count, r, e, part(temperature, m));
           heat_capacity_row(o.fluids[n], count, r, e, C);
@@ -297,7 +297,7 @@ class FaceHeat {
 
   // Subgrid motion ends at walls.
   double conductivity_on_wall(const Row& row, int m, int i) const {
-    if (!scalars::is_mixed(o_, static_cast<std::size_t>(m))) return k(m);
+    if (!is_mixed(o_, static_cast<std::size_t>(m))) return k(m);
     return harmonic_mean(row(h_.conductivity, m, axis_, -1)[i], row(h_.conductivity, m)[i]);
   }
 

@@ -1,9 +1,10 @@
 // Looking up the rows of each material.
 #include "ice/mixture/face_donors.hpp"
+#include "ice/step/material_runs.hpp"
 
 #include <algorithm>
 
-#include "ice/fluid/mixed_gas.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 
@@ -83,7 +84,7 @@ void MaterialFaces::bind(int m) {
   look_up(k.eps_L, h_.specific_energy_L, m);
   look_up(k.scale, h_.scale, m);
   k.alike[0] = k.alike[1] = nullptr;
-  if (scalars::is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
+  if (is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {
     look_up(k.base_V, h_.base, component(m, of_volume));
     look_up(k.base_r, h_.base, component(m, of_mass));

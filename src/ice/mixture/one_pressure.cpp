@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "ice/closure/cell_closure.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -78,7 +78,7 @@ void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::
   const UpdateHandles u = handles_of(h.end, static_cast<int>(m));
   check_row(row, u, o, static_cast<int>(m));
   end_alone(row, h.end, u, o.fluid);
-  if (!scalars::is_mixed(o, m)) return;
+  if (!is_mixed(o, m)) return;
   const double* __restrict E = row(u.next.energy);
   double* __restrict p = row(h.end.pressure);
   o.mixed->for_row(row.count(), row(h.fraction),
@@ -125,7 +125,7 @@ void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o
           laws.emplace(closure);
         }
         for (int i = first; i < first + count; ++i) {
-          laws->set_law(o.mixed->material, scalars::fluid_of(*o.mixed, f[i]));
+          laws->set_law(o.mixed->material, fluid_of(*o.mixed, f[i]));
           cells->close(i, *laws);
           set_rate_of_gas(row, h.end, o, i);
         }

@@ -3,8 +3,8 @@
 
 #include <bit>
 
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -120,7 +120,7 @@ void add_blends(TaskList& list, const Variables& v, int effect) {
 // 1 where the fraction of a mixed gas is that of all cells around which hold the gas.
 void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("the same fraction around", effect);
-  const In fraction = task.read(scalars::old_fraction(list, o), Stencil::box(1));
+  const In fraction = task.read(old_fraction(list, o), Stencil::box(1));
   const In mass = task.read(v.mass[static_cast<std::size_t>(o.mixed->material)], Stencil::box(1));
   const Out alike = task.write(v.alike);
   task.kernel([=, axes = o.axes.count](const Row& row) {

@@ -11,11 +11,11 @@
 
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/presence.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/primitives_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -35,9 +35,9 @@ void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict M = row(h.state.mass[k]);
   const double* __restrict E = row(h.state.energy[k]);
-  if (scalars::is_mixed(h.gas, k))
-    scalars::mixed_primitive_row(*h.gas, n, row(h.fraction), M, E, row(h.inverse_rho),
-                                 row(h.pressure), row(h.sound));
+  if (is_mixed(h.gas, k))
+    mixed_primitive_row(*h.gas, n, row(h.fraction), M, E, row(h.inverse_rho), row(h.pressure),
+                        row(h.sound));
   else
     primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
   double* __restrict rho = row(h.rho);
@@ -89,8 +89,8 @@ void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& f
     x.r[i] = M[i] * inverse;
     x.e[i] = E[i] * inverse;
   }
-  if (scalars::is_mixed(h.gas, k))
-    scalars::mixed_pressure_and_modulus_row(*h.gas, n, row(h.fraction), x.e, x.pm, x.Km);
+  if (is_mixed(h.gas, k))
+    mixed_pressure_and_modulus_row(*h.gas, n, row(h.fraction), x.e, x.pm, x.Km);
   else
     pressure_and_modulus_row(fluid, n, x.r, x.e, x.pm, x.Km);
 #pragma GCC ivdep
@@ -115,8 +115,8 @@ void add_softness(const Row& row, const Handles& h, int m, const Fluid& fluid,
   const double* __restrict V = row(h.state.volume[k]);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.r[i] = M[i] / V[i];
-  if (scalars::is_mixed(h.gas, k))
-    scalars::mixed_modulus_row(*h.gas, n, row(h.fraction), x.p, x.Km);
+  if (is_mixed(h.gas, k))
+    mixed_modulus_row(*h.gas, n, row(h.fraction), x.p, x.Km);
   else
     modulus_row(fluid, n, x.r, x.p, x.Km);
 #pragma GCC ivdep
@@ -233,7 +233,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.pi = task.write(v.common.pi);
   h.scratch = task.write(list.temporary("closure of a material", 5));
   h.gas = o.mixed;
-  if (o.mixed != nullptr) h.fraction = task.read(scalars::old_fraction(list, o));
+  if (o.mixed != nullptr) h.fraction = task.read(old_fraction(list, o));
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
   const bool gases = o.mixed == nullptr && all_ideal_gases(fluids);

@@ -21,11 +21,11 @@
 //      of the mixture as for one material with its energy scale; G_m = FE + FM K, G = sum G_m.
 #include <algorithm>
 
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -213,7 +213,7 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
           for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
         };
         const auto kind = [&](std::size_t m) {
-          return scalars::is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
+          return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
         };
         const auto pure_faces = [&](int first, int count, int of) {
           const Row part = row.part(first, count);

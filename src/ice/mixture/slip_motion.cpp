@@ -14,6 +14,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

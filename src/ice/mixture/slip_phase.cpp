@@ -12,6 +12,7 @@
 #include "ice/closure/drag.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

@@ -10,6 +10,7 @@
 // is the face's. The area of a cell is the size of what its faces leave it along each axis, its
 // normal the direction, out of the solid.
 #pragma once
+#include "ice/closure/surface_law.hpp"
 #include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
@@ -22,19 +23,6 @@ struct SurfaceParts {
   static constexpr int normal = 5;                                // by axis
   static constexpr int count(int axes) { return normal + axes; }
 };
-
-// What passes where `all` (the deck's coefficient) and the surface resist one after the other, in
-// the share of the cell where there is a surface.
-inline double through_surface(double all, double share, double surface) {
-  if (!(share > 0.0)) return all;
-  const double both = surface > 0.0 && all > 0.0 ? 1.0 / (1.0 / all + 1.0 / surface) : 0.0;
-  return share * both + (1.0 - share) * all;
-}
-
-// The share of a cell's surface in the cell itself.
-inline double shared_part(double gas, double solid) {
-  return 4.0 * gas * solid;
-}
 
 // The contact of gas and solid at a face between two cells.
 struct FaceOfSurface {

@@ -1,5 +1,6 @@
 // Declaring the update of a mixture, and the rows that both kinds of it run.
 #include "ice/mixture/update_state.hpp"
+#include "ice/step/material_runs.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -3,8 +3,8 @@
 // Per cell and material m: mass M_m, volume fraction V_m and internal energy E_m, all per volume of
 // the cell; one momentum. Absent means all three are zero; a cell with one material has V = 1 to
 // the bit. Rules are rules for one cell: a cell whose neighbourhood (one cell all around) holds one
-// material alone runs the rows of conservative/, whatever the block or the scene holds elsewhere.
-// Scheme: "one exchange, Lagrange + sharp remap + exact pressure relaxation", docs/theory_ice.md.
+// material alone runs the rows of one_material/, whatever the block or the scene holds elsewhere.
+// Scheme: one exchange, Lagrange, sharp remap, pressure relaxation; docs/theory/ice_materials.md.
 #pragma once
 #include <vector>
 

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <string>
 
-#include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice::mixture {
@@ -108,7 +108,7 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
   std::vector<MolecularViscosity> laws;
   for (std::size_t m = 0; m < o.fluids.size(); ++m)
     laws.push_back({o.fluids[m], o.transports[m], o.viscosities[m], o.axes.direction[0]});
-  const In fraction = o.mixed != nullptr ? task.read(scalars::old_fraction(list, o)) : In{};
+  const In fraction = o.mixed != nullptr ? task.read(old_fraction(list, o)) : In{};
   task.kernel([=, gas = o.mixed](const Row& row) {
     for (int m = 0; m < static_cast<int>(laws.size()); ++m)
       std::fill_n(row(viscosity, m), row.count(), 0.0);
@@ -119,9 +119,8 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
-        if (scalars::is_mixed(gas, n))
-          scalars::mixed_viscosity_row(*gas, laws[n], part, part(fraction), r, e,
-                                       part(viscosity, m));
+        if (is_mixed(gas, n))
+          mixed_viscosity_row(*gas, laws[n], part, part(fraction), r, e, part(viscosity, m));
         else
           laws[n](part, r, e, part(viscosity, m));
       });

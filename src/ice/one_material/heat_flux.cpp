@@ -10,6 +10,7 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/mixed_heat.hpp"
@@ -98,10 +99,9 @@ void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptio
   const In rho = task.read(v.rho), energy = task.read(v.energy);
   const Out temperature = task.write(v.temperature);
   if (o.mixed != nullptr) {
-    const In f = task.read(scalars::old_fraction(list, o));
+    const In f = task.read(old_fraction(list, o));
     task.kernel([=, gas = o.mixed](const Row& row) {
-      scalars::mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(energy),
-                                     row(temperature));
+      mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(energy), row(temperature));
     });
     return;
   }
@@ -135,7 +135,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
         h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
     if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
-    if (mixes && (turbulent || slips)) h.fraction = task.read(scalars::old_fraction(list, o), both);
+    if (mixes && (turbulent || slips)) h.fraction = task.read(old_fraction(list, o), both);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)

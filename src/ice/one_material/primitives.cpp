@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "ice/fluid/closure_rows.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/one_material/primitives_rows.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice {
 
@@ -46,10 +46,10 @@ void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOption
   const Fluid fluid = o.fluid;
   const int components = o.components;
   if (o.mixed != nullptr) {
-    const In f = task.read(scalars::old_fraction(list, o));
+    const In f = task.read(old_fraction(list, o));
     task.kernel([=, gas = o.mixed](const Row& row) {
-      scalars::mixed_primitive_row(*gas, row.count(), row(f), row(rho), row(energy), row(inverse),
-                                   row(pressure), row(sound));
+      mixed_primitive_row(*gas, row.count(), row(f), row(rho), row(energy), row(inverse),
+                          row(pressure), row(sound));
       velocity_rows(row, momentum, velocity, row(inverse), components);
     });
     return;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/ice.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {

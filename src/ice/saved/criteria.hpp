@@ -14,6 +14,12 @@ void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quan
                      const SchemeOptions& options,
                      const std::vector<RefinementCriterion>& criteria);
 
+// Labels that are functions of a state, that flag and the estimates: tasks that read it as old
+// state.
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& options,
+                                const std::vector<RefinementCriterion>& criteria,
+                                const std::vector<ErrorEstimate>& estimates);
+
 // The label that holds the estimated error of a variable; names with a point are not for <save>.
 Label estimate_label(Label variable);
 
@@ -25,10 +31,5 @@ std::vector<ErrorEstimate> wanted_estimates(const std::vector<ErrorCriterion>& c
 // the difference between q and its full weighting on a grid of twice the spacing.
 void add_error_estimates(TaskList& list, const std::vector<DiagnosticQuantity>& quantities,
                          const SchemeOptions& options, const std::vector<ErrorEstimate>& estimates);
-
-// Cells that interfaces between materials pass, one entry for each criterion that asks for a level
-// finer than that of the state; ghost cells are filled.
-std::vector<FlagSeeds> interface_seeds(const Warehouse& state, int materials,
-                                       const std::vector<InterfaceCriterion>& criteria);
 
 }  // namespace sluice::ice

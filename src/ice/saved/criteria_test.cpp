@@ -1,10 +1,12 @@
 // Criteria of refinement on a gas: gradients of any cell variable, estimated errors.
 #include "ice/saved/criteria.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ice/fluid/labels.hpp"
 #include "ice/test_support/classic.hpp"
 
 namespace sluice::ice::criteria_test {
@@ -143,6 +145,18 @@ TEST(WantedEstimates, AreOneForEachVariableWithTheSmallestTolerance) {
   EXPECT_EQ(wanted[0].value, labels().rho);
   EXPECT_EQ(wanted[0].tolerance, 0.05);
   EXPECT_EQ(wanted[1].tolerance, 0.2);
+}
+
+// Decks are checked by the list in fluid/labels.hpp, which knows nothing of tasks.
+TEST(StateFunctions, AreThoseThatTasksCompute) {
+  SchemeOptions one;
+  one.fluids.push_back(one.fluid);
+  TaskList list;
+  std::vector<std::string> computed, listed;
+  for (const DiagnosticQuantity& q : declare_quantities(list, one))
+    computed.push_back(q.label.name());
+  for (const Label label : state_functions()) listed.push_back(label.name());
+  EXPECT_THAT(listed, testing::UnorderedElementsAreArray(computed));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/criteria.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {

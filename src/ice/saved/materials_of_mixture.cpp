@@ -1,10 +1,10 @@
 // What the labels of a step read of each material of a mixture.
 #include "ice/closure/drag.hpp"
-#include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/saved/step_labels.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -123,7 +123,7 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
     materials.each.push_back(std::move(one));
   }
   if (o.mixed != nullptr) {
-    materials.f = scalars::old_fraction(list, o);
+    materials.f = old_fraction(list, o);
     materials.f_new = v.common.scalars.fraction;
   }
   return materials;

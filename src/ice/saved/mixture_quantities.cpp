@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ice/closure/traces.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice::mixture {
@@ -104,7 +104,7 @@ class Declarer {
     const VariableId to = q_.fresh(label, m);
     TaskBuilder t = q_.task(label, m);
     const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
-    const scalars::LawsOfCells laws = read_laws(t);
+    const LawsOfCells laws = read_laws(t);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       const double *r = row(density, m), *e = row(energy, m);
@@ -122,7 +122,7 @@ class Declarer {
     const VariableId to = q_.fresh(label, m);
     TaskBuilder t = q_.task(label, m);
     const In density = t.read(v_.density);
-    const In fraction = t.read(scalars::old_fraction(q_.list(), o_));
+    const In fraction = t.read(old_fraction(q_.list(), o_));
     const Out out = t.write(to);
     t.kernel([=, gas = o_.mixed](const Row& row) {
       const double *r = row(density, m), *f = row(fraction);
@@ -130,9 +130,9 @@ class Declarer {
       for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? g(gas->at(f[i])) : 0.0;
     });
   }
-  scalars::LawsOfCells read_laws(TaskBuilder& t) {
-    scalars::LawsOfCells laws{o_.fluids, o_.mixed, {}};
-    if (o_.mixed != nullptr) laws.fraction = t.read(scalars::old_fraction(q_.list(), o_));
+  LawsOfCells read_laws(TaskBuilder& t) {
+    LawsOfCells laws{o_.fluids, o_.mixed, {}};
+    if (o_.mixed != nullptr) laws.fraction = t.read(old_fraction(q_.list(), o_));
     return laws;
   }
 
@@ -144,7 +144,7 @@ class Declarer {
     const In total = t.read(v_.common.rho);
     std::vector<In> mass;
     for (const VariableId id : v_.mass) mass.push_back(t.read(id));
-    const scalars::LawsOfCells laws = read_laws(t);
+    const LawsOfCells laws = read_laws(t);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       Fluid room;
@@ -224,7 +224,7 @@ class Declarer {
       closure(label, m, [value](double, double) { return value; });
     };
     declare_viscosities(m);
-    if (scalars::is_mixed(o_, k)) {
+    if (is_mixed(o_, k)) {
       using At = models::MixedGas::Between;
       of_fraction(l.thermal_conductivity, m,
                   [](const At& at) { return at(&models::MixedGas::Node::conductivity); });

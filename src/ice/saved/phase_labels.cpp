@@ -4,10 +4,11 @@
 
 #include "ice/closure/traces.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/step/cell_sums.hpp"
+#include "ice/step/effect_ids.hpp"
+#include "ice/step/mixed_fraction.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -69,8 +70,8 @@ double Thermometer::at(double M, double V, double E, double f) const {
 }
 
 Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
-  const bool is_mixed = scalars::is_mixed(o, static_cast<std::size_t>(m.index));
-  return {m.fluid, is_mixed ? o.mixed : nullptr};
+  const bool composed = is_mixed(o, static_cast<std::size_t>(m.index));
+  return {m.fluid, composed ? o.mixed : nullptr};
 }
 
 MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
@@ -93,8 +94,8 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
                             {}});
   materials.density_new = v.rho_new;
   if (o.mixed != nullptr) {
-    const models::TransportedScalar& scalar = scalars::fraction_of(o);
-    materials.f = scalars::old_fraction(list, o);
+    const models::TransportedScalar& scalar = fraction_of(o);
+    materials.f = old_fraction(list, o);
     materials.f_new = list.new_state(scalar.state(), scalar.material, 1);
   }
   return materials;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/state_quantities.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/sources/source_tasks.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -39,7 +39,7 @@ Answer answer(const Fluid& fluid, const Given& g) {
 }
 
 void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, In change,
-                       const SourceChange& layout, const scalars::LawsOfCells& laws, double* dp) {
+                       const SourceChange& layout, const LawsOfCells& laws, double* dp) {
   Fluid room;
   using C = SourceChange;
   for (int i = 0; i < row.count(); ++i) {
@@ -77,8 +77,8 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
     std::vector<MaterialRows> state;
     for (const MaterialOfStep& m : materials.each)
       state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
-    const scalars::LawsOfCells laws{o.fluids, o.mixed,
-                                    o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
+    const LawsOfCells laws{o.fluids, o.mixed,
+                           o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
     task.kernel(
         [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;

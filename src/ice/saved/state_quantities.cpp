@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "ice/fluid/closure_rows.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/saved/criteria.hpp"
+#include "ice/saved/mixed_gas_quantities.hpp"
 #include "ice/saved/mixture_quantities.hpp"
 #include "ice/saved/quantity_list.hpp"
 #include "ice/saved/wave_labels.hpp"
@@ -52,7 +52,7 @@ void declare_of_one(QuantityList& q) {
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
   VariableId p, T, c, compressibility;
   if (o.mixed != nullptr) {
-    const scalars::MixedQuantities b = scalars::declare_mixed_quantities(q, rho, E);
+    const MixedQuantities b = declare_mixed_quantities(q, rho, E);
     p = b.pressure;
     T = b.temperature;
     c = b.sound_speed;
@@ -136,11 +136,12 @@ const DiagnosticQuantity& quantity(const std::vector<DiagnosticQuantity>& quanti
                          std::to_string(material) + ": no such variable");
 }
 
-void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o, const IceScene& ice,
+void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o,
+                                const std::vector<RefinementCriterion>& criteria,
                                 const std::vector<ErrorEstimate>& estimates) {
   const std::vector<DiagnosticQuantity> quantities = declare_quantities(list, o);
   for (const DiagnosticQuantity& q : quantities) save(list, q);
-  add_refine_flag(list, quantities, o, ice.criteria);
+  add_refine_flag(list, quantities, o, criteria);
   add_error_estimates(list, quantities, o, estimates);
 }
 

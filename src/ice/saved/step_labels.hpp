@@ -36,6 +36,9 @@ struct MaterialsOfStep {
 // The one material of a graph of one.
 MaterialsOfStep material_alone(TaskList&, const SchemeVariables&, const SchemeOptions&);
 
+// All of them, as tasks: what a deck saves of these is computed.
+void declare_step_outputs(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                          const MaterialsOfStep&);
 // Mass, volume and energy in the Lagrangian phase; how the temperature changes in it and in the
 // step.
 void declare_phase_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,

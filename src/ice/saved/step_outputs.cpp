@@ -2,11 +2,11 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/saved/transport_labels.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/cell_sums.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/ice.hpp"
 #include "ice/saved/step_labels.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice {
 namespace {

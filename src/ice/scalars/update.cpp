@@ -12,8 +12,8 @@
 #include "framework/task/reductions.hpp"
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
+#include "ice/step/cell_runs.hpp"
 #include "ice/step/end_of_step.hpp"
-#include "ice/step/region_runs.hpp"
 
 namespace sluice::ice::scalars {
 namespace {
@@ -22,7 +22,7 @@ constexpr int most_cells = 64;  // of a part of a row
 
 // A source in the cells of a region, on one level.
 struct LocalSource {
-  std::shared_ptr<const RegionRuns> cells;
+  std::shared_ptr<const CellRuns> cells;
   double rate = 0, most = 0;
 };
 
@@ -140,8 +140,7 @@ Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const Schem
   each.constant_rate = scalar.constant_rate;
   each.own_rate = scalar.own_rate - scalar.decay;
   for (const models::ScalarSource& s : scalar.sources)
-    each.sources.push_back(
-        {std::make_shared<RegionRuns>(*s.piece, *o.level, o.axes.direction[0]), s.rate, s.most});
+    each.sources.push_back({std::make_shared<CellRuns>(*s.piece, *o.level), s.rate, s.most});
   return each;
 }
 

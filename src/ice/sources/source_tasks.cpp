@@ -64,13 +64,6 @@ void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int 
 
 }  // namespace
 
-SourceChange source_change(const SchemeOptions& o) {
-  SourceChange layout;
-  layout.components = o.components;
-  layout.materials = o.mixture ? static_cast<int>(o.fluids.size()) : 1;
-  return layout;
-}
-
 SourceHandles declare_sources(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o) {
   SourceHandles h;
   if (o.sources != nullptr) h.change = task.write(v.source_change);

@@ -14,8 +14,6 @@ struct SourceSums {
 
 struct MaterialsOfStep;
 
-SourceChange source_change(const SchemeOptions& o);
-
 // The graph of one material: adds to its new state. Nothing without sources.
 struct SourceHandles {
   Out change;

@@ -50,7 +50,7 @@ Sources::Sources(const models::ModelList& models, const std::vector<models::Adde
   for (const models::FixedValues& f : models.fixed_values) {
     const Fluid& fluid = fluids[static_cast<std::size_t>(f.material)];
     Fixed fixed{f.material, f.density, fluid.energy_from_temperature(f.density, f.temperature),
-                {},         f.when,    RowRegion(*f.region, level)};
+                {},         f.when,    CellRuns(*f.region, level)};
     for (std::size_t c = 0; c < 3; ++c) fixed.velocity[c] = f.velocity[direction[c]];
     fixed_.push_back(std::move(fixed));
   }
@@ -84,7 +84,7 @@ void Sources::apply(const SourceRows& r) const {
   for (const Fixed& f : fixed_) {
     if (!here(f.material) || !(f.when.overlap(step.time, step.dt) > 0)) continue;
     const int low = r.row->cell()[f.region.along()];
-    for (const RowRegion::Run& run : f.region.runs(r.row->cell()))
+    for (const CellRuns::Run& run : f.region.runs(r.row->cell()))
       fix(r, f, std::max(run.first - low, 0), std::min(run.end - low, n));
   }
 }

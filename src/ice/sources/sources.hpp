@@ -20,24 +20,12 @@
 
 #include "framework/task/task.hpp"
 #include "ice/fluid/fluid.hpp"
-#include "ice/step/row_region.hpp"
+#include "ice/step/cell_runs.hpp"
+#include "ice/step/source_change.hpp"
 #include "models/added_heat.hpp"
 #include "models/models.hpp"
 
 namespace sluice::ice {
-
-// Components of what a step's sources change, per volume of the cell: for each material of a graph
-// mass, energy, volume and momentum; then what is of the whole cell.
-struct SourceChange {
-  int components = 1;  // of momentum
-  int materials = 1;
-
-  enum OfMaterial { mass = 0, energy, volume, momentum };
-  enum OfCell { total_energy = 0, heat, exchanged_mass, exchanged_energy, of_cell_count };
-  int of(int material, OfMaterial what) const { return material * (momentum + components) + what; }
-  int of(OfCell what) const { return materials * (momentum + components) + what; }
-  int count() const { return of(of_cell_count); }
-};
 
 // Rows of a new state that sources change.
 struct SourceRows {
@@ -77,7 +65,7 @@ class Sources {
     double density = 0, energy = 0;    // per volume of the material
     std::array<double, 3> velocity{};  // by component
     models::TimeWindow when;
-    RowRegion region;
+    CellRuns region;
   };
   void exchange(const SourceRows& rows, const models::MassExchange& model, double share) const;
   void heat(const SourceRows& rows, int material, double energy) const;

@@ -136,12 +136,6 @@ struct Apply {
 
 }  // namespace
 
-PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest) {
-  const int b = (pairs.axis + 1) % 3, c = (pairs.axis + 2) % 3;
-  const auto periodic = [&](int d) { return coarsest.periodic[static_cast<std::size_t>(d)]; };
-  return periodic(b) && !periodic(c) ? PairDirections{c, b} : PairDirections{b, c};
-}
-
 void apply(const CustomStart& start, const CustomPlace& place, CellStart& cell) {
   std::visit(Apply{place, cell}, start);
 }

@@ -1,17 +1,13 @@
-// The conserved state at the start, from what the deck fills cells with.
-//
-// Several materials: each has its own density and temperature where it is, at whatever pressure its
-// law then has; one pressure is found before the first step, total energy kept. The momentum is the
-// sum over the materials.
+#include "ice/start/initialise.hpp"
+
 #include <fmt/format.h>
 
 #include "framework/deck/faults.hpp"
 #include "ice/closure/equilibrate.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
-#include "ice/ice.hpp"
 #include "ice/start/initial_state_parts.hpp"
 #include "ice/start/material_fill.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -39,17 +35,27 @@ namespace {
       "give the materials that share a cell densities and temperatures of about one pressure");
 }
 
-}  // namespace
+// The state of one scene.
+class Start {
+ public:
+  Start(const Scene& scene, const IceScene& ice, const SchemeOptions& options)
+      : scene_(&scene), ice_(ice), options_(options) {}
 
-void Ice::initialise(Warehouse& state) const {
-  if (material_count() > 1)
-    initialise_materials(state);
-  else
-    initialise_material(state);
-  initialise_scalars(state);
-}
+  void one_material(Warehouse& state) const;
+  void materials(Warehouse& state) const;
+  void scalars(Warehouse& state) const;
 
-void Ice::initialise_material(Warehouse& state) const {
+ private:
+  // The law of a mixed gas at the start, and its energy.
+  Fluid mixed_law(Vec3 centre) const;
+  double mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
+
+  const Scene* scene_;
+  const IceScene& ice_;
+  const SchemeOptions& options_;
+};
+
+void Start::one_material(Warehouse& state) const {
   const IceMaterial& m = ice_.materials.front();
   const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
             energy = state.find(labels().energy, 0);
@@ -72,13 +78,13 @@ void Ice::initialise_material(Warehouse& state) const {
   }
 }
 
-Fluid Ice::mixed_law(Vec3 centre) const {
-  return scalars::fluid_of(*options_.mixed, scalars::fraction_of(options_).at_start(centre));
+Fluid Start::mixed_law(Vec3 centre) const {
+  return fluid_of(*options_.mixed, fraction_of(options_).at_start(centre));
 }
 
 // What holds beside the density: the pressure where it is that of the weight or of a formula, the
 // temperature otherwise.
-double Ice::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
+double Start::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
   const Fluid fluid = mixed_law(centre);
   if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
     return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
@@ -86,7 +92,7 @@ double Ice::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) 
 }
 
 // Writes only what differs: memory of an absent material stays untouched.
-void Ice::initialise_materials(Warehouse& state) const {
+void Start::materials(Warehouse& state) const {
   const auto put = [](double& at, double value) {
     if (at != value) at = value;
   };
@@ -105,12 +111,12 @@ void Ice::initialise_materials(Warehouse& state) const {
         M[m] = V[m] = E[m] = 0.0;
         if (f.volume_fraction[n] == 0.0) continue;
         const Fluid& fluid = options_.fluids[m];
-        const bool is_mixed = scalars::is_mixed(gas, m);
-        if (is_mixed) equilibration.set_law(gas->material, mixed_law(state.level().centre(cell)));
+        const bool composed = is_mixed(gas, m);
+        if (composed) equilibration.set_law(gas->material, mixed_law(state.level().centre(cell)));
         V[m] = f.volume_fraction[n];
         M[m] = V[m] * f.density[n];
         rho += M[m];
-        E[m] = V[m] * (is_mixed ? mixed_energy(state.level().centre(cell), f, n)
+        E[m] = V[m] * (composed ? mixed_energy(state.level().centre(cell), f, n)
                                 : fluid.energy_from_pressure(f.density[n], f.pressure[n],
                                                              f.temperature[n]));
         for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
@@ -120,7 +126,7 @@ void Ice::initialise_materials(Warehouse& state) const {
       const auto at = [&](Label label, int m, int c) -> double& {
         return state.view(state.find(label, m), c, b)(cell);
       };
-      for (int m = 0; m < material_count(); ++m) {
+      for (int m = 0; m < static_cast<int>(options_.fluids.size()); ++m) {
         put(at(labels().mass, m, 0), M[m]);
         put(at(labels().volume, m, 0), V[m]);
         put(at(labels().energy, m, 0), E[m]);
@@ -142,10 +148,10 @@ void Ice::initialise_materials(Warehouse& state) const {
 
 // At cell centres; where there is nothing of the material there is no scalar. A mixture has given
 // its heat of mixing at the start: the deck says its state. As above, only what differs is written.
-void Ice::initialise_scalars(Warehouse& state) const {
+void Start::scalars(Warehouse& state) const {
   const auto at_start = [&](const models::TransportedScalar& s, Vec3 x) {
     if (!s.plain_name) return s.at_start(x);
-    return options_.mixed->heat(scalars::fraction_of(options_).at_start(x));
+    return options_.mixed->heat(fraction_of(options_).at_start(x));
   };
   for (const models::TransportedScalar& s : ice_.models.scalars)
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
@@ -156,6 +162,18 @@ void Ice::initialise_scalars(Warehouse& state) const {
         if (value(cell) != start) value(cell) = start;
       });
     }
+}
+
+}  // namespace
+
+void initialise(Warehouse& state, const Scene& scene, const IceScene& ice,
+                const SchemeOptions& options) {
+  const Start start(scene, ice, options);
+  if (options.fluids.size() > 1)
+    start.materials(state);
+  else
+    start.one_material(state);
+  start.scalars(state);
 }
 
 }  // namespace sluice::ice

@@ -3,7 +3,8 @@
 
 #include "framework/refine/face_table.hpp"
 #include "ice/deck/transport_settings.hpp"
-#include "ice/fluid/mixed_gas.hpp"
+#include "ice/step/mixed_fraction.hpp"
+#include "models/transported_scalar.hpp"
 
 namespace sluice::ice {
 
@@ -58,6 +59,22 @@ void take_friction_and_conduction(const IceScene& ice, const Level& level, Schem
   o.conductivity_varies = ice.turbulence.has_value();
 }
 
+// Sets what the gas changes; `o` has the scalars and coefficients of the deck.
+void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
+  o.mixed = &gas;
+  o.releases_heat = !gas.released.empty();
+  o.density_bound = DensityBound::as_energy;
+  Fluid& fluid = o.fluids[static_cast<std::size_t>(gas.material)];
+  fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
+  if (o.fluids.size() == 1) o.fluid = fluid;
+  // What spreads of the fraction carries enthalpy.
+  o.conducting = o.conducting || fraction_of(o).diffusivity > 0;
+  const bool several = o.fluids.size() > 1;
+  const bool conducts =
+      several ? o.conductivities[static_cast<std::size_t>(gas.material)] > 0 : o.conducting;
+  o.conductivity_varies = o.conductivity_varies || conducts;
+}
+
 }  // namespace
 
 std::vector<TransportModels> transport_models(const IceScene& ice, const Level& level) {
@@ -78,6 +95,7 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   take_exchange(ice, o);
   take_forces(scene, ice, o);
   take_friction_and_conduction(ice, scene.grid.levels.front(), o);
+  o.first_source_sum = o.sums + static_cast<int>(o.fluids.size()) - 1;
   o.classic = ice.classic;
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
@@ -85,7 +103,7 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   o.sound_speed_knob = ice.sound_speed_knob;
   o.diffusion_knob = ice.diffusion_knob;
   o.conservative_time_step = ice.conservative_time_step;
-  if (ice.models.mixed) scalars::take_mixed_gas(*ice.models.mixed, o);
+  if (ice.models.mixed) take_mixed_gas(*ice.models.mixed, o);
   return o;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/sources/source_tasks.hpp"
+#include "ice/step/source_change.hpp"
 
 namespace sluice::ice {
 

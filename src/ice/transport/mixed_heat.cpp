@@ -1,7 +1,8 @@
 // Conductivity of a mixed gas, and the enthalpy that its diffusion carries.
 #include "ice/transport/mixed_heat.hpp"
 
-#include "ice/scalars/rows.hpp"
+#include "ice/fluid/shared_mass.hpp"
+#include "ice/step/mixed_fraction.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice::ice::scalars {

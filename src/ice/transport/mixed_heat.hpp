@@ -5,7 +5,7 @@
 // with rho_f the harmonic and T_f the arithmetic mean: at one pressure a uniform temperature stays
 // so. The gas's own conductivity acts beside it; where k = D rho cp, heat and mass spread alike.
 #pragma once
-#include "ice/fluid/mixed_gas.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice::scalars {
 

@@ -6,7 +6,7 @@
 
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/fluid/mixed_gas.hpp"
+#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -27,7 +27,7 @@ void add_totals(const TransportTask& t, const SchemeVariables& v) {
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
   const bool varies = t.options.molecular_varies(), mixed = t.options.mixed != nullptr;
   const In molecular = varies ? task.read(v.molecular_viscosity) : In{};
-  const In fraction = mixed ? task.read(scalars::old_fraction(t.list, t.options)) : In{};
+  const In fraction = mixed ? task.read(old_fraction(t.list, t.options)) : In{};
   const Out viscosity = task.write(v.viscosity), conductivity = task.write(v.conductivity);
   task.kernel([=, o = t.options](const Row& row) {
     const int n = row.count();
@@ -67,25 +67,6 @@ double heat_ratio(const Fluid& fluid) {
   return by_gamma ? fluid.gamma : 1.0;
 }
 
-std::vector<TransportModels::Sponge> sponge_cells(const ViscosityModels& models,
-                                                  const Level& level) {
-  constexpr double far = 1 << 28;
-  std::vector<TransportModels::Sponge> all;
-  for (const SpongeLayer& layer : models.sponges)
-    for (const Bounds& box : layer.boxes) {
-      TransportModels::Sponge sponge{{}, layer.viscosity};
-      for (int d = 0; d < 3; ++d) {
-        const auto index = [&](double x) {
-          return std::clamp((x - level.anchor[d]) / level.spacing[d] - 0.5, -far, far);
-        };
-        sponge.cells.lower[d] = static_cast<int>(std::ceil(index(box.lower[d])));
-        sponge.cells.upper[d] = static_cast<int>(std::floor(index(box.upper[d]))) + 1;
-      }
-      all.push_back(sponge);
-    }
-  return all;
-}
-
 void MolecularViscosity::operator()(const Row& row, const double* rho, const double* energy,
                                     double* mu) const {
   const int n = row.count();
@@ -102,6 +83,18 @@ void MolecularViscosity::take_sponges(const Row& row, double* mu) const {
   for (const TransportModels::Sponge& sponge : models.sponges) sponge_row(row, along, sponge, mu);
 }
 
+void mixed_viscosity_row(const models::MixedGas& gas, const MolecularViscosity& law, const Row& row,
+                         const double* f, const double* rho, const double* E, double* mu) {
+  const int n = row.count();
+  if (law.models.sutherland) {
+    mixed_temperature_row(gas, n, f, rho, E, mu);
+    for (int i = 0; i < n; ++i) mu[i] = law.models.sutherland->viscosity(mu[i]);
+  } else {
+    property_row(gas, &models::MixedGas::Node::viscosity, n, f, mu);
+  }
+  law.take_sponges(row, mu);
+}
+
 void add_molecular_viscosity(const TransportTask& t, const StateVariables& state,
                              VariableId viscosity) {
   TaskBuilder task = t.list.task(t.name + "molecular viscosity", t.effect);
@@ -110,9 +103,9 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   const SchemeOptions& o = t.options;
   const MolecularViscosity law{o.fluid, o.transport, o.viscosity, o.axes.direction[0]};
   if (o.mixed != nullptr) {
-    const In f = task.read(scalars::old_fraction(t.list, o));
+    const In f = task.read(old_fraction(t.list, o));
     task.kernel([=, gas = o.mixed](const Row& row) {
-      scalars::mixed_viscosity_row(*gas, law, row, row(f), row(rho), row(E), row(out));
+      mixed_viscosity_row(*gas, law, row, row(f), row(rho), row(E), row(out));
     });
     return;
   }

@@ -34,6 +34,11 @@ struct MolecularViscosity {
   void take_sponges(const Row& row, double* mu) const;
 };
 
+// Of a gas whose properties follow from f: as `law` has it at the gas's own temperature, or that of
+// its fraction.
+void mixed_viscosity_row(const models::MixedGas& gas, const MolecularViscosity& law, const Row& row,
+                         const double* f, const double* rho, const double* E, double* mu);
+
 // <dynamic_viscosity> or Sutherland's law, at least that of the layers.
 void add_molecular_viscosity(const TransportTask& task, const StateVariables& state,
                              VariableId viscosity);

@@ -1,5 +1,5 @@
 // Runs of cells against the geometry itself.
-#include "ice/step/row_region.hpp"
+#include "ice/step/cell_runs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ Level level(std::array<bool, 3> active) {
 
 // Every cell of the domain and some outside.
 void expect_same(const GeometryPiece& piece, const Level& l) {
-  const RowRegion region(piece, l);
+  const CellRuns region(piece, l);
   int inside = 0;
   for_each_cell(l.domain.grown(IntVec3::all(1)), [&](IntVec3 c) {
     const bool wanted = l.domain.contains(c) && piece.inside(l.centre(c));
@@ -33,7 +33,7 @@ void expect_same(const GeometryPiece& piece, const Level& l) {
   }
 }
 
-TEST(RowRegion, HoldsTheCellsWhoseCentresAreInside) {
+TEST(CellRuns, HoldsTheCellsWhoseCentresAreInside) {
   const SpherePiece ball({-0.2, 0.1, 0.4}, 0.45);
   const DifferencePiece shell(std::make_shared<SpherePiece>(Vec3{0, 0, 0.4}, 0.6),
                               std::make_shared<SpherePiece>(Vec3{0, 0, 0.4}, 0.3));
@@ -46,17 +46,17 @@ TEST(RowRegion, HoldsTheCellsWhoseCentresAreInside) {
       expect_same(*piece, level(active));
 }
 
-TEST(RowRegion, OfAPieceOutsideTheDomainIsEmpty) {
+TEST(CellRuns, OfAPieceOutsideTheDomainIsEmpty) {
   const BoxPiece far({5, 5, 5}, {6, 6, 6});
-  const RowRegion region(far, level({true, true, true}));
+  const CellRuns region(far, level({true, true, true}));
   EXPECT_TRUE(region.runs({0, 0, 0}).empty());
   EXPECT_TRUE(region.runs({3, 4, 5}).empty());
 }
 
-TEST(RowRegion, JoinsNeighboursIntoRuns) {
+TEST(CellRuns, JoinsNeighboursIntoRuns) {
   const EverywherePiece all;
   const Level l = level({true, true, true});
-  const RowRegion region(all, l);
+  const CellRuns region(all, l);
   ASSERT_EQ(region.runs({5, 3, 2}).size(), 1u);
   EXPECT_EQ(region.runs({5, 3, 2})[0].first, 0);
   EXPECT_EQ(region.runs({5, 3, 2})[0].end, 16);

@@ -12,17 +12,25 @@
 
 namespace sluice::ice {
 
-class RowRegion {
+class CellRuns {
  public:
   struct Run {
     int first = 0, end = 0;  // level indices along the row
   };
 
-  RowRegion(const GeometryPiece& piece, const Level& level);
+  CellRuns(const GeometryPiece& piece, const Level& level);
 
   // Of the row through this cell, low to high.
   std::span<const Run> runs(IntVec3 cell) const;
   bool contains(IntVec3 cell) const;
+  // Calls f(first, end) for the cells of the row from `cell` on that are covered, counted from it.
+  template <class F>
+  void for_each(IntVec3 cell, int count, F&& f) const {
+    for (const Run& run : runs(cell)) {
+      const int low = run.first - cell[along_], high = run.end - cell[along_];
+      if (low < count && high > 0) f(low > 0 ? low : 0, high < count ? high : count);
+    }
+  }
   int along() const { return along_; }
 
  private:

@@ -1,5 +1,5 @@
 // Finding the runs: plane by plane, so that no more than one plane of cells is ever held.
-#include "ice/step/row_region.hpp"
+#include "ice/step/cell_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ IndexBox cells_around(const Bounds& bounds, const Level& level) {
 
 }  // namespace
 
-RowRegion::RowRegion(const GeometryPiece& piece, const Level& level)
+CellRuns::CellRuns(const GeometryPiece& piece, const Level& level)
     : along_(first_active(level)), box_(cells_around(piece.bounds(), level)) {
   const CellLattice lattice{level.anchor, level.spacing};
   const int a = along_, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -64,21 +64,21 @@ RowRegion::RowRegion(const GeometryPiece& piece, const Level& level)
   }
 }
 
-std::size_t RowRegion::row_of(IntVec3 cell) const {
+std::size_t CellRuns::row_of(IntVec3 cell) const {
   const int b = (along_ + 1) % 3, c = (along_ + 2) % 3;
   return static_cast<std::size_t>(cell[c] - box_.lower[c]) *
              static_cast<std::size_t>(box_.upper[b] - box_.lower[b]) +
          static_cast<std::size_t>(cell[b] - box_.lower[b]);
 }
 
-std::span<const RowRegion::Run> RowRegion::runs(IntVec3 cell) const {
+std::span<const CellRuns::Run> CellRuns::runs(IntVec3 cell) const {
   cell[along_] = box_.lower[along_];
   if (!box_.contains(cell)) return {};
   const std::size_t row = row_of(cell);
   return std::span(runs_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
 }
 
-bool RowRegion::contains(IntVec3 cell) const {
+bool CellRuns::contains(IntVec3 cell) const {
   for (const Run& run : runs(cell))
     if (run.first <= cell[along_] && cell[along_] < run.end) return true;
   return false;

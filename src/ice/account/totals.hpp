@@ -1,0 +1,29 @@
+// Totals over the cells of a rank, what a step added to them, and the histories made of them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/run/component.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+// Adds mass of each material, momentum, energies and amounts of scalars (kg, kg m/s, J) of the
+// cells that no finer level covers.
+void add_totals(const Warehouse& state, const LevelCoverage& coverage, const SchemeOptions& options,
+                Totals& totals);
+
+// What came in through the boundary, and what forces and models did; `sums`: of the step. Without
+// `start` forces count only where their sums are among these.
+StepBalance balance(const SchemeOptions& options, const std::vector<double>& sums,
+                    const StepStart* start, double dt);
+
+// What models add: mass, momentum, total energy; what passes between materials.
+std::vector<std::string> tally_names(const SchemeOptions& options);
+std::vector<double> tallies(const SchemeOptions& options, const std::vector<double>& sums);
+
+// One value of a history at the end of a step.
+double history_value(const SchemeOptions& options, Label label, const Totals& totals);
+Vec3 history_vector(Label label, const Totals& totals);
+
+}  // namespace sluice::ice

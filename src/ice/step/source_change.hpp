@@ -1,0 +1,28 @@
+// What the sources of a step change, as components of one variable.
+#pragma once
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+// Components of what a step's sources change, per volume of the cell: for each material of a graph
+// mass, energy, volume and momentum; then what is of the whole cell.
+struct SourceChange {
+  int components = 1;  // of momentum
+  int materials = 1;
+
+  enum OfMaterial { mass = 0, energy, volume, momentum };
+  enum OfCell { total_energy = 0, heat, exchanged_mass, exchanged_energy, of_cell_count };
+  int of(int material, OfMaterial what) const { return material * (momentum + components) + what; }
+  int of(OfCell what) const { return materials * (momentum + components) + what; }
+  int count() const { return of(of_cell_count); }
+};
+
+// Of a graph.
+inline SourceChange source_change(const SchemeOptions& o) {
+  SourceChange layout;
+  layout.components = o.components;
+  layout.materials = o.mixture ? static_cast<int>(o.fluids.size()) : 1;
+  return layout;
+}
+
+}  // namespace sluice::ice
