@@ -1,8 +1,9 @@
-# sluice_room(NAME [USES rooms...] [LIBRARIES libs...])
+# sluice_room(NAME [COLD] [USES rooms...] [LIBRARIES libs...])
 #   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
+#   COLD: no file of it is a kernel (SluiceCompile.cmake).
 #   The tests of a room are one executable NAME_test, its cases registered with ctest one by one.
 function(sluice_room name)
-  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "COLD" "" "USES;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_(test|fuzz)\\.cpp$")
@@ -10,6 +11,7 @@ function(sluice_room name)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC sluice_options ${ROOM_USES} ${ROOM_LIBRARIES})
+    sluice_compile_room(${name} ${ROOM_COLD})
   else()  # headers only
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE sluice_options ${ROOM_USES} ${ROOM_LIBRARIES})
@@ -28,14 +30,7 @@ function(sluice_test name)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_USES} GTest::gtest GTest::gmock GTest::gtest_main)
-  # Only for those that name it: the others are the same objects in every checkout.
-  foreach(source ${TEST_SOURCES})
-    file(STRINGS ${source} uses REGEX "SLUICE_SOURCE_DIR")
-    if(uses)
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS
-                   SLUICE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-    endif()
-  endforeach()
+  sluice_compile_test(${name})
   gtest_discover_tests(${name} NO_PRETTY_VALUES
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")

@@ -15,8 +15,9 @@
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"
 #include "properties/skew_deck.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::amr_hard_cases_test {
 namespace {
 
 using testing::AllOf;
@@ -395,4 +396,4 @@ TEST(Regridder, WarnsOfADilationOfZeroAndRunsWithIt) {
 }
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::amr_hard_cases_test

@@ -10,7 +10,7 @@
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::amr_rejection_test {
 namespace {
 
 constexpr double allowed_drift = 1e-13;  // of sum |q|
@@ -210,4 +210,4 @@ TEST_P(FaultOnALevel, ThatStaysEndsTheRunWithAGoodCheckpoint) {
 INSTANTIATE_TEST_SUITE_P(Levels, FaultOnALevel, testing::Range(0, 3));
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::amr_rejection_test

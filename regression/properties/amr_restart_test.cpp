@@ -10,8 +10,9 @@
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "properties/deck_run.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::amr_restart_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +170,4 @@ TEST(Sigterm, AnywhereEndsWithACheckpointAndARestartGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::amr_restart_test

@@ -11,7 +11,7 @@
 #include "ice/ice.hpp"
 #include "properties/deck_run.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::failure_property_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(RejectedStep, LeavesTheOldStateAndTheNextAttemptAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::failure_property_test

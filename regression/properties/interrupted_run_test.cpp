@@ -11,8 +11,9 @@
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "properties/deck_run.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::interrupted_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +174,4 @@ TEST_F(InterruptedRun, MoreRanksThanCellsAreRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::interrupted_run_test

@@ -11,7 +11,7 @@
 #include "properties/mirrored_deck.hpp"
 #include "properties/mirrored_state.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::mirror_property_test {
 namespace {
 
 // Decks without a mirror image along an axis, and why. A deck that has one is not to stand here:
@@ -84,4 +84,4 @@ TEST(MirrorImage, LeavesOutNamedDecksOnly) {
 }
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::mirror_property_test

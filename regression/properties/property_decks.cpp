@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/base/environment.hpp"
+#include "sluice_source_dir.hpp"
 
 namespace sluice::properties {
 namespace {

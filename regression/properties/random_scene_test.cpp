@@ -13,7 +13,7 @@
 #include "properties/deck_run.hpp"
 #include "properties/random_scene.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::random_scene_test {
 namespace {
 
 constexpr int scenes = 40, run_steps = 12;
@@ -87,4 +87,4 @@ void RandomScene::expect_same_bits_and_conservation(const SkewCase& c) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene, testing::Range(1u, scenes + 1u));
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::random_scene_test

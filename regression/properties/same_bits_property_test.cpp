@@ -10,8 +10,9 @@
 #include "app/sluice_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::same_bits_property_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -227,4 +228,4 @@ INSTANTIATE_TEST_SUITE_P(Ranks, SameBitsOnRanks, testing::Values(2, 4),
                          [](const auto& test) { return "on_" + std::to_string(test.param); });
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::same_bits_property_test

@@ -6,7 +6,7 @@
 #include "framework/grid/index_box.hpp"
 #include "properties/skew_flow.hpp"
 
-namespace sluice::properties {
+namespace sluice::properties::symmetry_property_test {
 namespace {
 
 constexpr double allowed_in_3d = 1e-12;  // of the largest value of the field
@@ -357,4 +357,4 @@ INSTANTIATE_TEST_SUITE_P(Mixtures, Symmetry, testing::ValuesIn(mixtures),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace sluice::properties
+}  // namespace sluice::properties::symmetry_property_test

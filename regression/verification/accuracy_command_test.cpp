@@ -9,8 +9,9 @@
 
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::accuracy_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +76,4 @@ TEST_F(Accuracy, BadStudiesAndPatternsAreRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::accuracy_command_test

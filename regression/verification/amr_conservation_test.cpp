@@ -6,7 +6,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_conservation_test {
 namespace {
 
 // Of sum |q|, per 1,000 steps. Measured: at most 1.3e-16, 3.2e-14 in gravity.
@@ -118,4 +118,4 @@ TEST(AmrConservation, ColumnStaysAtRestOnThreeLevels) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_conservation_test

@@ -8,7 +8,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_criteria_test {
 namespace {
 
 TEST(AmrCriteria, TheErrorCriterionIsAsGoodAsTheUniformFineGrid) {
@@ -147,4 +147,4 @@ TEST(AmrCriteria, RegionsHoldTheirCellsFromTheStartToTheEnd) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_criteria_test

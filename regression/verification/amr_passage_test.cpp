@@ -13,7 +13,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_passage_test {
 namespace {
 
 // Of the jump. Measured at Mach 1.2, 1.5, 1.8, 2.5, 10:
@@ -169,4 +169,4 @@ TEST(AmrPassage, InterfaceAddsNothingToWhatACapturedShockSheds) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_passage_test

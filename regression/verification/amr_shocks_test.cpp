@@ -7,7 +7,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_shocks_test {
 namespace {
 
 // L1 error by that of the uniform fine grid. Measured, density, pressure and velocity: shock tube
@@ -91,4 +91,4 @@ TEST(AmrShocks, RiemannSquareIsAsGoodAsTheUniformFineGrid) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_shocks_test

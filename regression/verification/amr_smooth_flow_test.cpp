@@ -5,7 +5,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_smooth_flow_test {
 namespace {
 
 constexpr double lowest_order = 1.9;  // sound 2.195, 2.184, 2.129; vortex 2.422, 2.406
@@ -70,4 +70,4 @@ TEST(AmrSmoothFlow, VortexTakesItsLevelAlong) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_smooth_flow_test

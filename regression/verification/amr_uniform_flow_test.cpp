@@ -5,7 +5,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::amr_uniform_flow_test {
 namespace {
 
 // Measured: 0 in fixed regions, 8.9e-16 around the ball, 1.0e-13 with the ripple of that height.
@@ -113,4 +113,4 @@ TEST(AmrUniformFlow, CarriedBallKeepsPressureAndVelocityUniform) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::amr_uniform_flow_test

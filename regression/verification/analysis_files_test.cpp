@@ -11,9 +11,10 @@
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::analysis_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +162,4 @@ TEST(AnalysisFiles, UnknownLabelsAndDoubleNamesAreRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::analysis_files_test

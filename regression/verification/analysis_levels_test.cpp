@@ -10,9 +10,10 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::analysis_levels_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +149,4 @@ TEST(AnalysisOfLevels, HoldWhatTheArchiveHoldsOfAStaticLevel) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::analysis_levels_test

@@ -5,7 +5,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::boundary_test {
 namespace {
 
 constexpr double allowed_drift = 1e-13;      // of sum |q|; measured 4e-16
@@ -276,4 +276,4 @@ TEST(OpenBoundary, MeansDoNotShowTheBoxes) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::boundary_test

@@ -11,6 +11,7 @@
 #include "app/archive_error.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
+#include "sluice_source_dir.hpp"
 
 namespace sluice::verification {
 

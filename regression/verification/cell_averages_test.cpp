@@ -7,9 +7,10 @@
 #include <numbers>
 
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::cell_averages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +138,4 @@ TEST(CellAverages, ABoxIsNoLargerThanAPeriodicDomain) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::cell_averages_test

@@ -4,7 +4,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::classic_form_test {
 namespace {
 
 constexpr double allowed_share = .05;
@@ -20,4 +20,4 @@ TEST(ClassicForm, HasTheErrorsOfTheOriginal) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::classic_form_test

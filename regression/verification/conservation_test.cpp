@@ -5,7 +5,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::conservation_test {
 namespace {
 
 // Of sum |q|, per 1,000 steps; boundary fluxes and wall impulses counted. Measured: at most 3e-16
@@ -53,4 +53,4 @@ TEST(Conservation, ColumnInGravity) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::conservation_test

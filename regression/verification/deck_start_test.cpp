@@ -6,9 +6,10 @@
 
 #include "app/archive_error.hpp"
 #include "framework/archive/archive.hpp"
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::deck_start_test {
 namespace {
 
 // Relative mean difference of the start. Reference runs smear the jumps of their own start over a
@@ -49,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Inputs, EveryDeck, testing::ValuesIn(all_decks()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::deck_start_test

@@ -9,7 +9,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::diffusion_test {
 namespace {
 
 // Measured: bar 2.00, heated Couette 2.00, Poiseuille 2.00, Rayleigh 2.01, heat wave 1.94, on
@@ -165,4 +165,4 @@ TEST(Diffusion, GoesOnAcrossLevels) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::diffusion_test

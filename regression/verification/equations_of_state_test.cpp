@@ -10,7 +10,7 @@
 #include "verification/case_run.hpp"
 #include "verification/law_deck.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::equations_of_state_test {
 namespace {
 
 // Of the jumps of pressure and density, half way between the middle and the shock;
@@ -156,4 +156,4 @@ INSTANTIATE_TEST_SUITE_P(All, OneLaw, testing::ValuesIn(cases),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::equations_of_state_test

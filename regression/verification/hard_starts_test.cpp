@@ -8,7 +8,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::hard_starts_test {
 namespace {
 
 using testing::AllOf;
@@ -86,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::hard_starts_test

@@ -8,7 +8,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::layers_test {
 namespace {
 
 constexpr double lowest_order = 1.9;
@@ -303,4 +303,4 @@ TEST(Layers, LevelsKeepWhatRubsAndConducts) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::layers_test

@@ -4,7 +4,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::liquid_and_solid_tubes_test {
 namespace {
 
 struct Tube {
@@ -53,4 +53,4 @@ TEST(HotAir, IsColderBehindTheShockThanWithAConstantHeat) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::liquid_and_solid_tubes_test

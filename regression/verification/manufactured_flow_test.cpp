@@ -5,7 +5,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::manufactured_flow_test {
 namespace {
 
 constexpr double lowest_order = 1.9;    // measured 2.6, 2.9 from 32 to 64 cells
@@ -60,4 +60,4 @@ TEST(VortexPairs, HaveTheEnergyOfTheirFormulaAndGoOnTurning) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::manufactured_flow_test

@@ -6,9 +6,10 @@
 #include <array>
 #include <fstream>
 
+#include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::mixed_gas_walls_test {
 namespace {
 
 // A gas by its <specific_heat>, <thermal_conductivity>, <dynamic_viscosity>; gas constant .4 c_v.
@@ -106,4 +107,4 @@ TEST(MixedGasWalls, LetTheGasSlipAsOneThatIsAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::mixed_gas_walls_test

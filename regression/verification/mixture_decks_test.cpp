@@ -8,7 +8,7 @@
 #include "ice/test_support/exchange.hpp"
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::mixture_decks_test {
 namespace {
 
 using ice::mixture::exchanged;
@@ -226,4 +226,4 @@ TEST(MovingTogether, CopperAndSeaWaterStayInEquilibrium) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::mixture_decks_test

@@ -9,7 +9,7 @@
 #include "framework/archive/archive.hpp"
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::mixture_flow_test {
 namespace {
 
 constexpr double allowed = 1e-10;        // relative
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::mixture_flow_test

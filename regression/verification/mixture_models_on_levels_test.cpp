@@ -7,7 +7,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::mixture_models_on_levels_test {
 namespace {
 
 constexpr double allowed_drift = 1e-13;  // of sum |q|, per 1,000 steps; measured 1.2e-15
@@ -184,4 +184,4 @@ INSTANTIATE_TEST_SUITE_P(With, LikeGasesOnLevels, testing::ValuesIn(models),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::mixture_models_on_levels_test

@@ -6,7 +6,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::riemann_problems_test {
 namespace {
 
 struct Limits {
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Six, RiemannProblem, testing::ValuesIn(all_limits),
                          [](const auto& test) { return std::string(test.param.deck).substr(8); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::riemann_problems_test

@@ -4,7 +4,7 @@
 #include "app/study_process.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::same_bits_test {
 namespace {
 
 struct Scene {
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(scenes),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::same_bits_test

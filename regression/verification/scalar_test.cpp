@@ -7,7 +7,7 @@
 
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::scalar_test {
 namespace {
 
 constexpr double allowed_drift = 1e-13;  // measured 3.4e-14 in 1,080 coarse steps on three levels
@@ -119,4 +119,4 @@ TEST(Scalars, DoNotDependOnRanks) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::scalar_test

@@ -6,7 +6,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::shock_bubble_test {
 namespace {
 
 constexpr double ambient = 101325;
@@ -68,4 +68,4 @@ TEST(ShockBubble, FrontsRunAsMeasuredInR22) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::shock_bubble_test

@@ -6,7 +6,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::slip_flow_test {
 namespace {
 
 constexpr double couette_error = 3e-6;     // of the plate; measured 1.4e-6: friction heats the gas
@@ -145,4 +145,4 @@ TEST(SlipFlow, ConductionBetweenPlatesJumpsAtBoth) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::slip_flow_test

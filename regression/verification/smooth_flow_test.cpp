@@ -8,7 +8,7 @@
 #include "framework/base/exact_sum.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::smooth_flow_test {
 namespace {
 
 constexpr double lowest_order = 1.9;  // sound 2.15, simple 2.19, advection 2.31, vortex 2.48
@@ -147,4 +147,4 @@ TEST(SmoothFlow, ColumnStaysAtRestInGravity) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::smooth_flow_test

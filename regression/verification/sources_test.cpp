@@ -10,7 +10,7 @@
 #include "framework/base/environment.hpp"
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::sources_test {
 namespace {
 
 // Shares of sum |q|, per 1,000 steps. Measured: at most 6e-15.
@@ -242,4 +242,4 @@ TEST(HeldRegion, CountsOverRestarts) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::sources_test

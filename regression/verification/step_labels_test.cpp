@@ -6,9 +6,10 @@
 #include <iterator>
 #include <regex>
 
+#include "sluice_source_dir.hpp"
 #include "verification/amr_case.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::step_labels_test {
 namespace {
 
 constexpr double round_off = 1e-13;
@@ -136,4 +137,4 @@ TEST(StepLabels, RatesAreTheChangeBetweenOutputs) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::step_labels_test

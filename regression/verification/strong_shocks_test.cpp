@@ -9,7 +9,7 @@
 #include "framework/base/exact_sum.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::strong_shocks_test {
 namespace {
 
 TEST(StrongShocks, NohPlateauAtMachTenThousand) {
@@ -144,4 +144,4 @@ TEST(StrongShocks, InteractingBlastsFollowTheReference) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::strong_shocks_test

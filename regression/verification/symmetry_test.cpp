@@ -9,7 +9,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::symmetry_test {
 namespace {
 
 constexpr double allowed_3d = 1e-12;  // of the largest value
@@ -118,4 +118,4 @@ TEST(Symmetry, CubesWithPermutedAxesAgree) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::symmetry_test

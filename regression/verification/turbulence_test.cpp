@@ -9,7 +9,7 @@
 #include "verification/case_run.hpp"
 #include "verification/spectral_flow.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::turbulence_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -322,4 +322,4 @@ TEST(Turbulence, DynamicModelRecoversSmagorinskysConstant) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::turbulence_test

@@ -12,7 +12,7 @@
 #include "framework/archive/archive.hpp"
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::two_materials_test {
 namespace {
 
 constexpr double allowed_share = 1.25;
@@ -267,4 +267,4 @@ TEST(ProductsAgainstASolid, WavesAreInPlace) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::two_materials_test

@@ -6,7 +6,7 @@
 
 #include "verification/case_run.hpp"
 
-namespace sluice::verification {
+namespace sluice::verification::viscous_flow_test {
 namespace {
 
 constexpr double lowest_order = 1.9;     // measured 1.98 (shear wave), 2.76 (vortices), 2.05 (curl)
@@ -91,4 +91,4 @@ TEST(ViscousFlow, SavedVorticityIsTheCurlToSecondOrder) {
 }
 
 }  // namespace
-}  // namespace sluice::verification
+}  // namespace sluice::verification::viscous_flow_test

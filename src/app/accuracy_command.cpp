@@ -3,12 +3,12 @@
 // Each run is a process of `sluice run` of its own; its time is that of the steps.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
 #include "app/python_tool.hpp"
@@ -111,21 +111,19 @@ int accuracy(const AccuracyRequest& request) {
 
 }  // namespace
 
-void add_accuracy_command(CLI::App& app, int& exit_status) {
-  CLI::App* command =
-      app.add_subcommand("accuracy", "What accuracy costs: error against time of a study");
+void add_accuracy_command(CommandLine& line) {
+  Command command = line.add("accuracy", "What accuracy costs: error against time of a study");
   auto request = std::make_shared<AccuracyRequest>();
-  command
-      ->add_option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
-      ->required();
-  command->add_option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
-  command->add_option("--json", request->json, "JSON file (in the folder)");
-  command->add_option("--csv", request->csv, "CSV file (in the folder)");
-  command->add_option("--repeat", request->repeats, "Runs of each point at most, for its time")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--only", request->only,
-                      "Only runs whose \"setting, N cells\" holds this text or fits this pattern");
-  command->callback([request, &exit_status] { exit_status = accuracy(*request); });
+  command.option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
+      .required();
+  command.option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
+  command.option("--json", request->json, "JSON file (in the folder)");
+  command.option("--csv", request->csv, "CSV file (in the folder)");
+  command.option("--repeat", request->repeats, "Runs of each point at most, for its time")
+      .between(1, 1000);
+  command.option("--only", request->only,
+                 "Only runs whose \"setting, N cells\" holds this text or fits this pattern");
+  command.action([request] { return accuracy(*request); });
 }
 
 }  // namespace sluice

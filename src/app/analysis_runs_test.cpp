@@ -16,8 +16,9 @@
 
 #include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::analysis_runs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -369,4 +370,4 @@ TEST_F(AnalysisRuns, ARestartGoesOnAsIfNothingHadHappened) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::analysis_runs_test

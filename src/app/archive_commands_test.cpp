@@ -2,15 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::archive_commands_test {
 namespace {
 
 using namespace archive_test;
@@ -23,25 +25,24 @@ struct Outcome {
 
 // Runs a command line as main does.
 Outcome run(const std::string& line) {
-  CLI::App app("test", "sluice");
+  std::istringstream text(line);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+  CommandLine commands("test", "sluice");
+  for (const auto add : {add_compare_command, add_export_command, add_extract_command,
+                         add_info_command, add_norms_command})
+    add(commands);
   Outcome o;
-  add_compare_command(app, o.status);
-  add_export_command(app, o.status);
-  add_extract_command(app, o.status);
-  add_info_command(app, o.status);
-  add_norms_command(app, o.status);
   ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
   try {
-    app.parse(line);
-  } catch (const CLI::ParseError& e) {
-    o.status = 2;
-    o.error = e.what();
+    o.status = commands.run(words);
   } catch (const Error& e) {
     o.status = static_cast<int>(e.status());
     o.error = e.what();
   }
   std::fflush(stdout);
   o.output = ::testing::internal::GetCapturedStdout();
+  o.error += ::testing::internal::GetCapturedStderr();
   return o;
 }
 
@@ -79,7 +80,7 @@ TEST_F(ArchiveCommands, ExtractWritesTheContractsColumns) {
   EXPECT_EQ(std::count(all.output.begin(), all.output.end(), '\n'), 25);
   const Outcome first = run("extract " + a_ + " --var press_CC --time first --csv -");
   EXPECT_THAT(first.output, HasSubstr("\n0,0,0,0,0,0,"));
-  EXPECT_EQ(run("extract " + a_ + " --var press_CC --time '#1'").output,
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --time #1").output,
             run("extract " + a_ + " --var press_CC --time 0.14").output);
   const Outcome box = run("extract " + a_ +
                           " --var press_CC --from=-1,0,0 --to=-0.84,0.4,9 --level 0 --material 0");
@@ -91,7 +92,7 @@ TEST_F(ArchiveCommands, ExtractWritesTheContractsColumns) {
 
 TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
   for (const std::string wrong :
-       {"--time 0.31", "--time -0.06", "--time '#3'", "--time soon", "--level 1", "--level x",
+       {"--time 0.31", "--time -0.06", "--time #3", "--time soon", "--level 1", "--level x",
         "--material 7", "--from 0,0,0", "--from 1,0,0 --to 0,1,1", "--from 0,0 --to 1,1,1"}) {
     const Outcome o = run("extract " + a_ + " --var press_CC " + wrong);
     EXPECT_EQ(o.status, 2) << wrong << o.output;
@@ -187,4 +188,4 @@ TEST_F(ArchiveCommands, ExportNamesThePvdFile) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_commands_test

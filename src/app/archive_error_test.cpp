@@ -10,7 +10,7 @@
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::archive_error_test {
 namespace {
 
 constexpr const char* deck = R"(<Uintah_specification><Meta><exact_solution type="two_materials">
@@ -71,4 +71,4 @@ TEST_F(MixtureErrors, PressureIsCommonAndFractionsAreOfTheMaterial) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_error_test

@@ -19,8 +19,9 @@
 
 #include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::bad_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -239,4 +240,4 @@ TEST(BadDeckChecks, OverridesThatFailSayWhy) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::bad_decks_test

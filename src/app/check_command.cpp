@@ -1,10 +1,10 @@
 // sluice check DECK...: all faults of the decks in one pass; exit status 0 good, 2 bad.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/scene_loader.hpp"
 #include "app/sluice_schema.hpp"
@@ -77,16 +77,14 @@ int check(const Options& options) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("check", "Find all faults of decks without running them");
+void add_check_command(CommandLine& line) {
+  Command command = line.add("check", "Find all faults of decks without running them");
   auto options = std::make_shared<Options>();
-  command->add_option("DECK", options->files, "Deck files (.ups)")->required();
-  command->add_option("--set", options->overrides, "Override PATH=VALUE (may be repeated)")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_flag("--json", options->json, "Report as JSON");
-  command->add_flag("--quiet", options->quiet, "Errors only");
-  command->callback([options, &exit_status] { exit_status = check(*options); });
+  command.option("DECK", options->files, "Deck files (.ups)").required();
+  command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  command.flag("--json", options->json, "Report as JSON");
+  command.flag("--quiet", options->quiet, "Errors only");
+  command.action([options] { return check(*options); });
 }
 
 }  // namespace sluice

@@ -4,8 +4,9 @@
 
 #include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::check_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -154,4 +155,4 @@ TEST_F(CheckCommand, LeavesTheStartOfALargeDeckToTheRun) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::check_command_test

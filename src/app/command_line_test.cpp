@@ -6,8 +6,9 @@
 #include <string>
 
 #include "app/command_test_support.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::command_line_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -155,4 +156,4 @@ TEST(CommandLine, AReportThatCannotBeWrittenFailsBeforeTheRun) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::command_line_test

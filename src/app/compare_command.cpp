@@ -1,9 +1,9 @@
 // sluice compare A B: exit status 0 equal, 1 different, 2 not comparable.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/base/console.hpp"
@@ -59,22 +59,21 @@ int compare_archives(CompareRequest& r) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("compare", "Compare two archives value by value");
+void add_compare_command(CommandLine& line) {
+  Command command = line.add("compare", "Compare two archives value by value");
   auto r = std::make_shared<CompareRequest>();
-  command->add_option("A", r->first, "An archive")->required();
-  command->add_option("B", r->second, "Another, on any boxes and ranks")->required();
-  command->add_option("--abs", r->options.absolute, "Differences up to this are none")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--rel", r->options.relative, "Nor are those up to this times the value")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--vars", r->only, "Only these labels: a,b,c");
-  command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command->add_flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
-  command->add_flag("--common-times", r->options.common_times, "Only times that both have");
-  command->add_flag("--histories", r->histories, "Compare the .dat files as well");
-  command->add_flag("--quiet", r->quiet, "Say it by the exit status alone");
-  command->callback([r, &exit_status] { exit_status = compare_archives(*r); });
+  command.option("A", r->first, "An archive").required();
+  command.option("B", r->second, "Another, on any boxes and ranks").required();
+  command.option("--abs", r->options.absolute, "Differences up to this are none").at_least_zero();
+  command.option("--rel", r->options.relative, "Nor are those up to this times the value")
+      .at_least_zero();
+  command.option("--vars", r->only, "Only these labels: a,b,c");
+  command.option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command.flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
+  command.flag("--common-times", r->options.common_times, "Only times that both have");
+  command.flag("--histories", r->histories, "Compare the .dat files as well");
+  command.flag("--quiet", r->quiet, "Say it by the exit status alone");
+  command.action([r] { return compare_archives(*r); });
 }
 
 }  // namespace sluice

@@ -8,8 +8,9 @@
 #include "app/sluice_schema.hpp"
 #include "framework/deck/deck_help.hpp"
 #include "framework/deck/schema_check.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::deck_reference_test {
 namespace {
 
 TEST(DeckReference, PageIsUpToDate) {
@@ -81,4 +82,4 @@ TEST(DeckHelp, NamesTheNearestTagAndWhatIsNotBuilt) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::deck_reference_test

@@ -1,9 +1,9 @@
 // sluice export UDA: files that ParaView and VisIt open.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "framework/archive/vtk_export.hpp"
 
@@ -25,16 +25,19 @@ void export_archive(ExportRequest& r) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app, int&) {
-  CLI::App* command =
-      app.add_subcommand("export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt");
+void add_export_command(CommandLine& line) {
+  Command command =
+      line.add("export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt");
   auto r = std::make_shared<ExportRequest>();
-  command->add_option("UDA", r->archive, "The archive")->required();
-  command->add_option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");
-  command->add_option("--vars", r->only, "Only these labels: a,b,c");
-  command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command->add_option("--time", r->options.time, "One output: last, first, a time, #N; else all");
-  command->callback([r] { export_archive(*r); });
+  command.option("UDA", r->archive, "The archive").required();
+  command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");
+  command.option("--vars", r->only, "Only these labels: a,b,c");
+  command.option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command.action([r] {
+    export_archive(*r);
+    return 0;
+  });
 }
 
 }  // namespace sluice

@@ -1,10 +1,10 @@
 // sluice extract UDA --var V --csv FILE|-: values of a label as CSV.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/csv_extract.hpp"
@@ -63,20 +63,22 @@ void extract(const ExtractRequest& r) {
 
 }  // namespace
 
-void add_extract_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("extract", "Write values of a label as CSV");
+void add_extract_command(CommandLine& line) {
+  Command command = line.add("extract", "Write values of a label as CSV");
   auto r = std::make_shared<ExtractRequest>();
-  command->add_option("UDA", r->archive, "The archive")->required();
-  command->add_option("--var", r->label, "Label, e.g. press_CC")->required();
-  command->add_option("--material", r->material, "Material; all that the label has");
-  command->add_option("--time", r->time, "last, first, a time (nearest output), #N: N-th output");
-  command->add_option("--level", r->level, "A level, or all: every point once, from the finest");
-  auto* from = command->add_option("--from", r->from, "Low corner x,y,z of a closed box");
-  auto* to = command->add_option("--to", r->to, "High corner x,y,z of a closed box");
-  from->needs(to);
-  to->needs(from);
-  command->add_option("--csv", r->csv, "File to write, - for standard output");
-  command->callback([r] { extract(*r); });
+  command.option("UDA", r->archive, "The archive").required();
+  command.option("--var", r->label, "Label, e.g. press_CC").required();
+  command.option("--material", r->material, "Material; all that the label has");
+  command.option("--time", r->time, "last, first, a time (nearest output), #N: N-th output");
+  command.option("--level", r->level, "A level, or all: every point once, from the finest");
+  CommandOption from = command.option("--from", r->from, "Low corner x,y,z of a closed box");
+  CommandOption to = command.option("--to", r->to, "High corner x,y,z of a closed box");
+  from.together_with(to);
+  command.option("--csv", r->csv, "File to write, - for standard output");
+  command.action([r] {
+    extract(*r);
+    return 0;
+  });
 }
 
 }  // namespace sluice

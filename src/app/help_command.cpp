@@ -2,9 +2,9 @@
 // --labels the page of labels.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/label_reference.hpp"
 #include "app/sluice_schema.hpp"
@@ -12,15 +12,15 @@
 
 namespace sluice {
 
-void add_help_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("help", "Explain a tag of the deck");
+void add_help_command(CommandLine& line) {
+  Command command = line.add("help", "Explain a tag of the deck");
   auto tags = std::make_shared<std::vector<std::string>>();
   auto markdown = std::make_shared<bool>(false);
-  command->add_option("TAG", *tags, "Names or paths, as cfl or CFD/ICE/advection");
+  command.option("TAG", *tags, "Names or paths, as cfl or CFD/ICE/advection");
   auto of_labels = std::make_shared<bool>(false);
-  command->add_flag("--markdown", *markdown, "Write the reference of all tags");
-  command->add_flag("--labels", *of_labels, "Write the page of all labels that decks may save");
-  command->callback([tags, markdown, of_labels, &exit_status] {
+  command.flag("--markdown", *markdown, "Write the reference of all tags");
+  command.flag("--labels", *of_labels, "Write the page of all labels that decks may save");
+  command.action([tags, markdown, of_labels] {
     const Schema schema = sluice_schema();
     if (*markdown) {
       fmt::print("{}", markdown_reference(schema));
@@ -30,7 +30,7 @@ void add_help_command(CLI::App& app, int& exit_status) {
       fmt::print("{}\n{}\n", help_overview(schema), exit_statuses);
     }
     for (const std::string& tag : *tags) fmt::print("{}", help_on(schema, tag));
-    exit_status = 0;
+    return 0;
   });
 }
 

@@ -1,11 +1,11 @@
 // sluice info UDA: what an archive holds, and with --verify whether every byte is as written.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/archive.hpp"
@@ -233,17 +233,17 @@ int inform(const std::string& path, bool json, bool all) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("info", "Say what an archive holds; exit 1 when damaged");
+void add_info_command(CommandLine& line) {
+  Command command = line.add("info", "Say what an archive holds; exit 1 when damaged");
   struct Request {
     std::string archive;
     bool json = false, verify = false;
   };
   auto r = std::make_shared<Request>();
-  command->add_option("UDA", r->archive, "The archive")->required();
-  command->add_flag("--json", r->json, "As JSON");
-  command->add_flag("--verify", r->verify, "Read everything and check every checksum");
-  command->callback([r, &exit_status] { exit_status = inform(r->archive, r->json, r->verify); });
+  command.option("UDA", r->archive, "The archive").required();
+  command.flag("--json", r->json, "As JSON");
+  command.flag("--verify", r->verify, "Read everything and check every checksum");
+  command.action([r] { return inform(r->archive, r->json, r->verify); });
 }
 
 }  // namespace sluice

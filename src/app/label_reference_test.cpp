@@ -7,8 +7,9 @@
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/field/label.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::label_reference_test {
 namespace {
 
 // By the command itself: other tests of this executable declare labels of their own.
@@ -68,4 +69,4 @@ TEST(LabelReference, HoldsTheLabelsThatDecksSave) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::label_reference_test

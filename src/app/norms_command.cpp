@@ -1,11 +1,11 @@
 // sluice norms A B: L1, L2 and Linf of the difference, per label, material, level and time.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/norms.hpp"
@@ -75,19 +75,22 @@ void norms(NormsRequest& r) {
 
 }  // namespace
 
-void add_norms_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("norms", "L1, L2 and Linf of the difference of archives");
+void add_norms_command(CommandLine& line) {
+  Command command = line.add("norms", "L1, L2 and Linf of the difference of archives");
   auto r = std::make_shared<NormsRequest>();
-  command->add_option("A", r->first, "An archive; its points are compared")->required();
-  command->add_option("B", r->second, "One that has values at the same points")->required();
-  command->add_option("--vars", r->only, "Only these labels: a,b,c");
-  command->add_option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command->add_option("--time", r->options.time, "One output: last, first, a time, #N; else all");
-  command->add_option("--time-tolerance", r->options.time_tolerance, "Relative, between outputs")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--csv", r->csv, "Write CSV to a file, - for standard output");
-  command->add_option("--json", r->json, "Write JSON to a file, - for standard output");
-  command->callback([r] { norms(*r); });
+  command.option("A", r->first, "An archive; its points are compared").required();
+  command.option("B", r->second, "One that has values at the same points").required();
+  command.option("--vars", r->only, "Only these labels: a,b,c");
+  command.option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command.option("--time-tolerance", r->options.time_tolerance, "Relative, between outputs")
+      .at_least_zero();
+  command.option("--csv", r->csv, "Write CSV to a file, - for standard output");
+  command.option("--json", r->json, "Write JSON to a file, - for standard output");
+  command.action([r] {
+    norms(*r);
+    return 0;
+  });
 }
 
 }  // namespace sluice

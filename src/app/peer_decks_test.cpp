@@ -10,8 +10,9 @@
 #include "app/sluice_schema.hpp"
 #include "framework/base/environment.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::peer_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +147,4 @@ TEST_F(PeerDecks, SurviveBeingWrittenAndReadAgain) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::peer_decks_test

@@ -9,7 +9,7 @@
 #include "framework/deck/load_deck.hpp"
 #include "ice/start/material_fill.hpp"
 
-namespace sluice {
+namespace sluice::peer_fill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(All, PeerFill, ::testing::ValuesIn(decks), [](const aut
 });
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::peer_fill_test

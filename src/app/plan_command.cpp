@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/run_plan.hpp"
@@ -79,26 +79,23 @@ int plan(const Options& o) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, int& exit_status) {
-  CLI::App* command =
-      app.add_subcommand("plan", "Show what a run will do and cost, without running");
+void add_plan_command(CommandLine& line) {
+  Command command = line.add("plan", "Show what a run will do and cost, without running");
   auto o = std::make_shared<Options>();
-  command->add_option("DECK", o->deck, "Deck (.ups)")->required();
-  command->add_flag("--json", o->json, "As JSON, for scripts");
-  command->add_option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
-  command->add_option("--set", o->overrides, "Override PATH=VALUE (may be repeated)")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
-  command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
-  command->add_option("--ranks", o->ranks, "Plan for so many ranks");
-  command->add_option("--threads", o->threads, "Plan for so many threads a rank");
-  command->add_flag("--force-all", o->force_all, "As sluice run --force-all");
-  command->add_flag("--force-directions", o->force_directions,
-                    "Treat every direction as a dimension of the run");
-  command->add_flag("--no-output", o->no_output, "As sluice run --no-output");
-  command->add_flag("--quiet", o->quiet, "Drop warnings");
-  command->callback([o, &exit_status] { exit_status = plan(*o); });
+  command.option("DECK", o->deck, "Deck (.ups)").required();
+  command.flag("--json", o->json, "As JSON, for scripts");
+  command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
+  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
+  command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
+  command.option("--ranks", o->ranks, "Plan for so many ranks");
+  command.option("--threads", o->threads, "Plan for so many threads a rank");
+  command.flag("--force-all", o->force_all, "As sluice run --force-all");
+  command.flag("--force-directions", o->force_directions,
+               "Treat every direction as a dimension of the run");
+  command.flag("--no-output", o->no_output, "As sluice run --no-output");
+  command.flag("--quiet", o->quiet, "Drop warnings");
+  command.action([o] { return plan(*o); });
 }
 
 }  // namespace sluice

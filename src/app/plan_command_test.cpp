@@ -12,8 +12,9 @@
 #include "app/command_test_support.hpp"
 #include "app/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::plan_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -346,4 +347,4 @@ TEST_F(PlanCommand, MaterialsThatAreAbsentAddNoTask) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::plan_command_test

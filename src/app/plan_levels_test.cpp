@@ -8,8 +8,9 @@
 
 #include "app/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::plan_levels_test {
 namespace {
 
 using nlohmann::json;
@@ -185,4 +186,4 @@ TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::plan_levels_test

@@ -8,7 +8,7 @@
 #include "app/command_test_support.hpp"
 #include "framework/archive/archive_test_support.hpp"
 
-namespace sluice {
+namespace sluice::plot_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ TEST_F(Plot, MissingToolsAreASystemFailureThatSaysWhereTheyShouldBe) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::plot_command_test

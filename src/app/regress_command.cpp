@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
 #include "app/regress_case.hpp"
@@ -103,19 +103,19 @@ int regress(const Options& o) {
 
 }  // namespace
 
-void add_regress_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand(
-      "regress", "Compare short runs with golden results, restarts, splits and ranks");
+void add_regress_command(CommandLine& line) {
+  Command command =
+      line.add("regress", "Compare short runs with golden results, restarts, splits and ranks");
   auto o = std::make_shared<Options>();
-  command->add_option("CASES", o->names, "Names of cases; all when none is given");
-  command->add_option("--cases", o->file,
-                      "List of cases (JSON); those that come with sluice by default");
-  command->add_option("--folder", o->folder, "Keep the archives of the runs in this folder");
-  command->add_option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
-  command->add_flag("--bless", o->bless, "Make what came out the golden results");
-  command->add_flag("--json", o->json, "As JSON, for scripts");
-  command->add_flag("--list", o->list, "Print the names of the cases");
-  command->callback([o, &exit_status] { exit_status = regress(*o); });
+  command.option("CASES", o->names, "Names of cases; all when none is given");
+  command.option("--cases", o->file,
+                 "List of cases (JSON); those that come with sluice by default");
+  command.option("--folder", o->folder, "Keep the archives of the runs in this folder");
+  command.option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
+  command.flag("--bless", o->bless, "Make what came out the golden results");
+  command.flag("--json", o->json, "As JSON, for scripts");
+  command.flag("--list", o->list, "Print the names of the cases");
+  command.action([o] { return regress(*o); });
 }
 
 }  // namespace sluice

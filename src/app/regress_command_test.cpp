@@ -11,8 +11,9 @@
 #include "app/golden.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::regress_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +147,4 @@ TEST(GoldenDifference, NaNIsADifference) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::regress_command_test

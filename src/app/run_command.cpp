@@ -1,12 +1,12 @@
 // sluice run DECK: from deck to archive.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/effect_table.hpp"
 #include "app/option_values.hpp"
@@ -158,36 +158,32 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("run", "Run a deck: from .ups to .uda archive");
+void add_run_command(CommandLine& line) {
+  Command command = line.add("run", "Run a deck: from .ups to .uda archive");
   auto o = std::make_shared<Options>();
-  command->add_option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
-  command->add_option("-o,--output", o->parent, "Parent folder of the archive");
-  command->add_option("--threads", o->threads, "Threads of this rank");
-  command->add_option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
-  command->add_option("--wall-limit", o->wall_limit,
-                      "Stop with a checkpoint after so many seconds");
-  command->add_option("--set", o->overrides, "Override PATH=VALUE (may be repeated)")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--restart", o->restart, "Go on from the last checkpoint of this archive");
-  command->add_option("--step", o->step, "With --restart: from the checkpoint of this step");
-  command->add_flag("--copy", o->copy,
-                    "With --restart: copy earlier outputs, do not refer to them");
-  command->add_option("--json", o->json,
-                      "Write the report of the run to this file; -: to standard output");
-  command->add_option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
-  command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
-  command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
-  command->add_flag("--force-all", o->force_all,
-                    "Let no block sleep and leave out no work (to measure the savings)");
-  command->add_flag("--force-directions", o->force_directions,
-                    "Treat every direction as a dimension of the run");
-  command->add_flag("--no-output", o->no_output, "Write no archive");
-  command->add_flag("--costs", o->costs, "Print the measured share of time of each effect");
-  command->add_flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
-  command->add_flag("--quiet", o->quiet, "Drop warnings of the deck and notes about the time step");
-  command->callback([o, &exit_status] { exit_status = run(*o); });
+  command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
+  command.option("-o,--output", o->parent, "Parent folder of the archive");
+  command.option("--threads", o->threads, "Threads of this rank");
+  command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
+  command.option("--wall-limit", o->wall_limit, "Stop with a checkpoint after so many seconds");
+  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
+  command.option("--step", o->step, "With --restart: from the checkpoint of this step");
+  command.flag("--copy", o->copy, "With --restart: copy earlier outputs, do not refer to them");
+  command.option("--json", o->json,
+                 "Write the report of the run to this file; -: to standard output");
+  command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
+  command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
+  command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
+  command.flag("--force-all", o->force_all,
+               "Let no block sleep and leave out no work (to measure the savings)");
+  command.flag("--force-directions", o->force_directions,
+               "Treat every direction as a dimension of the run");
+  command.flag("--no-output", o->no_output, "Write no archive");
+  command.flag("--costs", o->costs, "Print the measured share of time of each effect");
+  command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
+  command.flag("--quiet", o->quiet, "Drop warnings of the deck and notes about the time step");
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace sluice

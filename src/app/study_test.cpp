@@ -16,7 +16,7 @@
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::study_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -211,4 +211,4 @@ TEST(Process, MissingProgramIsNamed) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::study_test

@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::birch_murnaghan_test {
 namespace {
 
 TEST(BirchMurnaghan, IsConsistent) {
@@ -35,4 +35,4 @@ TEST(BirchMurnaghan, EndsWhereASoftSolidTurnsOver) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::birch_murnaghan_test

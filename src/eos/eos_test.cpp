@@ -10,7 +10,7 @@
 #include "eos/bracketed_root.hpp"
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::eos_test {
 namespace {
 
 template <std::size_t... I>
@@ -109,4 +109,4 @@ TEST(BracketedRoot, FindsRootsThatNewtonAloneMisses) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::eos_test

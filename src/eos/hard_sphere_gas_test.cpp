@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::hard_sphere_gas_test {
 namespace {
 
 TEST(HardSphereGas, IsConsistent) {
@@ -21,4 +21,4 @@ TEST(HardSphereGas, IsAnIdealGasWithoutCovolume) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::hard_sphere_gas_test

@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::ideal_gas_test {
 namespace {
 
 TEST(IdealGas, IsConsistent) {
@@ -19,4 +19,4 @@ TEST(IdealGas, GivesTheSoundSpeedOfAir) {  // 331.3 m/s at 0 C (R = 287.05)
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::ideal_gas_test

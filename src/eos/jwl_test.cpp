@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::jwl_test {
 namespace {
 
 // Dobratz and Crawford, LLNL Explosives Handbook, UCRL-52997 (1985); E0 in J/m^3.
@@ -68,4 +68,4 @@ TEST(Jwl, FindsTheDensityOfAnyPressureAndTemperature) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::jwl_test

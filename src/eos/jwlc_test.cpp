@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::jwlc_test {
 namespace {
 
 TEST(Jwlc, IsConsistent) {
@@ -29,4 +29,4 @@ TEST(Jwlc, IsAnIsentropeOfTheFullLaw) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::jwlc_test

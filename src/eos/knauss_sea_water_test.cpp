@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::knauss_sea_water_test {
 namespace {
 
 TEST(KnaussSeaWater, IsConsistent) {
@@ -29,4 +29,4 @@ TEST(KnaussSeaWater, IsTheSea) {  // sound in sea water of 10 C and 35 per mille
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::knauss_sea_water_test

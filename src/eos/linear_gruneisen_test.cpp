@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::linear_gruneisen_test {
 namespace {
 
 TEST(LinearGruneisen, IsConsistent) {
@@ -20,4 +20,4 @@ TEST(LinearGruneisen, PassesThroughItsReferenceState) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::linear_gruneisen_test

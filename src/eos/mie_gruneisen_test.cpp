@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::mie_gruneisen_test {
 namespace {
 
 TEST(MieGruneisen, IsConsistent) {
@@ -46,4 +46,4 @@ TEST(MieGruneisen, KeepsTheTemperatureOfItsIsentrope) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::mie_gruneisen_test

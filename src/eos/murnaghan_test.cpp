@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::murnaghan_test {
 namespace {
 
 TEST(Murnaghan, IsConsistentInCompression) {
@@ -57,4 +57,4 @@ TEST(Murnaghan, ReachesThePressuresOfWater) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::murnaghan_test

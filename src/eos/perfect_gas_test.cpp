@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::perfect_gas_test {
 namespace {
 
 TEST(PerfectGas, IsConsistentWithTheHeatOfAir) {
@@ -36,4 +36,4 @@ TEST(PerfectGas, LosesHeatToVibration) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::perfect_gas_test

@@ -6,7 +6,7 @@
 #include "eos/eos_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::specific_heat_test {
 namespace {
 
 // e' = cv by differences (away from the joints of the ranges), T(e(T)) = T, cv > 0, e(0) = 0.
@@ -117,4 +117,4 @@ TEST(PolynomialHeat, RefusesBadCoefficients) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::specific_heat_test

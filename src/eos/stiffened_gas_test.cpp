@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::stiffened_gas_test {
 namespace {
 
 TEST(StiffenedGas, IsConsistent) {
@@ -27,4 +27,4 @@ TEST(StiffenedGas, MeetsTheHugoniotOfWaterImpact) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::stiffened_gas_test

@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::thomsen_hartka_water_test {
 namespace {
 
 const ThomsenHartkaWater water;
@@ -46,4 +46,4 @@ TEST(ThomsenHartkaWater, SaysWhereItEnds) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::thomsen_hartka_water_test

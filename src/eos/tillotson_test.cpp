@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::tillotson_test {
 namespace {
 
 TEST(Tillotson, IsConsistentInCompression) {
@@ -49,4 +49,4 @@ TEST(Tillotson, LeavesOutTheUnstableExpansion) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::tillotson_test

@@ -3,7 +3,7 @@
 
 #include "eos/eos_test_support.hpp"
 
-namespace sluice::eos {
+namespace sluice::eos::tst_test {
 namespace {
 
 TEST(TstGas, IsConsistent) {  // propellant gas of the decks, and a gas that attracts
@@ -51,4 +51,4 @@ TEST(TstGas, TakesTheGasWhereGasAndLiquidAreBothPossible) {
 }
 
 }  // namespace
-}  // namespace sluice::eos
+}  // namespace sluice::eos::tst_test

@@ -10,7 +10,7 @@
 #include "exact/profile.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::exact_solution_test {
 namespace {
 
 using Values = std::map<std::string, std::string>;
@@ -143,4 +143,4 @@ TEST(Profile, VariablesOfAnArchive) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::exact_solution_test

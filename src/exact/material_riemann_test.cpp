@@ -11,7 +11,7 @@
 #include "exact/riemann.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::material_riemann_test {
 namespace {
 
 MaterialSide products(double density, double velocity, double pressure) {
@@ -251,4 +251,4 @@ TEST(MaterialRiemann, NothingHappensInEquilibrium) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::material_riemann_test

@@ -9,7 +9,7 @@
 #include "exact/material_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::material_shocks_test {
 namespace {
 
 double impedance(const MaterialSide& side) {
@@ -153,4 +153,4 @@ TEST(ShockMeetsInterface, RefusesWhatIsNoShockAtAnInterface) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::material_shocks_test

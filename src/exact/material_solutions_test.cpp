@@ -10,7 +10,7 @@
 #include "exact/material_problems.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::material_solutions_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(MaterialProblems, StayInTheirDomainAndMirror) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::material_solutions_test

@@ -8,7 +8,7 @@
 #include "exact/sedov.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::point_blast_test {
 namespace {
 
 // alpha of the shock radius, gamma 1.4, from an independent quadrature over V (8 million points).
@@ -91,4 +91,4 @@ TEST(Noh, PlateausAreFourSixteenSixtyFour) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::point_blast_test

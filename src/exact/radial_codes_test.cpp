@@ -5,7 +5,7 @@
 #include "exact/radial_lagrangian.hpp"
 #include "exact/radial_test_support.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::radial_codes_test {
 namespace {
 
 template <class Code>
@@ -62,4 +62,4 @@ TYPED_TEST(RadialCode, ReachesThePlateauOfCylindricalNoh) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::radial_codes_test

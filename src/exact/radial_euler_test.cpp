@@ -8,7 +8,7 @@
 #include "exact/radial_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::radial_euler_test {
 namespace {
 
 // Measured 2.44e-3 (N = 200) and 7.32e-4 (N = 800); a second-order Godunov code
@@ -32,4 +32,4 @@ TEST(RadialEuler, RefusesProblemsWithoutSense) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::radial_euler_test

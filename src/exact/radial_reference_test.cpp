@@ -9,7 +9,7 @@
 #include "exact/sedov.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::radial_reference_test {
 namespace {
 
 // Measured 2.81e-3 (N = 200) and 6.93e-4 (N = 800).
@@ -92,4 +92,4 @@ TEST(RadialReference, RefusesProblemsWithoutSense) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::radial_reference_test

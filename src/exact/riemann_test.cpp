@@ -8,7 +8,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::riemann_test {
 namespace {
 
 struct Star {
@@ -154,4 +154,4 @@ TEST(Riemann, RefusesStatesThatAreNoGas) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::riemann_test

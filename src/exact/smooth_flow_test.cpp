@@ -9,7 +9,7 @@
 #include "exact/waves.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::smooth_flow_test {
 namespace {
 
 constexpr double step = 1e-3;
@@ -132,4 +132,4 @@ TEST(SmoothFlow, GreshoSwirlIsContinuousAndItsMachNumberIsThatAsked) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::smooth_flow_test

@@ -10,7 +10,7 @@
 #include "eos/eos_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::exact {
+namespace sluice::exact::wave_curve_test {
 namespace {
 
 struct Sample {
@@ -233,4 +233,4 @@ TEST(WaveCurve, SaysWhereItEnds) {
 }
 
 }  // namespace
-}  // namespace sluice::exact
+}  // namespace sluice::exact::wave_curve_test

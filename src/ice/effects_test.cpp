@@ -4,7 +4,7 @@
 
 #include "ice/ice.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::effects_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -105,4 +105,4 @@ TEST(Effects, SutherlandAndSpongesAreViscous) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::effects_test

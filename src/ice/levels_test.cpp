@@ -5,7 +5,7 @@
 #include "ice/test_support/classic.hpp"
 #include "ice/test_support/transfer.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::levels_test {
 namespace {
 
 // 8 x 8 cells between walls, the lower left 4 x 6 of them refined.
@@ -110,4 +110,4 @@ TEST_F(TwoLevels, SumWhatGravityDoesOnlyWhereItActs) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::levels_test

@@ -115,8 +115,8 @@ void declare_own_velocities(TaskList& list, const SchemeOptions& o, const Effect
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 
-// The classic form. Each line is a task (one for each axis where it says "face" or "fluxes"), in the file of its name
-// under classic/ or, without "classic::", under one_material/.
+// The classic form. Each line is a task (one for each axis where it says "face" or "fluxes"), in
+// the file of its name under classic/ or, without "classic::", under one_material/.
 void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   const classic::Variables v = declare_classic_variables(list, o);
   const SchemeVariables& s = v.common;

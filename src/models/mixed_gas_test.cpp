@@ -15,7 +15,7 @@
 #include "models/flame_sheet.hpp"
 #include "models/table_expression.hpp"
 
-namespace sluice::models {
+namespace sluice::models::mixed_gas_test {
 namespace {
 
 using testing::HasSubstr;
@@ -181,4 +181,4 @@ TEST_F(Tables, ThatArePackedAreTheSame) {
 }
 
 }  // namespace
-}  // namespace sluice::models
+}  // namespace sluice::models::mixed_gas_test

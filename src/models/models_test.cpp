@@ -8,7 +8,7 @@
 
 #include "models/material_name.hpp"
 
-namespace sluice::models {
+namespace sluice::models::models_test {
 namespace {
 
 TEST(MassExchange, IsTheExponentialWhateverTheSteps) {
@@ -69,4 +69,4 @@ TEST(ModelsTag, KnowsEveryTypeOfTheFormatOnce) {
 }
 
 }  // namespace
-}  // namespace sluice::models
+}  // namespace sluice::models::models_test

@@ -7,6 +7,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bench  # noqa: E402
+import compile_times  # noqa: E402
 import measure  # noqa: E402
 import table  # noqa: E402
 from cases import CASES, Ratio, Run  # noqa: E402
@@ -82,6 +83,19 @@ class Frame(unittest.TestCase):
         recorded = json.loads(file.read_text())
         self.assertLessEqual({"figures", "commit", "date", "machine"}, set(recorded))
         self.assertLessEqual(set(recorded["figures"]), {case.name for case in CASES})
+
+
+class CompileTimes(unittest.TestCase):
+    def test_sums_by_target_and_the_last_of_an_object(self):
+        lines = ["1.5 0.1 2 src/ice/CMakeFiles/ice.dir/ice.cpp.o",
+                 "1.0 0.1 2 src/ice/CMakeFiles/ice.dir/ice.cpp.o",
+                 "Command exited with non-zero status 1",
+                 "4.0 0.1 2 src/ice/CMakeFiles/ice_test.dir/Unity/unity_0_cxx.cxx.o"]
+        now = compile_times.seconds_by_target(lines)
+        self.assertEqual(now, {"ice": 1.0, "ice_test": 4.0})
+        self.assertEqual([row.split() for row in compile_times.table(now, {"ice_test": 8.0})],
+                         [["ice_test", "4.0", "8.0"], ["ice", "1.0"], ["program", "1.0"],
+                          ["tests", "4.0", "8.0"]])
 
 
 if __name__ == "__main__":

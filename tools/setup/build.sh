@@ -121,7 +121,7 @@ run_clang_tidy() {
 # The compile database holds g++'s options; clang-16 does not know all of them.
 tidy_files() {
   cd "$SLUICE_ROOT"
-  printf '%s\0' "$@" | xargs -0 -n 4 -P "$(cores)" clang-tidy-16 -p build/release --quiet \
+  printf '%s\0' "$@" | xargs -0 -n 4 -P "$(cores)" clang-tidy-16 -p build/lint --quiet \
     --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument
 }
 

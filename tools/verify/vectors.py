@@ -55,9 +55,10 @@ def commands_with(build, files):
     chosen = []
     for command in json.loads((build / "compile_commands.json").read_text()):
         name = pathlib.Path(command["file"]).name
-        if name.endswith(("_test.cpp", "_fuzz.cpp", "_bench.cpp")):
+        compiled = OBJECT.search(command["command"]).group(1)
+        if name.endswith(("_fuzz.cpp", "_bench.cpp")) or "_test.dir/" in compiled:
             continue
-        inputs = included.get(OBJECT.search(command["command"]).group(1), set())
+        inputs = included.get(compiled, set())
         if files & (inputs | {command["file"]}):
             chosen.append(command)
     return chosen

@@ -12,7 +12,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::average_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST(AnalysisSums, PairsOfDoublesKeepSmallVariances) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::average_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::line_test {
 namespace {
 
 // 10 x 4 x 1 cells over [0, 1] x [-0.2, 0.2] x [0, 0.1].
@@ -81,4 +81,4 @@ TEST(AnalysisLine, AMinuteStepIsNoEndlessLoop) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::line_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::modules_test {
 namespace {
 
 TEST(SampleIsDue, FromTimeStartToTimeStopNoMoreOftenThanAsked) {
@@ -22,4 +22,4 @@ TEST(SampleIsDue, FromTimeStartToTimeStopNoMoreOftenThanAsked) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::modules_test

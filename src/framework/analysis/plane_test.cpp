@@ -8,7 +8,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::plane_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(Planes, ARestartTakesOverTheSamplesBeforeIt) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::plane_test

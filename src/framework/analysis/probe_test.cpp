@@ -8,7 +8,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::probe_test {
 namespace {
 
 using namespace analysis_test;
@@ -69,4 +69,4 @@ TEST(Probes, TakeTheFinestLevelThatHoldsTheirCells) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::probe_test

@@ -7,7 +7,7 @@
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::sample_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ TEST_F(AnalysisFiles, AFolderThatCannotBeMadeIsNamed) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::sample_file_test

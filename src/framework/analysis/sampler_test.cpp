@@ -10,7 +10,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::sampler_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST(RankNumbers, MoreThanWasPackedIsAFault) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::sampler_test

@@ -5,7 +5,7 @@
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/posix_file.hpp"
 
-namespace sluice {
+namespace sluice::archive_damage_test {
 namespace {
 
 using namespace archive_test;
@@ -152,4 +152,4 @@ TEST(ArchiveDamage, ChoosingAnOutputByTime) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_damage_test

@@ -16,7 +16,7 @@
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::archive_failure_test {
 namespace {
 
 using namespace archive_test;
@@ -285,4 +285,4 @@ TEST(ArchiveFailure, KilledAtRandomMomentsNothingIndexedIsHarmed) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_failure_test

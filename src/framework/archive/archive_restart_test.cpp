@@ -6,7 +6,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::archive_restart_test {
 namespace {
 
 using namespace archive_test;
@@ -176,4 +176,4 @@ TEST(ArchiveRestart, AStepWrittenAgainReplacesItself) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_restart_test

@@ -9,7 +9,7 @@
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/hdf5_handle.hpp"
 
-namespace sluice {
+namespace sluice::archive_round_trip_test {
 namespace {
 
 using namespace archive_test;
@@ -216,4 +216,4 @@ TEST(ArchiveRoundTrip, SeveralRanksShareOneArchive) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::archive_round_trip_test

@@ -10,7 +10,7 @@
 #include "framework/archive/norms.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::compare_test {
 namespace {
 
 using namespace archive_test;
@@ -202,4 +202,4 @@ TEST(Norms, NaNIsNotHidden) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::compare_test

@@ -11,7 +11,7 @@
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::csv_extract_test {
 namespace {
 
 using namespace archive_test;
@@ -173,4 +173,4 @@ TEST(CsvExtract, WhatIsNotThereIsSaid) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::csv_extract_test

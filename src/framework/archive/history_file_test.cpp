@@ -5,7 +5,7 @@
 #include "framework/archive/history_file.hpp"
 #include "framework/archive/posix_file.hpp"
 
-namespace sluice {
+namespace sluice::history_file_test {
 namespace {
 
 std::string written(const std::filesystem::path& path, const HistoryControl& control) {
@@ -56,4 +56,4 @@ TEST(HistoryFile, CutBackToARestart) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::history_file_test

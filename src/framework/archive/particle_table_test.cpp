@@ -11,7 +11,7 @@
 #include "framework/archive/xml_text.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::particle_table_test {
 namespace {
 
 using namespace archive_test;
@@ -120,4 +120,4 @@ TEST_F(ParticleTables, AreExtractedAsRows) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::particle_table_test

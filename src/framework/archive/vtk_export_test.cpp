@@ -6,8 +6,9 @@
 
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/vtk_export.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::vtk_export_test {
 namespace {
 
 using namespace archive_test;
@@ -138,4 +139,4 @@ TEST(VtkExport, TheReadingBackFindsAWrongNumber) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::vtk_export_test

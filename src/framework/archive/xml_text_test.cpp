@@ -10,7 +10,7 @@
 
 #include "framework/archive/archive_test_support.hpp"
 
-namespace sluice {
+namespace sluice::xml_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST(XmlText, ASealIsNeededAndMustFit) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::xml_text_test

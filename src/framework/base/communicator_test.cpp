@@ -14,7 +14,7 @@
 #include "framework/base/memory.hpp"
 #include "framework/base/reduction.hpp"
 
-namespace sluice {
+namespace sluice::communicator_test {
 namespace {
 
 TEST(Communicator, knows_its_ranks) {
@@ -181,4 +181,4 @@ TEST(CommunicatorEnd, all_ranks_exit_together) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::communicator_test

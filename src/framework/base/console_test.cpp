@@ -12,7 +12,7 @@
 #include "framework/base/memory.hpp"
 #include "framework/base/with_variable.hpp"
 
-namespace sluice {
+namespace sluice::console_test {
 namespace {
 
 TEST(Console, bytes) {
@@ -96,4 +96,4 @@ TEST(Memory, peak_follows_what_is_touched) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::console_test

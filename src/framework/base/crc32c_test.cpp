@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sluice {
+namespace sluice::crc32c_test {
 namespace {
 
 std::uint32_t bit_by_bit(const unsigned char* data, std::size_t size) {
@@ -82,4 +82,4 @@ TEST(Crc32c, sees_every_single_bit) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::crc32c_test

@@ -5,7 +5,7 @@
 
 #include "framework/base/with_variable.hpp"
 
-namespace sluice {
+namespace sluice::environment_test {
 namespace {
 
 constexpr const char* variable = "SLUICE_ENVIRONMENT_TEST";
@@ -28,4 +28,4 @@ TEST(Environment, a_variable_that_is_not_there_names_nothing) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::environment_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace sluice {
+namespace sluice::exact_sum_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -273,4 +273,4 @@ TEST(ExactSum, million_equal_signs_stay_exact) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::exact_sum_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace sluice {
+namespace sluice::reduction_test {
 namespace {
 
 struct Local {
@@ -109,4 +109,4 @@ TEST(Reduction, notices_different_slots) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::reduction_test

@@ -9,7 +9,7 @@
 #include "framework/base/error.hpp"
 #include "framework/base/with_variable.hpp"
 
-namespace sluice {
+namespace sluice::temporary_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ TEST(TemporaryFolder, says_which_folder_is_missing) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::temporary_folder_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace sluice {
+namespace sluice::text_test {
 namespace {
 
 TEST(Text, numbers_have_the_digits_that_are_promised) {
@@ -40,4 +40,4 @@ TEST(Text, join_puts_separators_between) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::text_test

@@ -7,7 +7,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::deck_test {
 namespace {
 
 Deck sample() {
@@ -99,4 +99,4 @@ TEST(Fault, ReadsLikeACompilersMessage) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::deck_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sluice {
+namespace sluice::format_tags_test {
 namespace {
 
 TEST(FormatTags, KnowTheirParents) {
@@ -30,4 +30,4 @@ TEST(FormatTags, TellWhereANameBelongs) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::format_tags_test

@@ -8,7 +8,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "framework/deck/deck.hpp"
 
-namespace sluice {
+namespace sluice::include_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(Include, ThatIsBrokenNamesTheIncludedFile) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::include_test

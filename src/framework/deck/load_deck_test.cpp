@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::load_deck_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -242,4 +242,4 @@ TEST(Obsolete, WhatHasNoEffectIsToldOfByLineAndStays) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::load_deck_test

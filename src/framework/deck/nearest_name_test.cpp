@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::nearest_name_test {
 namespace {
 
 TEST(EditDistance, CountsEditsAndSwapsButNotCase) {
@@ -34,4 +34,4 @@ TEST(SuggestName, ListsAFewNamesWhenNoneIsNear) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::nearest_name_test

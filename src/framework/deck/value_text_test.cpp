@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::value_text_test {
 namespace {
 
 TEST(ValueText, ReadsRealNumbers) {
@@ -90,4 +90,4 @@ TEST(ValueText, QuotesKeepMessagesShortAndPrintable) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::value_text_test

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::xml_reader_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST(XmlReader, RefusesDeepAndHugeTrees) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::xml_reader_test

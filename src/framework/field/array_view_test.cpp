@@ -8,7 +8,7 @@
 
 #include "framework/field/warehouse.hpp"
 
-namespace sluice {
+namespace sluice::array_view_test {
 namespace {
 
 struct Field {
@@ -70,4 +70,4 @@ TEST(Regions, ANanDiffersAndTheSignOfZeroDoesNot) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::array_view_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-namespace sluice {
+namespace sluice::row_marks_test {
 namespace {
 
 Level level_of(const IndexBox& domain) {
@@ -95,4 +95,4 @@ TEST(RowMarks, KnowWholePartsAndForget) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::row_marks_test

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace sluice {
+namespace sluice::warehouse_test {
 namespace {
 
 Label label(int n) {
@@ -233,4 +233,4 @@ TEST(Label, AllLabelsAreSortedByName) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::warehouse_test

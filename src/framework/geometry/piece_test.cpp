@@ -16,7 +16,7 @@
 #include "framework/geometry/shell.hpp"
 #include "framework/geometry/smooth_cylinder.hpp"
 
-namespace sluice {
+namespace sluice::piece_test {
 namespace {
 
 using testing::HasSubstr;
@@ -263,4 +263,4 @@ TEST_F(Algebra, CoverAgreesWithInside) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::piece_test

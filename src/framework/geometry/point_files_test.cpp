@@ -16,7 +16,7 @@
 #include "framework/geometry/sampling.hpp"
 #include "framework/geometry/triangulation.hpp"
 
-namespace sluice {
+namespace sluice::point_files_test {
 namespace {
 
 using testing::AllOf;
@@ -201,4 +201,4 @@ TEST_F(FromFiles, BinaryPointsInEitherByteOrder) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::point_files_test

@@ -14,7 +14,7 @@
 #include "framework/geometry/round.hpp"
 #include "framework/geometry/shell.hpp"
 
-namespace sluice {
+namespace sluice::sampling_test {
 namespace {
 
 constexpr double volume_error_32 = 4e-3;  // relative, 32 cells and 2 sub-points a direction
@@ -241,4 +241,4 @@ TEST(Sampling, OfAMillionCellsAsksForAThirdOfThePoints) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::sampling_test

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::box_frames_test {
 namespace {
 
 using testing::ElementsAre;
@@ -97,4 +97,4 @@ TEST(BoxFrames, InThreeDimensionsTheyFollowAlongTheLast) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::box_frames_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace sluice {
+namespace sluice::box_list_test {
 namespace {
 
 using Key = std::array<int, 3>;
@@ -70,4 +70,4 @@ TEST(BoxList, a_finder_names_the_same_boxes_as_asking_all) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::box_list_test

@@ -5,7 +5,7 @@
 
 #include "framework/grid/side.hpp"
 
-namespace sluice {
+namespace sluice::level_test {
 namespace {
 
 TEST(IndexBox, SetOperations) {
@@ -123,4 +123,4 @@ TEST(AssignOwners, WithoutCostsCellsDecide) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_test

@@ -11,7 +11,7 @@
 #include "framework/particle/particle_exchange.hpp"
 #include "framework/particle/point_stencil.hpp"
 
-namespace sluice {
+namespace sluice::particle_store_test {
 namespace {
 
 // MPI must be closed before the test executable ends.
@@ -190,4 +190,4 @@ TEST(CellPoints, SpreadEvenly) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::particle_store_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::box_cost_test {
 namespace {
 
 TEST(BoxCost, CellsKeepTheirCost) {
@@ -45,4 +45,4 @@ TEST(BoxCost, BoxesMoveWhereTheBusiestRankGainsEnough) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::box_cost_test

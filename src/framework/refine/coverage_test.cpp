@@ -6,7 +6,7 @@
 #include "framework/refine/box_pieces.hpp"
 #include "framework/refine/transfer_test_support.hpp"
 
-namespace sluice {
+namespace sluice::coverage_test {
 namespace {
 
 using namespace transfer_test;
@@ -122,4 +122,4 @@ TEST(BoxPieces, images_go_round_as_often_as_needed) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::coverage_test

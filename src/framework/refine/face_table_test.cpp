@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace sluice {
+namespace sluice::face_table_test {
 namespace {
 
 struct Region {
@@ -125,4 +125,4 @@ TEST(FaceTable, TakesOnlyLayersOfItsBoxes) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::face_table_test

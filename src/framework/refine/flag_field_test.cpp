@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace sluice {
+namespace sluice::flag_field_test {
 namespace {
 
 using Periodic = std::array<bool, 3>;
@@ -126,4 +126,4 @@ TEST(FlagField, RunsAreFoundInRows) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::flag_field_test

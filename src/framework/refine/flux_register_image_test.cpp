@@ -5,7 +5,7 @@
 
 #include "framework/refine/flux_test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::flux_register_image_test {
 namespace {
 
 using namespace flux_test;
@@ -97,4 +97,4 @@ INSTANTIATE_TEST_SUITE_P(FluxRegister, FluxRegisterImages,
                          testing::Range(std::size_t{0}, cases().size()), name_of_case);
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::flux_register_image_test

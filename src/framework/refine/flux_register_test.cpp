@@ -9,7 +9,7 @@
 #include "framework/base/reduction.hpp"
 #include "framework/refine/flux_test_scenes.hpp"
 
-namespace sluice {
+namespace sluice::flux_register_test {
 namespace {
 
 using namespace flux_test;
@@ -292,4 +292,4 @@ TEST(FluxRegister, RefusesAFineBoxWithoutCoarseCellsAround) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::flux_register_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice {
+namespace sluice::interface_distance_test {
 namespace {
 
 constexpr int depth = 5, ghosts = 3;
@@ -113,4 +113,4 @@ TEST(InterfaceDistance, HoldsNothingWhereNobodyAsksOrNothingEnds) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::interface_distance_test

@@ -7,7 +7,7 @@
 #include "framework/base/reduction.hpp"
 #include "framework/refine/transfer_test_support.hpp"
 
-namespace sluice {
+namespace sluice::level_transfer_test {
 namespace {
 
 using namespace transfer_test;
@@ -328,4 +328,4 @@ TEST(TransferLimits, refuses_a_time_without_its_state) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_transfer_test

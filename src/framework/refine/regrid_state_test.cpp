@@ -5,7 +5,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::regrid_state_test {
 namespace {
 
 TEST(RegridState, comes_back_from_its_text) {
@@ -24,4 +24,4 @@ TEST(RegridState, refuses_what_it_did_not_write) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::regrid_state_test

@@ -9,7 +9,7 @@
 #include "framework/base/error.hpp"
 #include "framework/grid/box_list.hpp"
 
-namespace sluice {
+namespace sluice::regridder_test {
 namespace {
 
 struct Case {
@@ -348,4 +348,4 @@ TEST(Regridder, LooksAtLargeLevels) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::regridder_test

@@ -8,7 +8,7 @@
 
 #include "framework/refine/tile_boxes.hpp"
 
-namespace sluice {
+namespace sluice::tile_layout_test {
 namespace {
 
 Level level_of(IntVec3 coarse_cells, IntVec3 ratio) {
@@ -142,4 +142,4 @@ TEST(BoxesOfTiles, GiveEveryRankSome) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::tile_layout_test

@@ -8,7 +8,7 @@
 
 #include "framework/grid/box_list.hpp"
 
-namespace sluice {
+namespace sluice::volume_faces_test {
 namespace {
 
 // 8 x 6 cells of 1/4 x 1/2 from (-1, 0) on, one layer.
@@ -197,4 +197,4 @@ TEST(VolumeSums, SlotsFollowEachOther) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::volume_faces_test

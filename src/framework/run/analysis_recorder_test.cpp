@@ -8,7 +8,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "framework/run/mock_component.hpp"
 
-namespace sluice {
+namespace sluice::analysis_recorder_test {
 namespace {
 
 using namespace run_test;
@@ -205,4 +205,4 @@ TEST_F(Recorded, TimesOfSamplesOutliveARestart) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::analysis_recorder_test

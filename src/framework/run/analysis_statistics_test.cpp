@@ -13,7 +13,7 @@
 #include "framework/run/mock_component.hpp"
 #include "framework/run/output_writer.hpp"
 
-namespace sluice {
+namespace sluice::analysis_statistics_test {
 namespace {
 
 using namespace run_test;
@@ -138,4 +138,4 @@ TEST_F(OverTime, WhatCannotBeIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::analysis_statistics_test

@@ -11,7 +11,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::conservation_test {
 namespace {
 
 ConservedTotal total_of(std::initializer_list<double> cells) {
@@ -149,4 +149,4 @@ TEST(Conservation, a_restart_keeps_the_books) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::conservation_test

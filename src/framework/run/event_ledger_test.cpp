@@ -13,7 +13,7 @@
 
 #include "framework/base/communicator.hpp"
 
-namespace sluice {
+namespace sluice::event_ledger_test {
 namespace {
 
 using testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST(EventLedger, ranks_are_merged) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::event_ledger_test

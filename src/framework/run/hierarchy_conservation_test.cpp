@@ -5,7 +5,7 @@
 
 #include "framework/run/hierarchy_test_run.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_conservation_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -189,4 +189,4 @@ TEST_F(Keeping, MemoryFollowsTheCells) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_conservation_test

@@ -3,7 +3,7 @@
 
 #include "framework/run/hierarchy_test_run.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_cycle_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -226,4 +226,4 @@ TEST_F(Cycle, GhostLayersOfAllSlotsAreAsWideAsTheWidest) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_cycle_test

@@ -3,7 +3,7 @@
 
 #include "framework/run/hierarchy_test_run.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_kinds_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -95,4 +95,4 @@ TEST_F(KindsOnRanksAndLevels, NoChoiceChangesABit) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_kinds_test

@@ -226,7 +226,7 @@ void HierarchyMock::declare_diagnostics(TaskList& list, int level) const {
 
 }  // namespace sluice::hierarchy_test
 
-namespace sluice {
+namespace sluice::hierarchy_mock_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -268,4 +268,4 @@ TEST_F(MockOnOneLevel, CarriesAndSpreadsTheScalar) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_mock_test

@@ -1,7 +1,7 @@
 // Where particles on levels find their place: nodes before the ghost cells, and the step's journal.
 #include "framework/run/hierarchy_test_run.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_particles_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -68,4 +68,4 @@ TEST_F(ParticlesOnLevels, AreProjectedOnEveryLevelAndMoveOnceWhenTheStepIsAccept
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_particles_test

@@ -5,7 +5,7 @@
 #include "framework/refine/region_exchange.hpp"
 #include "framework/run/hierarchy_test_run.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_regrid_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -96,4 +96,4 @@ TEST_F(Regrids, WhatIsKeptIsWhatWouldBeFoundAnew) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_regrid_test

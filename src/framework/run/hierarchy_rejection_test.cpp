@@ -8,7 +8,7 @@
 #include "framework/run/hierarchy_test_run.hpp"
 #include "framework/run/simulation.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_rejection_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -194,4 +194,4 @@ TEST_F(RejectionInARun, HalvesTheCoarseStepUntilTheFinestLevelBearsIt) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_rejection_test

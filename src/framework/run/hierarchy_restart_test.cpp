@@ -10,7 +10,7 @@
 #include "framework/run/hierarchy_test_run.hpp"
 #include "framework/run/simulation.hpp"
 
-namespace sluice {
+namespace sluice::hierarchy_restart_test {
 namespace {
 
 using namespace hierarchy_test;
@@ -192,4 +192,4 @@ TEST_F(HierarchyOnRanks, MassesAreKept) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::hierarchy_restart_test

@@ -6,7 +6,7 @@
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/temporary_folder.hpp"
 
-namespace sluice {
+namespace sluice::level_history_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(LevelHistoryTest, OneLevelOtherRanksAndRunsWithoutAnArchiveWriteNothing) 
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_history_test

@@ -11,7 +11,7 @@
 #include "framework/run/kinds_mock.hpp"
 #include "framework/run/level_solver.hpp"
 
-namespace sluice {
+namespace sluice::level_kinds_test {
 namespace {
 
 using namespace kinds_test;
@@ -436,4 +436,4 @@ TEST(Kinds, FieldsOfAbsentMaterialsAreNotWritten) {
 #endif
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_kinds_test

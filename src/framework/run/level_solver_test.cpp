@@ -8,7 +8,7 @@
 
 #include "framework/run/mock_component.hpp"
 
-namespace sluice {
+namespace sluice::level_solver_test {
 namespace {
 
 using namespace run_test;
@@ -220,4 +220,4 @@ TEST_F(LevelSolverTest, TellsWhatItCosts) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_solver_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace sluice {
+namespace sluice::output_schedule_test {
 namespace {
 
 // The steps that are kept when time advances by dt.
@@ -128,4 +128,4 @@ TEST(OutputSchedule, absurdly_short_intervals_do_not_overflow) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::output_schedule_test

@@ -8,7 +8,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "framework/run/mock_component.hpp"
 
-namespace sluice {
+namespace sluice::output_writer_test {
 namespace {
 
 using namespace run_test;
@@ -91,4 +91,4 @@ TEST_F(OutputWriterTest, ACheckpointHoldsTheStateToTheBit) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::output_writer_test

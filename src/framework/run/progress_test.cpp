@@ -12,7 +12,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::progress_test {
 namespace {
 
 using testing::HasSubstr;
@@ -188,4 +188,4 @@ TEST(Progress, modes_have_names) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::progress_test

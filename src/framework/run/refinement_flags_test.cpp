@@ -10,7 +10,7 @@
 #include "framework/geometry/box.hpp"
 #include "framework/run/mock_component.hpp"
 
-namespace sluice {
+namespace sluice::refinement_flags_test {
 namespace {
 
 using namespace run_test;
@@ -186,4 +186,4 @@ TEST_F(FlagTest, RegionsAreFlaggedUpToTheirLevelAndLookedAtOnce) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::refinement_flags_test

@@ -10,7 +10,7 @@
 #include "framework/base/close_ranks_test_support.hpp"
 #include "framework/base/communicator.hpp"
 
-namespace sluice {
+namespace sluice::run_control_test {
 namespace {
 
 RunControl::Answer ask_once(const RunControl& control) {
@@ -77,4 +77,4 @@ TEST(RunControl, signals_have_names) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::run_control_test

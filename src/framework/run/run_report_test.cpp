@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace sluice {
+namespace sluice::run_report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST(RunReport, SaysNothingOfLevelsWhereThereIsOne) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::run_report_test

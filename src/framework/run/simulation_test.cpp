@@ -11,7 +11,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "framework/run/mock_component.hpp"
 
-namespace sluice {
+namespace sluice::simulation_test {
 namespace {
 
 using namespace run_test;
@@ -186,4 +186,4 @@ TEST_F(Runs, UnknownLabelsAreRefusedWithTheNearestName) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::simulation_test

@@ -11,7 +11,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::time_control_test {
 namespace {
 
 using testing::HasSubstr;
@@ -384,4 +384,4 @@ TEST(TimeControl, state_reads_back_exactly_or_is_refused) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::time_control_test

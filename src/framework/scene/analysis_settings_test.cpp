@@ -3,7 +3,7 @@
 
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::analysis_settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST(AnalysisSettings, Faults) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::analysis_settings_test

@@ -3,7 +3,7 @@
 
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::boundary_test {
 namespace {
 
 using testing::HasSubstr;
@@ -249,4 +249,4 @@ TEST(Boundary, FaultsOfFacesAndConditions) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::boundary_test

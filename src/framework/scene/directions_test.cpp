@@ -3,7 +3,7 @@
 
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::directions_test {
 namespace {
 
 using testing::HasSubstr;
@@ -117,4 +117,4 @@ TEST(Directions, TheSwitchForcesAll) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::directions_test

@@ -9,7 +9,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::formula_test {
 namespace {
 
 using testing::AllOf;
@@ -63,4 +63,4 @@ TEST(Formula, FaultsNameTheirPlace) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::formula_test

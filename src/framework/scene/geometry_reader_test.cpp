@@ -6,7 +6,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::geometry_reader_test {
 namespace {
 
 using testing::HasSubstr;
@@ -232,4 +232,4 @@ TEST(GeometryReader, ObjectFaults) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::geometry_reader_test

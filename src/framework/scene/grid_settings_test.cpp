@@ -6,7 +6,7 @@
 #include "framework/base/error.hpp"
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::grid_settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -263,4 +263,4 @@ TEST(BuildGrid, InactiveDirectionsReachTheLevels) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::grid_settings_test

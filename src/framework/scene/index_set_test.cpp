@@ -6,7 +6,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice {
+namespace sluice::index_set_test {
 namespace {
 
 std::vector<int> members(std::string_view text, int count) {
@@ -36,4 +36,4 @@ TEST(IndexSet, FaultsShowTheText) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::index_set_test

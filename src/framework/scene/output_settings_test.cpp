@@ -3,7 +3,7 @@
 
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::output_settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST(OutputSettings, Faults) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::output_settings_test

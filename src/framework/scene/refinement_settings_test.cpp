@@ -6,7 +6,7 @@
 #include "framework/scene/deck_text.hpp"
 #include "framework/scene/scene.hpp"
 
-namespace sluice {
+namespace sluice::refinement_settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -351,4 +351,4 @@ TEST(RefinementSettings, ClassicDecksGetTheirLevels) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::refinement_settings_test

@@ -4,7 +4,7 @@
 #include "framework/base/environment.hpp"
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::scene_test {
 namespace {
 
 using testing::HasSubstr;
@@ -180,4 +180,4 @@ TEST(Scene, ReadsClassicDecks) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::scene_test

@@ -3,7 +3,7 @@
 
 #include "framework/scene/deck_text.hpp"
 
-namespace sluice {
+namespace sluice::time_settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(TimeSettings, ReportsAllContradictionsAtTheirLines) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::time_settings_test

@@ -8,7 +8,7 @@
 #include "framework/task/sweep_executor.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::block_sweep_test {
 namespace {
 
 using namespace sweep_test;
@@ -386,4 +386,4 @@ TEST(BlockSweep, StorageThatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::block_sweep_test

@@ -13,7 +13,7 @@
 #include "framework/task/schedule.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::cell_material_mock_test {
 namespace {
 
 using namespace sweep_test;
@@ -309,4 +309,4 @@ TEST(CellMaterialMock, ALoopThatDoesNotConvergeRejectsTheStep) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::cell_material_mock_test

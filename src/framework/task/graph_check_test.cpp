@@ -6,7 +6,7 @@
 
 #include "framework/task/graph.hpp"
 
-namespace sluice {
+namespace sluice::graph_check_test {
 namespace {
 
 using testing::AllOf;
@@ -195,4 +195,4 @@ TEST(GraphDot, ShowsWhatStaysWithItsVariables) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::graph_check_test

@@ -4,7 +4,7 @@
 
 #include "framework/task/graph.hpp"
 
-namespace sluice {
+namespace sluice::graph_plan_test {
 namespace {
 
 const RowKernel nothing = [](const Row&) {};
@@ -154,4 +154,4 @@ TEST(GraphPlan, RefusesStencilsThatReachTooFar) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::graph_plan_test

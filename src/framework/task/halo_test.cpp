@@ -8,7 +8,7 @@
 #include "framework/base/close_ranks_test_support.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::halo_test {
 namespace {
 
 using namespace sweep_test;
@@ -169,4 +169,4 @@ TEST(Halo, OneMessageANeighbourRankAndItsSize) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::halo_test

@@ -8,7 +8,7 @@
 #include "framework/task/schedule.hpp"
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::level_cycle_mock_test {
 namespace {
 
 using namespace sweep_test;
@@ -217,4 +217,4 @@ TEST(LevelCycleMock, ThePlanShowsTheShapeOfTheStep) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::level_cycle_mock_test

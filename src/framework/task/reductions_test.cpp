@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace sluice {
+namespace sluice::reductions_test {
 namespace {
 
 TEST(Reductions, OrderedBitsKeepTheOrderAndPutNanOnTop) {
@@ -81,4 +81,4 @@ TEST(CellFault, OrderIsLevelThenPlaneThenRow) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::reductions_test

@@ -8,7 +8,7 @@
 
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::schedule_test {
 namespace {
 
 using testing::ElementsAre;
@@ -140,4 +140,4 @@ TEST(Schedule, OnlyTheAcceptedAttemptIsWrittenIntoTheBooks) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::schedule_test

@@ -9,7 +9,7 @@
 
 #include "framework/task/sweep_test_support.hpp"
 
-namespace sluice {
+namespace sluice::sweep_executor_test {
 namespace {
 
 using namespace sweep_test;
@@ -282,4 +282,4 @@ TEST(SweepExecutor, WithoutSamplingNoTimeIsTold) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::sweep_executor_test

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <vector>
 
-namespace sluice {
+namespace sluice::thread_team_test {
 namespace {
 
 TEST(ThreadTeam, DoesEveryPieceOnce) {
@@ -40,4 +40,4 @@ TEST(ThreadTeam, ATeamOfOneKeepsTheOrder) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::thread_team_test

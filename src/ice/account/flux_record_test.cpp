@@ -7,7 +7,7 @@
 #include "framework/task/sweep_executor.hpp"
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::flux_record_test {
 namespace {
 
 // A gas that moves everywhere, across open sides and under gravity.
@@ -168,4 +168,4 @@ TEST(FluxRecord, OfTheClassicFormHoldsTheInternalEnergyThatFlows) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::flux_record_test

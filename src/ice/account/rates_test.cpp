@@ -3,7 +3,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::rates_test {
 namespace {
 
 // A uniform state stays what it is, so that its first step may be as long as its next: with slip,
@@ -42,4 +42,4 @@ TEST(RatesOfAState, TheFirstStepMayBeAsLongAsTheNext) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::rates_test

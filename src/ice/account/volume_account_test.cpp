@@ -5,7 +5,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::volume_account_test {
 namespace {
 
 // 24 x 16 cells between walls under gravity, water on the left; the volume is cut by the interface.
@@ -147,4 +147,4 @@ TEST_F(TwoFluids, KeepTheirBudgets) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::volume_account_test

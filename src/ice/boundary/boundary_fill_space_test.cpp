@@ -7,7 +7,7 @@
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/fluid/labels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::boundary_fill_space_test {
 namespace {
 
 BoundaryRegion region_of(const char* variable, ConditionKind kind, double value) {
@@ -110,4 +110,4 @@ TEST(BoundaryFillInSpace, ThreadsChangeNoBit) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::boundary_fill_space_test

@@ -8,7 +8,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/test_support/conditions.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::boundary_fill_test {
 namespace {
 
 BoundaryRegion whole_side(std::vector<Condition> conditions) {
@@ -166,4 +166,4 @@ TEST(BoundaryFill, AConditionThatIsNotBuiltIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::boundary_fill_test

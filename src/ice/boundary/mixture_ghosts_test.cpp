@@ -10,7 +10,7 @@
 #include "ice/test_support/conditions.hpp"
 #include "ice/test_support/fluid.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_ghosts_test {
 namespace {
 
 Condition given(const char* variable, double value, int material = -1) {
@@ -303,4 +303,4 @@ TEST(MixtureGhosts, AWallForOneMaterialOnlyIsRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_ghosts_test

@@ -9,7 +9,7 @@
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/fluid/labels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_waves_test {
 namespace {
 
 constexpr double far_pressure = 10, dx = 0.1;
@@ -215,4 +215,4 @@ TEST(MixtureWaves, AreForAllMaterialsOrForNone) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_waves_test

@@ -5,7 +5,7 @@
 
 #include "ice/test_support/deck_run.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::open_levels_test {
 namespace {
 
 // A box that waves leave; a finer level is where the density changes.
@@ -87,4 +87,4 @@ TEST(OpenLevels, ForgetARejectedStep) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::open_levels_test

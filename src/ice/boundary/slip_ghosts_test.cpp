@@ -15,7 +15,7 @@
 #include "ice/fluid/labels.hpp"
 #include "models/transported_scalar.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::slip_ghosts_test {
 namespace {
 
 using Model = SlipSettings::Model;
@@ -239,4 +239,4 @@ TEST(SlipGhosts, AWallThatMovesAcrossItselfIsRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::slip_ghosts_test

@@ -9,7 +9,7 @@
 #include "ice/boundary/waves.hpp"
 #include "ice/fluid/labels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::wave_ghosts_test {
 namespace {
 
 constexpr double far_pressure = 10;
@@ -295,4 +295,4 @@ TEST(WaveGhosts, NeedTheirBlock) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::wave_ghosts_test

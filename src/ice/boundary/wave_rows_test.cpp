@@ -9,7 +9,7 @@
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/fluid/labels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::wave_rows_test {
 namespace {
 
 constexpr int cells = 11, width = 4;
@@ -259,4 +259,4 @@ TEST(WaveRows, OfOneLayerOfCellsKnowNoSlope) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::wave_rows_test

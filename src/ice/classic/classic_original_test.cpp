@@ -10,7 +10,7 @@
 
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::classic_original_test {
 namespace {
 
 constexpr double allowed = 1e-10;  // of the largest values; measured 1e-12
@@ -134,4 +134,4 @@ TEST(ClassicForm, GivesUintahsOwnExplosion) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::classic_original_test

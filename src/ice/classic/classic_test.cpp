@@ -8,7 +8,7 @@
 #include "ice/classic/limits.hpp"
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::classic_test {
 namespace {
 
 constexpr IntVec3 at(int i, int j = 0, int k = 0) {
@@ -281,4 +281,4 @@ TEST(ClassicForm, StaysStableUpToItsOwnLimit) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::classic_test

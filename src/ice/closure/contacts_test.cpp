@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::contacts_test {
 namespace {
 
 constexpr double unbounded = 1e300;
@@ -199,4 +199,4 @@ TEST(HeatContacts, TracesStayBetweenTheirNeighbours) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::contacts_test

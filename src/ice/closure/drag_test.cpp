@@ -8,7 +8,7 @@
 
 #include "ice/test_support/exchange.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::drag_test {
 namespace {
 
 DragCell cell_of(std::initializer_list<double> M, std::initializer_list<double> V) {
@@ -178,4 +178,4 @@ TEST(Drag, BindsLightTracesOnly) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::drag_test

@@ -7,7 +7,7 @@
 #include "eos/eos_test_support.hpp"
 #include "ice/closure/equilibrate.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::equilibrate_laws_test {
 namespace {
 
 struct Range {
@@ -126,4 +126,4 @@ TEST(EquilibrationOfVapour, GoesWhereTheLiquidClosesItsCavity) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::equilibrate_laws_test

@@ -8,7 +8,7 @@
 #include "eos/eos_test_support.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::equilibrate_test {
 namespace {
 
 struct State {
@@ -185,4 +185,4 @@ TEST(Equilibration, TheWeakerLiquidOpensUnderTension) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::equilibrate_test

@@ -10,7 +10,7 @@
 
 #include "ice/test_support/fluid.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::heat_exchange_test {
 namespace {
 
 PairCoefficients all_pairs(int materials, double H) {
@@ -141,4 +141,4 @@ TEST(HeatExchange, LinearVariationBindsTraces) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::heat_exchange_test

@@ -9,7 +9,7 @@
 #include "ice/closure/equilibrate.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::ideal_relaxation_test {
 namespace {
 
 constexpr int cells = IdealRelaxation::most_cells;
@@ -114,4 +114,4 @@ TEST(IdealRelaxation, IsForIdealGasesAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::ideal_relaxation_test

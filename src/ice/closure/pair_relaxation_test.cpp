@@ -6,7 +6,7 @@
 #include <cmath>
 #include "ice/test_support/exchange.hpp"
 
-namespace sluice::ice::mixture {
+namespace sluice::ice::mixture::pair_relaxation_test {
 namespace {
 
 double coefficient(double k, std::size_t i, std::size_t j) {
@@ -92,4 +92,4 @@ TEST(PairRelaxation, GainsSumToZeroForAnyCoefficient) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::mixture
+}  // namespace sluice::ice::mixture::pair_relaxation_test

@@ -4,7 +4,7 @@
 
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::criterion_rules_test {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(CriterionRules, MaterialsMustExist) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::criterion_rules_test

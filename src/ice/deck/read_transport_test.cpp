@@ -8,7 +8,7 @@
 #include "framework/deck/load_deck.hpp"
 #include "ice/deck/schema.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::read_transport_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(TransportSettings, RefusesWhatDoesNotGoTogether) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::read_transport_test

@@ -7,7 +7,7 @@
 #include "framework/deck/load_deck.hpp"
 #include "ice/deck/exchange_settings.hpp"
 
-namespace sluice {
+namespace sluice::schema_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -347,4 +347,4 @@ TEST(IceSchema, NamesWhatIsNotBuilt) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::schema_test

@@ -6,7 +6,7 @@
 #include "eos/eos_test_support.hpp"
 #include "ice/test_support/fluid.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::fluid_test {
 namespace {
 
 double by_difference(const Fluid& fluid, double rho, double T) {
@@ -45,4 +45,4 @@ TEST(HeatCapacity, OfNextToNothingIsThatOfTheLaw) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::fluid_test

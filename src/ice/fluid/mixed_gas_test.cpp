@@ -5,7 +5,7 @@
 
 #include "ice/test_support/scalars.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixed_gas_test {
 namespace {
 
 // Helium in air, in units in which air has R = 1.
@@ -95,4 +95,4 @@ TEST(BinaryGas, OfEqualGasesIsThatGas) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixed_gas_test

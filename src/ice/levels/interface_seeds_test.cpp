@@ -8,7 +8,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/saved/criteria.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::interface_seeds_test {
 namespace {
 
 using Cells = std::set<std::tuple<int, int, int>>;
@@ -111,4 +111,4 @@ TEST_F(InterfaceSeeds, AreNoneWithoutACriterionOrWithOneMaterial) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::interface_seeds_test

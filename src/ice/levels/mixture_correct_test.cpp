@@ -1,7 +1,7 @@
 // Differences of fluxes added to cells of several materials.
 #include "ice/test_support/mixture_levels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_correct_test {
 namespace {
 
 constexpr double round_off = 4e-15;
@@ -261,4 +261,4 @@ TEST_F(MixtureCorrection, LeavesACellThatCanBearNothingAsItWas) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_correct_test

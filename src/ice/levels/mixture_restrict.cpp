@@ -15,10 +15,10 @@
 namespace sluice::ice {
 namespace {
 
-template <int D, int C>
+template <int D>
 class MixtureRestrictor {
  public:
-  static constexpr int width = D == 3 ? 16 : 64;
+  static constexpr int width = D == 3 ? 16 : 64, most_components = 3;
 
   MixtureRestrictor(const StateViews& fine, const StateViews& coarse, const Children& children,
                     int along, const MixtureLayout& layout)
@@ -32,8 +32,8 @@ class MixtureRestrictor {
   // n coarse cells along the line.
   void run(IntVec3 first, int n) {
     add_masses(first, n);
-    double U[C][width];
-    for (std::size_t c = 0; c < C; ++c) {
+    double U[most_components][width];
+    for (std::size_t c = 0; c < layout_.components; ++c) {
       gather(layout_.momentum(c), first, n, momentum_[c]);
       mean(momentum_[c], n);
       write(layout_.momentum(c), first, n, rows_[0]);
@@ -89,30 +89,30 @@ class MixtureRestrictor {
     }
   }
 
-  void lost_kinetic_energy(const double (&U)[C][width], int n, double* heat) {
+  void lost_kinetic_energy(const double (*U)[width], int n, double* heat) {
     for (int child = 0; child < children_.count(); ++child) {
       double* __restrict lost = rows_[child];
+      const double* __restrict rho = rho_[child];
+      for (int i = 0; i < n; ++i) lost[i] = 0;
+      for (std::size_t c = 0; c < layout_.components; ++c)
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) {
-        const double w = 1.0 / rho_[child][i];
-        double square = 0;
-        for (int c = 0; c < C; ++c) {
-          const double du = momentum_[c][child][i] * w - U[c][i];
-          square += du * du;
+        for (int i = 0; i < n; ++i) {
+          const double du = momentum_[c][child][i] * (1.0 / rho[i]) - U[c][i];
+          lost[i] += du * du;
         }
-        lost[i] = 0.5 * rho_[child][i] * square;
-      }
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) lost[i] = 0.5 * rho[i] * lost[i];
     }
     children_.mean(rows_, n);
     std::copy(rows_[0], rows_[0] + n, heat);
   }
 
   // Slip of a material; what its kinetic energy loses joins `heat`.
-  void restrict_slip(std::size_t m, IntVec3 first, int n, const double (&U)[C][width],
-                     double* heat) {
+  void restrict_slip(std::size_t m, IntVec3 first, int n, const double (*U)[width], double* heat) {
     double zero[width] = {};
     if (!present_[m]) {
-      for (std::size_t c = 0; c < C; ++c) write(layout_.slip(m, c), first, n, zero);
+      for (std::size_t c = 0; c < layout_.components; ++c)
+        write(layout_.slip(m, c), first, n, zero);
       return;
     }
     Rows M, S, sum;
@@ -121,7 +121,7 @@ class MixtureRestrictor {
     const RealView& mass = coarse_[layout_.mass(m)];
     const double* mean_M = mass.data + mass.offset(first);
     const std::ptrdiff_t step = mass.stride[along_];
-    for (std::size_t c = 0; c < C; ++c) {
+    for (std::size_t c = 0; c < layout_.components; ++c) {
       gather(layout_.slip(m, c), first, n, S);
       for (int child = 0; child < children_.count(); ++child)
         for (int i = 0; i < n; ++i) {
@@ -169,7 +169,7 @@ class MixtureRestrictor {
   int along_;
   const MixtureLayout& layout_;
   std::vector<char> present_;  // somewhere in the line
-  Rows rho_, momentum_[C], rows_;
+  Rows rho_, momentum_[most_components], rows_;
   double mean_rho_[width];
 };
 
@@ -181,12 +181,20 @@ void MixtureTransfer::restrict_to(const StateViews& fine, const StateViews& coar
   if (coarse_cells.empty()) return;
   const Children children(geometry);
   const int along = longest_direction(coarse_cells, children.axes());
-  dispatch(children.axes().count, static_cast<int>(layout_.components), [&]<int D, int C>() {
-    using Line = MixtureRestrictor<D, C>;
-    Line line(fine, coarse, children, along, layout_);
-    for_each_line(coarse_cells, along, Line::width,
-                  [&](IntVec3 first, int n) { line.run(first, n); });
-  });
+  const auto on_axes = [&]<int D>() {
+    using Lines = MixtureRestrictor<D>;
+    Lines lines(fine, coarse, children, along, layout_);
+    for_each_line(coarse_cells, along, Lines::width,
+                  [&](IntVec3 first, int n) { lines.run(first, n); });
+  };
+  switch (children.axes().count) {
+    case 1:
+      return on_axes.template operator()<1>();
+    case 2:
+      return on_axes.template operator()<2>();
+    default:
+      return on_axes.template operator()<3>();
+  }
 }
 
 }  // namespace sluice::ice

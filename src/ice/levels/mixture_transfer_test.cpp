@@ -1,7 +1,7 @@
 // Prolongation and restriction of several materials: conservation, equilibrium, purity, images.
 #include "ice/test_support/mixture_levels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_transfer_test {
 namespace {
 
 constexpr double round_off = 2e-15;
@@ -208,4 +208,4 @@ TEST(ProlongationOfLiquids, LeavesEveryFineCellAStateOfTheLaw) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_transfer_test

@@ -24,28 +24,31 @@ void copy_to_children(const Prolongation& region, std::size_t q, const TransferG
   });
 }
 
-template <int Order, int S>
+template <int Order>
 void prolong_regions(std::span<const Prolongation> regions, const TransferGeometry& geometry,
-                     int components, const Fluid& fluid, const std::size_t* by_volume) {
+                     int components, const Fluid& fluid, std::span<const std::size_t> by_volume) {
   const Children children(geometry);
-  dispatch(children.axes().count, components, [&]<int D, int C>() {
-    Prolonger<D, C, Order, S>(regions, geometry, children, fluid, by_volume).run();
-  });
+  const auto on_axes = [&]<int D>() {
+    Prolonger<D, Order>(regions, geometry, children, components, fluid, by_volume).run();
+  };
+  switch (children.axes().count) {
+    case 1:
+      return on_axes.template operator()<1>();
+    case 2:
+      return on_axes.template operator()<2>();
+    default:
+      return on_axes.template operator()<3>();
+  }
 }
 
 }  // namespace
 
 void IceTransfer::prolong_all(std::span<const Prolongation> regions,
                               const TransferGeometry& geometry, int order) const {
-  const auto with = [&]<int S>() {
-    if (order == 2)
-      prolong_regions<2, S>(regions, geometry, components_, fluid_, by_volume_.data());
-    else
-      prolong_regions<1, S>(regions, geometry, components_, fluid_, by_volume_.data());
-  };
-  if (order > 0 && by_volume_.size() == 2) return with.template operator()<2>();
-  if (order > 0 && by_volume_.size() == 1) return with.template operator()<1>();
-  if (order > 0) return with.template operator()<0>();
+  const bool by_polynomial = order > 0 && by_volume_.size() <= most_prolonged_scalars;
+  if (by_polynomial && order == 2)
+    return prolong_regions<2>(regions, geometry, components_, fluid_, by_volume_);
+  if (by_polynomial) return prolong_regions<1>(regions, geometry, components_, fluid_, by_volume_);
   for (const Prolongation& r : regions)
     for (std::size_t q = 0; q < r.coarse->size() && !r.cells.empty(); ++q)
       copy_to_children(r, q, geometry);

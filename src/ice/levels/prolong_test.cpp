@@ -1,7 +1,7 @@
 // Prolongation: conservation, admissibility, uniform states, contacts, order, independence of cuts.
 #include "ice/test_support/transfer.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::prolong_test {
 namespace {
 
 constexpr double round_off = 2e-15;
@@ -217,4 +217,4 @@ TEST(ProlongationOrder, IsOneTwoAndThreeOnSmoothData) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::prolong_test

@@ -34,20 +34,29 @@
 
 namespace sluice::ice {
 
-// S: scalars that are carried by volume.
-template <int D, int C, int Order, int S>
+constexpr int most_prolonged_scalars = 2;  // of those that are carried by volume
+
+// Made once for each number of axes and each order: components of momentum and scalars that are
+// carried by volume are counted at run time, outside of the loops over cells.
+template <int D, int Order>
 class Prolonger {
   static constexpr double least_kept = 0.25;   // of density and energy, by slopes
   static constexpr double most_kinetic = 0.5;  // of the internal energy
   static constexpr int width = D == 3 ? 16 : 64;
-  static constexpr int quantities = C + 2, energy = C + 1;
+  static constexpr int most_components = 3,
+                       most_quantities = most_components + 2 + most_prolonged_scalars;
   using Functions = PolynomialBasis<D, Order>;
   using Lines = CoarseLines<D, width>;
 
  public:
   Prolonger(std::span<const Prolongation> regions, const TransferGeometry& geometry,
-            const Children& children, const Fluid& fluid, const std::size_t* by_volume)
-      : fluid_(fluid),
+            const Children& children, int components, const Fluid& fluid,
+            std::span<const std::size_t> by_volume)
+      : components_(components),
+        energy_at_(components + 1),
+        quantities_(components + 2),
+        scalars_(static_cast<int>(by_volume.size())),
+        fluid_(fluid),
         ideal_(fluid.ideal() != nullptr),
         regions_(regions),
         ratio_(geometry.ratio),
@@ -72,8 +81,8 @@ class Prolonger {
   void run(const Batch<width>& batch) {
     const int n = batch.padded();
     lines_.find(batch);
-    for (int s = 0; s < S; ++s) find_range(s, batch);
-    for (int q = 0; q < quantities + S; ++q) find_terms(q, batch);
+    for (int s = 0; s < scalars_; ++s) find_range(s, batch);
+    for (int q = 0; q < quantities_ + scalars_; ++q) find_terms(q, batch);
     if (!ideal_) set_energy_aside(n);
     keep_positive(n);
     take_kinetic_energy(n);
@@ -87,24 +96,25 @@ class Prolonger {
   }
 
   std::size_t view(int q) const {
-    return q < quantities ? static_cast<std::size_t>(q) : by_volume_[q - quantities];
+    return q < quantities_ ? static_cast<std::size_t>(q)
+                           : by_volume_[static_cast<std::size_t>(q - quantities_)];
   }
   // The coarse cells of a batch and their neighbours, or cells shifted along two axes; of a scalar
   // its amount.
   void gather_star(int q, const Batch<width>& batch, double (*to)[width]) const {
     lines_.gather_star(view(q), batch, to);
-    if (q < quantities) return;
+    if (q < quantities_) return;
     double mass[Lines::star][width];
     lines_.gather_star(0, batch, mass);
-    for (int k = 0; k < Lines::star; ++k) take_amount(q - quantities, batch, mass[k], to[k]);
+    for (int k = 0; k < Lines::star; ++k) take_amount(q - quantities_, batch, mass[k], to[k]);
   }
   void gather(int q, const Batch<width>& batch, int axis, int shift, int other, int move,
               double* to) const {
     lines_.gather(view(q), batch, axis, shift, other, move, to);
-    if (q < quantities) return;
+    if (q < quantities_) return;
     double mass[width];
     lines_.gather(0, batch, axis, shift, other, move, mass);
-    take_amount(q - quantities, batch, mass, to);
+    take_amount(q - quantities_, batch, mass, to);
   }
   void take_amount(int s, const Batch<width>& batch, const double* mass, double* scalar) const {
     for (int i = 0; i < batch.padded(); ++i) scalar[i] = mass[i] * (scalar[i] - scalar_[s][i]);
@@ -114,7 +124,7 @@ class Prolonger {
   void find_range(int s, const Batch<width>& batch) {
     const int n = batch.padded();
     double star[Lines::star][width];
-    lines_.gather_star(by_volume_[s], batch, star);
+    lines_.gather_star(by_volume_[static_cast<std::size_t>(s)], batch, star);
     for (double* of : {scalar_[s], lowest_[s], highest_[s]}) std::copy(star[0], star[0] + n, of);
     for (int k = 1; k < Lines::star; ++k)
       for (int i = 0; i < n; ++i) {
@@ -161,11 +171,11 @@ class Prolonger {
 
   // From here on the energy above that at which the law ends is in the energy's place.
   void set_energy_aside(int n) {
-    std::copy(centre_[energy], centre_[energy] + n, energy_);
-    energy_scale_row(fluid_, n, centre_[0], energy_, centre_[energy]);
+    std::copy(centre_[energy_at_], centre_[energy_at_] + n, energy_);
+    energy_scale_row(fluid_, n, centre_[0], energy_, centre_[energy_at_]);
   }
   double fine_energy(double change, int i) const {
-    return energy_[i] + (change * rest_[i] - centre_[energy][i] * (1.0 - rest_[i]));
+    return energy_[i] + (change * rest_[i] - centre_[energy_at_][i] * (1.0 - rest_[i]));
   }
   // No terms in cells with a child that is no state of the law.
   void withdraw_inadmissible(int n) {
@@ -175,13 +185,13 @@ class Prolonger {
       const double* f = basis_.value[child];
       for (int i = 0; i < n; ++i) {
         rho[i] = centre_[0][i] + deviation(term_[0], f, i);
-        E[i] = fine_energy(deviation(term_[energy], f, i), i);
+        E[i] = fine_energy(deviation(term_[energy_at_], f, i), i);
       }
       admissible_row(fluid_, n, rho, E, admissible);
       for (int i = 0; i < n; ++i) kept[i] = smaller(kept[i], admissible[i]);
     }
     for (int i = 0; i < n; ++i) rest_[i] = kept[i] > 0.0 ? rest_[i] : 1.0;
-    for (int q = 0; q < quantities; ++q) scale(q, n, kept);
+    for (int q = 0; q < quantities_; ++q) scale(q, n, kept);
   }
 
   // Factor for the terms of q that keeps every fine value above a share of the coarse one.
@@ -206,7 +216,7 @@ class Prolonger {
       const double* f = basis_.value[child];
       for (int i = 0; i < n; ++i) {
         const double rho = centre_[0][i], change = deviation(term_[0], f, i);
-        const double amount = deviation(term_[quantities + s], f, i);
+        const double amount = deviation(term_[quantities_ + s], f, i);
         const double above = highest_[s][i] - scalar_[s][i], below = scalar_[s][i] - lowest_[s][i];
         const double up = amount - above * change, down = -amount - below * change;
         if (up > above * rho) factor[i] = smaller(factor[i], above * rho / up);
@@ -216,19 +226,19 @@ class Prolonger {
   }
   void keep_positive(int n) {
     double factor[width];
-    if constexpr (S > 0) {
+    if (scalars_ > 0) {
       double of_energy[width];
       find_factor(0, n, factor);
-      find_factor(energy, n, of_energy);
+      find_factor(energy_at_, n, of_energy);
       for (int i = 0; i < n; ++i) factor[i] = smaller(factor[i], of_energy[i]);
-      for (int s = 0; s < S; ++s) keep_between(s, n, factor);
-      for (int q = 0; q < quantities + S; ++q) scale(q, n, factor);
+      for (int s = 0; s < scalars_; ++s) keep_between(s, n, factor);
+      for (int q = 0; q < quantities_ + scalars_; ++q) scale(q, n, factor);
       return;
     }
     find_factor(0, n, factor);
-    for (int q = 0; q <= C; ++q) scale(q, n, factor);
-    find_factor(energy, n, factor);
-    scale(energy, n, factor);
+    for (int q = 0; q <= components_; ++q) scale(q, n, factor);
+    find_factor(energy_at_, n, factor);
+    scale(energy_at_, n, factor);
   }
 
   // What the polynomial adds in a child.
@@ -238,8 +248,8 @@ class Prolonger {
   }
 
   void take_kinetic_energy(int n) {
-    double U[C][width];
-    for (int c = 0; c < C; ++c) {
+    double U[most_components][width];
+    for (int c = 0; c < components_; ++c) {
       for (int i = 0; i < n; ++i) U[c][i] = centre_[1 + c][i] / centre_[0][i];
       for (int k = 0; k < Functions::terms; ++k)
 #pragma GCC ivdep
@@ -248,26 +258,27 @@ class Prolonger {
     for (int child = 0; child < children_.count(); ++child) {
       const double* f = basis_.value[child];
       double* __restrict kinetic = rows_[child];
+      for (int i = 0; i < n; ++i) kinetic[i] = 0;
+      for (int c = 0; c < components_; ++c)
 #pragma GCC ivdep
-      for (int i = 0; i < n; ++i) {
-        double square = 0;
-        for (int c = 0; c < C; ++c) {
+        for (int i = 0; i < n; ++i) {
           const double w = deviation(w_[c], f, i);
-          square += w * w;
+          kinetic[i] += w * w;
         }
-        kinetic[i] = 0.5 * square / (centre_[0][i] + deviation(term_[0], f, i));
-      }
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i)
+        kinetic[i] = 0.5 * kinetic[i] / (centre_[0][i] + deviation(term_[0], f, i));
     }
     children_.mean(rows_, n);
     double share[width];
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double K = rows_[0][i], E = centre_[energy][i];
+      const double K = rows_[0][i], E = centre_[energy_at_][i];
       const double room = larger(0.0, most_kinetic * E);
       share[i] = K > room ? std::sqrt(room / K) : 1.0;
       rest_[i] = K > 0.0 ? 1.0 - smaller(K, room) / E : 1.0;
     }
-    for (int c = 0; c < C; ++c)
+    for (int c = 0; c < components_; ++c)
       for (int k = 0; k < Functions::terms; ++k)
 #pragma GCC ivdep
         for (int i = 0; i < n; ++i) {
@@ -294,10 +305,10 @@ class Prolonger {
   template <int Each>
   void find_row(int q, int child, int n, double* row) const {
     const double* centre = centre_[q];
-    if (q < energy)
+    if (q < energy_at_)
       for_row<Each>(q, child, n, row, [=](int i, double change) { return centre[i] + change; });
-    else if (q > energy)
-      find_scalar_row<Each>(q - quantities, child, n, row);
+    else if (q > energy_at_)
+      find_scalar_row<Each>(q - quantities_, child, n, row);
     else if (ideal_)
       for_row<Each>(q, child, n, row,
                     [=, this](int i, double change) { return (centre[i] + change) * rest_[i]; });
@@ -311,7 +322,7 @@ class Prolonger {
     double mass[width * Each];
     for_row<Each>(0, child, n, mass,
                   [this](int i, double change) { return centre_[0][i] + change; });
-    for_row<Each>(quantities + s, child, n, row, [](int, double change) { return change; });
+    for_row<Each>(quantities_ + s, child, n, row, [](int, double change) { return change; });
     for (int i = 0; i < n; ++i)
       for (int k = i * Each; k < (i + 1) * Each; ++k)
         row[k] = larger(smaller(scalar_[s][i] + row[k] / mass[k], highest_[s][i]), lowest_[s][i]);
@@ -323,13 +334,14 @@ class Prolonger {
     for (int z = 0; z < children_.ratio(2); ++z)
       for (int y = 0; y < children_.ratio(1); ++y) {
         if (!rows_of_children_.find(batch, y, z)) continue;
-        for (int q = 0; q < quantities + S; ++q) {
+        for (int q = 0; q < quantities_ + scalars_; ++q) {
           find_row<Each>(q, children_.number(0, y, z), batch.padded(), row);
           rows_of_children_.write(view(q), row);
         }
       }
   }
 
+  int components_, energy_at_, quantities_, scalars_;
   const Fluid& fluid_;
   bool ideal_;
   std::span<const Prolongation> regions_;
@@ -339,13 +351,14 @@ class Prolonger {
   Batch<width> batch_;
   Lines lines_;
   ChildRows<D, width> rows_of_children_;
-  const std::size_t* by_volume_;
-  double centre_[quantities + S][width];
-  double term_[quantities + S][Functions::terms][width];
-  double scalar_[S + 1][width], lowest_[S + 1][width], highest_[S + 1][width];
-  double w_[C][Functions::terms][width];  // terms of momentum about the mean velocity
-  double rest_[width];                    // share of the internal energy that stays
-  double energy_[width];                  // of the coarse cells; not of an ideal gas
+  std::span<const std::size_t> by_volume_;
+  double centre_[most_quantities][width];
+  double term_[most_quantities][Functions::terms][width];
+  double scalar_[most_prolonged_scalars][width], lowest_[most_prolonged_scalars][width],
+      highest_[most_prolonged_scalars][width];
+  double w_[most_components][Functions::terms][width];  // terms of momentum about the mean velocity
+  double rest_[width];                                  // share of the internal energy that stays
+  double energy_[width];                                // of the coarse cells; not of an ideal gas
   double rows_[Children::most_in(D)][width];
 };
 

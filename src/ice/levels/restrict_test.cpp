@@ -1,7 +1,7 @@
 // Restriction and the correction of fluxes.
 #include "ice/test_support/transfer.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::restrict_test {
 namespace {
 
 constexpr double round_off = 2e-15;
@@ -205,4 +205,4 @@ TEST_F(Correction, OfTheClassicFormChangesInternalEnergyAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::restrict_test

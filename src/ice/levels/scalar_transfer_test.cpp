@@ -6,7 +6,7 @@
 #include "ice/test_support/scalars.hpp"
 #include "ice/test_support/transfer.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::scalar_transfer_test {
 namespace {
 
 class ScalarLevels : public testing::TestWithParam<TransferCase> {
@@ -192,4 +192,4 @@ TEST(ScalarGhosts, FollowTheConditionsOfTheDeck) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::scalar_transfer_test

@@ -1,7 +1,7 @@
 // Where levels meet, with velocities of their own: momentum of each material, total energy, traces.
 #include "ice/test_support/mixture_levels.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::slip_transfer_test {
 namespace {
 
 constexpr double round_off = 1e-14;
@@ -188,4 +188,4 @@ TEST_F(SlipCorrection, TracesMoveWithTheMixture) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::slip_transfer_test

@@ -8,7 +8,7 @@
 #include "eos/eos_test_support.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::any_pair_test {
 namespace {
 
 constexpr double pressure = 1e7, temperature = 300;  // where every law has a state; Pa, K
@@ -107,4 +107,4 @@ TEST_P(AnyPair, StaysInEquilibriumOnItsWay) {
 INSTANTIATE_TEST_SUITE_P(Drag, AnyPair, testing::Values(0.0, one_velocity_coefficient));
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::any_pair_test

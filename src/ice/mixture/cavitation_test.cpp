@@ -8,7 +8,7 @@
 #include "ice/closure/traces.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::cavitation_test {
 namespace {
 
 constexpr int cells = 100;
@@ -85,4 +85,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Cavitation,
                                           testing::Values(1., 20., 100.)));
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::cavitation_test

@@ -7,7 +7,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::compact_support_test {
 namespace {
 
 constexpr int cells = 100;
@@ -204,4 +204,4 @@ TEST(CompactSupport, NothingStaysBehindInObliqueFlow) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::compact_support_test

@@ -7,7 +7,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::marks_test {
 namespace {
 
 constexpr IntVec3 cells{96, 64, 1};
@@ -92,4 +92,4 @@ TEST(MarksOfRows, SayWhereAMaterialIsAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::marks_test

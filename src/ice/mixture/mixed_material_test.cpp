@@ -7,7 +7,7 @@
 #include "ice/fluid/mixed_gas.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixed_material_test {
 namespace {
 
 constexpr double w = 2 * std::numbers::pi;
@@ -258,4 +258,4 @@ TEST(MixedMaterial, IsTheSameHoweverCut) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixed_material_test

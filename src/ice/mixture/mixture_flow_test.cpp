@@ -6,7 +6,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_flow_test {
 namespace {
 
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
@@ -119,4 +119,4 @@ TEST(MixtureFlow, BlocksBoxesAndKindsLeaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_flow_test

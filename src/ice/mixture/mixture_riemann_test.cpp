@@ -6,7 +6,7 @@
 #include "exact/material_riemann.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixture_riemann_test {
 namespace {
 
 struct Problem {
@@ -72,4 +72,4 @@ TEST(MixtureRiemann, ErrorsAreThoseOfThePrototype) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixture_riemann_test

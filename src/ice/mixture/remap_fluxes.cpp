@@ -217,12 +217,10 @@ void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o
         };
         const auto pure_faces = [&](int first, int count, int of) {
           const Row part = row.part(first, count);
-          if (of == of_mixed_gas)
-            flux_row_of<D, C, false, DensityBound::as_energy>(part, h.common, axis, l, o);
-          else if (of != 0)
-            flux_row_of<D, C, true>(part, h.common, axis, l, o);
-          else
-            flux_row_of<D, C, false>(part, h.common, axis, l, o);
+          const RemapLaw law = of == of_mixed_gas ? RemapLaw::ideal_by_energy
+                               : of != 0          ? RemapLaw::scaled
+                                                  : RemapLaw::ideal;
+          flux_row_of<D, C>(part, h.common, axis, l, o, law);
         };
         if (!for_each_pure_piece(runs, kind, pure_faces)) return;
         // Only now: room for so many materials, even in an optional, is 9 kB to clear in every row.

@@ -322,10 +322,9 @@ void add_slip_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o,
                             const Row part = row.part(first, count);
                             if (pure < 0) return Faces<D, C>(part, h, o, axis).run();
                             const auto m = static_cast<std::size_t>(pure);
-                            if (o.fluids[m].ideal() == nullptr)
-                              flux_row_of<D, C, true>(part, h.common, axis, l, o);
-                            else
-                              flux_row_of<D, C, false>(part, h.common, axis, l, o);
+                            const bool ideal = o.fluids[m].ideal() != nullptr;
+                            flux_row_of<D, C>(part, h.common, axis, l, o,
+                                              ideal ? RemapLaw::ideal : RemapLaw::scaled);
                           });
       });
     });

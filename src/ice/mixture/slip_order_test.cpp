@@ -6,7 +6,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::slip_order_test {
 namespace {
 
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
@@ -182,4 +182,4 @@ TEST(SlipOrder, SoundWavesFollowTheLinearEquations) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::slip_order_test

@@ -7,7 +7,7 @@
 #include "ice/closure/drag.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::slip_surface_test {
 namespace {
 
 using mixture::ByMaterial;
@@ -291,4 +291,4 @@ TEST(SlipSurface, WhatIsOffAddsNoTask) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::slip_surface_test

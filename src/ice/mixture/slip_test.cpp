@@ -6,7 +6,7 @@
 #include "exact/material_riemann.hpp"
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::slip_test {
 namespace {
 
 const Fluid air = ideal_gas(1.4, 717), heavy = ideal_gas(1.667, 300);
@@ -366,4 +366,4 @@ TEST(Slip, CostsNothingWhereAllMoveTogether) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::slip_test

@@ -6,7 +6,7 @@
 
 #include "ice/test_support/transport.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::transport_models_test {
 namespace {
 
 ViscosityModels sutherland(double a, double b) {
@@ -160,4 +160,4 @@ TEST(MixtureTransportModels, WhatIsOffAddsNoTask) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::transport_models_test

@@ -6,7 +6,7 @@
 
 #include "ice/test_support/transport.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::transport_test {
 namespace {
 
 constexpr double low_speed = .05;
@@ -86,4 +86,4 @@ TEST(MixtureTransport, WhatIsOffAddsNoTask) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::transport_test

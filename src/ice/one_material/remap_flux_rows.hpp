@@ -46,107 +46,13 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
   return upwind_slope(chosen(left, high, low), middle, nu, B);
 }
 
-// The bound is known when the loop is compiled: a choice in it costs its vectors or its registers;
-// so would a call.
-template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Bound>
-[[gnu::flatten]] void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
-  const int n = row.whole_vectors();
-  auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
-  constexpr bool based = Second && D > 1;
-  const double* __restrict uf = row(h.face_velocity);
-  const double* __restrict iJa = a(h.inverse_J);
-  const double* __restrict iJb = row(h.inverse_J);
-  const double* __restrict rLa = a(h.rho_L);
-  const double* __restrict rLb = row(h.rho_L);
-  const double* __restrict ELa = a(h.energy_L);
-  const double* __restrict ELb = row(h.energy_L);
-  const double* __restrict sca = Scaled ? a(h.energy_scale) : ELa;
-  const double* __restrict scb = Scaled ? row(h.energy_scale) : ELb;
-  const double* __restrict Na = a(h.courant);
-  const double* __restrict Nb = row(h.courant);
-  const double* __restrict iNa = a(h.inverse_courant);
-  const double* __restrict iNb = row(h.inverse_courant);
-  const double* __restrict wa = a(h.inverse_rho);
-  const double* __restrict wb = row(h.inverse_rho);
-  const double* __restrict rBa = based ? a(h.base, 0) : rLa;
-  const double* __restrict rBb = based ? row(h.base, 0) : rLb;
-  const double* __restrict EBa = based ? a(h.base, 1) : ELa;
-  const double* __restrict EBb = based ? row(h.base, 1) : ELb;
-  const double* __restrict ma = Masked ? a(h.mask) : rLa;
-  const double* __restrict mb = Masked ? row(h.mask) : rLb;
-  const Around R = Second ? around(row, h.rho, 0, axis) : Around{};
-  const Around E = Second ? around(row, h.energy, 0, axis) : Around{};
-  Around V[3];
-  const double* va[3];
-  const double* vb[3];
-  const double* uBa[3];
-  const double* uBb[3];
-  double* U[3];
-  for (int c = 0; c < C; ++c) {
-    if (Second) V[c] = around(row, h.velocity, c, axis);
-    va[c] = a(h.velocity_L, c);
-    vb[c] = row(h.velocity_L, c);
-    uBa[c] = based ? a(h.base, 2 + c) : va[c];
-    uBb[c] = based ? row(h.base, 2 + c) : vb[c];
-    U[c] = row(h.flux, 2 + c);
-  }
-  double* __restrict F = row(h.flux, 0);
-  double* __restrict G = row(h.flux, 1);
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    const double H = l * uf[i];
-    const bool left = H < 0.0;
-    const double half_sign = left ? -0.5 : 0.5;
-    const double iJ = chosen(left, iJb[i], iJa[i]);
-    const double rL = chosen(left, rLb[i], rLa[i]);
-    const double EL = chosen(left, ELb[i], ELa[i]);
-    const double sc = Scaled ? chosen(left, scb[i], sca[i]) : EL;
-    double rs = chosen(left, rBb[i], rBa[i]);
-    double es = chosen(left, EBb[i], EBa[i]);
-    const double m = Masked ? chosen(left, mb[i], ma[i]) : 1.0;
-    if constexpr (Second) {
-      const double N = chosen(left, Nb[i], Na[i]);
-      const double iN = chosen(left, iNb[i], iNa[i]);
-      const double nu = std::fabs(H) * iJ;
-      const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, Bound == DensityBound::sharp ? 2.0 * iN : 2.0);
-      es += weight * donor_slope(E, i, left, nu, 2.0);
-      rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
-      if constexpr (Scaled)
-        es = smaller(larger(es, EL - 0.9 * sc), EL + sc * ((0.75 + 0.25 * N) * iN - 1.0));
-      else
-        es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
-    }
-    const double flow = H * rs;
-    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), 0.99);
-    // Components along axes and carried ones are summed apart: the sum of two does not depend on
-    // the order of the axes.
-    double d2 = 0.0, carried = 0.0;
-    for (int c = 0; c < C; ++c) {
-      const double v = chosen(left, vb[c][i], va[c][i]);
-      double u = chosen(left, uBb[c][i], uBa[c][i]);
-      if constexpr (Second) u += half_sign * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
-      U[c][i] = u;
-      (c < D ? d2 : carried) += (u - v) * (u - v);
-    }
-    if constexpr (C > D) d2 += carried;
-    // K = -(1/2) d2^2 rho_L / ((1-f)(d2 rho_L + E_L/4))
-    const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * sc));
-    F[i] = flow;
-    G[i] = H * es + flow * K;
-  }
-}
+// What the bounds of a flux's energy and density follow from.
+enum class RemapLaw { ideal, ideal_by_energy, scaled };
 
-template <int D, int C, bool Scaled, DensityBound Bound = DensityBound::sharp>
+// Compiled once, in remap_fluxes.cpp, for all that remap: these are many kernels.
+template <int D, int C>
 void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
-                 const SchemeOptions& o) {
-  if (!o.second_order)
-    flux_row<D, C, false, false, Scaled, Bound>(row, h, axis, l);
-  else if (o.masked)
-    flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
-  else
-    flux_row<D, C, true, false, Scaled, Bound>(row, h, axis, l);
-}
+                 const SchemeOptions& o, RemapLaw law);
 
 // Everything but the flux itself.
 inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariables& v,

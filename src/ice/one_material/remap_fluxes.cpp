@@ -1,7 +1,138 @@
-// Step 8: declaring the remap through the faces of each axis; remap_flux_rows.hpp.
+// Step 8: the remap through the faces of each axis; remap_flux_rows.hpp has the formulae.
 #include "ice/one_material/remap_flux_rows.hpp"
 
 namespace sluice::ice {
+namespace {
+
+// The bound is known when the loop is compiled: a choice in it costs its vectors or its registers;
+// so would a call.
+template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Bound>
+[[gnu::flatten]] void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
+  const int n = row.whole_vectors();
+  auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
+  constexpr bool based = Second && D > 1;
+  const double* __restrict uf = row(h.face_velocity);
+  const double* __restrict iJa = a(h.inverse_J);
+  const double* __restrict iJb = row(h.inverse_J);
+  const double* __restrict rLa = a(h.rho_L);
+  const double* __restrict rLb = row(h.rho_L);
+  const double* __restrict ELa = a(h.energy_L);
+  const double* __restrict ELb = row(h.energy_L);
+  const double* __restrict sca = Scaled ? a(h.energy_scale) : ELa;
+  const double* __restrict scb = Scaled ? row(h.energy_scale) : ELb;
+  const double* __restrict Na = a(h.courant);
+  const double* __restrict Nb = row(h.courant);
+  const double* __restrict iNa = a(h.inverse_courant);
+  const double* __restrict iNb = row(h.inverse_courant);
+  const double* __restrict wa = a(h.inverse_rho);
+  const double* __restrict wb = row(h.inverse_rho);
+  const double* __restrict rBa = based ? a(h.base, 0) : rLa;
+  const double* __restrict rBb = based ? row(h.base, 0) : rLb;
+  const double* __restrict EBa = based ? a(h.base, 1) : ELa;
+  const double* __restrict EBb = based ? row(h.base, 1) : ELb;
+  const double* __restrict ma = Masked ? a(h.mask) : rLa;
+  const double* __restrict mb = Masked ? row(h.mask) : rLb;
+  const Around R = Second ? around(row, h.rho, 0, axis) : Around{};
+  const Around E = Second ? around(row, h.energy, 0, axis) : Around{};
+  Around V[3];
+  const double* va[3];
+  const double* vb[3];
+  const double* uBa[3];
+  const double* uBb[3];
+  double* U[3];
+  for (int c = 0; c < C; ++c) {
+    if (Second) V[c] = around(row, h.velocity, c, axis);
+    va[c] = a(h.velocity_L, c);
+    vb[c] = row(h.velocity_L, c);
+    uBa[c] = based ? a(h.base, 2 + c) : va[c];
+    uBb[c] = based ? row(h.base, 2 + c) : vb[c];
+    U[c] = row(h.flux, 2 + c);
+  }
+  double* __restrict F = row(h.flux, 0);
+  double* __restrict G = row(h.flux, 1);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const double H = l * uf[i];
+    const bool left = H < 0.0;
+    const double half_sign = left ? -0.5 : 0.5;
+    const double iJ = chosen(left, iJb[i], iJa[i]);
+    const double rL = chosen(left, rLb[i], rLa[i]);
+    const double EL = chosen(left, ELb[i], ELa[i]);
+    const double sc = Scaled ? chosen(left, scb[i], sca[i]) : EL;
+    double rs = chosen(left, rBb[i], rBa[i]);
+    double es = chosen(left, EBb[i], EBa[i]);
+    const double m = Masked ? chosen(left, mb[i], ma[i]) : 1.0;
+    if constexpr (Second) {
+      const double N = chosen(left, Nb[i], Na[i]);
+      const double iN = chosen(left, iNb[i], iNa[i]);
+      const double nu = std::fabs(H) * iJ;
+      const double weight = half_sign * (1.0 - nu) * iJ * m;
+      rs += weight * donor_slope(R, i, left, nu, Bound == DensityBound::sharp ? 2.0 * iN : 2.0);
+      es += weight * donor_slope(E, i, left, nu, 2.0);
+      rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
+      if constexpr (Scaled)
+        es = smaller(larger(es, EL - 0.9 * sc), EL + sc * ((0.75 + 0.25 * N) * iN - 1.0));
+      else
+        es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
+    }
+    const double flow = H * rs;
+    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), 0.99);
+    // Components along axes and carried ones are summed apart: the sum of two does not depend on
+    // the order of the axes.
+    double d2 = 0.0, carried = 0.0;
+    for (int c = 0; c < C; ++c) {
+      const double v = chosen(left, vb[c][i], va[c][i]);
+      double u = chosen(left, uBb[c][i], uBa[c][i]);
+      if constexpr (Second) u += half_sign * (1.0 - f) * m * donor_slope(V[c], i, left, f, 2.0);
+      U[c][i] = u;
+      (c < D ? d2 : carried) += (u - v) * (u - v);
+    }
+    if constexpr (C > D) d2 += carried;
+    // K = -(1/2) d2^2 rho_L / ((1-f)(d2 rho_L + E_L/4))
+    const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * sc));
+    F[i] = flow;
+    G[i] = H * es + flow * K;
+  }
+}
+
+template <int D, int C, bool Scaled, DensityBound Bound>
+void flux_row_by_order(const Row& row, const RemapFluxHandles& h, int axis, double l,
+                       const SchemeOptions& o) {
+  if (!o.second_order)
+    flux_row<D, C, false, false, Scaled, Bound>(row, h, axis, l);
+  else if (o.masked)
+    flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
+  else
+    flux_row<D, C, true, false, Scaled, Bound>(row, h, axis, l);
+}
+
+}  // namespace
+
+template <int D, int C>
+void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
+                 const SchemeOptions& o, RemapLaw law) {
+  switch (law) {
+    case RemapLaw::scaled:
+      return flux_row_by_order<D, C, true, DensityBound::sharp>(row, h, axis, l, o);
+    case RemapLaw::ideal_by_energy:
+      return flux_row_by_order<D, C, false, DensityBound::as_energy>(row, h, axis, l, o);
+    case RemapLaw::ideal:
+      return flux_row_by_order<D, C, false, DensityBound::sharp>(row, h, axis, l, o);
+  }
+}
+
+template void flux_row_of<1, 1>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
+template void flux_row_of<1, 2>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
+template void flux_row_of<1, 3>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
+template void flux_row_of<2, 2>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
+template void flux_row_of<2, 3>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
+template void flux_row_of<3, 3>(const Row&, const RemapFluxHandles&, int, double,
+                                const SchemeOptions&, RemapLaw);
 
 void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
@@ -9,19 +140,16 @@ void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOpti
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int direction = o.axes.direction[axis];
     const auto face = static_cast<std::size_t>(axis);
-    const bool scaled = o.fluid.ideal() == nullptr;
+    const RemapLaw law = o.fluid.ideal() == nullptr                   ? RemapLaw::scaled
+                         : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
+                                                                      : RemapLaw::ideal;
     TaskBuilder task = list.task(names[axis], effect);
     RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
     h.flux = task.write(v.flux[face]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
-        if (scaled)
-          flux_row_of<D, C, true>(row, h, axis, l, o);
-        else if (o.density_bound == DensityBound::as_energy)
-          flux_row_of<D, C, false, DensityBound::as_energy>(row, h, axis, l, o);
-        else
-          flux_row_of<D, C, false>(row, h, axis, l, o);
+        flux_row_of<D, C>(row, h, axis, l, o, law);
       });
     });
   }

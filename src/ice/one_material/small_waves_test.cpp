@@ -5,7 +5,7 @@
 
 #include "ice/test_support/mixture.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::small_waves_test {
 namespace {
 
 class SmallWaves : public testing::TestWithParam<IntVec3> {};
@@ -37,4 +37,4 @@ INSTANTIATE_TEST_SUITE_P(InDirections, SmallWaves,
                                          IntVec3{12, 12, 12}));
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::small_waves_test

@@ -9,7 +9,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::criteria_test {
 namespace {
 
 // A periodic box of waves that are no function of one direction alone.
@@ -160,4 +160,4 @@ TEST(StateFunctions, AreThoseThatTasksCompute) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::criteria_test

@@ -6,7 +6,7 @@
 
 #include "ice/test_support/transport.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::step_labels_test {
 namespace {
 
 constexpr double round_off = 1e-13;
@@ -364,4 +364,4 @@ TEST(StepLabels, CostNothingUnsaved) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::step_labels_test

@@ -6,7 +6,7 @@
 #include "ice/test_support/scalars.hpp"
 #include "models/flame_sheet.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::heat_release_test {
 namespace {
 
 constexpr double cv = 2.5, cp = 3.5;  // R = 1: temperature p/rho
@@ -231,4 +231,4 @@ TEST(HeatOfMixing, OfGasesThatOnlySpreadIsNothing) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::heat_release_test

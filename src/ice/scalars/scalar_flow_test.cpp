@@ -3,7 +3,7 @@
 
 #include "ice/test_support/scalars.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::scalar_flow_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -224,4 +224,4 @@ TEST(ScalarEffect, IsAbsentWithoutScalars) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::scalar_flow_test

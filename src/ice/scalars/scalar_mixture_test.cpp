@@ -4,7 +4,7 @@
 #include "ice/test_support/mixture.hpp"
 #include "ice/test_support/scalars.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::scalar_mixture_test {
 namespace {
 
 Fluid light() {
@@ -92,4 +92,4 @@ TEST(ScalarInMixtures, DoesNotDependOnTheKindsOfBlocks) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::scalar_mixture_test

@@ -9,8 +9,9 @@
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/ice.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::source_tasks_test {
 namespace {
 
 using ::testing::Contains;
@@ -109,4 +110,4 @@ TEST(SourceTasks, BlocksOfAReactantRunTheGeneralGraph) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::source_tasks_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sluice::ice {
+namespace sluice::ice::custom_start_test {
 namespace {
 
 // A box of 10 by 10 by 10 cells over [2, 4]^3: no corner at zero.
@@ -167,4 +167,4 @@ TEST(CustomStart, TheLastOfTheDeckActsFirst) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::custom_start_test

@@ -12,7 +12,7 @@
 #include "framework/geometry/round.hpp"
 #include "ice/test_support/fluid.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::material_fill_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -252,4 +252,4 @@ TEST(MaterialFill, ADensityOfAnotherPressureIsKeptOrRefused) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::material_fill_test

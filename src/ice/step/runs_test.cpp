@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace sluice::ice {
+namespace sluice::ice::runs_test {
 namespace {
 
 // Keys that change seldom, so that runs are longer and shorter than what is looked at in one go.
@@ -186,4 +186,4 @@ TEST(Runs, SetsOfOneTellTheirMaterial) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::runs_test

@@ -5,7 +5,7 @@
 #include "framework/run/load_balance.hpp"
 #include "ice/test_support/tracers.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::tracers_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -312,4 +312,4 @@ TEST(Tracers, AreNotThereWithoutTheModel) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::tracers_test

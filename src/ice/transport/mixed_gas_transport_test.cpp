@@ -6,7 +6,7 @@
 
 #include "ice/test_support/transport.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::mixed_gas_transport_test {
 namespace {
 
 constexpr double cv[] = {1, 3}, mu[] = {2e-3, 5e-3}, k[] = {3e-3, 1e-2}, gas_ratio = .4;
@@ -91,4 +91,4 @@ TEST(MixedGasTransport, IsThatOfTheGasThatIsAlone) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::mixed_gas_transport_test

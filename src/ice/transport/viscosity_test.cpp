@@ -7,7 +7,7 @@
 
 #include "ice/ice.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::viscosity_test {
 namespace {
 
 SchemeOptions cube() {
@@ -74,4 +74,4 @@ TEST(Transport, FilterWidthIsTheMeanOfActiveSpacings) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::viscosity_test

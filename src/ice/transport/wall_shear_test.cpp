@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sluice::ice {
+namespace sluice::ice::wall_shear_test {
 namespace {
 
 TEST(WallShear, RoughWallFollowsTheLogarithmicLaw) {
@@ -63,4 +63,4 @@ TEST(SpongeLayer, HoldsTheCellsWhoseCentresLieInItsBoxes) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::wall_shear_test
