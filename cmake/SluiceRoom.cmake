@@ -1,6 +1,6 @@
 # sluice_room(NAME [USES rooms...] [LIBRARIES libs...])
 #   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
-#   The tests of a room are one executable NAME_test, its cases registered with ctest one by one.
+#   The tests of a room are one executable NAME_test: one test of ctest, labelled "cases".
 function(sluice_room name)
   cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -20,9 +20,10 @@ function(sluice_room name)
 endfunction()
 
 # sluice_test(NAME SOURCES files... USES rooms... [LABELS l...] [TIMEOUT s])
+#   ctest runs the executable as one process, without the full products (names that begin with
+#   Full); tools/test/run_tests.py selects among its cases, TIMEOUT is then that of a case.
 function(sluice_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES;LABELS" ${ARGN})
-  include(GoogleTest)
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 600)
   endif()
@@ -36,7 +37,7 @@ function(sluice_test name)
                    SLUICE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     endif()
   endforeach()
-  gtest_discover_tests(${name} NO_PRETTY_VALUES
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+  add_test(NAME ${name} COMMAND ${name} "--gtest_filter=-Full*"
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "cases;${TEST_LABELS}")
 endfunction()
