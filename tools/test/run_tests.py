@@ -28,7 +28,7 @@ TELL = 20  # seconds between lines of progress where there is no terminal
 def parse(words):
     p = argparse.ArgumentParser(prog="./dev test", description=__doc__.splitlines()[0],
                                 allow_abbrev=False)
-    p.add_argument("names", nargs="*", metavar="NAME", help="regular expressions, as after -R")
+    p.add_argument("names", nargs="*", metavar="NAME", help="as after -R; of an executable: all its cases")
     p.add_argument("-R", dest="also", action="append", default=[], metavar="NAME",
                    help="only tests and cases in whose name this regular expression is found")
     p.add_argument("-E", dest="without", action="append", default=[], metavar="NAME",
@@ -159,7 +159,7 @@ def selected(options, teller):
                 teller.tell(work.Verdict(suite.name, "failed", 0, words))
                 continue
             known += names
-            suite.cases = [n for n in names if choice.takes(n)]
+            suite.cases = [n for n in names if choice.takes(n, suite.name)]
             if suite.cases:
                 chosen.append(suite)
         else:

@@ -80,10 +80,11 @@ class Selection:
             return any(re.search(pattern, label) for label in suite.labels)
         return all(map(found, self.labels)) and not any(map(found, self.without_labels))
 
-    def takes(self, name):
+    def takes(self, name, suite=""):
+        """Whether a name is asked for; that of an executable asks for all its cases."""
         if self.full != "also" and bool(FULL.search(name)) != (self.full == "only"):
             return False
-        if self.names and not any(re.search(p, name) for p in self.names):
+        if self.names and not any(re.search(p, name) or p == suite for p in self.names):
             return False
         return not any(re.search(p, name) for p in self.without)
 
