@@ -28,7 +28,8 @@ TELL = 20  # seconds between lines of progress where there is no terminal
 def parse(words):
     p = argparse.ArgumentParser(prog="./dev test", description=__doc__.splitlines()[0],
                                 allow_abbrev=False)
-    p.add_argument("names", nargs="*", metavar="NAME", help="as after -R; of an executable: all its cases")
+    p.add_argument("names", nargs="*", metavar="NAME",
+                   help="as after -R; of an executable: all its cases")
     p.add_argument("-R", dest="also", action="append", default=[], metavar="NAME",
                    help="only tests and cases in whose name this regular expression is found")
     p.add_argument("-E", dest="without", action="append", default=[], metavar="NAME",

@@ -128,8 +128,9 @@ class Runs(unittest.TestCase):
 
     def test_selection_by_name_and_label(self):
         of = [self.speaker("One", "Two"), suites.Suite("lint.lines", ["true"], {"lint"})]
-        for words, count in ((["-R", "One"], 1), (["speaker_test"], 2), (["Two", "One"], 2), (["-L", "lint"], 1),
-                             (["-LE", "lint"], 2), (["-E", "Two"], 2), ([], 3)):
+        for words, count in ((["-R", "One"], 1), (["speaker_test"], 2), (["Two", "One"], 2),
+                             (["-L", "lint"], 1), (["-LE", "lint"], 2), (["-E", "Two"], 2),
+                             ([], 3)):
             status, told = self.run_all(*words, of=of)
             self.assertEqual((status, told.splitlines()[-1]), (0, f"{count} passed, 0 failed"))
         status, told = self.run_all("Twp", of=of)
