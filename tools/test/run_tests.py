@@ -79,8 +79,9 @@ class Teller:
         elif self.log and verdict.text:
             print(verdict.text, file=self.log)
 
-    def progress(self):
-        words = f"== tests: {len(self.done)} of {self.total}"
+    def progress(self, at_work):
+        """`at_work`: cases done by processes that have not ended yet."""
+        words = f"== tests: {len(self.done) + at_work} of {self.total}"
         if self.moving:
             self.stream.write(f"\r{words} \033[K")
             self.stream.flush()
@@ -131,7 +132,7 @@ def run(parts, jobs, teller, scratch):
                 if w.left:
                     waiting.insert(0, suites.Part(w.part.suite, w.left, w.part.seconds))
             at_work = still
-            teller.progress()
+            teller.progress(sum(len(w.verdicts) for w in at_work))
             time.sleep(POLL)
     finally:
         for w in at_work:
