@@ -189,25 +189,27 @@ INSTANTIATE_TEST_SUITE_P(
 // Decks by processes that are started once for each number of ranks.
 void expect_equal_on_ranks(int ranks, const std::vector<PropertyDeck>& decks);
 
-TEST(SameBitsOnTwoRanks, WholeRunsAndRestartsOfARunOnOneRank) {
-  expect_equal_on_ranks(2, decks_of_kinds());
+std::vector<PropertyDeck> those(std::vector<PropertyDeck> decks, bool on_levels) {
+  std::erase_if(decks, [&](const PropertyDeck& d) { return d.on_levels() != on_levels; });
+  return decks;
 }
 
-class SameBitsOnRanks : public testing::TestWithParam<int> {
- protected:
-  static std::vector<PropertyDeck> decks(bool on_levels) {
-    std::vector<PropertyDeck> some = property_decks();
-    std::erase_if(some, [&](const PropertyDeck& d) { return d.on_levels() != on_levels; });
-    return some;
-  }
-};
+TEST(KindsOnTwoRanks, WholeRunsAndRestartsOfARunOnOneRank) {
+  expect_equal_on_ranks(2, those(decks_of_kinds(), false));
+}
+
+TEST(KindsOnTwoRanks, RunsAndRestartsOnLevels) {
+  expect_equal_on_ranks(2, those(decks_of_kinds(), true));
+}
+
+class SameBitsOnRanks : public testing::TestWithParam<int> {};
 
 TEST_P(SameBitsOnRanks, WholeRunsAndRestartsOfARunOnOneRank) {
-  expect_equal_on_ranks(GetParam(), decks(false));
+  expect_equal_on_ranks(GetParam(), those(property_decks(), false));
 }
 
 TEST_P(SameBitsOnRanks, RunsAndRestartsOnLevels) {
-  expect_equal_on_ranks(GetParam(), decks(true));
+  expect_equal_on_ranks(GetParam(), those(property_decks(), true));
 }
 
 void expect_equal_on_ranks(int ranks, const std::vector<PropertyDeck>& decks) {
