@@ -6,6 +6,7 @@ import suites
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ALWAYS = "lint"  # label of tests that read every source
+OF_TESTS = ("inputs/", "regression/", "src/")  # where files lie that executables of tests read
 
 
 def git(*words):
@@ -34,8 +35,9 @@ class Reach:
         self.headers = self.read_headers()
         self.inputs = {}
         compiled = {f for deps in self.headers.values() for f in deps}
-        # Decks, golden results, tools: read when tests run, or by CMake.
+        # Decks, golden results, tools: read when tests run. Rules of the build reach everything.
         self.read = {f for f in self.files if f not in compiled and not f.startswith("docs/")}
+        self.rules = any("cmake" in f.lower() for f in self.files)
 
     def from_root(self, path):
         full = pathlib.Path(path)
@@ -75,14 +77,15 @@ class Reach:
         return self.inputs[target]
 
     def touches(self, suite):
-        if ALWAYS in suite.labels:
+        if ALWAYS in suite.labels or self.rules:
             return True
         sources = set().union(*map(self.behind, suite.command))
         if sources & self.files:
             return True
         if suites.CASES_LABEL not in suite.labels:
             return bool(self.read)
-        return bool(self.read) and any(self.reads_checkout(source) for source in sources)
+        return any(f.startswith(OF_TESTS) for f in self.read) and \
+            any(self.reads_checkout(source) for source in sources)
 
     def reads_checkout(self, source):
         """Whether a test opens files of the checkout, as decks."""

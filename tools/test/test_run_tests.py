@@ -193,6 +193,10 @@ class Reach(unittest.TestCase):
         self.assertFalse(self.reach().touches(tools))
         self.assertTrue(self.reach("tools/x.py").touches(tools))
 
+    def test_rules_of_the_build_reach_everything(self):
+        self.assertEqual(self.touched("src/ice/CMakeLists.txt"),
+                         {"ice_test": True, "deck_test": True})
+
 
 if __name__ == "__main__":
     unittest.main()
