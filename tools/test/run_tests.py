@@ -13,6 +13,8 @@ import json
 import os
 import pathlib
 import shutil
+import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -137,6 +139,7 @@ def run(parts, jobs, teller, scratch):
     finally:
         for w in at_work:
             w.stop()
+            w.log.close()
 
 
 def selected(options, teller):
@@ -180,11 +183,21 @@ def none_matches(options, known):
     return 2
 
 
+def end(*_):
+    """A signal to end is an interruption: what was started is ended with us."""
+    raise KeyboardInterrupt
+
+
 def main(words):
     options = parse(words)
+    signal.signal(signal.SIGTERM, end)
     log = open(options.log, "w", encoding="utf-8") if options.log else None
     teller = Teller(0, log)
-    chosen, known = selected(options, teller)
+    try:
+        chosen, known = selected(options, teller)
+    except (OSError, subprocess.CalledProcessError) as fault:
+        print(f"dev: cannot ask for the tests of {options.build}: {fault}", file=sys.stderr)
+        return 3
     if not chosen and not teller.done:
         if options.changed:
             teller.line("nothing that changed is reached by a test")

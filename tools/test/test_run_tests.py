@@ -1,6 +1,7 @@
 """Tests of the runner: verdicts of cases, crashes, hangs, selection, and what a change reaches."""
 import contextlib
 import io
+import os
 import pathlib
 import stat
 import sys
@@ -92,7 +93,10 @@ class Runs(unittest.TestCase):
             self.assertEqual(told.splitlines()[-1], "2 passed, 2 failed")
 
     def test_a_hang_is_ended_and_named_and_the_others_run(self):
-        status, told = self.run_all(of=[self.speaker("One", "Hangs", "Two", timeout=0.5)])
+        def overdue(w):  # whatever the load
+            return w.open_case == "Suite.Hangs"
+        with mock.patch.object(work.Work, "overdue", overdue):
+            status, told = self.run_all(of=[self.speaker("One", "Hangs", "Two", timeout=0.5)])
         self.assertEqual(status, 1)
         self.assertIn("FAILED Suite.Hangs", told)
         self.assertIn("stopped after 0.5 s", told)
@@ -152,6 +156,20 @@ class Runs(unittest.TestCase):
             parts = suites.parts_of(suite, times)
             self.assertGreater(len(parts), 2)
             self.assertEqual([c for p in parts for c in p.cases], suite.cases)
+
+    def test_what_was_started_ends_with_the_runner(self):
+        words = f"echo $$ > pid; kill -TERM {os.getpid()}; exec sleep 60"
+        suite = suites.Suite("slow", ["sh", "-c", words], set(), folder=str(self.folder))
+        status, told = self.run_all(of=[suite])
+        self.assertEqual((status, told.splitlines()[-1]), (130, "interrupted"))
+        with self.assertRaises(ProcessLookupError):
+            os.kill(int((self.folder / "pid").read_text()), 0)
+
+    def test_a_folder_that_is_no_build_is_told(self):
+        told = io.StringIO()
+        with contextlib.redirect_stderr(told):
+            self.assertEqual(run_tests.main(["--build", str(self.folder / "none")]), 3)
+        self.assertIn("cannot ask for the tests of", told.getvalue())
 
     def test_times_are_kept(self):
         self.run_all(of=[self.speaker("One")])

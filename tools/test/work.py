@@ -54,13 +54,16 @@ class Work:
         ended = self.process.poll() is not None
         self.hear()
         if not ended:
-            if time.monotonic() - self.last_word > self.part.suite.timeout:
+            if self.overdue():
                 self.stop()
             else:
                 return True
         self.judge_end()
         self.log.close()
         return False
+
+    def overdue(self):
+        return time.monotonic() - self.last_word > self.part.suite.timeout
 
     def stop(self):
         """Ends the process and its group; politely first, as launchers then end their ranks."""
