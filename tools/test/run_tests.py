@@ -105,13 +105,13 @@ class Teller:
         return not failed
 
 
-def run(parts, jobs, teller, scratch):
+def run(parts, jobs, teller, scratch, ending):
     """All parts, never more than `jobs` slots at a time: those that need several first, then long
     before short."""
     waiting = sorted(parts, key=lambda p: (-min(p.suite.slots, jobs), -p.seconds))
     at_work, number = [], 0
     try:
-        while waiting or at_work:
+        while (waiting or at_work) and not ending.asked:
             free = jobs - sum(min(w.part.suite.slots, jobs) for w in at_work)
             if waiting and min(waiting[0].suite.slots, jobs) <= free:
                 number += 1
@@ -183,14 +183,21 @@ def none_matches(options, known):
     return 2
 
 
-def end(*_):
-    """A signal to end is an interruption: what was started is ended with us."""
-    raise KeyboardInterrupt
+class Ending:
+    """Set by a signal to end, and looked at between processes: none is left behind half started."""
+    asked = False
+
+    def __init__(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, self.ask)
+
+    def ask(self, *_):
+        self.asked = True
 
 
 def main(words):
     options = parse(words)
-    signal.signal(signal.SIGTERM, end)
+    ending = Ending()
     log = open(options.log, "w", encoding="utf-8") if options.log else None
     teller = Teller(0, log)
     try:
@@ -214,12 +221,12 @@ def main(words):
     scratch = pathlib.Path(tempfile.mkdtemp(prefix="sluice_tests_"))
     began = time.monotonic()
     try:
-        run(parts, options.jobs, teller, scratch)
-    except KeyboardInterrupt:
-        teller.line("interrupted")
-        return 130
+        run(parts, options.jobs, teller, scratch, ending)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
+    if ending.asked:
+        teller.line("interrupted")
+        return 130
     measured = {v.name: v.seconds for v in teller.done if v.outcome != "skipped"}
     kept.write_text(json.dumps(times | measured, indent=0, sort_keys=True))
     if options.times:
