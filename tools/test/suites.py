@@ -7,7 +7,9 @@ import subprocess
 
 CASES_LABEL = "cases"  # of a googletest executable: its cases are selected and told one by one
 FULL = re.compile(r"^Full(/|[A-Z])")  # names of cases that ./dev verify properties runs
-UNKNOWN_SECONDS = 0.05  # of a case that has not been timed here yet
+# Seconds of a case that has not been timed here yet: of a function, of whole runs.
+UNKNOWN_SECONDS, UNKNOWN_RUN = 0.05, 0.5
+RUNS = {"verification", "properties"}  # labels of suites whose cases are whole runs
 
 
 @dataclasses.dataclass
@@ -102,8 +104,9 @@ def parts_of(suite, times, longest=10.0, most=60):
     if suite.cases is None:
         return [Part(suite, None, times.get(suite.name, 1.0))]
     parts, cases, seconds = [], [], 0.0
+    unknown = UNKNOWN_RUN if suite.labels & RUNS else UNKNOWN_SECONDS
     for name in suite.cases:
-        expected = times.get(name, UNKNOWN_SECONDS)
+        expected = times.get(name, unknown)
         new_here = sum(n not in times for n in cases)
         if cases and (seconds + expected > longest or new_here >= most):
             parts.append(Part(suite, cases, seconds))
