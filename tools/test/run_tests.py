@@ -48,9 +48,9 @@ def parse(words):
     p.add_argument("-j", dest="jobs", type=int, default=os.cpu_count(), metavar="N")
     p.add_argument("--timeout", type=float, metavar="SECONDS", help="of a case, of a command")
     p.add_argument("--list", action="store_true", help="only name them")
-    p.add_argument("--log", help="file that gets the output of every case")
+    p.add_argument("--log", help=argparse.SUPPRESS)  # gets the output of every case
     p.add_argument("--times", help="file that gets the seconds of every case")
-    p.add_argument("--build", required=True, metavar="FOLDER")
+    p.add_argument("--build", required=True, help=argparse.SUPPRESS)
     return p.parse_intermixed_args(words)
 
 
