@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double seconds_allowed = 10;  // of the processor
 constexpr std::size_t decks_expected = 400;
 constexpr std::size_t decks_promised = 30;
 
@@ -78,6 +80,7 @@ class PeerDecks : public ::testing::Test {
 
 TEST_F(PeerDecks, EndAsGoodNotBuiltOrTrulyFaulty) {
   const Schema schema = sluice_schema();
+  const std::clock_t begin = std::clock();
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator("inputs")) {
     if (entry.path().extension() != ".ups") continue;
@@ -94,7 +97,9 @@ TEST_F(PeerDecks, EndAsGoodNotBuiltOrTrulyFaulty) {
     }
     EXPECT_TRUE(found) << file << ": expected " << expected->second;
   }
+  const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_GE(count, decks_expected);
+  EXPECT_LT(taken, seconds_allowed);
 }
 
 TEST_F(PeerDecks, ThatMustRunAreGood) {
