@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "app/command_test_support.hpp"
+#include "sluice_source_dir.hpp"
 
-namespace sluice {
+namespace sluice::run_ending_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -140,4 +141,4 @@ TEST(CommandToContinue, IsForAnyShellAndFolder) {
 }
 
 }  // namespace
-}  // namespace sluice
+}  // namespace sluice::run_ending_test

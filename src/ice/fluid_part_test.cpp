@@ -7,7 +7,7 @@
 #include "framework/task/sweep_executor.hpp"
 #include "ice/test_support/classic.hpp"
 
-namespace sluice::ice {
+namespace sluice::ice::fluid_part_test {
 namespace {
 
 // A closed box of gas that flies apart under gravity, so that all sums and maxima are at work.
@@ -110,4 +110,4 @@ TEST(FluidPart, StoresUnderTheScenesNumbers) {
 }
 
 }  // namespace
-}  // namespace sluice::ice
+}  // namespace sluice::ice::fluid_part_test
