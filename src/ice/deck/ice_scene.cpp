@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/scene/deck_values.hpp"
+#include "framework/scene/empty_pieces.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/deck/schema.hpp"
@@ -37,7 +38,7 @@ std::optional<FormulaFill> read_formula(const DeckNode* ice) {
 }
 
 IceMaterial read_material(const DeckNode& node, int index, const GeometryReader& geometry,
-                          std::vector<Fault>& faults) {
+                          const Grid& grid, std::vector<Fault>& faults) {
   IceMaterial m;
   m.index = index;
   m.name = node.attribute("name").value_or("");
@@ -49,8 +50,10 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.conductivity = node.real("thermal_conductivity");
   m.conductivity_where = place(node.child("thermal_conductivity"));
   m.surrounding = boolean_or(node, "isSurroundingMatl", false);
-  for (const DeckNode* object : node.all("geom_object"))
+  for (const DeckNode* object : node.all("geom_object")) {
     m.objects.push_back(geometry.object(*object, faults));
+    warn_of_empty_pieces(*object, m.objects.back(), geometry, grid, faults);
+  }
   return m;
 }
 
@@ -207,7 +210,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const GeometryReader geometry(root, faults);
   for (const DeckNode* node : ice_materials(root))
     s.materials.push_back(
-        read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
+        read_material(*node, static_cast<int>(s.materials.size()), geometry, scene.grid, faults));
   if (const DeckNode* ice = root.find("CFD/ICE")) {
     s.turbulence = read_turbulence(*ice);
     s.wall_shear = read_wall_shear(*ice, scene, faults);

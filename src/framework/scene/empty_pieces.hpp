@@ -1,0 +1,17 @@
+// Geometry that lies between the points at which cells look for it, or outside of the domain.
+#pragma once
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+#include "framework/grid/level.hpp"
+#include "framework/scene/geometry_reader.hpp"
+
+namespace sluice {
+
+// Warns of every piece of a <geom_object> that covers no cell of any level; `object` is what the
+// reader made of the node.
+void warn_of_empty_pieces(const DeckNode& node, const GeomObject& object,
+                          const GeometryReader& geometry, const Grid& grid,
+                          std::vector<Fault>& faults);
+
+}  // namespace sluice
