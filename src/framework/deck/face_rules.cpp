@@ -106,7 +106,7 @@ bool same_values(const DeckNode& a, const DeckNode& b) {
   return one == other;
 }
 
-// "all", the indices, or nothing where <DefaultMaterial> says it: what messages call them.
+// "all", the indices, or nothing where the deck does not say it: what messages call them.
 std::vector<std::string> materials_of(const DeckNode& condition) {
   const auto id = condition.attribute("id"), ids = condition.attribute("ids");
   if (!id && !ids) return {""};

@@ -199,7 +199,7 @@ TEST(PieceLabels, ThatHoldThemselvesEnd) {
 }
 
 // Conditions of a second face of one place follow those of the first; other places stay.
-TEST(MergeFaces, JoinsThoseOfOnePlace) {
+TEST(SettleFaces, JoinsThoseOfOnePlace) {
   Deck deck = read_deck_text(
       "<Uintah_specification><Grid><BoundaryConditions>\n"
       "<Face side='x-'><BCType label='a'/></Face>\n"
@@ -210,7 +210,7 @@ TEST(MergeFaces, JoinsThoseOfOnePlace) {
       "<Face/><Face/>"
       "</BoundaryConditions></Grid></Uintah_specification>",
       "faces.ups");
-  merge_faces(*deck.root, deck.faults);
+  settle_faces(*deck.root, deck.faults);
   const auto faces = deck.root->find("Grid/BoundaryConditions")->all("Face");
   ASSERT_EQ(faces.size(), 5u);
   const auto labels = [&](std::size_t face) {
@@ -225,6 +225,19 @@ TEST(MergeFaces, JoinsThoseOfOnePlace) {
             "faces.ups:3:1 (write all conditions of a face in one <Face>)\n"
             "faces.ups:6:1: warning: second <Face side=\"x-\">; merged with the first at "
             "faces.ups:2:1 (write all conditions of a face in one <Face>)\n");
+}
+
+TEST(SettleFaces, GivesConditionsTheDefaultMaterial) {
+  Deck deck = read_deck_text(
+      "<Uintah_specification><Grid><BoundaryConditions><DefaultMaterial>1</DefaultMaterial>"
+      "<Face side='x-'><BCType/><BCType id='all'/><BCType ids='[0,2]'/></Face>"
+      "</BoundaryConditions></Grid></Uintah_specification>",
+      "faces.ups");
+  settle_faces(*deck.root, deck.faults);
+  const auto conditions = deck.root->find("Grid/BoundaryConditions/Face")->all("BCType");
+  EXPECT_EQ(conditions.at(0)->attribute("id"), "1");
+  EXPECT_EQ(conditions.at(1)->attribute("id"), "all");
+  EXPECT_EQ(conditions.at(2)->attribute("id"), std::nullopt);
 }
 
 TEST(Obsolete, TagsMapOrDropWithOneWarningEach) {

@@ -22,25 +22,33 @@ bool covers_a_cell(const GeometryPiece& piece, IntVec3 res, const Level& level) 
                      [&](const GridBox& box) { return inside(box.cells); });
 }
 
-}  // namespace
-
-void warn_of_empty_pieces(const DeckNode& node, const GeomObject& object,
-                          const GeometryReader& geometry, const Grid& grid,
-                          std::vector<Fault>& faults) {
-  if (object.piece == nullptr) return;  // told already
-  std::vector<const DeckNode*> pieces;
-  for (const auto& child : node.children)
-    if (GeometryReader::is_piece(child->name)) pieces.push_back(child.get());
-  std::vector<Fault> told;
-  for (const DeckNode* tag : pieces) {
-    const PiecePtr piece = pieces.size() == 1 ? object.piece : geometry.piece(*tag, told);
+void check_object(const DeckNode& node, const GeometryReader& geometry, const Grid& grid,
+                  std::vector<Fault>& faults) {
+  std::vector<Fault> told;  // already, by the reader of the object
+  const IntVec3 res = geometry.object(node, told).res;
+  for (const auto& tag : node.children) {
+    if (!GeometryReader::is_piece(tag->name)) continue;
+    const PiecePtr piece = geometry.piece(*tag, told);
+    if (piece == nullptr) continue;
     const bool covers =
         std::any_of(grid.levels.begin(), grid.levels.end(),
-                    [&](const Level& level) { return covers_a_cell(*piece, object.res, level); });
+                    [&](const Level& level) { return covers_a_cell(*piece, res, level); });
     if (covers) continue;
     add_warning(faults, tag->where, fmt::format("<{}> covers no cell: no effect", tag->name),
                 "it must hold centres of cells, or sub-points where <res> asks for several");
   }
+}
+
+}  // namespace
+
+void warn_of_empty_pieces(const DeckNode& block, const GeometryReader& geometry, const Grid& grid,
+                          std::vector<Fault>& faults) {
+  if (block.name == "TracerParticles") return;  // they start at points of their own
+  for (const auto& child : block.children)
+    if (child->name == "geom_object")
+      check_object(*child, geometry, grid, faults);
+    else
+      warn_of_empty_pieces(*child, geometry, grid, faults);
 }
 
 }  // namespace sluice

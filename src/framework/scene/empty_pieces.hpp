@@ -8,10 +8,8 @@
 
 namespace sluice {
 
-// Warns of every piece of a <geom_object> that covers no cell of any level; `object` is what the
-// reader made of the node.
-void warn_of_empty_pieces(const DeckNode& node, const GeomObject& object,
-                          const GeometryReader& geometry, const Grid& grid,
+// Warns of every piece in the <geom_object>s of a block that covers no cell of any level.
+void warn_of_empty_pieces(const DeckNode& block, const GeometryReader& geometry, const Grid& grid,
                           std::vector<Fault>& faults);
 
 }  // namespace sluice

@@ -38,7 +38,7 @@ std::optional<FormulaFill> read_formula(const DeckNode* ice) {
 }
 
 IceMaterial read_material(const DeckNode& node, int index, const GeometryReader& geometry,
-                          const Grid& grid, std::vector<Fault>& faults) {
+                          std::vector<Fault>& faults) {
   IceMaterial m;
   m.index = index;
   m.name = node.attribute("name").value_or("");
@@ -50,10 +50,8 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   m.conductivity = node.real("thermal_conductivity");
   m.conductivity_where = place(node.child("thermal_conductivity"));
   m.surrounding = boolean_or(node, "isSurroundingMatl", false);
-  for (const DeckNode* object : node.all("geom_object")) {
+  for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(geometry.object(*object, faults));
-    warn_of_empty_pieces(*object, m.objects.back(), geometry, grid, faults);
-  }
   return m;
 }
 
@@ -210,7 +208,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const GeometryReader geometry(root, faults);
   for (const DeckNode* node : ice_materials(root))
     s.materials.push_back(
-        read_material(*node, static_cast<int>(s.materials.size()), geometry, scene.grid, faults));
+        read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
   if (const DeckNode* ice = root.find("CFD/ICE")) {
     s.turbulence = read_turbulence(*ice);
     s.wall_shear = read_wall_shear(*ice, scene, faults);
@@ -231,6 +229,9 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
   warn_of_vortices(deck, scene, s, faults);
+  for (const auto& block : root.children)
+    if (block->name == "MaterialProperties" || block->name == "Models")
+      warn_of_empty_pieces(*block, geometry, scene.grid, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

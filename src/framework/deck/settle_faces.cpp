@@ -1,4 +1,5 @@
-// Faces given twice become one, so that nobody after this has to join their conditions.
+// Faces as everybody after this sees them: each place once, with all its conditions, each condition
+// with its material.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,12 +41,7 @@ std::string side_text(const Place& place) {
              : fmt::format(" {}=\"{}\"", place.texts.begin()->first, place.texts.begin()->second);
 }
 
-}  // namespace
-
-void merge_faces(DeckNode& root, std::vector<Fault>& faults) {
-  DeckNode* grid = root.child("Grid");
-  DeckNode* conditions = grid == nullptr ? nullptr : grid->child("BoundaryConditions");
-  if (conditions == nullptr) return;
+void merge_faces(DeckNode& conditions, std::vector<Fault>& faults) {
   std::map<Place, DeckNode*> known;
   const auto joins_an_earlier_one = [&](const std::unique_ptr<DeckNode>& face) {
     if (face->name != "Face") return false;
@@ -61,7 +57,27 @@ void merge_faces(DeckNode& root, std::vector<Fault>& faults) {
               std::back_inserter(first->second->children));
     return true;
   };
-  std::erase_if(conditions->children, joins_an_earlier_one);
+  std::erase_if(conditions.children, joins_an_earlier_one);
+}
+
+void give_default_material(DeckNode& conditions) {
+  const DeckNode* material = conditions.child("DefaultMaterial");
+  if (material == nullptr) return;
+  for (const auto& face : conditions.children)
+    for (const auto& condition : face->children)
+      if (condition->name == "BCType" && !condition->attribute("id") &&
+          !condition->attribute("ids"))
+        condition->attributes.emplace_back("id", material->text);
+}
+
+}  // namespace
+
+void settle_faces(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* grid = root.child("Grid");
+  DeckNode* conditions = grid == nullptr ? nullptr : grid->child("BoundaryConditions");
+  if (conditions == nullptr) return;
+  merge_faces(*conditions, faults);
+  give_default_material(*conditions);
 }
 
 }  // namespace sluice
