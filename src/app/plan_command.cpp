@@ -92,7 +92,7 @@ void add_plan_command(CLI::App& app, int& exit_status) {
   command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command->add_option("--ranks", o->ranks, "Plan for so many ranks");
-  command->add_option("--threads", o->threads, "Plan for so many threads a rank");
+  command->add_option("--threads", o->threads, "Plan for so many threads per rank");
   command->add_flag("--force-all", o->force_all, "As sluice run --force-all");
   command->add_flag("--force-directions", o->force_directions,
                     "Treat every direction as a dimension of the run");

@@ -28,7 +28,7 @@ void add_plot_command(CLI::App& app, int& exit_status) {
                     "Every cell of a 2-D or 3-D run against its distance from the origin");
   command
       ->add_option("--levels", request->levels,
-                   "What is drawn of finer levels: boxes (usual), the regridder's tiles, only "
+                   "What is drawn of finer levels: boxes (default), the regridder's tiles, only "
                    "outer edges, or none")
       ->check(CLI::IsMember({"boxes", "tiles", "edges", "none"}));
   command->add_option("--exact", request->exact,

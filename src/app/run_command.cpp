@@ -167,7 +167,7 @@ void add_run_command(CLI::App& app, int& exit_status) {
   command->add_option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command->add_option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command->add_flag("--force-all", o->force_all,
-                    "Let no block sleep and leave out no work (to measure the savings)");
+                    "Skip no block and leave out no work (to measure the savings)");
   command->add_flag("--force-directions", o->force_directions,
                     "Treat every direction as a dimension of the run");
   command->add_flag("--no-output", o->no_output, "Write no archive");
