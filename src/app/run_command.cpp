@@ -176,7 +176,7 @@ void add_run_command(CommandLine& line) {
   command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command.flag("--force-all", o->force_all,
-               "Let no block sleep and leave out no work (to measure the savings)");
+               "Skip no block and leave out no work (to measure the savings)");
   command.flag("--force-directions", o->force_directions,
                "Treat every direction as a dimension of the run");
   command.flag("--no-output", o->no_output, "Write no archive");
