@@ -119,7 +119,7 @@ int run_on(Communicator& ranks, const Options& o) {
   options.limits.wall_seconds = o.wall_limit.value_or(0);
   options.progress = progress_of(o);
   options.limits.tell = !o.quiet && options.progress != ProgressMode::none;
-  options.program = std::string("sluice ") + version::kText;
+  options.program = fmt::format("sluice {}", version::kText);
   options.deck_xml = to_xml(*loaded->deck.root);
   // A link to the newest archive will lead to the one that this run makes.
   if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);
