@@ -53,7 +53,7 @@ FLOORS = {
 # Houses whose files all lie in rooms.
 NO_TOP = {"framework"}
 # Arrows inside one rank that are wanted: (from, to).
-SIDEWAYS = {("framework/task", "framework/solve"), ("exact", "eos")}
+SIDEWAYS = {("exact", "eos")}
 TEST_SUPPORT = "test_support"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

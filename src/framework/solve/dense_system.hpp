@@ -1,0 +1,74 @@
+// A system as solvers see it: one window of cells, whole on every rank, checked.
+//
+// The window is the bounding box of the level's boxes; cells of it that are in no box have the
+// diagonal 1 and no coupling. So nothing that a solver computes depends on boxes or ranks. The
+// window's directions are put into the order that suits the solver (DenseShape).
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "framework/solve/cell_matrix.hpp"
+#include "framework/solve/multigrid_level.hpp"
+#include "framework/solve/solver_settings.hpp"
+
+namespace sluice::solve {
+
+using DenseVector = std::vector<double>;
+
+class DenseSystem {
+ public:
+  // Throws PhysicsError that names the first cell whose row no solver may see: a coefficient that
+  // is not finite, an empty row, a diagonal that is not positive, a coupling with no cell.
+  explicit DenseSystem(const CellMatrix& matrix);
+
+  const DenseShape& shape() const { return shape_; }
+  const DenseVector& diagonal() const { return diagonal_; }
+  const DenseVector& low(int d) const { return low_[d]; }
+  bool singular() const { return singular_; }  // every row sums to 0
+  std::int64_t unknowns() const { return unknowns_; }
+  // Couplings as positive numbers and the sums of rows.
+  DenseEquations equations() const;
+  std::string cell_name(std::ptrdiff_t c) const;
+
+  DenseVector vector() const { return DenseVector(shape_.size(), 0.0); }
+  // Collective: boxes of all ranks into the window, and back into the boxes of this one.
+  void load(const ConstBoxViews& boxes, DenseVector& v) const;
+  void store(const DenseVector& v, const BoxViews& boxes) const;
+  // Throws PhysicsError that names the first cell whose number is not finite.
+  void need_finite(const DenseVector& v, const char* what) const;
+
+  // out = A x; fills the ghosts of x.
+  void apply(DenseVector& x, DenseVector& out) const;
+  void residual(const DenseVector& b, DenseVector& x, DenseVector& r) const;
+  double dot(const DenseVector& a, const DenseVector& b) const;  // by exact sums, as all below
+  double sum(const DenseVector& v) const;
+  double norm(const DenseVector& v, Norm kind) const;
+  void remove_mean(DenseVector& v) const;
+
+  // row(c): for every row of the window, its first cell.
+  template <class F>
+  void for_rows(F&& row) const {
+    for (int k = 0; k < shape_.count[2]; ++k)
+      for (int j = 0; j < shape_.count[1]; ++j) row(shape_.at(0, j, k));
+  }
+
+ private:
+  void choose_directions(const CellMatrix& matrix, const std::array<double, 3>& couplings);
+  void need_rows() const;
+  void need_neighbours() const;
+  void fold_own_neighbours();
+  IntVec3 cell_of(std::ptrdiff_t c) const;
+  std::ptrdiff_t place_of(IntVec3 cell) const;
+
+  const Level* level_;
+  IndexBox window_;
+  std::array<int, 3> axis_{0, 1, 2};  // direction of the level, by direction of the window
+  DenseShape shape_;
+  std::vector<char> present_;
+  DenseVector diagonal_, low_[3];
+  std::int64_t unknowns_ = 0;
+  bool singular_ = false;
+};
+
+}  // namespace sluice::solve

@@ -1,0 +1,106 @@
+// Checks and the recomputed residual around a solver; the solvers by name.
+#include "framework/solve/linear_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "framework/base/error.hpp"
+#include "framework/base/text.hpp"
+#include "framework/solve/gradient_solver.hpp"
+
+namespace sluice::solve {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// A solver whose own residual met the goal while the true one does not may go on this often.
+constexpr int most_attempts = 4;
+
+}  // namespace
+
+void LinearSolver::set_up(const CellMatrix& matrix) {
+  const auto start = Clock::now();
+  system_.emplace(matrix);
+  b_ = system_->vector();
+  x_ = b_;
+  r_ = b_;
+  kept_ = b_;
+  prepare(*system_);
+  set_up_seconds_ = seconds_since(start);
+}
+
+// Attempts until the true residual meets the goal, a solver gives up or nothing improves.
+void LinearSolver::iterate(DenseVector& x, const Goal& goal, SolveReport& report) {
+  double before = report.residuals.back();
+  for (int n = 0; n < most_attempts && before > goal.residual; ++n) {
+    const Goal rest{goal.residual, goal.max_iterations - report.iterations};
+    if (rest.max_iterations < 1) break;
+    kept_ = x;
+    const Attempt attempt = this->attempt(*system_, b_, x, rest);
+    report.iterations += attempt.iterations;
+    report.residuals.insert(report.residuals.end(), attempt.residuals.begin(),
+                            attempt.residuals.end());
+    report.reason = attempt.failure;
+    if (system_->singular()) system_->remove_mean(x);
+    system_->residual(b_, x, r_);
+    double now = system_->norm(r_, settings_.norm);
+    if (!std::isfinite(now)) {
+      x = kept_;
+      report.reason = "the solver's result is not finite";
+      report.residuals.push_back(before);
+      return;
+    }
+    report.residuals.push_back(now);
+    const bool gains = now < 0.5 * before;
+    before = now;
+    if (!attempt.failure.empty() || !gains) break;
+  }
+}
+
+SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews& x) {
+  if (!system_) throw PhysicsError("linear system: solve before set-up");
+  const auto start = Clock::now();
+  SolveReport report;
+  report.set_up_seconds = set_up_seconds_;
+  system_->load(right_side, b_);
+  system_->need_finite(b_, "right-hand side");
+  system_->load({x.begin(), x.end()}, x_);
+  system_->need_finite(x_, "start");
+  if (system_->singular()) system_->remove_mean(b_);
+  report.right_side = system_->norm(b_, settings_.norm);
+  const Goal goal{std::max(settings_.tolerance * report.right_side, settings_.absolute_tolerance),
+                  settings_.max_iterations};
+  if (report.right_side == 0) std::fill(x_.begin(), x_.end(), 0.0);
+  if (system_->singular()) system_->remove_mean(x_);
+  system_->residual(b_, x_, r_);
+  report.residuals.push_back(system_->norm(r_, settings_.norm));
+  iterate(x_, goal, report);
+  const double left = report.residuals.back();
+  report.converged = left <= goal.residual;
+  if (report.converged) {
+    report.reason.clear();
+  } else {
+    if (report.reason.empty()) report.reason = "no further gain: round-off";
+    report.reason = fmt::format("residual {:.3g} after {} iterations, {:.3g} wanted: {}", left,
+                                report.iterations, goal.residual, report.reason);
+  }
+  system_->store(x_, x);
+  report.solve_seconds = seconds_since(start);
+  return report;
+}
+
+std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings) {
+  if (const auto faults = faults_of(settings); !faults.empty())
+    throw InputError(join(faults, "\n"));
+  if (settings.type != "CGSolver")
+    throw InputError(fmt::format("solver type '{}' is not supported; CGSolver is", settings.type));
+  return std::make_unique<GradientSolver>(settings);
+}
+
+}  // namespace sluice::solve

@@ -1,0 +1,276 @@
+// Smoothing, residuals and transfers of one grid.
+#include "framework/solve/multigrid_level.hpp"
+
+#include <algorithm>
+
+namespace sluice::solve {
+namespace {
+
+// What the neighbours of cell i of a row contribute; opposite ones are added first, so that mirror
+// images give the same bits.
+template <class Real>
+struct Couplings {
+  const Real *low0, *low1, *high1, *low2, *high2;
+  const Real *x, *below1, *above1, *below2, *above2;
+
+  template <bool Deep>
+  [[gnu::always_inline]] Real across(int i) const {
+    Real sum = low0[i] * x[i - 1] + low0[i + 1] * x[i + 1];
+    if constexpr (Deep) sum += low2[i] * below2[i] + high2[i] * above2[i];
+    return sum;
+  }
+  [[gnu::always_inline]] Real along(int i) const {
+    return low1[i] * below1[i] + high1[i] * above1[i];
+  }
+};
+
+template <class Real>
+Couplings<Real> couplings_of(const DenseShape& s, const std::vector<Real> (&low)[3], const Real* x,
+                             std::ptrdiff_t row) {
+  const std::ptrdiff_t s1 = s.stride(1), s2 = s.stride(2);
+  return {low[0].data() + row,
+          low[1].data() + row,
+          low[1].data() + row + s1,
+          low[2].data() + row,
+          low[2].data() + row + s2,
+          x + row,
+          x + row - s1,
+          x + row + s1,
+          x + row - s2,
+          x + row + s2};
+}
+
+}  // namespace
+
+double DenseEquations::diagonal(std::ptrdiff_t c) const {
+  double d = sum[static_cast<std::size_t>(c)];
+  for (int a = 0; a < 3; ++a) {
+    if (a == 2 && !shape.deep()) continue;
+    d +=
+        low[a][static_cast<std::size_t>(c)] + low[a][static_cast<std::size_t>(c + shape.stride(a))];
+  }
+  return d;
+}
+
+std::array<double, 3> DenseEquations::mean_couplings() const {
+  std::array<double, 3> mean{};
+  for (int d = 0; d < 3; ++d) {
+    if (shape.count[d] == 1) continue;
+    double total = 0;
+    for (int k = 0; k < shape.count[2]; ++k)
+      for (int j = 0; j < shape.count[1]; ++j) {
+        const double* row = low[d].data() + shape.at(0, j, k);
+        for (int i = 0; i < shape.count[0]; ++i) total += row[i];
+      }
+    mean[d] = total / static_cast<double>(shape.cells());
+  }
+  return mean;
+}
+
+DenseEquations DenseEquations::coarsened(std::array<int, 3> ratio) const {
+  DenseEquations coarse;
+  coarse.shape.periodic = shape.periodic;
+  for (int d = 0; d < 3; ++d) coarse.shape.count[d] = (shape.count[d] + ratio[d] - 1) / ratio[d];
+  for (auto& v : coarse.low) v.assign(coarse.shape.size(), 0.0);
+  coarse.sum.assign(coarse.shape.size(), 0.0);
+  for (int k = 0; k < shape.count[2]; ++k)
+    for (int j = 0; j < shape.count[1]; ++j)
+      for (int i = 0; i < shape.count[0]; ++i) {
+        const auto f = static_cast<std::size_t>(shape.at(i, j, k));
+        const auto c =
+            static_cast<std::size_t>(coarse.shape.at(i / ratio[0], j / ratio[1], k / ratio[2]));
+        coarse.sum[c] += sum[f];
+        if (i % ratio[0] == 0) coarse.low[0][c] += low[0][f] / ratio[0];
+        if (j % ratio[1] == 0) coarse.low[1][c] += low[1][f] / ratio[1];
+        if (k % ratio[2] == 0) coarse.low[2][c] += low[2][f] / ratio[2];
+      }
+  // A cell that has become its own neighbour is not coupled.
+  for (int d = 0; d < 3; ++d) {
+    if (coarse.shape.count[d] == 1) std::fill(coarse.low[d].begin(), coarse.low[d].end(), 0.0);
+    wrap(coarse.shape, coarse.low[d].data());
+  }
+  return coarse;
+}
+
+template <class Real>
+MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool lines)
+    : shape_(e.shape) {
+  const std::size_t n = shape_.size();
+  for (int d = 0; d < 3; ++d) {
+    low_[d].assign(n, 0);
+    for (std::size_t c = 0; c < n; ++c) low_[d][c] = static_cast<Real>(scale * e.low[d][c]);
+  }
+  diagonal_.assign(n, 1);
+  x_.assign(n, 0);
+  b_.assign(n, 0);
+  residual_.assign(static_cast<std::size_t>(shape_.row()) + 1, 0);
+  if (lines) pivot_.assign(n, 0);
+  for (int k = 0; k < shape_.count[2]; ++k)
+    for (int i = 0; i < shape_.count[0]; ++i) {
+      double before = 0;  // the inverse pivot of the cell below
+      for (int j = 0; j < shape_.count[1]; ++j) {
+        const std::ptrdiff_t c = shape_.at(i, j, k);
+        const double diagonal = scale * e.diagonal(c);
+        const double low = scale * e.low[1][static_cast<std::size_t>(c)];
+        sum_ += scale * e.sum[static_cast<std::size_t>(c)];
+        if (diagonal > 0) diagonal_[static_cast<std::size_t>(c)] = static_cast<Real>(diagonal);
+        if (!lines) continue;
+        const double rest = (diagonal > 0 ? diagonal : 1.0) - (j > 0 ? low * low * before : 0.0);
+        before = rest > 1e-13 * diagonal ? 1 / rest : 0.0;
+        pivot_[static_cast<std::size_t>(c)] = static_cast<Real>(before);
+      }
+    }
+}
+
+template <class Real>
+void MultigridLevel<Real>::first_sweep(int k) {
+  if (lines()) {
+    if (k == 0) std::fill(x_.begin(), x_.end(), Real{0});
+    sweep(k, 0);
+    return;
+  }
+  const int n = shape_.count[0];
+  for (int j = 0; j < shape_.count[1]; ++j) {
+    const std::ptrdiff_t row = shape_.at(0, j, k);
+    Real* x = x_.data() + row;
+    const Real* b = b_.data() + row;
+    const Real* diagonal = diagonal_.data() + row;
+    const int parity = (j + k) & 1;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const Real value = b[i] / diagonal[i];
+      x[i] = ((i ^ parity) & 1) == 0 ? value : Real{0};
+    }
+  }
+}
+
+template <class Real>
+template <bool Deep>
+void MultigridLevel<Real>::sweep_points(int k, int colour) {
+  const int n = shape_.count[0];
+  for (int j = 0; j < shape_.count[1]; ++j) {
+    const std::ptrdiff_t row = shape_.at(0, j, k);
+    Real* x = x_.data() + row;
+    const Real* b = b_.data() + row;
+    const Real* diagonal = diagonal_.data() + row;
+    const Couplings<Real> c = couplings_of<Real>(shape_, low_, x_.data(), row);
+    const int parity = (j + k + colour) & 1;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const Real value = (b[i] + (c.template across<Deep>(i) + c.along(i))) / diagonal[i];
+      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
+    }
+  }
+}
+
+// Forward elimination leaves its values in the ghost-free rows of the solution: the colour's own
+// cells hold nothing that is still needed.
+template <class Real>
+template <bool Deep>
+void MultigridLevel<Real>::sweep_lines(int k, int colour) {
+  const int n = shape_.count[0];
+  const int last = shape_.count[1] - 1;
+  const int parity = (k + colour) & 1;
+  const std::ptrdiff_t s1 = shape_.stride(1);
+  for (int j = 0; j <= last; ++j) {
+    const std::ptrdiff_t row = shape_.at(0, j, k);
+    Real* x = x_.data() + row;
+    const Real* b = b_.data() + row;
+    const Real* pivot = pivot_.data() + row;
+    const Couplings<Real> c = couplings_of<Real>(shape_, low_, x_.data(), row);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const Real before = c.low1[i] * c.below1[i];
+      const Real value = (b[i] + (c.template across<Deep>(i) + before)) * pivot[i];
+      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
+    }
+  }
+  for (int j = last - 1; j >= 0; --j) {
+    const std::ptrdiff_t row = shape_.at(0, j, k);
+    Real* x = x_.data() + row;
+    const Real* high = low_[1].data() + row + s1;
+    const Real* pivot = pivot_.data() + row;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      const Real value = x[i] + pivot[i] * high[i] * x[i + s1];
+      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
+    }
+  }
+}
+
+template <class Real>
+void MultigridLevel<Real>::sweep(int k, int colour) {
+  if (lines()) {
+    shape_.deep() ? sweep_lines<true>(k, colour) : sweep_lines<false>(k, colour);
+  } else {
+    shape_.deep() ? sweep_points<true>(k, colour) : sweep_points<false>(k, colour);
+  }
+}
+
+template <class Real>
+template <bool Deep>
+void MultigridLevel<Real>::residual_row(int j, int k) {
+  const int n = shape_.count[0];
+  const std::ptrdiff_t row = shape_.at(0, j, k);
+  const Real* x = x_.data() + row;
+  const Real* b = b_.data() + row;
+  const Real* diagonal = diagonal_.data() + row;
+  const Couplings<Real> c = couplings_of<Real>(shape_, low_, x_.data(), row);
+  Real* r = residual_.data();
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i)
+    r[i] = (b[i] - diagonal[i] * x[i]) + (c.template across<Deep>(i) + c.along(i));
+  r[n] = 0;  // the missing partner of the last cell
+}
+
+template <class Real>
+void MultigridLevel<Real>::restrict_residual(int k, MultigridLevel& coarse,
+                                             std::array<int, 3> ratio) {
+  const int n = coarse.shape_.count[0];
+  for (int j = 0; j < shape_.count[1]; ++j) {
+    shape_.deep() ? residual_row<true>(j, k) : residual_row<false>(j, k);
+    Real* b = coarse.b_.data() + coarse.shape_.at(0, j / ratio[1], k / ratio[2]);
+    const Real* r = residual_.data();
+    if (j % ratio[1] == 0 && k % ratio[2] == 0) std::fill_n(b, n, Real{0});
+    if (ratio[0] == 2) {
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) b[i] += r[2 * i] + r[2 * i + 1];
+    } else {
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) b[i] += r[i];
+    }
+  }
+}
+
+template <class Real>
+void MultigridLevel<Real>::add_correction(int k, const MultigridLevel& coarse,
+                                          std::array<int, 3> ratio) {
+  const int n = shape_.count[0];
+  for (int j = 0; j < shape_.count[1]; ++j) {
+    Real* x = x_.data() + shape_.at(0, j, k);
+    const Real* e = coarse.x_.data() + coarse.shape_.at(0, j / ratio[1], k / ratio[2]);
+    if (ratio[0] == 2) {
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) x[i] += e[i >> 1];
+    } else {
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) x[i] += e[i];
+    }
+  }
+}
+
+template <class Real>
+void MultigridLevel<Real>::solve_one_cell() {
+  const auto c = static_cast<std::size_t>(shape_.at(0, 0, 0));
+  x_[c] = sum_ > 0 ? b_[c] / static_cast<Real>(sum_) : Real{0};
+}
+
+template <class Real>
+std::size_t MultigridLevel<Real>::bytes() const {
+  return (6 + (lines() ? 1 : 0)) * x_.size() * sizeof(Real);
+}
+
+template class MultigridLevel<float>;
+template class MultigridLevel<double>;
+
+}  // namespace sluice::solve
