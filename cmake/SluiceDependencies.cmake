@@ -17,6 +17,18 @@ add_library(sluice_mpi INTERFACE)
 target_compile_definitions(sluice_mpi INTERFACE OMPI_SKIP_MPICXX)
 target_link_libraries(sluice_mpi INTERFACE MPI::MPI_C)
 
+# hypre of Debian (libhypre-dev) comes without a file for CMake.
+find_path(HYPRE_INCLUDE_DIR HYPRE.h PATH_SUFFIXES hypre)
+find_library(HYPRE_LIBRARY NAMES HYPRE)
+if(NOT HYPRE_INCLUDE_DIR OR NOT HYPRE_LIBRARY)
+  message(FATAL_ERROR "hypre was not found: install libhypre-dev, or give HYPRE_INCLUDE_DIR (the "
+    "folder of HYPRE.h) and HYPRE_LIBRARY (the library)")
+endif()
+mark_as_advanced(HYPRE_INCLUDE_DIR HYPRE_LIBRARY)
+add_library(sluice_hypre INTERFACE)
+target_include_directories(sluice_hypre SYSTEM INTERFACE ${HYPRE_INCLUDE_DIR})
+target_link_libraries(sluice_hypre INTERFACE ${HYPRE_LIBRARY} sluice_mpi)
+
 if(SLUICE_TESTS)
   find_package(GTest REQUIRED)
 endif()

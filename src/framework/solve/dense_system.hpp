@@ -32,6 +32,7 @@ class DenseSystem {
   std::string cell_name(std::ptrdiff_t c) const;
 
   DenseVector vector() const { return DenseVector(shape_.size(), 0.0); }
+  DenseVector ones() const { return DenseVector(present_.begin(), present_.end()); }
   // Collective: boxes of all ranks into the window, and back into the boxes of this one.
   void load(const ConstBoxViews& boxes, DenseVector& v) const;
   void store(const DenseVector& v, const BoxViews& boxes) const;

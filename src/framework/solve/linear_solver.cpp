@@ -9,6 +9,8 @@
 #include "framework/base/error.hpp"
 #include "framework/base/text.hpp"
 #include "framework/solve/gradient_solver.hpp"
+#include "framework/solve/hypre_amg.hpp"
+#include "framework/solve/hypre_struct.hpp"
 
 namespace sluice::solve {
 namespace {
@@ -98,9 +100,10 @@ SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews&
 std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings) {
   if (const auto faults = faults_of(settings); !faults.empty())
     throw InputError(join(faults, "\n"));
-  if (settings.type != "CGSolver")
-    throw InputError(fmt::format("solver type '{}' is not supported; CGSolver is", settings.type));
-  return std::make_unique<GradientSolver>(settings);
+  if (settings.type == "CGSolver") return std::make_unique<GradientSolver>(settings);
+  if (settings.type == "hypreamr" || settings.solver == "amg")
+    return std::make_unique<HypreAmgSolver>(settings);
+  return std::make_unique<HypreStructSolver>(settings);
 }
 
 }  // namespace sluice::solve

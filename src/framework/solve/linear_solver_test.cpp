@@ -29,7 +29,9 @@ SolverSettings settings_of(const std::string& name) {
 }
 
 std::vector<std::string> all_names() {
-  return {"CGSolver"};
+  std::vector<std::string> names = hypre_solvers();
+  names.push_back("CGSolver");
+  return names;
 }
 
 template <class Error = PhysicsError>

@@ -85,7 +85,7 @@ TEST_P(Poisson, is_of_second_order) {
 
 std::vector<Problem> problems() {
   std::vector<Problem> all;
-  for (const char* solver : {"CGSolver"})
+  for (const char* solver : {"CGSolver", "cg", "amg"})
     for (const Sides sides : {Sides::dirichlet, Sides::neumann, Sides::mixed, Sides::periodic})
       for (const int dimensions : {2, 3}) all.push_back({solver, sides, dimensions});
   return all;
