@@ -28,12 +28,14 @@ constexpr int most_attempts = 4;
 
 void LinearSolver::set_up(const CellMatrix& matrix) {
   const auto start = Clock::now();
-  system_.emplace(matrix);
-  b_ = system_->vector();
+  system_.reset();  // none, if this one fails
+  DenseSystem system(matrix);
+  prepare(system);
+  b_ = system.vector();
   x_ = b_;
   r_ = b_;
   kept_ = b_;
-  prepare(*system_);
+  system_ = std::move(system);
   set_up_seconds_ = seconds_since(start);
 }
 
@@ -66,7 +68,7 @@ void LinearSolver::iterate(DenseVector& x, const Goal& goal, SolveReport& report
 }
 
 SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews& x) {
-  if (!system_) throw PhysicsError("linear system: solve before set-up");
+  if (!system_) throw PhysicsError("linear system: no system is set up");
   const auto start = Clock::now();
   SolveReport report;
   report.set_up_seconds = set_up_seconds_;

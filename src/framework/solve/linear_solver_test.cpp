@@ -153,6 +153,28 @@ TEST_P(EverySolver, ends_with_the_tolerance_zero) {
 INSTANTIATE_TEST_SUITE_P(Names, EverySolver, testing::ValuesIn(all_names()),
                          [](const auto& name) { return name.param; });
 
+TEST_P(EverySolver, solves_nothing_after_a_failed_set_up) {
+  CellMatrix matrix = matrix_of(*level, system);
+  solver->set_up(matrix);
+  matrix.diagonal().front()(3, 2, 1) = nan;
+  EXPECT_THROW(solver->set_up(matrix), PhysicsError);
+  EXPECT_THAT(message_of([&] { solve_from_zero(*solver, *level, noisy); }),
+              HasSubstr("no system is set up"));
+}
+
+TEST(LinearSolver, tells_that_a_matrix_is_not_positive_definite) {
+  const auto level = level_of(cells);
+  CellMatrix matrix = matrix_of(*level, {0, {1, 1, 1}});
+  fill_views(matrix.diagonal(), [](IntVec3) { return 1.0; });  // rows sum to less than 0
+  const auto solver = make_linear_solver({});
+  solver->set_up(matrix);
+  const Solved solved = solve_from_zero(*solver, *level, noisy);
+  EXPECT_FALSE(solved.report.converged);
+  EXPECT_THAT(solved.report.reason, HasSubstr("the matrix is not positive definite"));
+  for (const RealView& v : solved.x.views())
+    for_each_cell(v.box, [&](IntVec3 c) { ASSERT_TRUE(std::isfinite(v(c))); });
+}
+
 TEST(SolverSettings, lists_the_valid_names) {
   SolverSettings settings;
   settings.type = "hyper";
