@@ -40,6 +40,14 @@ Couplings<Real> couplings_of(const DenseShape& s, const std::vector<Real> (&low)
           x + row + s2};
 }
 
+// Values of a row, where the cells have the colour. Apart from their computation, which reads
+// neighbours: so both loops become vectors.
+template <class Real>
+[[gnu::always_inline]] inline void take_colour(int n, int parity, const Real* value, Real* x) {
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) x[i] = ((i ^ parity) & 1) == 0 ? value[i] : x[i];
+}
+
 }  // namespace
 
 double DenseEquations::diagonal(std::ptrdiff_t c) const {
@@ -103,7 +111,7 @@ MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool
   diagonal_.assign(n, 1);
   x_.assign(n, 0);
   b_.assign(n, 0);
-  residual_.assign(static_cast<std::size_t>(shape_.row()) + 1, 0);
+  values_.assign(static_cast<std::size_t>(shape_.row()) + 1, 0);
   if (lines) pivot_.assign(n, 0);
   for (int k = 0; k < shape_.count[2]; ++k)
     for (int i = 0; i < shape_.count[0]; ++i) {
@@ -148,6 +156,7 @@ template <class Real>
 template <bool Deep>
 void MultigridLevel<Real>::sweep_points(int k, int colour) {
   const int n = shape_.count[0];
+  Real* value = values_.data();
   for (int j = 0; j < shape_.count[1]; ++j) {
     const std::ptrdiff_t row = shape_.at(0, j, k);
     Real* x = x_.data() + row;
@@ -156,10 +165,9 @@ void MultigridLevel<Real>::sweep_points(int k, int colour) {
     const Couplings<Real> c = couplings_of<Real>(shape_, low_, x_.data(), row);
     const int parity = (j + k + colour) & 1;
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const Real value = (b[i] + (c.template across<Deep>(i) + c.along(i))) / diagonal[i];
-      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
-    }
+    for (int i = 0; i < n; ++i)
+      value[i] = (b[i] + (c.template across<Deep>(i) + c.along(i))) / diagonal[i];
+    take_colour(n, parity, value, x);
   }
 }
 
@@ -171,6 +179,7 @@ void MultigridLevel<Real>::sweep_lines(int k, int colour) {
   const int n = shape_.count[0];
   const int last = shape_.count[1] - 1;
   const int parity = (k + colour) & 1;
+  Real* value = values_.data();
   const std::ptrdiff_t s1 = shape_.stride(1);
   for (int j = 0; j <= last; ++j) {
     const std::ptrdiff_t row = shape_.at(0, j, k);
@@ -181,9 +190,9 @@ void MultigridLevel<Real>::sweep_lines(int k, int colour) {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const Real before = c.low1[i] * c.below1[i];
-      const Real value = (b[i] + (c.template across<Deep>(i) + before)) * pivot[i];
-      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
+      value[i] = (b[i] + (c.template across<Deep>(i) + before)) * pivot[i];
     }
+    take_colour(n, parity, value, x);
   }
   for (int j = last - 1; j >= 0; --j) {
     const std::ptrdiff_t row = shape_.at(0, j, k);
@@ -191,10 +200,8 @@ void MultigridLevel<Real>::sweep_lines(int k, int colour) {
     const Real* high = low_[1].data() + row + s1;
     const Real* pivot = pivot_.data() + row;
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const Real value = x[i] + pivot[i] * high[i] * x[i + s1];
-      x[i] = ((i ^ parity) & 1) == 0 ? value : x[i];
-    }
+    for (int i = 0; i < n; ++i) value[i] = x[i] + pivot[i] * high[i] * x[i + s1];
+    take_colour(n, parity, value, x);
   }
 }
 
@@ -216,7 +223,7 @@ void MultigridLevel<Real>::residual_row(int j, int k) {
   const Real* b = b_.data() + row;
   const Real* diagonal = diagonal_.data() + row;
   const Couplings<Real> c = couplings_of<Real>(shape_, low_, x_.data(), row);
-  Real* r = residual_.data();
+  Real* r = values_.data();
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i)
     r[i] = (b[i] - diagonal[i] * x[i]) + (c.template across<Deep>(i) + c.along(i));
@@ -230,7 +237,7 @@ void MultigridLevel<Real>::restrict_residual(int k, MultigridLevel& coarse,
   for (int j = 0; j < shape_.count[1]; ++j) {
     shape_.deep() ? residual_row<true>(j, k) : residual_row<false>(j, k);
     Real* b = coarse.b_.data() + coarse.shape_.at(0, j / ratio[1], k / ratio[2]);
-    const Real* r = residual_.data();
+    const Real* r = values_.data();
     if (j % ratio[1] == 0 && k % ratio[2] == 0) std::fill_n(b, n, Real{0});
     if (ratio[0] == 2) {
 #pragma GCC ivdep

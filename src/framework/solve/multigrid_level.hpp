@@ -58,8 +58,8 @@ class MultigridLevel {
 
   DenseShape shape_;
   std::vector<Real> low_[3], diagonal_, pivot_, x_, b_;
-  std::vector<Real> residual_;  // of one row
-  double sum_ = 0;              // of all rows
+  std::vector<Real> values_;  // of one row
+  double sum_ = 0;            // of all rows
 };
 
 }  // namespace sluice::solve
