@@ -1,7 +1,7 @@
 # sluice_room(NAME [COLD] [USES rooms...] [LIBRARIES libs...])
 #   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
 #   COLD: no file of it is a kernel (SluiceCompile.cmake).
-#   The tests of a room are one executable NAME_test, its cases registered with ctest one by one.
+#   The tests of a room are one executable NAME_test: one test of ctest, labelled "cases".
 function(sluice_room name)
   cmake_parse_arguments(ROOM "COLD" "" "USES;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -22,16 +22,17 @@ function(sluice_room name)
 endfunction()
 
 # sluice_test(NAME SOURCES files... USES rooms... [LABELS l...] [TIMEOUT s])
+#   ctest runs the executable as one process, without the full products (names that begin with
+#   Full); tools/test/run_tests.py selects among its cases, TIMEOUT is then that of a case.
 function(sluice_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES;LABELS" ${ARGN})
-  include(GoogleTest)
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 600)
+    set(TEST_TIMEOUT 120)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_USES} GTest::gtest GTest::gmock GTest::gtest_main)
   sluice_compile_test(${name})
-  gtest_discover_tests(${name} NO_PRETTY_VALUES
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+  add_test(NAME ${name} COMMAND ${name} "--gtest_filter=-Full*"
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "cases;${TEST_LABELS}")
 endfunction()

@@ -72,8 +72,10 @@ TEST_P(MirrorImageOfDecks, GivesTheImageOfTheStates) {
   EXPECT_GE(images, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Decks, MirrorImageOfDecks, testing::ValuesIn(property_decks()),
-                         [](const auto& test) { return test.param.name; });
+const auto name_of_deck = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Kinds, MirrorImageOfDecks, testing::ValuesIn(decks_of_kinds()),
+                         name_of_deck);
+INSTANTIATE_TEST_SUITE_P(Full, MirrorImageOfDecks, testing::ValuesIn(other_decks()), name_of_deck);
 
 TEST(MirrorImage, LeavesOutNamedDecksOnly) {
   const auto& decks = property_decks();

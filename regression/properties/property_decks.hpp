@@ -12,6 +12,7 @@ struct PropertyDeck {
   std::vector<std::string> overrides;
 
   bool here() const { return !file.empty(); }
+  bool on_levels() const { return name.starts_with("amr_"); }
 };
 inline std::ostream& operator<<(std::ostream& out, const PropertyDeck& d) {
   return out << d.file;
@@ -20,6 +21,11 @@ inline std::ostream& operator<<(std::ostream& out, const PropertyDeck& d) {
 // Our own decks, and those that must run unmodified of the collection that the variable
 // SLUICE_DECKS names (the folder that holds inputs/).
 const std::vector<PropertyDeck>& property_decks();
+
+// One of each kind, on one level and on two: those of ./dev test. All others are left to
+// ./dev verify properties.
+std::vector<PropertyDeck> decks_of_kinds();
+std::vector<PropertyDeck> other_decks();
 
 // Steps of a run, and steps between its outputs and between its checkpoints; both are kept at the
 // steps 1 + n interval.

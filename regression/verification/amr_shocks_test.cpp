@@ -72,7 +72,7 @@ TEST(AmrShocks, ExplosionIsAsGoodAsTheUniformFineGridAndConverges) {
 }
 
 // No exact solution: both are measured against a grid four times as fine.
-TEST(AmrShocks, RiemannSquareIsAsGoodAsTheUniformFineGrid) {
+TEST(FullAmrShocks, RiemannSquareIsAsGoodAsTheUniformFineGrid) {
   const std::vector<std::string> both = {"Time/maxTime=0.2", "DataArchiver/outputInterval=0.2"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.end(), both.begin(), both.end());

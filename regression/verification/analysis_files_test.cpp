@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/study_process.hpp"
+#include "framework/archive/archive.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
@@ -89,9 +90,12 @@ TEST(AnalysisFiles, TheSameTextOnRanksBoxesAndAfterARestart) {
   const CaseRun lazy(deck.path(), settings, {"--force-all"});
   EXPECT_EQ(analysis_files(lazy), files);
 
-  // Stopped somewhere after the first checkpoint, then continued from it.
+  // Stopped somewhere after the first checkpoint, then continued from that one.
   const CaseRun stopped(deck.path(), settings, {"--max-steps", std::to_string(plain.steps() - 2)});
-  const CaseRun restarted(deck.path(), settings, {"--restart", stopped.archive().string()});
+  const int kept = Archive::open(stopped.archive()).checkpoints().front().step;
+  const CaseRun restarted(
+      deck.path(), settings,
+      {"--restart", stopped.archive().string(), "--step", std::to_string(kept)});
   ASSERT_LT(restarted.steps(), plain.steps());
   EXPECT_EQ(analysis_files(restarted), files);
 }

@@ -151,8 +151,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Levels{"CopiedCells", {"AMR/ICE/orderOfInterpolation=0"}},
                     Levels{"OfASolid", solid}, Levels{"OfHardSpheres", hard_spheres},
                     Levels{"OfHelium", helium}, Levels{"OfAirByNasa", air_by_nasa},
-                    Levels{"Free", {drag("0")}},
-                    Levels{"FreeByFour", {drag("0"), resolution(16, 16), by_four, tiles_for_four}},
+                    Levels{"Free", {drag("0")}}),
+    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Full, WaterSquare,
+    testing::Values(Levels{"FreeByFour", {drag("0"), resolution(16, 16), by_four, tiles_for_four}},
                     Levels{"FreeOnThreeLevels", {drag("0"), resolution(16, 16), three_levels}},
                     Levels{"DraggedInLockstep", {drag("1e6"), "AMR/useLockStep=true"}}),
     [](const auto& test) { return std::string(test.param.name); });
@@ -165,32 +168,48 @@ TEST(MixtureFlow, LevelsThatGoWithTheSurfaceOfADropLeaveNoTrace) {
 
 TEST(MixtureFlow, EdgesCrossFacesOfAFixedRegion) {
   expect_untouched(CaseRun("amr_water_through_region"));
+}
+TEST(FullMixtureFlow, EdgesOfFreeWaterCrossFacesOfAFixedRegion) {
   expect_untouched(CaseRun("amr_water_through_region", {drag("0")}));
 }
 
 // Drops that fly through a gas at rest, a shock that overtakes them, a cylinder of water in their
 // way; each material has a velocity of its own.
-class Drops : public testing::TestWithParam<Levels> {};
+struct Flight {
+  Levels levels;
+  const char* K;
+};
+class Drops : public testing::TestWithParam<Flight> {};
 
 TEST_P(Drops, KeepMassesMomentumAndEnergy) {
-  for (const char* K : {"0", "100", "1e6"}) {
-    std::vector<std::string> overrides = GetParam().overrides;
-    overrides.push_back(drag(K));
-    const CaseRun run("amr_drops", overrides);
-    EXPECT_LE(drift_per_thousand(run), allowed_drift) << K;
-    EXPECT_LE(run.events(), 1) << K << run.record().at("events").dump();
-    // The water bears tension: its pressure may be negative, its temperature may not.
-    for (const LevelCell& cell : level_cells(run, "temp_CC")) ASSERT_GE(cell.value, 0) << K;
-  }
+  std::vector<std::string> overrides = GetParam().levels.overrides;
+  overrides.push_back(drag(GetParam().K));
+  const CaseRun run("amr_drops", overrides);
+  EXPECT_LE(drift_per_thousand(run), allowed_drift);
+  EXPECT_LE(run.events(), 1) << run.record().at("events").dump();
+  // The water bears tension: its pressure may be negative, its temperature may not.
+  for (const LevelCell& cell : level_cells(run, "temp_CC")) ASSERT_GE(cell.value, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(On, Drops,
-                         testing::Values(Levels{"OneLevel", {one_level()}}, Levels{"Ratio2", {}},
-                                         Levels{"Lockstep", {"AMR/useLockStep=true"}},
-                                         Levels{"Ratio4",
-                                                {resolution(16, 16), by_four, tiles_for_four}},
-                                         Levels{"ThreeLevels", {resolution(16, 16), three_levels}}),
-                         [](const auto& test) { return std::string(test.param.name); });
+// Each way of levels with one coefficient of drag, and with the others.
+std::vector<Flight> flights(bool others) {
+  const Levels ways[] = {{"OneLevel", {one_level()}},
+                         {"Ratio2", {}},
+                         {"Lockstep", {"AMR/useLockStep=true"}},
+                         {"Ratio4", {resolution(16, 16), by_four, tiles_for_four}},
+                         {"ThreeLevels", {resolution(16, 16), three_levels}}};
+  const char* const K[] = {"100", "0", "1e6"};
+  std::vector<Flight> all;
+  for (std::size_t way = 0; way < std::size(ways); ++way)
+    for (std::size_t n = 0; n < std::size(K); ++n)
+      if ((n == way % std::size(K)) != others) all.push_back({ways[way], K[n]});
+  return all;
+}
+const auto name_of_flight = [](const auto& test) {
+  return std::string(test.param.levels.name) + "_" + test.param.K;
+};
+INSTANTIATE_TEST_SUITE_P(On, Drops, testing::ValuesIn(flights(false)), name_of_flight);
+INSTANTIATE_TEST_SUITE_P(Full, Drops, testing::ValuesIn(flights(true)), name_of_flight);
 
 TEST(MixtureFlow, ShockOverAWaterCylinderConserves) {
   const CaseRun run("amr_water_cylinder");
@@ -218,12 +237,15 @@ TEST_P(WaterAmongHelium, LeavesNoTraceInPressureVelocityAndTemperature) {
   expect_untouched(CaseRun("amr_water_square", changes), {5e-6, 2e-4, 1e-4});
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    On, WaterAmongHelium,
-    testing::Values(Levels{"Ratio2", {}}, Levels{"Lockstep", {"AMR/useLockStep=true"}},
-                    Levels{"Ratio4", {resolution(16, 16), by_four, tiles_for_four}},
-                    Levels{"ThreeLevels", {resolution(16, 16), three_levels}}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(On, WaterAmongHelium,
+                         testing::Values(Levels{"Ratio2", {}},
+                                         Levels{"Lockstep", {"AMR/useLockStep=true"}}),
+                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Full, WaterAmongHelium,
+                         testing::Values(Levels{"Ratio4",
+                                                {resolution(16, 16), by_four, tiles_for_four}},
+                                         Levels{"ThreeLevels", {resolution(16, 16), three_levels}}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace sluice::verification::mixture_flow_test

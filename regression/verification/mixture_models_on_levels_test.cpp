@@ -173,14 +173,18 @@ TEST_P(LikeGasesOnLevels, AreOneGas) {
 
 const Model models[] = {
     {"Smagorinsky", turbulence("Smagorinsky")},
+    {"All", both(both(turbulence("Germano"), sutherland("0.0003", "1")), rough_wall())},
+};
+const Model more_models[] = {
     {"Germano", turbulence("Germano")},
     {"Sutherland", sutherland("0.003", "1")},
     {"Sponge", sponge("0.02")},
     {"WallLaw", both(turbulence("Smagorinsky"), rough_wall())},
-    {"All", both(both(turbulence("Germano"), sutherland("0.0003", "1")), rough_wall())},
 };
 
 INSTANTIATE_TEST_SUITE_P(With, LikeGasesOnLevels, testing::ValuesIn(models),
+                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Full, LikeGasesOnLevels, testing::ValuesIn(more_models),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

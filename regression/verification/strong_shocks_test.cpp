@@ -61,7 +61,7 @@ double order(const CaseRun& coarse, const CaseRun& fine, double ratio) {
 }
 
 // The reference starts from the same deposit of energy; the shock itself is Sedov's own.
-TEST(StrongShocks, SedovShockStandsWhereItShould) {
+TEST(FullStrongShocks, SedovShockStandsWhereItShould) {
   constexpr double least_order = .9;  // 0.908; 0.74 cells ahead
   const CaseRun coarse("sedov", {resolution(128, 128)}), fine("sedov", {resolution(256, 256)});
   exact::Sedov::Blast blast;

@@ -245,7 +245,7 @@ TEST(Turbulence, TaylorGreenVorticesDecay) {
 
 // At a Reynolds number of 100 they break up: dissipation has its peak at about t = 4.5 (M. E.
 // Brachet and others, J. Fluid Mech. 130 (1983) 411), at t = 8 two thirds of the energy are gone.
-TEST(Turbulence, BrokenVorticesLoseTheirEnergy) {
+TEST(FullTurbulence, BrokenVorticesLoseTheirEnergy) {
   constexpr double lowest_order = 1.9;              // at the peak; measured 2.2
   constexpr double near_peak = 0.09, late = 0.135;  // of the energy at 24^3; measured .087, .127
   const std::vector<double> reference = taylor_green_energies(24, 0.01, {4, 8});
@@ -301,7 +301,7 @@ double mean_strain(const CaseRun& run, const std::string& which) {
 
 // In decaying turbulence the dynamic model comes to the constant of isotropic turbulence by itself
 // (D. K. Lilly, 1967: C_s = 0.17 for a sharp filter and Kolmogorov's constant 1.5).
-TEST(Turbulence, DynamicModelRecoversSmagorinskysConstant) {
+TEST(FullTurbulence, DynamicModelRecoversSmagorinskysConstant) {
   constexpr double lilly = 0.17, near = 0.15;  // measured 0.164 at t = 6, 0.155 at t = 8
   constexpr int n = 16;
   const CaseRun run("turbulence_box",

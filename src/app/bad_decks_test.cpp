@@ -1,13 +1,13 @@
 // A corpus of bad decks: each is the good deck with one edit, and must be refused by
-// `sluice check` within a second of the processor, with exit status 2, the right line and the right
-// message.
+// `sluice check` with exit status 2, the right line and the right message. No clock is asked: what
+// would grow without end never comes to its end, or to that of the memory that it is given here.
 //
 // The edits stand in src/framework/deck/bad_decks/*.rows, one paragraph each:
 //   name: what is bad
 //   from: text of good.ups, of which the first occurrence is replaced (\n: line end, \xff: byte)
 //   to: the text in its place
 //   line: where the message must point; 0: not checked
-//   says: a piece of the message
+//   says: a piece of the message; {file}: the edited deck
 //   status: 0 where a warning is all
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr double cpu_seconds_allowed = 7.0;  // sanitizers take 6.6 times as long
+const std::string limit;  // the sanitizer reserves all addresses
 #else
-constexpr double cpu_seconds_allowed = 1.0;
+const std::string limit = "ulimit -v 1048576; ";  // KiB
 #endif
 const fs::path corpus = SLUICE_SOURCE_DIR "/src/framework/deck/bad_decks";
 
@@ -41,7 +41,7 @@ struct BadDeck {
 };
 
 Outcome check(const std::string& arguments) {
-  return run_in_shell(std::string(SLUICE_COMMAND) + " check " + arguments);
+  return run_in_shell(limit + SLUICE_COMMAND + " check " + arguments);
 }
 
 // A folder of its own for the edited decks, with the fragments that some include.
@@ -72,7 +72,6 @@ std::string edited(const std::string& good, const BadDeck& bad) {
 void expect_refused(const BadDeck& bad, const std::string& file, const Outcome& outcome) {
   SCOPED_TRACE(bad.name);
   EXPECT_EQ(outcome.status, bad.status) << outcome.text;
-  EXPECT_LT(outcome.cpu_seconds, cpu_seconds_allowed);
   EXPECT_THAT(outcome.text, HasSubstr(bad.message));
   if (bad.line == 0) return;
   // The message stands in a line that begins with the file and this line number.
@@ -95,6 +94,13 @@ std::string unescaped(std::string text) {
     }
   }
   return text;
+}
+
+BadDeck with_name_of(const std::string& file, BadDeck bad) {
+  const std::string mark = "{file}";
+  const auto at = bad.message.find(mark);
+  if (at != std::string::npos) bad.message.replace(at, mark.size(), file);
+  return bad;
 }
 
 std::vector<BadDeck> read_rows(const fs::path& file) {
@@ -125,7 +131,7 @@ TEST_P(BadDecks, AreRefused) {
   for (const BadDeck& bad : rows) {
     ASSERT_FALSE(bad.message.empty()) << bad.name;
     const std::string file = folder.write(bad.name + ".ups", edited(good, bad));
-    expect_refused(bad, file, check(file));
+    expect_refused(with_name_of(file, bad), file, check(file));
   }
 }
 
@@ -191,7 +197,6 @@ TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
     SCOPED_TRACE(bomb.name);
     const Outcome outcome = check(folder.write(std::string(bomb.name) + ".ups", bomb.text));
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_LT(outcome.cpu_seconds, cpu_seconds_allowed);
     EXPECT_THAT(outcome.text.substr(0, 20000), HasSubstr(bomb.message));
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
+#include "app/commands.hpp"
 #include "framework/base/error.hpp"
 #include "framework/deck/nearest_name.hpp"
 
@@ -75,6 +76,7 @@ CommandLine::CommandLine(const char* text, const std::string& version)
     : app_(std::make_unique<CLI::App>(text, "sluice")) {
   app_->set_version_flag("--version", version);
   app_->require_subcommand(1);
+  app_->footer(exit_statuses);
 }
 CommandLine::~CommandLine() = default;
 

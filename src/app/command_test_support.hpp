@@ -1,6 +1,5 @@
 // Running the command as a user does, and what it said.
 #pragma once
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -18,22 +17,10 @@ namespace sluice {
 
 struct Outcome {
   int status = -1;
-  double cpu_seconds = 0;  // of the processor, whoever else wants it
-  std::string text;        // standard output and error together
+  std::string text;  // standard output and error together
 };
 
-// Of all children that have ended.
-inline double cpu_seconds_of_children() {
-  rusage used{};
-  getrusage(RUSAGE_CHILDREN, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
 inline Outcome run_in_shell(const std::string& line) {
-  const double before = cpu_seconds_of_children();
   Outcome outcome;
   FILE* pipe = popen((line + " 2>&1").c_str(), "r");
   std::array<char, 4096> buffer{};
@@ -41,7 +28,6 @@ inline Outcome run_in_shell(const std::string& line) {
     outcome.text.append(buffer.data(), n);
   const int status = pclose(pipe);
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  outcome.cpu_seconds = cpu_seconds_of_children() - before;
   return outcome;
 }
 

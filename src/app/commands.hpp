@@ -1,5 +1,5 @@
 // The subcommands of `sluice`: each adds itself to the command line with what it does, and returns
-// its exit status (0 good, 1 failed, 2 bad input, 3 system).
+// its exit status.
 //
 // An action may throw InputError, PhysicsError or SystemError; main prints the message and exits
 // with the error's own status.
@@ -8,6 +8,11 @@
 namespace sluice {
 
 class CommandLine;
+
+// For --help and `sluice help`.
+inline constexpr const char* exit_statuses =
+    "Exit status: 0 good; 1 the physics or a comparison failed; 2 bad input; 3 the system failed\n"
+    "(disk, memory, MPI); 4 a run ended early, by a signal or its time limit, with a checkpoint";
 
 void add_accuracy_command(CommandLine& line);
 void add_run_command(CommandLine& line);

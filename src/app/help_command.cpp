@@ -27,7 +27,7 @@ void add_help_command(CommandLine& line) {
     } else if (*of_labels) {
       fmt::print("{}", label_reference());
     } else if (tags->empty()) {
-      fmt::print("{}", help_overview(schema));
+      fmt::print("{}\n{}\n", help_overview(schema), exit_statuses);
     }
     for (const std::string& tag : *tags) fmt::print("{}", help_on(schema, tag));
     return 0;

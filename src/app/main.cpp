@@ -1,6 +1,7 @@
 // The sluice command: gathers the subcommands, maps errors to statuses.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -20,6 +21,7 @@ int report(int status, const char* message) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told as a full disk is
   sluice::CommandLine line("Sluice: coupled fluid-structure simulation with ICE, MPM and MPMICE",
                            std::string("sluice ") + sluice::version::kText);
   for (const auto add :

@@ -25,9 +25,9 @@ void add_plot_command(CommandLine& line) {
                "Every cell of a 2-D or 3-D run against its distance from the origin");
   command
       .option("--levels", request->levels,
-              "What is drawn of finer levels: boxes (usual), the regridder's tiles, only "
-              "outer edges, or none")
-      .one_of({"boxes", "tiles", "edges", "none"});
+              "What is drawn of finer levels: their outer edges (default), boxes, the "
+              "regridder's tiles, or none")
+      .one_of({"edges", "boxes", "tiles", "none"});
   command.option("--exact", request->exact,
                  "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
   command.option("--particles", request->particles,

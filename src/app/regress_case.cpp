@@ -177,7 +177,9 @@ RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain
                                 "--max-steps", std::to_string(c.restart + 1)},
                                1);
   if (!stopped.problem.empty()) return judged("restart", stopped.problem);
-  const Run resumed = run_deck(c, "resumed", {"--restart", stopped.archive.string()}, 1);
+  const Run resumed =
+      run_deck(c, "resumed",
+               {"--restart", stopped.archive.string(), "--step", std::to_string(c.restart)}, 1);
   if (!resumed.problem.empty()) return judged("restart", resumed.problem);
   return judged("restart",
                 difference(Archive::open(plain.archive), Archive::open(resumed.archive)));

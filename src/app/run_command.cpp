@@ -74,6 +74,18 @@ ProgressMode progress_of(const Options& o) {
   return o.json == "-" ? ProgressMode::none : asked;
 }
 
+// Of a run that ended before its end: the command that goes on, or why there is none.
+std::string continuation(const Options& o, const RunReport& report) {
+  if (!report.archive || report.last_checkpoint < 0)
+    return "no checkpoint was written: this run cannot be continued\n";
+  ContinueWords words;
+  words.archive = *report.archive;
+  words.parent = o.parent;
+  words.ranks = report.ranks;
+  words.threads = o.threads;
+  return "the run goes on with\n" + command_to_continue(words) + "\n";
+}
+
 // Rank 0, the archive complete.
 void tell_end(const Options& o, const RunReport& report, ProgressMode progress) {
   if (progress != ProgressMode::none) {
@@ -82,11 +94,12 @@ void tell_end(const Options& o, const RunReport& report, ProgressMode progress) 
       fmt::print("{}", error_lines(*report.archive));
   }
   if (o.costs) fmt::print("{}", measured_effect_table(report.effects));
-  if (!o.plot) return;
-  if (!report.archive)
+  if (o.plot && !report.archive)
     fmt::print("no archive was written: there is nothing to draw\n");
-  else if (report.status != RunStatus::failed)
+  else if (o.plot && report.status != RunStatus::failed)
     fmt::print("picture: {}\n", draw_picture(*report.archive).string());
+  if (ended_early(report.status))
+    fmt::print(progress == ProgressMode::none ? stderr : stdout, "{}", continuation(o, report));
 }
 
 int run_on(Communicator& ranks, const Options& o) {
@@ -126,7 +139,7 @@ int run_on(Communicator& ranks, const Options& o) {
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
   }
-  return report.status == RunStatus::failed ? 1 : 0;
+  return exit_status_of(report.status);
 }
 
 // Several ranks end together, whether well, in a failure that all know of, or in one that a single
@@ -151,7 +164,7 @@ void add_run_command(CommandLine& line) {
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command.option("-o,--output", o->parent, "Parent folder of the archive");
   command.option("--threads", o->threads, "Threads of this rank");
-  command.option("--max-steps", o->max_steps, "Stop when this step number is done");
+  command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
   command.option("--wall-limit", o->wall_limit, "Stop with a checkpoint after so many seconds");
   command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
@@ -163,7 +176,7 @@ void add_run_command(CommandLine& line) {
   command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command.flag("--force-all", o->force_all,
-               "Let no block sleep and leave out no work (to measure the savings)");
+               "Skip no block and leave out no work (to measure the savings)");
   command.flag("--force-directions", o->force_directions,
                "Treat every direction as a dimension of the run");
   command.flag("--no-output", o->no_output, "Write no archive");

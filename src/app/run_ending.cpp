@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
 #include "app/archive_error.hpp"
 #include "app/archive_picture.hpp"
 #include "app/study_process.hpp"
@@ -49,6 +53,40 @@ fs::path draw_picture(const fs::path& archive) {
     throw SystemError(fmt::format("the picture could not be drawn:\n{}", last_lines(log, 10)));
   fs::remove(log);
   return request.picture;
+}
+
+bool ended_early(RunStatus status) {
+  return status == RunStatus::terminated || status == RunStatus::wall_limit;
+}
+
+int exit_status_of(RunStatus status) {
+  constexpr int early = 4;
+  if (ended_early(status)) return early;
+  return static_cast<int>(status == RunStatus::failed ? ExitStatus::failed : ExitStatus::good);
+}
+
+namespace {
+
+// As one word of a shell.
+std::string quoted(const fs::path& path) {
+  const std::string text = fs::absolute(path).lexically_normal().string();
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("/._-+=:,@%", c) != nullptr;
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace
+
+std::string command_to_continue(const ContinueWords& words) {
+  std::string command = words.ranks > 1 ? fmt::format("mpirun -np {} ", words.ranks) : "";
+  command += "sluice run --restart " + quoted(words.archive);
+  if (words.parent != ".") command += " -o " + quoted(words.parent);
+  if (words.threads > 1) command += fmt::format(" --threads {}", words.threads);
+  return command;
 }
 
 }  // namespace sluice

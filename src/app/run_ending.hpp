@@ -1,7 +1,10 @@
-// What `sluice run` adds at its end: the error against the deck's exact solution, and a picture.
+// What `sluice run` adds at its end: the error against the deck's exact solution, a picture, how to
+// go on, and its exit status.
 #pragma once
 #include <filesystem>
 #include <string>
+
+#include "framework/run/run_status.hpp"
 
 namespace sluice {
 
@@ -11,5 +14,17 @@ std::string error_lines(const std::filesystem::path& archive);
 // Draws the last output into the archive's folder; the picture's path.
 // SystemError when it cannot be drawn.
 std::filesystem::path draw_picture(const std::filesystem::path& archive);
+
+// By a signal or a time limit, not by what the deck or the caller's --max-steps asked for.
+bool ended_early(RunStatus status);
+int exit_status_of(RunStatus status);
+
+// What the command that goes on has to name.
+struct ContinueWords {
+  std::filesystem::path archive, parent;
+  int ranks = 1, threads = 1;
+};
+// For a shell, from any folder.
+std::string command_to_continue(const ContinueWords& words);
 
 }  // namespace sluice

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <stdexcept>
 
+#include "app/components.hpp"
 #include "app/sluice_schema.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
@@ -13,7 +15,6 @@
 #include "framework/run/analysis_recorder.hpp"
 #include "framework/run/output_writer.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "ice/ice.hpp"
 
 namespace sluice {
 namespace {
@@ -45,9 +46,10 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
                                           Scene& scene, std::vector<Fault>& faults) {
   scene = read_scene(deck, options, faults);
   if (any_error(faults)) return nullptr;
-  ice::IceScene ice_scene = ice::read_ice_scene(deck, scene, faults);
-  if (any_error(faults)) return nullptr;
-  return std::make_unique<ice::Ice>(scene, std::move(ice_scene));
+  const ComponentKind* kind = component_kind(deck);
+  if (kind == nullptr)
+    throw std::logic_error("a deck without a component passed the schema's check");
+  return kind->make(deck, scene, faults);
 }
 
 constexpr std::int64_t most_cells_to_make = 250'000;

@@ -1,16 +1,16 @@
-// The components' tags put together; a new component adds one line.
+// The tags of the framework and of all components put together.
 #include "app/sluice_schema.hpp"
 
+#include "app/components.hpp"
 #include "app/exact_solution_tag.hpp"
 #include "framework/deck/framework_schema.hpp"
-#include "ice/deck/schema.hpp"
 
 namespace sluice {
 
 Schema sluice_schema() {
   Schema schema;
   add_framework_tags(schema);
-  add_ice_tags(schema);
+  for (const ComponentKind& kind : component_kinds()) kind.add_tags(schema);
   describe_exact_solution(schema);
   return schema;
 }

@@ -37,7 +37,7 @@ void write_plainly(const fs::path& path, const std::vector<double>& values, int 
   const std::size_t bytes = values.size() * sizeof(double);
   for (int l = 0; l < labels; ++l)
     file.write_at(static_cast<std::int64_t>(bytes) * l, values.data(), bytes);
-  file.sync();
+  file.flush();
   file.close();
 }
 

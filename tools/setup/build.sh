@@ -70,9 +70,8 @@ build_ticker() {
   return 0
 }
 
-# run_tests PRESET [CTEST ARGS...]: passed tests move a counter, all else is shown as it is, and
-# ctest's own closing lines come last. Permission tests run as a user without rights: when we are
-# root, SLUICE_UNPRIVILEGED holds the command that drops them.
+# run_tests PRESET [ARGS...]: tools/test/run_tests.py, its last line the count. Permission tests run
+# as a user without rights: when we are root, SLUICE_UNPRIVILEGED holds the command that drops them.
 run_tests() {
   local preset=$1 status=0
   local log=$SLUICE_LOGS/test_$preset.log
@@ -81,32 +80,13 @@ run_tests() {
   if ((EUID == 0)) && command -v setpriv >/dev/null; then
     export SLUICE_UNPRIVILEGED="setpriv --reuid=65534 --regid=65534 --clear-groups"
   fi
-  (cd "$SLUICE_ROOT" &&
-    ctest --preset "$preset" -j "$(cores)" --no-tests=error "$@" 2>&1 </dev/null) |
-    tee "$log" | test_ticker || status=${PIPESTATUS[0]}
-  ((status == 0)) || say "full output: ${log#"$SLUICE_ROOT/"}"
+  (cd "$SLUICE_ROOT" && "$PYTHON" -B tools/test/run_tests.py --build "build/$preset" \
+    --log "$log" -j "$(cores)" "$@" </dev/null) || status=$?
   return "$status"
 }
 
-test_ticker() {
-  local line moving=0 last=$SECONDS passed='^ *([0-9]+)/([0-9]+) +Test .* Passed '
-  [[ -t 1 ]] && moving=1
-  while IFS= read -r line; do
-    if [[ $line =~ ^\ +Start\ +[0-9]+: ]]; then
-      continue
-    elif [[ $line =~ $passed ]]; then
-      if ((moving)); then
-        printf '\r== tests: %s of %s ' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
-      elif ((SECONDS - last >= 20)); then
-        last=$SECONDS
-        say "tests: ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
-      fi
-    else
-      ((moving)) && printf '\r\033[K'
-      printf '%s\n' "$line"
-    fi
-  done
-}
+# tests_told PRESET: the count of the last run, as run_tests ended it.
+tests_told() { tail -1 "$SLUICE_LOGS/test_$1.log"; }
 
 # run_clang_tidy [FILES...]: all sources of src/ and regression/ when none is named.
 run_clang_tidy() {

@@ -18,7 +18,7 @@ class CommandLine(unittest.TestCase):
         told = dev("help")
         self.assertEqual(told.returncode, 0)
         self.assertIn("run DECK", told.stdout)
-        self.assertIn("test [ARGS]", told.stdout)
+        self.assertIn("test [NAME...]", told.stdout)
 
     def test_misuse_is_bad_input_and_named(self):
         for words, expected in [(["nosuch"], "unknown command 'nosuch'"),

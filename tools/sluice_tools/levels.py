@@ -1,9 +1,9 @@
-"""The levels of an archive in a picture: boxes, tiles or outer edges as thin lines, bands in 1-D.
+"""The levels of an archive in a picture: outer edges, boxes or tiles as thin lines, bands in 1-D.
 
-What is drawn is one of KINDS:
+What is drawn is one of KINDS, by default the first:
+    edges   only where a level begins and ends
     boxes   the boxes of storage of each finer level (tiles are merged into them)
     tiles   the tiles of which a regridder composes a level, as the deck gives their size
-    edges   only where a level begins and ends
     none    no lines
 """
 import xml.etree.ElementTree as ElementTree
@@ -13,8 +13,8 @@ import numpy as np
 from . import style
 from .views import layer, plane_axes
 
-KINDS = ("boxes", "tiles", "edges", "none")
-USUAL_TILE = 8  # cells, where the deck's regridder has none
+KINDS = ("edges", "boxes", "tiles", "none")
+DEFAULT_TILE = 8  # cells, where the deck's regridder has none
 
 
 def colour(level):
@@ -33,7 +33,7 @@ def tile_of(archive, level):
     numbers = (regridder.findtext("min_patch_size") or "").replace("[", " ").replace("]", " ")
     values = [int(word) for word in numbers.replace(",", " ").split()]
     tiles = [tuple(values[n:n + 3]) for n in range(0, len(values) - 2, 3)]
-    return tiles[min(level, len(tiles)) - 1] if tiles else (USUAL_TILE,) * 3
+    return tiles[min(level, len(tiles)) - 1] if tiles else (DEFAULT_TILE,) * 3
 
 
 def _in_plane(level, normal, position):

@@ -294,12 +294,12 @@ def parse(arguments):
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
     parser.add_argument("--radius", action="store_true",
                         help="every cell of a 2-D or 3-D run against its distance from the origin")
-    parser.add_argument("--levels", choices=levels.KINDS, default="boxes",
-                        help="what is drawn of finer levels: their boxes (usual), the tiles of the "
-                        "regridder, only their outer edges, or none of it")
+    parser.add_argument("--levels", choices=levels.KINDS, default=levels.KINDS[0],
+                        help="what is drawn of finer levels: their outer edges (default), their "
+                        "boxes, the tiles of the regridder, or none of it")
     parser.add_argument("--history", action="append", help="a .dat file by its label; levels: the "
                         "cells of each level over time")
-    parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
+    parser.add_argument("--exact", help="CSV with x and one column per variable, drawn as a line")
     parser.add_argument("--particles", help="particles over the plane, coloured by this label of "
                         "theirs; p.x: in black")
     parser.add_argument("--title")

@@ -49,6 +49,12 @@ class MaterialText(unittest.TestCase):
         self.assertEqual(self.text([0, 1], None, directions=(0,)), "")  # all are drawn
 
 
+class Levels(unittest.TestCase):
+    def test_where_levels_begin_and_end_is_the_default(self):
+        self.assertEqual(plot.parse(["some.uda"]).levels, "edges")
+        self.assertEqual(plot.parse(["some.uda", "--levels", "boxes"]).levels, "boxes")
+
+
 class LinesOfMaterials(unittest.TestCase):
     """Two materials that meet in the second of three cells."""
     VALUES = {("rho_CC", 0): [1.0, 0.5, 0.0], ("rho_CC", 1): [0.0, 2.0, 4.0],

@@ -6,10 +6,10 @@ status=0 told=()
 under_sanitizers() {
   ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1 \
     run_tests sanitize --timeout 900 "$@" || status=$?
-  told+=("$(grep -E 'tests passed' "$SLUICE_LOGS/test_sanitize.log" | tail -1)")
+  told+=("$(tests_told sanitize)")
 }
-under_sanitizers -LE 'lint|tools|verification|properties'
+under_sanitizers --full -LE 'lint|tools|verification|properties'
 # Left out, as they take hours here: convergence studies, and decks mirrored and on ranks and boxes.
-under_sanitizers -L properties -R 'AfterARestart|RandomScene'
+under_sanitizers --full -L properties -R 'AfterARestart|RandomScene'
 echo "RESULT: $(IFS=';'; echo "${told[*]}")"
 exit "$status"

@@ -76,7 +76,7 @@ void AnalysisFile::adopt(const fs::path& earlier, const fs::path& folder, double
   const std::string kept = lines_up_to(read_text(earlier / name_), time_column_, time);
   if (!holds_sample(kept)) return;
   make_folders((folder / name_).parent_path());
-  write_text_durably(folder / name_, kept);
+  write_text(folder / name_, kept);
 }
 
 }  // namespace sluice

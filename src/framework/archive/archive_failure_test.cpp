@@ -1,9 +1,13 @@
-// The machine fails: full disk, read-only folder, a kill in the middle, two runs at once.
+// The machine fails: full disk, limited files, read-only folder, a kill in the middle, two runs at
+// once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mount.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+
+#include <cstdlib>
 
 #include <random>
 #include <set>
@@ -16,6 +20,7 @@ namespace sluice::archive_failure_test {
 namespace {
 
 using namespace archive_test;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 // A memory disk of a given size; only root may make one.
@@ -83,6 +88,88 @@ TEST(ArchiveFailure, FullDiskLeavesTheArchiveGood) {
     fs::remove_all(writer.folder() / step_folder_name(1));
     EXPECT_NO_THROW(write_one(writer, step + 1, grid, fields)) << kib;
   }
+}
+
+// Writes a few steps and ends as a program does, with the clean-up of all libraries.
+[[noreturn]] void write_and_exit(const fs::path& parent, bool gzip) {
+  try {
+    const Grid grid = make_grid({24, 20, 10}, {2, 1, 1});
+    Fields fields;
+    for (const char* label : {"press_CC", "rho_CC", "temp_CC"})
+      fields.add(grid.levels[0], real_label(label), 0, wavy);
+    for (FieldPiece& piece : fields.pieces()) piece.gzip = gzip;
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(parent));
+    for (int step = 1; step <= 3; ++step) write_one(writer, step, grid, fields);
+  } catch (const SystemError& e) {
+    std::exit(static_cast<int>(e.status()));
+  }
+  std::exit(0);
+}
+
+// 0 or 3: as it wrote all or not; negative: the signal that ended it.
+int status_of_writing(const fs::path& parent, bool gzip, rlim_t most_bytes = RLIM_INFINITY) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{most_bytes, most_bytes};
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(100);
+    write_and_exit(parent, gzip);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+// The disk is full at any byte of a file: in HDF5's structures, in values, in our own files.
+TEST(ArchiveFailure, WhereverAFileIsCutTheProgramEndsInOrder) {
+  const TemporaryFolder folder;
+  for (const bool gzip : {false, true}) {
+    std::vector<int> statuses;
+    for (int kib = 0; kib < 150; kib += kib < 8 ? 1 : 14)
+      statuses.push_back(status_of_writing(folder.path(), gzip, static_cast<rlim_t>(kib * 1024)));
+    EXPECT_THAT(statuses, ::testing::Each(AnyOf(3, 0)));
+    EXPECT_TRUE(std::is_sorted(statuses.rbegin(), statuses.rend())) << "first all 3, then all 0";
+    EXPECT_EQ(statuses.front(), 3);
+    EXPECT_EQ(statuses.back(), 0);
+  }
+}
+
+TEST(ArchiveFailure, WheneverTheDiskIsFullTheProgramEndsInOrder) {
+  const TemporaryFolder folder;
+  std::vector<int> statuses;
+  for (int kib = 12; kib < 500; kib += kib < 60 ? 4 : 36) {
+    const fs::path place = folder.path() / std::to_string(kib);
+    const TinyDisk disk(place, ("size=" + std::to_string(kib) + "k").c_str());
+    if (!disk.mounted()) GTEST_SKIP() << "mounting a memory disk is not permitted here";
+    statuses.push_back(status_of_writing(place, kib % 8 != 0));
+  }
+  EXPECT_THAT(statuses, ::testing::Each(AnyOf(3, 0)));
+  EXPECT_EQ(statuses.front(), 3);
+  EXPECT_EQ(statuses.back(), 0);
+}
+
+// Each takes milliseconds, whatever is written.
+TEST(ArchiveFlushes, AreTwoAStep) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({24, 20, 10}, {2, 1, 1});
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  std::int64_t before = flush_count();
+  ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+  EXPECT_EQ(flush_count() - before, 1);
+  for (int step = 1; step < 5; ++step) {
+    for (const char* name : {"TotalMass", "KineticEnergy", "TotalIntEng"})
+      writer.history(name, -1, step, 0.1, 1.0);
+    before = flush_count();
+    write_one(writer, step, grid, fields);
+    EXPECT_EQ(flush_count() - before, 2) << step;
+    writer.write_checkpoint({step, 0.1 * step, 0.1, 0.1, {}}, grid, fields.pieces());
+    EXPECT_EQ(flush_count() - before, 4) << step;
+  }
+  before = flush_count();
+  writer.write_text("run.json", "{}");
+  writer.finish();
+  EXPECT_LE(flush_count() - before, 3);
 }
 
 TEST(ArchiveFailure, ADiskFullFromTheStartIsLeftClean) {

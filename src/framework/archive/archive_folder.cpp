@@ -37,13 +37,10 @@ void remove_leftovers(const fs::path& folder, const ArchiveIndex& index) {
   for (const fs::path& p : left) remove_tree(p);
 }
 
-void copy_file_durably(const fs::path& from, const fs::path& to) {
+void copy_over(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (error) fail_system("copy " + from.string() + " to", to, error.value());
-  PosixFile file = PosixFile::open_existing(to);
-  file.sync();
-  file.close();
 }
 
 // A step's folder, whole: copied beside its name and renamed.
@@ -52,7 +49,7 @@ void copy_step(const fs::path& from, const fs::path& to) {
   remove_tree(partial);
   make_folder(partial);
   for (const auto& entry : fs::directory_iterator(from))
-    copy_file_durably(entry.path(), partial / entry.path().filename());
+    copy_over(entry.path(), partial / entry.path().filename());
   rename_path(partial, to);
 }
 
@@ -90,7 +87,7 @@ ArchiveWriter ArchiveWriter::create(const ArchiveSetup& setup, WriterRanks ranks
   }
   writer.on_root([&] {
     try {
-      write_text_atomically(writer.folder_ / "input.xml", setup.deck_xml);
+      sluice::write_text(writer.folder_ / "input.xml", setup.deck_xml);
       writer.write_index(writer.outputs_);
     } catch (...) {
       std::error_code ignored;  // an archive that cannot even begin leaves nothing behind
@@ -211,7 +208,7 @@ void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Ear
       }
       for (const HistoryEntry& h : histories) {
         if (!fs::exists(earlier / h.file)) continue;
-        copy_file_durably(earlier / h.file, folder_ / h.file);
+        copy_over(earlier / h.file, folder_ / h.file);
         cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);
       }
     }

@@ -61,7 +61,7 @@ void ArchiveWriter::on_root(const std::function<void()>& work) {
 
 ArchiveWriter::~ArchiveWriter() {
   try {
-    flush_histories();
+    write_histories();
   } catch (const Error&) {
     // finish() is where a failure is reported; a destructor only tries.
   }
@@ -74,9 +74,7 @@ WriteReport ArchiveWriter::write_output(const StepInfo& info, const Grid& grid,
 
 WriteReport ArchiveWriter::write_checkpoint(const StepInfo& info, const Grid& grid,
                                             std::span<const FieldPiece> pieces) {
-  on_root([&] {
-    if (make_folder(checkpoints_.folder)) sync_folder(folder_);
-  });
+  on_root([&] { make_folder(checkpoints_.folder); });
   return write_step(checkpoints_, info, grid, pieces, StorageOptions{});
 }
 
@@ -91,13 +89,15 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
       remove_tree(partial);
       make_folder(partial);
     });
-    // 2. Every rank its own file, flushed.
+    // 2. Every rank its own files, flushed: the values here, so that a failure is this file's; the
+    //    rest with the file system, which on rank 0 the index does.
     together([&] {
       const FieldFileResult r = write_field_file(partial, ranks_.rank, pieces, options);
+      if (ranks_.rank != 0) flush_file_system(partial);
       report = {r.record.bytes, r.float_overflows};
     });
     warn_of_overflows(info.step, report.float_overflows);
-    // 3. The step gets its name, then its line in the index.
+    // 3. The step gets its name and, all of it flushed, its line in the index.
     on_root([&] { publish(store, info, grid); });
   } catch (const Error& e) {
     std::error_code ignored;
@@ -138,11 +138,10 @@ void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid
   std::erase_if(store.index.steps, [&](const StepEntry& s) { return s.step == info.step; });
   if (store.index.steps.size() != before.steps.size()) write_index(store);
   remove_tree(complete);  // of an earlier, unindexed or replaced, writing of this step
-  sync_folder(partial);
   rename_path(partial, complete);
   std::vector<fs::path> retired;
   try {
-    flush_histories();
+    write_histories();
     merge_variables(store.index.variables, stored);
     store.index.steps.push_back(
         {info.step, info.time, info.old_delt, fs::path(name) / "timestep.xml"});
@@ -194,8 +193,8 @@ void ArchiveWriter::history(const std::string& label, int material, int step, do
   if (ranks_.rank == 0) history_file(label, material, "Vector").append(step, time, value);
 }
 
-void ArchiveWriter::flush_histories() {
-  for (auto& [name, file] : histories_) file.flush();
+void ArchiveWriter::write_histories() {
+  for (auto& [name, file] : histories_) file.write();
 }
 
 void ArchiveWriter::write_text(const std::string& name, const std::string& text) {
@@ -204,9 +203,9 @@ void ArchiveWriter::write_text(const std::string& name, const std::string& text)
 
 void ArchiveWriter::finish() {
   on_root([&] {
-    flush_histories();
+    write_histories();
     if (!histories_.empty()) write_index(outputs_);
-    sync_folder(folder_);
+    flush_file_system(folder_);  // the last names, too
   });
 }
 

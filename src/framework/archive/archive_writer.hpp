@@ -6,7 +6,7 @@
 //     t00010/          timestep.xml  p00000.h5  p00000.xml ...   (one pair a rank)
 //     checkpoints/     index.xml  t00040/ ...
 //
-// A step is written into tNNNNN.partial, flushed, renamed, and only then named in index.xml, which
+// A step is written into tNNNNN.partial, renamed, flushed, and only then named in index.xml, which
 // is itself replaced as a whole: what the index names is complete on disk, whatever kills the run.
 // All calls are collective over the ranks; a failure on one rank is thrown on all.
 #pragma once
@@ -66,7 +66,7 @@ class ArchiveWriter {
 
   ArchiveWriter(ArchiveWriter&&) = default;
   ArchiveWriter& operator=(ArchiveWriter&&) = default;
-  ~ArchiveWriter();  // flushes histories as well as it can; finish() says when it cannot
+  ~ArchiveWriter();  // writes histories as well as it can; finish() says when it cannot
 
   WriteReport write_output(const StepInfo& info, const Grid& grid,
                            std::span<const FieldPiece> pieces);
@@ -109,7 +109,7 @@ class ArchiveWriter {
   std::vector<std::filesystem::path> retire(Store& store) const;
   void warn_of_overflows(int step, std::int64_t count);
   void write_index(const Store& store);
-  void flush_histories();
+  void write_histories();
   HistoryFile& history_file(const std::string& label, int material, const char* type);
 
   ArchiveSetup setup_;

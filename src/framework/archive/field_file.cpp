@@ -9,6 +9,7 @@
 
 #include "framework/archive/field_gather.hpp"
 #include "framework/archive/hdf5_handle.hpp"
+#include "framework/archive/hdf5_target.hpp"
 #include "framework/archive/posix_file.hpp"
 #include "framework/base/crc32c.hpp"
 
@@ -132,7 +133,8 @@ std::int64_t place_of(const Hdf5Handle& data_set, const std::string& file) {
 }
 
 // Compressed values go through HDF5, one gathered chunk at a time.
-std::int64_t write_compressed(Group& g, const Hdf5Handle& values, const std::string& file) {
+std::int64_t write_compressed(Group& g, const Hdf5Handle& values, const Hdf5Target& target,
+                              const std::string& file) {
   const auto space = checked(H5Dget_space(values.get()), H5Sclose, "ask for a space", file);
   const hid_t type = memory_type(g.variable.stored);
   hsize_t start = 0;
@@ -148,6 +150,7 @@ std::int64_t write_compressed(Group& g, const Hdf5Handle& values, const std::str
               "select a range", file);
           checked(H5Dwrite(values.get(), type, memory.get(), space.get(), H5P_DEFAULT, bytes),
                   "write values", file);
+          target.check();  // a full disk takes no more chunks
           start += count;
         });
     g.sums[p] = r.crc;
@@ -173,7 +176,7 @@ Hdf5Handle make_group(hid_t file_id, const std::string& path, const std::string&
   }
 }
 
-std::int64_t lay_out(Group& g, hid_t file_id, const std::string& file) {
+std::int64_t lay_out(Group& g, hid_t file_id, const Hdf5Target& target, const std::string& file) {
   const Hdf5Handle group = make_group(file_id, g.variable.group(), file);
   write_text_attribute(group.get(), "type", std::string(name_of(g.variable.type)), file);
   write_text_attribute(group.get(), "centring", std::string(name_of(g.variable.centring)), file);
@@ -187,29 +190,33 @@ std::int64_t lay_out(Group& g, hid_t file_id, const std::string& file) {
   const auto values = create_data_set(group.get(), "values", memory_type(g.variable.stored),
                                       {g.value_count()}, g.variable.gzip, file);
   g.sums_offset = place_of(sums, file);
-  if (g.variable.gzip) return write_compressed(g, values, file);
+  if (g.variable.gzip) return write_compressed(g, values, target, file);
   g.values_offset = g.variable.offset = place_of(values, file);
   return 0;
 }
 
 // HDF5's part: structure, boxes and compressed values. Leaves room for the rest.
-std::int64_t write_structure(const std::filesystem::path& path, std::vector<Group>& groups) {
-  const std::string file = path.string();
+std::int64_t write_structure(PosixFile& disk, std::vector<Group>& groups) {
+  const std::string file = disk.path().string();
+  Hdf5Target target(disk);
   const auto access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a list", file);
+  target.attach(access.get());
   // Structures with checksums of their own, readable since HDF5 1.8; large values on whole pages.
   checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "set the version",
           file);
   checked(H5Pset_alignment(access.get(), 64 * 1024, 4096), "set the alignment", file);
-  // The folder is ours alone until it is renamed; locks only fail on network file systems.
-  checked(H5Pset_file_locking(access.get(), false, true), "set the locking", file);
   // No time stamps: equal data make equal files.
   const auto creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a list", file);
   checked(H5Pset_obj_track_times(creation.get(), false), "set the times", file);
   auto file_id = checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
                          H5Fclose, "create the file", file);
   std::int64_t overflows = 0;
-  for (Group& g : groups) overflows += lay_out(g, file_id.get(), file);
+  for (Group& g : groups) {
+    overflows += lay_out(g, file_id.get(), target, file);
+    target.check();
+  }
   if (!file_id.close()) fail_hdf5("close the file", file);
+  target.check();
   return overflows;
 }
 
@@ -272,10 +279,10 @@ FieldFileResult write_field_file(const std::filesystem::path& folder, int rank,
   const std::filesystem::path path = folder / fmt::format("p{:05}.h5", rank);
   std::vector<Group> groups = plan(pieces, options);
   FieldFileResult result;
-  result.float_overflows = write_structure(path, groups);
-  PosixFile file = PosixFile::open_existing(path);
+  PosixFile file = PosixFile::create(path);
+  result.float_overflows = write_structure(file, groups);
   result.float_overflows += write_values(file, groups);
-  file.sync();
+  file.flush();
   result.record.href = path.filename().string();
   result.record.bytes = file.size();
   file.close();

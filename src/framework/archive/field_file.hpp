@@ -31,8 +31,8 @@ struct FieldFileResult {
 // Bytes of the values that writing these pieces takes, uncompressed.
 std::int64_t stored_bytes(std::span<const FieldPiece> pieces, const StorageOptions& options);
 
-// Writes folder/pNNNNN.h5 and folder/pNNNNN.xml and flushes both. Throws SystemError; the caller
-// removes the folder then.
+// Writes folder/pNNNNN.h5, flushed, and folder/pNNNNN.xml, not flushed. Throws SystemError; the
+// caller removes the folder then.
 FieldFileResult write_field_file(const std::filesystem::path& folder, int rank,
                                  std::span<const FieldPiece> pieces, const StorageOptions& options);
 

@@ -44,13 +44,12 @@ void HistoryFile::append_line(int step, double time, const std::string& value) {
   pending_ += value + '\n';
 }
 
-void HistoryFile::flush() {
+void HistoryFile::write() {
   if (pending_.empty()) return;
   PosixFile file = PosixFile::open_or_create(path_);
   const std::int64_t end = file.size();
   try {
     file.write_at(end, pending_.data(), pending_.size());
-    file.sync();
   } catch (...) {
     file.truncate(end);
     throw;
@@ -80,7 +79,6 @@ void cut_history(const std::filesystem::path& path, const HistoryControl& contro
   if (kept == text.size()) return;
   PosixFile file = PosixFile::open_existing(path);
   file.truncate(static_cast<std::int64_t>(kept));
-  file.sync();
   file.close();
 }
 

@@ -3,8 +3,8 @@
 //   [step, ten wide<TAB>]time<TAB>value
 //
 // with 17 significant digits; a vector is three numbers with blanks between. No header. Lines are
-// kept in memory until the archive writes an output or a checkpoint, or the run ends, so that every
-// line up to a checkpoint is on disk before that checkpoint exists.
+// kept in memory until the archive writes an output or a checkpoint, or the run ends; the flush
+// before that step enters the index takes them to the disk.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -20,9 +20,7 @@ struct HistoryControl {
   bool step_column = false;
   bool time_column = true;
 
-  bool selects(int step) const {
-    return frequency <= 1 || step % frequency == on_step % frequency;
-  }
+  bool selects(int step) const { return frequency <= 1 || step % frequency == on_step % frequency; }
 };
 
 class HistoryFile {
@@ -32,8 +30,8 @@ class HistoryFile {
 
   void append(int step, double time, double value);
   void append(int step, double time, Vec3 value);
-  // Appends to the file and flushes it. When the disk is full the file is left as it was.
-  void flush();
+  // Appends to the file. When the disk is full the file is left as it was.
+  void write();
 
   const std::filesystem::path& path() const { return path_; }
 

@@ -12,7 +12,7 @@ std::string written(const std::filesystem::path& path, const HistoryControl& con
   HistoryFile file(path, control);
   for (int step = 1; step <= 6; ++step) file.append(step, 0.1 * step, 1.0 / step);
   EXPECT_FALSE(std::filesystem::exists(path));  // nothing before the flush
-  file.flush();
+  file.write();
   return read_text(path);
 }
 
@@ -28,7 +28,7 @@ TEST(HistoryFile, Columns) {
             "         1\t1\n         6\t0.16666666666666666\n");
   HistoryFile vectors(folder.path() / "v.dat", {});
   vectors.append(1, 0.5, Vec3{0.1, -2, 3e-300});
-  vectors.flush();
+  vectors.write();
   EXPECT_EQ(read_text(folder.path() / "v.dat"),
             "0.5\t0.10000000000000001 -2 3.0000000000000002e-300\n");
 }
@@ -50,7 +50,7 @@ TEST(HistoryFile, CutBackToARestart) {
     EXPECT_EQ(std::count(kept.begin(), kept.end(), '\n'), lines);
     HistoryFile file(path, control);
     for (int step = 5; step <= 6; ++step) file.append(step, 0.1 * step, 1.0 / step);
-    file.flush();
+    file.write();
     EXPECT_EQ(read_text(path), all);
   }
 }

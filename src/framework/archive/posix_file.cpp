@@ -8,6 +8,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +19,8 @@
 
 namespace sluice {
 namespace {
+
+std::atomic<std::int64_t> flushes = 0;
 
 // What to try next, for the causes that users meet.
 std::string advice(const std::filesystem::path& path, int error_number) {
@@ -32,6 +35,8 @@ std::string advice(const std::filesystem::path& path, int error_number) {
                                                      static_cast<double>(space.f_frsize)));
       return left + "; free some space or choose another folder with -o DIR";
     }
+    case EFBIG:
+      return "; raise the limit of file sizes (ulimit -f)";
     case EACCES:
     case EPERM:
     case EROFS:
@@ -124,7 +129,8 @@ void PosixFile::truncate(std::int64_t bytes) {
   if (::ftruncate(descriptor_, bytes) != 0) fail_system("cut", path_, errno);
 }
 
-void PosixFile::sync() {
+void PosixFile::flush() {
+  ++flushes;
   // EINVAL: a special file or file system that has nothing to flush.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail_system("flush", path_, errno);
 }
@@ -144,10 +150,9 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-void write_text_durably(const std::filesystem::path& path, std::string_view text) {
+void write_text(const std::filesystem::path& path, std::string_view text) {
   PosixFile file = PosixFile::create(path);
   file.write_at(0, text.data(), text.size());
-  file.sync();
   file.close();
 }
 
@@ -155,8 +160,8 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
   // The process number keeps two writers from sharing the file beside the target.
   const std::filesystem::path beside = path.string() + fmt::format(".{}.partial", ::getpid());
   try {
-    write_text_durably(beside, text);
-    sync_folder(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+    write_text(beside, text);
+    flush_file_system(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
     rename_path(beside, path);
   } catch (...) {
     ::unlink(beside.c_str());
@@ -175,13 +180,20 @@ void rename_path(const std::filesystem::path& from, const std::filesystem::path&
     fail_system("rename " + from.string() + " to", to, errno);
 }
 
-void sync_folder(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) fail_system("open folder", path, errno);
-  const int status = ::fsync(descriptor);
+void flush_file_system(const std::filesystem::path& folder) {
+  ++flushes;
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) fail_system("open folder", folder, errno);
+  const int status = ::syncfs(descriptor);
   const int error_number = errno;
   ::close(descriptor);
-  if (status != 0 && error_number != EINVAL) fail_system("flush folder", path, error_number);
+  if (status == 0) return;
+  if (error_number != ENOSYS) fail_system("flush", folder, error_number);
+  ::sync();  // a system that cannot flush one file system flushes all
+}
+
+std::int64_t flush_count() {
+  return flushes;
 }
 
 void remove_tree(const std::filesystem::path& path) {

@@ -1,7 +1,9 @@
 // Files by their POSIX calls: every call checked, failures named with path, cause and what to do.
 //
-// An archive must survive a kill at any moment, so text files are replaced as a whole (write
-// beside, flush, rename) and folders are flushed after their entries changed.
+// An archive must survive a kill or a power cut at any moment. So what is written is flushed before
+// anything names it, and text files that name things are replaced as a whole (write beside, flush,
+// rename). A flush takes milliseconds, however little there is to flush: a step's many small files
+// and folders are flushed all at once, with the file system that they lie in.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +34,7 @@ class PosixFile {
   void read_at(std::int64_t offset, void* data, std::size_t bytes) const;
   std::int64_t size() const;
   void truncate(std::int64_t bytes);
-  void sync();
+  void flush();  // to the disk
   void close();  // checks what the destructor cannot report
 
   const std::filesystem::path& path() const { return path_; }
@@ -46,16 +48,19 @@ class PosixFile {
 };
 
 std::string read_text(const std::filesystem::path& path);
-// Writes and flushes a file in a folder that nobody reads yet.
-void write_text_durably(const std::filesystem::path& path, std::string_view text);
+// In a folder that nothing names yet. Not flushed.
+void write_text(const std::filesystem::path& path, std::string_view text);
 // Writes beside the target, flushes, renames: a reader sees the old text or the new, never a part.
-// Before the rename the folder is flushed, so that all that was renamed in it earlier is on disk
-// when the new text can be seen.
+// Before the rename the file system is flushed, so that all that this process has written, made or
+// renamed in it earlier is on disk when the new text can be seen.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 // False when the folder exists already.
 bool make_folder(const std::filesystem::path& path);
 void rename_path(const std::filesystem::path& from, const std::filesystem::path& to);
-void sync_folder(const std::filesystem::path& path);
+// Everything in the file system of this folder, to the disk.
+void flush_file_system(const std::filesystem::path& folder);
+// Flushes of this process so far, of files and file systems.
+std::int64_t flush_count();
 void remove_tree(const std::filesystem::path& path);
 
 // Keeps other runs from writing into the same archive while this one lives (the lock goes with the

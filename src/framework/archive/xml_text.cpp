@@ -156,7 +156,7 @@ std::string seal(std::string xml) {
 }
 
 void write_sealed(const std::filesystem::path& path, const XmlElement& root) {
-  write_text_durably(path, seal(to_text(root)));
+  write_text(path, seal(to_text(root)));
 }
 void publish_sealed(const std::filesystem::path& path, const XmlElement& root) {
   write_text_atomically(path, seal(to_text(root)));

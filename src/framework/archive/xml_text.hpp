@@ -45,7 +45,8 @@ XmlElement parse_xml(std::string_view text, const std::string& context);
 std::string to_text(const XmlElement& root);
 
 std::string seal(std::string xml);
-// In a folder that nobody reads yet; publish_sealed replaces a file that is read.
+// In a folder that nothing names yet, not flushed; publish_sealed flushes it, with all else that
+// has been written, and replaces a file that is read.
 void write_sealed(const std::filesystem::path& path, const XmlElement& root);
 void publish_sealed(const std::filesystem::path& path, const XmlElement& root);
 XmlElement read_sealed(const std::filesystem::path& path);

@@ -14,6 +14,7 @@
 #include <map>
 #include <thread>
 
+#include "framework/base/launcher.hpp"
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
@@ -105,11 +106,11 @@ int environment_number(const char* name) {
 }  // namespace
 
 int launched_processes() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"}) {
+  for (const char* name : rank_counts) {
     if (const int size = environment_number(name); size > 0) return size;
   }
   // PMIx alone names the rank but not the size: under srun the scheduler knows it.
-  if (std::getenv("PMIX_RANK") != nullptr || std::getenv("PMI_RANK") != nullptr) {
+  if (has_launcher()) {
     const int size = environment_number("SLURM_STEP_NUM_TASKS");
     return size > 0 ? size : INT_MAX;
   }

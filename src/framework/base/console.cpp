@@ -12,6 +12,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "framework/base/launcher.hpp"
+
 namespace sluice {
 namespace {
 
@@ -25,7 +27,7 @@ std::size_t width_of(std::string_view text) {
 }  // namespace
 
 bool is_terminal(std::FILE* stream) {
-  return isatty(fileno(stream)) == 1;
+  return isatty(fileno(stream)) == 1 && !has_launcher();
 }
 
 bool wants_colour(std::FILE* stream) {

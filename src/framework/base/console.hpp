@@ -8,6 +8,8 @@
 
 namespace sluice {
 
+// Where a person looks on. Not under a launcher of ranks: it gives its ranks terminals of their own
+// and sends what they write there wherever its own output goes, often to a file.
 bool is_terminal(std::FILE* stream);
 // A terminal, NO_COLOR unset or empty (no-color.org), TERM not "dumb".
 bool wants_colour(std::FILE* stream);

@@ -1,13 +1,16 @@
 // Sizes, times and tables as a person reads them; colour only where asked for.
 #include "framework/base/console.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
+#include "framework/base/launcher.hpp"
 #include "framework/base/memory.hpp"
+#include "framework/base/with_variable.hpp"
 
 namespace sluice::console_test {
 namespace {
@@ -54,6 +57,18 @@ TEST(Console, colour_only_when_wanted) {
   EXPECT_FALSE(wants_colour(file));
   EXPECT_EQ(terminal_width(file), 80);
   std::fclose(file);
+}
+
+TEST(Console, a_launcher_of_ranks_is_no_terminal) {
+  std::FILE* terminal = ::fdopen(::posix_openpt(O_RDWR | O_NOCTTY), "r+");
+  ASSERT_NE(terminal, nullptr);
+  EXPECT_EQ(is_terminal(terminal), !has_launcher());
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK"}) {
+    const WithVariable launched(name, "1");  // one rank is launched as several are
+    EXPECT_FALSE(is_terminal(terminal));
+    EXPECT_FALSE(wants_colour(terminal));
+  }
+  std::fclose(terminal);
 }
 
 TEST(Console, table_aligns_columns) {

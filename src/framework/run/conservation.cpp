@@ -106,11 +106,24 @@ double Conservation::defect(int quantity) const {
   return sum.value();
 }
 
-double Conservation::scale(int quantity) const {
+void Conservation::set_vector(int first, int components, double at_rest) {
+  vector_ = {first, components, at_rest};
+}
+
+double Conservation::own_scale(int quantity) const {
   const Book& b = book(quantity);
   ExactSum passed = b.boundary.magnitude;
   passed.merge(b.sources.magnitude);
   return std::max({b.start.magnitude.value(), b.now.magnitude.value(), passed.value()});
+}
+
+double Conservation::scale(int quantity) const {
+  constexpr double round_off = 1e-10;
+  const int end = vector_.first + vector_.components;
+  if (quantity < vector_.first || quantity >= end) return own_scale(quantity);
+  double largest = 0;
+  for (int q = vector_.first; q < end; ++q) largest = std::max(largest, own_scale(q));
+  return largest < round_off * vector_.at_rest ? vector_.at_rest : largest;
 }
 
 double Conservation::drift(int quantity) const {
@@ -118,12 +131,9 @@ double Conservation::drift(int quantity) const {
   return difference == 0 ? 0 : difference / scale(quantity);
 }
 
-double Conservation::worst_drift(const std::vector<double>& natural) const {
-  constexpr double at_rest = 1e-10;
+double Conservation::worst_drift() const {
   double worst = 0;
   for (int quantity = 0; quantity < count(); ++quantity) {
-    const auto n = static_cast<std::size_t>(quantity);
-    if (n < natural.size() && scale(quantity) < at_rest * natural[n]) continue;
     const double size = std::fabs(drift(quantity));
     if (!(size <= worst)) worst = size;  // a NaN is the worst of all, and stays
     if (std::isnan(worst)) break;

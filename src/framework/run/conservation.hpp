@@ -3,6 +3,10 @@
 //   drift = (now - start - through the boundary - from sources) / scale
 //   scale = max(sum |q| at the start, sum |q| now, sum of |what passed| boundary and sources)
 //
+// The components of a vector have one scale, the largest of theirs: what is round-off where nothing
+// moves along y is no scale for itself. Where the whole vector is round-off, in a flow at rest, its
+// scale is what it would be if all the energy moved.
+//
 // All sums are exact: the drift is the round-off of the scheme, not of the book-keeping, and the
 // same on any number of ranks and threads. What passes in a rejected step is never booked.
 #pragma once
@@ -49,6 +53,10 @@ class Conservation {
   void add_boundary(int quantity, const ConservedTotal& inflow);
   void add_sources(int quantity, const ConservedTotal& added);
 
+  // The quantities from `first` on are components of a vector, `at_rest` the size that it would
+  // have if things moved; a scale below 1e-10 of that is itself round-off.
+  void set_vector(int first, int components, double at_rest);
+
   double start(int quantity) const;
   double now(int quantity) const;
   double boundary(int quantity) const;
@@ -58,10 +66,8 @@ class Conservation {
   double scale(int quantity) const;
   // defect / scale; 0 when there is nothing at all.
   double drift(int quantity) const;
-  // The quantity that drifts most, as its share of the scale; 0 without quantities. `natural`: by
-  // quantity, what it would be if things moved (0: not known); one whose scale is below 1e-10 of
-  // that is itself round-off (the momentum of a gas at rest) and left out.
-  double worst_drift(const std::vector<double>& natural = {}) const;
+  // The quantity that drifts most, as its share of the scale; 0 without quantities.
+  double worst_drift() const;
 
   // {name: {start, now, boundary, sources, defect, scale, drift}}
   nlohmann::json to_json() const;
@@ -77,10 +83,16 @@ class Conservation {
     std::string name;
     ConservedTotal start, now, boundary, sources;
   };
+  struct Vector {
+    int first = 0, components = 0;
+    double at_rest = 0;
+  };
+  double own_scale(int quantity) const;
   Book& book(int quantity);
   const Book& book(int quantity) const;
 
   std::vector<Book> books_;
+  Vector vector_;
 };
 
 }  // namespace sluice

@@ -72,6 +72,32 @@ TEST(Conservation, a_lost_unit_is_seen) {
   EXPECT_EQ(books.drift(0), -1.0 / 2e16);
 }
 
+// What moves along x loses round-off of it along y.
+TEST(Conservation, components_of_a_vector_have_one_scale) {
+  Conservation books({"mass", "momentum x", "momentum y"});
+  books.set_start(1, total_of({4.0}));
+  books.set_now(1, total_of({4.0}));
+  books.set_start(2, total_of({}));
+  books.set_now(2, total_of({1e-16}));
+  EXPECT_EQ(books.drift(2), 1.0) << "of its own";
+  books.set_vector(1, 2, 100.0);
+  EXPECT_EQ(books.scale(1), 4.0);
+  EXPECT_EQ(books.scale(2), 4.0);
+  EXPECT_EQ(books.drift(2), 1e-16 / 4.0);
+  EXPECT_EQ(books.worst_drift(), 1e-16 / 4.0);
+}
+
+TEST(Conservation, a_vector_that_is_round_off_has_the_scale_of_all_energy) {
+  Conservation books({"momentum x", "momentum y"});
+  for (int d = 0; d < 2; ++d) {
+    books.set_start(d, total_of({}));
+    books.set_now(d, total_of({1e-14, -2e-14}));
+  }
+  books.set_vector(0, 2, 100.0);
+  EXPECT_EQ(books.scale(0), 100.0);
+  EXPECT_EQ(books.drift(1), -1e-14 / 100.0);
+}
+
 TEST(Conservation, empty_is_zero_and_nan_is_the_worst) {
   Conservation books({"a", "b"});
   EXPECT_EQ(books.drift(0), 0.0) << "nothing at all has no drift";

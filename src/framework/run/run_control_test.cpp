@@ -38,12 +38,12 @@ TEST(RunControl, a_signal_to_the_last_rank_stops_all) {
 
 TEST(RunControl, clock_is_the_slowest_of_all_ranks) {
   const RunControl control;
-  const bool slow = world().is_root();
-  if (slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  if (world().is_root()) std::this_thread::sleep_for(std::chrono::milliseconds(30));
   const double wall = ask_once(control).wall_seconds;
   EXPECT_GE(wall, 0.03);
-  EXPECT_GE(wall, slow ? 0.03 : 0.0);
-  EXPECT_LT(wall, 60);
+  if (world().size() == 1) {
+    EXPECT_LE(wall, control.wall_seconds());
+  }
 }
 
 TEST(RunControl, second_sigterm_ends_at_once) {

@@ -122,12 +122,14 @@ std::string summary(const RunReport& r) {
       to_string(r.status), r.steps, r.time, human_duration(r.wall_seconds), human_count(r.cells),
       r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
       r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
+  text += fmt::format("time: start {}, stepping {}, output {}\n", human_duration(r.start_seconds),
+                      human_duration(r.stepping_seconds), human_duration(r.output_seconds));
   if (r.levels.size() > 1) text += levels_text(r);
   for (const ParticleCount& p : r.particles)
     text += fmt::format("particles {}: {} in the domain; {} made, {} left it\n", p.name,
                         human_count(p.here), human_count(p.made), human_count(p.left));
   if (r.blocks_asleep > 0)
-    text += fmt::format("quiet blocks: {:.0f} % slept\n",
+    text += fmt::format("skipped blocks: {:.0f} % of all\n",
                         100.0 * static_cast<double>(r.blocks_asleep) /
                             static_cast<double>(r.blocks_asleep + r.blocks_run));
   text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);

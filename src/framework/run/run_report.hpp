@@ -38,15 +38,16 @@ struct RunReport {
   RunStatus status = RunStatus::running;
   std::string message;  // why it failed; empty otherwise
   std::optional<std::string> archive;
-  int steps = 0;      // of this process
-  int last_step = 0;  // number of the last step of the run
+  int steps = 0;             // of this process
+  int last_step = 0;         // number of the last step of the run
+  int last_checkpoint = -1;  // step of the last checkpoint that this process wrote; -1: none
   double time = 0;
   std::int64_t cells = 0;
   int ranks = 1, threads = 1;
   double wall_seconds = 0;      // of the process's run, set-up and output included
   double stepping_seconds = 0;  // of the steps alone
   double output_seconds = 0;
-  double start_seconds = 0;                        // from the start to the first step
+  double start_seconds = 0;                        // before the first step, outputs aside
   std::uint64_t peak_memory_bytes = 0;             // of all ranks together
   std::int64_t blocks_run = 0, blocks_asleep = 0;  // of all ranks
   std::vector<EffectCost> effects;

@@ -1,4 +1,4 @@
-// What the report says of levels.
+// What the report says of time and of levels.
 #include "framework/run/run_report.hpp"
 
 #include <gmock/gmock.h>
@@ -43,6 +43,15 @@ TEST(RunReport, TellsLevelsSavingsAndRegrids) {
   EXPECT_EQ(json["updates_asleep"], 40);
   EXPECT_EQ(json["levels"][1]["substeps"], 2);
   EXPECT_EQ(json["levels"][1]["domain_cells"], 400);
+}
+
+TEST(RunReport, TellsStartSteppingAndOutputApart) {
+  RunReport r = two_of_three_levels();
+  r.start_seconds = 0.02;
+  r.output_seconds = 1.5;
+  EXPECT_THAT(summary(r), HasSubstr("time: start 20 ms, stepping 500 ms, output 1.5 s\n"));
+  EXPECT_EQ(to_json(r)["start_s"], 0.02);
+  EXPECT_EQ(to_json(r)["output_s"], 1.5);
 }
 
 TEST(RunReport, TellsHowToRegridLessWhereThatTakesLong) {

@@ -140,9 +140,10 @@ void Simulation::start() {
   p.cells = hierarchy_.cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
+  if (output_ != nullptr) start_seconds_ -= output_->seconds();
   if (communicator_.is_root() && output_ != nullptr)
     for (const Fault& warning : analysis_.warnings()) progress_->note(to_string(warning));
-  progress_->begin(time_.state().step, time_.state().time, start_seconds_);
+  progress_->begin(time_.state().step, time_.state().time, control_.wall_seconds());
 }
 
 StepInfo Simulation::step_info() const {
@@ -311,6 +312,7 @@ void Simulation::write_last_good_checkpoint() {
   if (output_ == nullptr || last_checkpoint_step_ == time_.state().step || steps_ == 0) return;
   flush_samples();
   output_->write_checkpoint(step_info());
+  last_checkpoint_step_ = time_.state().step;
 }
 
 RunReport Simulation::run() {
@@ -345,6 +347,7 @@ RunReport Simulation::report() const {
   if (output_ != nullptr) r.archive = output_->archive_folder();
   r.steps = steps_;
   r.last_step = time_.state().step;
+  r.last_checkpoint = last_checkpoint_step_;
   r.time = time_.state().time;
   r.cells = hierarchy_.cell_count();
   r.ranks = communicator_.size();
@@ -387,7 +390,7 @@ RunReport Simulation::report() const {
   }
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
-  r.worst_drift = conservation_.worst_drift(natural_sizes());
+  r.worst_drift = conservation_.worst_drift();
   return r;
 }
 

@@ -61,7 +61,7 @@ class Simulation {
   void set_totals(bool at_start);
   StepInfo step_info() const;
   RunReport report() const;
-  std::vector<double> natural_sizes() const;
+  double momentum_of_all_energy() const;
   [[noreturn]] void fail(const StepPlan& plan, const CycleResult& result);
   [[noreturn]] void fail_unsound(const StepPlan& plan, const CycleResult& result);
   void plant_nan(IntVec3 cell);

@@ -63,6 +63,7 @@ void Simulation::set_totals(bool at_start) {
   ConservedTotal energy = t.internal_energy;
   energy.merge(t.kinetic_energy);
   set(energy);
+  conservation_.set_vector(component_.material_count(), 3, momentum_of_all_energy());
 }
 
 void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
@@ -88,16 +89,12 @@ void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
     tallies_.add_sources(static_cast<int>(n), single(added[n]));
 }
 
-// By conserved quantity: the momentum that the energy could carry; others are what they are.
-std::vector<double> Simulation::natural_sizes() const {
+// What the momentum would be if all the energy moved all the mass.
+double Simulation::momentum_of_all_energy() const {
   const int masses = component_.material_count(), energy = masses + 3;
   double mass = 0;
   for (int m = 0; m < masses; ++m) mass += std::fabs(conservation_.now(m));
-  std::vector<double> natural(static_cast<std::size_t>(conservation_.count()), 0.0);
-  for (int d = 0; d < 3; ++d)
-    natural[static_cast<std::size_t>(masses + d)] =
-        std::sqrt(2 * mass * std::fabs(conservation_.now(energy)));
-  return natural;
+  return std::sqrt(2 * mass * std::fabs(conservation_.now(energy)));
 }
 
 }  // namespace sluice

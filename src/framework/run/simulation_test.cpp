@@ -139,8 +139,10 @@ TEST_F(Runs, ARestartOnOtherBoxesGivesTheSameBits) {
   o.limits.max_steps = 10;
   const RunReport half = run(scene, mock(scene), o);
   EXPECT_EQ(half.status, RunStatus::max_steps);
+  EXPECT_EQ(Archive::open(half.archive.value()).select_checkpoint().step, 10) << "of its end";
   o = options("rest");
   o.restart = half.archive.value();
+  o.restart_step = 9;
   const RunReport rest = run(other, mock(other), o);
   EXPECT_EQ(rest.status, RunStatus::done);
   EXPECT_EQ(rest.last_step, 16);
@@ -160,7 +162,8 @@ TEST_F(Runs, ARestartStepsAsTheDeckSaysNow) {
   const RunReport half = run(scene, mock(scene), o);
   o = options("rest");
   o.restart = half.archive.value();
-  o.limits.max_steps = 10;  // one step from the checkpoint of step 9
+  o.restart_step = 9;
+  o.limits.max_steps = 10;
   MockComponent slower = mock(scene);
   slower.greed = 0.25;
   const RunReport rest = run(scene, slower, o);

@@ -240,8 +240,11 @@ StepEnd TimeControl::accept(const StepPlan& plan, double wall_seconds, bool term
   } else if (over(time_.max_wall_time) || over(limits_.wall_seconds)) {
     end.status = RunStatus::wall_limit;
   }
-  // Cut short by the clock or a signal: the run must be able to go on from here.
-  const bool cut = end.status == RunStatus::terminated || end.status == RunStatus::wall_limit;
+  // Cut short by the clock, a signal or the caller's number of steps: the run must be able to go on
+  // from here.
+  const bool asked = limits_.max_steps > 0 && plan.step >= limits_.max_steps;
+  const bool cut = end.status == RunStatus::terminated || end.status == RunStatus::wall_limit ||
+                   (end.status == RunStatus::max_steps && asked);
   const bool last = end.status != RunStatus::running && output_.checkpoint.last_timestep;
   end.checkpoint = end.checkpoint || cut || last;
   status_ = end.status;

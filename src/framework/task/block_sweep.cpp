@@ -85,9 +85,12 @@ BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
   const Task& t = list_->tasks()[static_cast<std::size_t>(planned.task)];
   const auto stored = [&](VariableId v) { return (*list_)[v].storage != Storage::temporary; };
   const std::size_t reads = t.reads.size(), all = reads + t.writes.size();
-  BoundTask task{&t.kernel, sharing_of(planned),
+  BoundTask task{&t.kernel,
+                 t.owner->of_reductions(),
+                 sharing_of(planned),
                  t.always || std::any_of(t.writes.begin(), t.writes.end(), stored),
-                 static_cast<int>(reads), RowArrays(all, plan_->axes.count)};
+                 static_cast<int>(reads),
+                 RowArrays(all, plan_->axes.count)};
   for (std::size_t n = 0; n < all; ++n) {
     const VariableId v = n < reads ? t.reads[n].variable : t.writes[n - reads];
     const std::size_t array = number[static_cast<std::size_t>(v.index)];
@@ -180,6 +183,7 @@ void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Ro
   const Axes& axes = plan_->axes;
   row.starts_ = t.rows.starts();
   row.first_write_ = t.reads;
+  row.places_ = &t.places;
   row.count_ = window.high[0] - window.low[0];
   row.whole_vectors_ = alone && !t.stores ? rounded_up(row.count_) : row.count_;
   row.cell_ = level_->domain.lower;

@@ -1,4 +1,4 @@
-// What a cell-centred method sees of any material: cell fields, how it moves, its closure.
+// What a cell-centred method sees of any material: cell fields and how it moves.
 //
 // A fluid owns its cell fields: the method reads the old ones and writes the new ones. A material
 // that is moved by particles fills the same fields by projection at the start of a step; the method
@@ -31,27 +31,14 @@ struct CellChange {
   Label heat;     // J/m^3
 };
 
-// One row of cells for a closure. Pointers are to `count` values; none overlap.
-struct ClosureRow {
-  int count = 0;
-  const double* pressure = nullptr;     // Pa
-  const double* temperature = nullptr;  // K
-  double* density = nullptr;            // true density, kg/m^3
-  double* compressibility = nullptr;    // d density / d pressure at constant temperature, s^2/m^2
-  double* sound_speed = nullptr;        // m/s
-};
-
-class CellMaterial {
- public:
-  virtual ~CellMaterial() = default;
-  virtual std::string name() const = 0;
-  virtual int index() const = 0;
-  virtual Movement movement() const = 0;
-  virtual CellFields fields() const = 0;
-  virtual CellChange change() const { return {}; }  // particle-moved materials have one
-  // Density, its derivative and the sound speed at (p, T). Called once a row, from any thread:
-  // the model is chosen here, outside the loop over cells.
-  virtual void closure(const ClosureRow& row) const = 0;
+// What one part of a component tells the others of a material: plain data, filled in by whoever
+// owns the material. Its law stays with whoever closes the cells.
+struct CellMaterial {
+  std::string name;
+  int number = 0;  // of the scene's materials: under it its fields are stored
+  Movement movement = Movement::advection;
+  CellFields fields;
+  CellChange change{};  // of materials that particles move
 };
 
 }  // namespace sluice

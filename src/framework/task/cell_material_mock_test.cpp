@@ -27,12 +27,27 @@ Label mass_of(int material) {
   return test_label(10 + material);
 }
 
-class Gas final : public CellMaterial {
+// One row of cells for a closure: density, d density/dp and sound speed at (p, T).
+struct ClosureRow {
+  int count = 0;
+  const double* pressure = nullptr;
+  const double* temperature = nullptr;
+  double* density = nullptr;
+  double* compressibility = nullptr;
+  double* sound_speed = nullptr;
+};
+
+// A material and its law.
+struct Closed {
+  explicit Closed(CellMaterial m) : cells(std::move(m)) {}
+  virtual ~Closed() = default;
+  virtual void closure(const ClosureRow& row) const = 0;
+  CellMaterial cells;
+};
+
+class Gas final : public Closed {
  public:
-  std::string name() const override { return "gas"; }
-  int index() const override { return 0; }
-  Movement movement() const override { return Movement::advection; }
-  CellFields fields() const override { return {mass_of(0), {}, {}, {}}; }
+  Gas() : Closed({"gas", 0, Movement::advection, {mass_of(0), {}, {}, {}}}) {}
   void closure(const ClosureRow& r) const override {
     ++calls;
     for (int i = 0; i < r.count; ++i) {
@@ -44,13 +59,10 @@ class Gas final : public CellMaterial {
   mutable std::atomic<int> calls = 0;
 };
 
-class Solid final : public CellMaterial {
+class Solid final : public Closed {
  public:
-  std::string name() const override { return "solid"; }
-  int index() const override { return 1; }
-  Movement movement() const override { return Movement::particles; }
-  CellFields fields() const override { return {mass_of(1), {}, {}, {}}; }
-  CellChange change() const override { return {test_label(20), {}}; }
+  Solid()
+      : Closed({"solid", 1, Movement::particles, {mass_of(1), {}, {}, {}}, {test_label(20), {}}}) {}
   void closure(const ClosureRow& r) const override {
     ++calls;
     for (int i = 0; i < r.count; ++i) {
@@ -125,18 +137,18 @@ struct PressurePass {
   TaskList list;
   VariableId pressure, pressure_new;
 
-  explicit PressurePass(const std::vector<const CellMaterial*>& materials) {
+  explicit PressurePass(const std::vector<const Closed*>& materials) {
     pressure = list.old_state(test_label(2), 0, 1);
     pressure_new = list.new_state(test_label(2), 0, 1);
     const VariableId heat = list.old_state(test_label(3), 0, 1);
     std::vector<VariableId> density, slope;
-    for (const CellMaterial* m : materials) {
-      TaskBuilder task = list.task("closure of " + m->name(), 0);
+    for (const Closed* m : materials) {
+      TaskBuilder task = list.task("closure of " + m->cells.name, 0);
       const In p = task.read(pressure), T = task.read(heat);
-      density.push_back(list.temporary("rho of " + m->name()));
-      slope.push_back(list.temporary("drho/dp of " + m->name()));
+      density.push_back(list.temporary("rho of " + m->cells.name));
+      slope.push_back(list.temporary("drho/dp of " + m->cells.name));
       const Out rho = task.write(density.back()), drho = task.write(slope.back());
-      const Out c = task.write(list.temporary("c of " + m->name()));
+      const Out c = task.write(list.temporary("c of " + m->cells.name));
       task.kernel([=](const Row& row) {
         m->closure({row.count(), row(p), row(T), row(rho), row(drho), row(c)});
       });
@@ -145,8 +157,8 @@ struct PressurePass {
     const In p = newton.read(pressure);
     std::vector<In> mass, rho, drho;
     for (std::size_t m = 0; m < materials.size(); ++m) {
-      mass.push_back(
-          newton.read(list.old_state(materials[m]->fields().mass, static_cast<int>(m), 1)));
+      mass.push_back(newton.read(
+          list.old_state(materials[m]->cells.fields.mass, materials[m]->cells.number, 1)));
       rho.push_back(newton.read(density[m]));
       drho.push_back(newton.read(slope[m]));
     }
@@ -211,9 +223,8 @@ struct Mixture {
 
   Schedule schedule(int most) {
     const Action project = [this](const StepScope&, StepJournal&) {
-      for (const CellMaterial* m :
-           {static_cast<const CellMaterial*>(&gas), static_cast<const CellMaterial*>(&solid)})
-        if (m->movement() == Movement::particles) particles.scatter(state);
+      for (const CellMaterial* m : {&gas.cells, &solid.cells})
+        if (m->movement == Movement::particles) particles.scatter(state);
       return Verdict::good;
     };
     const Action newton = [this](const StepScope& s, StepJournal&) {

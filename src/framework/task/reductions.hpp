@@ -9,6 +9,8 @@
 
 #include "framework/base/exact_sum.hpp"
 #include "framework/base/vec3.hpp"
+#include "framework/task/places.hpp"
+#include "framework/task/row.hpp"
 
 namespace sluice {
 
@@ -61,5 +63,28 @@ class Reductions {
   std::vector<ExactSum> sums_;
   std::vector<CellFault> faults_;
 };
+
+// What the kernels of one part add to the reductions of all: numbers are the part's own.
+class PartReductions {
+ public:
+  PartReductions(Reductions& all, const ReductionPlaces& places) : all_(&all), places_(places) {}
+
+  void maximum(int slot, std::int64_t bits) const { all_->maximum(slot + places_.maximum, bits); }
+  ExactSum& sum(int slot) const { return all_->sum(slot + places_.sum); }
+  void fault(CellFault f) const {
+    f.kind += places_.fault;
+    if (places_.material != nullptr)
+      f.material = (*places_.material)[static_cast<std::size_t>(f.material)];
+    all_->fault(f);
+  }
+
+ private:
+  Reductions* all_;
+  ReductionPlaces places_;
+};
+
+inline PartReductions Row::reductions() const {
+  return {*reductions_, *places_};
+}
 
 }  // namespace sluice

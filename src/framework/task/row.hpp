@@ -8,9 +8,11 @@
 #include <cstddef>
 
 #include "framework/base/vec3.hpp"
+#include "framework/task/places.hpp"
 
 namespace sluice {
 
+class PartReductions;
 class Reductions;
 class RowMarks;
 
@@ -75,7 +77,7 @@ class Row {
     r.cell_[along_] += first;
     return r;
   }
-  Reductions& reductions() const { return *reductions_; }
+  PartReductions reductions() const;  // of the part that declared the task: task/reductions.hpp
 
   // Row of an input, shifted by `shift` cells along `axis` (of the active axes).
   [[gnu::always_inline]] const double* operator()(In in, int component = 0, int axis = 0,
@@ -107,6 +109,7 @@ class Row {
   RowMarks* new_marks_ = nullptr;
   const StepConstants* step_ = nullptr;
   Reductions* reductions_ = nullptr;
+  const ReductionPlaces* places_ = nullptr;
 };
 
 }  // namespace sluice

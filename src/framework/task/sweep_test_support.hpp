@@ -137,8 +137,7 @@ class RandomGraph {
 
   static const double* row_of(const Row& row, In from, const Term& t) {
     if (t.other < 0) return row(from, t.component, t.axis, t.shift);
-    if (!t.by_offset)
-      return row.at_corner(from, t.component, t.axis, t.shift, t.other, t.step);
+    if (!t.by_offset) return row.at_corner(from, t.component, t.axis, t.shift, t.other, t.step);
     std::array<int, 3> offset{};
     offset[static_cast<std::size_t>(t.axis)] = t.shift;
     offset[static_cast<std::size_t>(t.other)] = t.step;

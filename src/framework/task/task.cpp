@@ -8,35 +8,32 @@ VariableId TaskList::add(Variable v) {
   return {static_cast<int>(variables_.size()) - 1};
 }
 
-namespace {
-
-std::string key_name(Label label, const char* when) {
-  return label.name() + when;
+void TaskList::enter(Places part) {
+  part_ = std::make_shared<const Places>(std::move(part));
 }
 
-}  // namespace
+VariableId TaskList::state(Storage storage, const char* when, Label label, int material,
+                           int components) {
+  const int place = part_->material_of(material);
+  for (std::size_t v = 0; v < variables_.size(); ++v)
+    if (variables_[v].storage == storage && variables_[v].label == label &&
+        variables_[v].material == place)
+      return {static_cast<int>(v)};
+  return add({label.name() + when, storage, components, label, place,
+              face_direction(label.info().centring)});
+}
 
 VariableId TaskList::old_state(Label label, int material, int components) {
-  for (std::size_t v = 0; v < variables_.size(); ++v)
-    if (variables_[v].storage == Storage::old_state && variables_[v].label == label &&
-        variables_[v].material == material)
-      return {static_cast<int>(v)};
-  return add({key_name(label, " (old)"), Storage::old_state, components, label, material,
-              face_direction(label.info().centring)});
+  return state(Storage::old_state, " (old)", label, material, components);
 }
 
 VariableId TaskList::new_state(Label label, int material, int components) {
-  for (std::size_t v = 0; v < variables_.size(); ++v)
-    if (variables_[v].storage == Storage::new_state && variables_[v].label == label &&
-        variables_[v].material == material)
-      return {static_cast<int>(v)};
-  return add({key_name(label, " (new)"), Storage::new_state, components, label, material,
-              face_direction(label.info().centring)});
+  return state(Storage::new_state, " (new)", label, material, components);
 }
 
 VariableId TaskList::output(Label label, int material) {
-  return add({label.name(), Storage::output, component_count(label.info().type), label, material,
-              face_direction(label.info().centring)});
+  return add({label.name(), Storage::output, component_count(label.info().type), label,
+              part_->material_of(material), face_direction(label.info().centring)});
 }
 
 VariableId TaskList::temporary(std::string name, int components, int face_direction) {
@@ -46,7 +43,8 @@ VariableId TaskList::temporary(std::string name, int components, int face_direct
 TaskBuilder TaskList::task(std::string name, int effect) {
   Task t;
   t.name = std::move(name);
-  t.effect = effect;
+  t.effect = part_->effect + effect;
+  t.owner = part_;
   tasks_.push_back(std::move(t));
   return TaskBuilder(*this, tasks_.size() - 1);
 }

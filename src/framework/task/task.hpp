@@ -6,6 +6,7 @@
 // ranks, threads or files.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,8 @@ using BlockPart = std::function<IndexBox(int box, const IndexBox& block)>;
 
 struct Task {
   std::string name;
-  int effect = 0;  // index into the EffectList
+  int effect = 0;                       // index into the EffectList
+  std::shared_ptr<const Places> owner;  // the part that declared it
   std::vector<Access> reads;
   std::vector<VariableId> writes;
   RowKernel kernel;
@@ -92,6 +94,9 @@ class TaskBuilder {
 // Everything the effects of one graph declared.
 class TaskList {
  public:
+  // Effects, materials and reductions of what is declared from now on are counted from here.
+  void enter(Places part);
+
   VariableId old_state(Label label, int material, int components);
   VariableId new_state(Label label, int material, int components);
   VariableId output(Label label, int material);
@@ -107,6 +112,8 @@ class TaskList {
  private:
   friend class TaskBuilder;
   VariableId add(Variable v);
+  VariableId state(Storage storage, const char* when, Label label, int material, int components);
+  std::shared_ptr<const Places> part_ = std::make_shared<const Places>();
   std::vector<Variable> variables_;
   std::vector<Task> tasks_;
 };

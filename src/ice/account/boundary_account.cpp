@@ -20,7 +20,7 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
                    int first, int end) {
   const double sign = s.plus ? -1.0 : 1.0, volume = cell_volume(row);
   const FaceFluxRows fluxes(row, h, o, s.axis, s.shift);
-  Reductions& sums = row.reductions();
+  const PartReductions sums = row.reductions();
   for (int i = first; i < end; ++i) {
     const FaceFlux flux = fluxes(i);
     for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {

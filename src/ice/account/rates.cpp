@@ -23,12 +23,14 @@ class CellStates {
       : state_(state), box_(box), fluids_(o.fluids), gas_(o.mixed), equilibration_(o.fluids) {
     const std::vector<Fluid>& fluids = fluids_;
     const bool own_velocities = o.own_velocities;
-    const auto view = [&](Label label, int m) { return state.view(state.find(label, m), 0, box); };
+    const auto view = [&](Label label, int m) {
+      return state.view(state.find(label, o.place(m)), 0, box);
+    };
     for (int m = 0; m < static_cast<int>(fluids.size()); ++m) {
       mass_.push_back(view(labels().mass, m));
       energy_.push_back(view(labels().energy, m));
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
-      if (own_velocities) slip_.push_back(state.find(labels().slip, m));
+      if (own_velocities) slip_.push_back(state.find(labels().slip, o.place(m)));
     }
     if (gas_ != nullptr) fraction_ = view(fraction_of(o).state(), gas_->material);
   }
@@ -113,9 +115,10 @@ class Diffusion {
  public:
   Diffusion(const Warehouse& state, SchemeOptions options, int box)
       : o_(std::move(options)), spacing_(state.level().spacing) {
-    const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0);
+    const int mass = state.find(labels().mass, o_.place(0)),
+              momentum = state.find(labels().momentum, o_.place(0));
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m)
-      mass_.push_back(state.view(state.find(labels().mass, m), 0, box));
+      mass_.push_back(state.view(state.find(labels().mass, o_.place(m)), 0, box));
     for (int c = 0; c < o_.components; ++c) momentum_.push_back(state.view(momentum, c, box));
     with_eddies_ = o_.transport.turbulence.has_value() && state.info(mass).ghosts > 0;
   }
@@ -195,7 +198,8 @@ class Diffusion {
 // Adds what a velocity along each axis and sound make of the rates of one cell.
 class Waves {
  public:
-  Waves(const SchemeOptions& o, const Level& level, Reductions& rates) : o_(o), rates_(rates) {
+  Waves(const SchemeOptions& o, const Level& level, const PartReductions& rates)
+      : o_(o), rates_(rates) {
     double dx_g = 0;
     for (int a = 0; a < o.axes.count; ++a) {
       const int d = o.axes.direction[a];
@@ -235,7 +239,7 @@ class Waves {
 
  private:
   const SchemeOptions& o_;
-  Reductions& rates_;
+  const PartReductions& rates_;
   double dx_[3] = {1, 1, 1}, gravity_speed_ = 0;
 };
 
@@ -247,8 +251,8 @@ bool diffusive(const SchemeOptions& o) {
                      [](const models::TransportedScalar& s) { return s.diffusivity > 0; });
 }
 
-void measure_rates(const Warehouse& state, const SchemeOptions& o, Reductions& rates) {
-  const int momentum = state.find(labels().momentum, 0);
+void measure_rates(const Warehouse& state, const SchemeOptions& o, const PartReductions& rates) {
+  const int momentum = state.find(labels().momentum, o.place(0));
   const Vec3 spacing = state.level().spacing;
   const Waves waves(o, state.level(), rates);
   const mixture::DiffusionRates of_mixtures(o);

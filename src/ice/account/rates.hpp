@@ -11,6 +11,7 @@ bool diffusive(const SchemeOptions& options);
 
 // Maxima over the cells of this rank, 1/s, in the places of StepSlots; `options`: of the level of
 // the state. Subgrid viscosity counts where ghost cells are there.
-void measure_rates(const Warehouse& state, const SchemeOptions& options, Reductions& rates);
+void measure_rates(const Warehouse& state, const SchemeOptions& options,
+                   const PartReductions& rates);
 
 }  // namespace sluice::ice

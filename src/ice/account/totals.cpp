@@ -15,15 +15,16 @@ class TotalsOfRows {
       : state_(state),
         options_(options),
         totals_(totals),
-        momentum_(state.find(labels().momentum, 0)),
+        momentum_(state.find(labels().momentum, options.place(0))),
         volume_(state.level().cell_volume()) {
     for (int m = 0; m < materials; ++m) {
-      mass_.push_back(state.find(labels().mass, m));
-      energy_.push_back(state.find(labels().energy, m));
-      if (options.own_velocities) slip_.push_back(state.find(labels().slip, m));
+      mass_.push_back(state.find(labels().mass, options.place(m)));
+      energy_.push_back(state.find(labels().energy, options.place(m)));
+      if (options.own_velocities) slip_.push_back(state.find(labels().slip, options.place(m)));
     }
     for (const models::TransportedScalar& s : options.scalars)
-      scalars_.push_back({state.find(s.state(), s.material), static_cast<std::size_t>(s.material)});
+      scalars_.push_back(
+          {state.find(s.state(), options.place(s.material)), static_cast<std::size_t>(s.material)});
   }
 
   void add(int box, const IndexBox& cells) {

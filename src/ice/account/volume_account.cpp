@@ -25,7 +25,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
   const double* p = row(h.face_pressure, 0, axis, shift);
   const double* q = o.conducting ? row(h.heat_flux, 0, axis, shift) : nullptr;
   const FaceFluxRows fluxes(row, h, o, axis, shift);
-  Reductions& sums = row.reductions();
+  const PartReductions sums = row.reductions();
   for (int i = first; i < end; ++i) {
     const FaceFlux flux = fluxes(i);
     const double pressed = l * p[i];

@@ -91,28 +91,31 @@ BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
   BoundaryViews v;
   const int several = static_cast<int>(setting_.fluids.size());
   for (int m = slots_.material; m < slots_.material + several; ++m) {
-    v.mass.push_back(state.view(state.find(slots_.mass, m), 0, box));
-    v.energy.push_back(state.view(state.find(slots_.energy, m), 0, box));
-    if (several > 1) v.volume.push_back(state.view(state.find(slots_.volume, m), 0, box));
+    const int at = slots_.places.material_of(m);
+    v.mass.push_back(state.view(state.find(slots_.mass, at), 0, box));
+    v.energy.push_back(state.view(state.find(slots_.energy, at), 0, box));
+    if (several > 1) v.volume.push_back(state.view(state.find(slots_.volume, at), 0, box));
     if (!(slots_.slip != Label{})) continue;
-    const int slip = state.find(slots_.slip, m);
+    const int slip = state.find(slots_.slip, at);
     for (int c = 0; c < state.info(slip).components; ++c)
       v.slip.push_back(state.view(slip, c, box));
   }
-  const int momentum = state.find(slots_.momentum, slots_.material);
+  const int momentum = state.find(slots_.momentum, slots_.places.material_of(slots_.material));
   for (int c = 0; c < state.info(momentum).components; ++c)
     v.momentum.push_back(state.view(momentum, c, box));
   for (const models::TransportedScalar& s : scalars_)
     if (setting_.mixed != nullptr && s.name == setting_.mixed->fraction)
-      v.composition = state.view(state.find(s.state(), s.material), 0, box);
+      v.composition =
+          state.view(state.find(s.state(), slots_.places.material_of(s.material)), 0, box);
   return v;
 }
 
 std::vector<scalars::GhostViews> BoundaryFill::scalar_views(const Warehouse& state, int box) const {
   std::vector<scalars::GhostViews> views;
   for (const models::TransportedScalar& s : scalars_)
-    views.push_back({state.view(state.find(s.state(), s.material), 0, box),
-                     state.view(state.find(slots_.mass, s.material), 0, box)});
+    views.push_back(
+        {state.view(state.find(s.state(), slots_.places.material_of(s.material)), 0, box),
+         state.view(state.find(slots_.mass, slots_.places.material_of(s.material)), 0, box)});
   return views;
 }
 
@@ -346,7 +349,8 @@ void BoundaryFill::fill_direction(Warehouse& state, int width, int d, const Thre
 void BoundaryFill::fill(Warehouse& state, const ThreadTeam& team, double time,
                         std::span<const double> sums) const {
   const Moment moment{time, carriers(sums)};
-  const int width = state.info(state.find(slots_.mass, slots_.material)).ghosts;
+  const int width =
+      state.info(state.find(slots_.mass, slots_.places.material_of(slots_.material))).ghosts;
   for (int d = 0; d < 3; ++d) fill_direction(state, width, d, team, moment);
   team.for_each(state.local_boxes().size(), [&](std::size_t box, int) {
     even_out_edges(state, static_cast<int>(box), width, moment);

@@ -29,6 +29,7 @@
 #include "framework/base/exact_sum.hpp"
 #include "framework/field/warehouse.hpp"
 #include "framework/scene/boundary.hpp"
+#include "framework/task/places.hpp"
 #include "framework/task/thread_team.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/ghost_states.hpp"
@@ -43,6 +44,7 @@ struct StateSlots {
   std::vector<int> directions;  // of the momentum components
   Label volume{};               // of several materials
   Label slip{};                 // of those with velocities of their own; none: they have one
+  Places places{};              // of the materials
 };
 
 class BoundaryFill {

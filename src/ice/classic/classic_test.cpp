@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exact/riemann.hpp"
-#include "ice/classic/classic.hpp"
+#include "ice/classic/limits.hpp"
 #include "ice/test_support/classic.hpp"
 
 namespace sluice::ice::classic_test {

@@ -1,4 +1,11 @@
-// The variables of one step of the classic form, and its tasks.
+// The classic form of ICE: one stage, internal energy balanced.
+//
+// Face velocity from density-weighted means and the pressure gradient, pressure change from the
+// divergence of the face velocity, face pressure weighted with the opposite density, volume work,
+// advection of mass, momentum and internal energy. Limits: total energy is not conserved and shocks
+// have wrong speeds and strengths; it is there for comparison.
+// References: B. A. Kashiwa et al., A cell-centered ICE method for multiphase flow simulations,
+// LA-UR-93-3922 (1994); J. E. Guilkey, T. B. Harman and B. Banerjee, Comput. Struct. 85 (2007) 660.
 //
 // Step numbers in this folder are those of docs/theory/ice_classic.md.
 // Lengths are in cells: a slope is the difference across one cell, l = dt/dx.

@@ -6,12 +6,13 @@
 
 #include "framework/run/component.hpp"
 #include "framework/scene/refinement_settings.hpp"
+#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
 // Cells that interfaces between materials pass, one entry for each criterion that asks for a level
 // finer than that of the state; ghost cells are filled.
-std::vector<FlagSeeds> interface_seeds(const Warehouse& state, int materials,
+std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const SchemeOptions& options,
                                        const std::vector<InterfaceCriterion>& criteria);
 
 }  // namespace sluice::ice

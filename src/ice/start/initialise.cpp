@@ -57,8 +57,9 @@ class Start {
 
 void Start::one_material(Warehouse& state) const {
   const IceMaterial& m = ice_.materials.front();
-  const int mass = state.find(labels().mass, 0), momentum = state.find(labels().momentum, 0),
-            energy = state.find(labels().energy, 0);
+  const int mass = state.find(labels().mass, options_.place(0)),
+            momentum = state.find(labels().momentum, options_.place(0)),
+            energy = state.find(labels().energy, options_.place(0));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
     const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
@@ -124,7 +125,7 @@ void Start::materials(Warehouse& state) const {
       const int failed = equilibration.equilibrate({M, V, E}).failed;
       if (failed >= 0) refuse_start(ice_, fill, n, cell, state.level().index, failed);
       const auto at = [&](Label label, int m, int c) -> double& {
-        return state.view(state.find(label, m), c, b)(cell);
+        return state.view(state.find(label, options_.place(m)), c, b)(cell);
       };
       for (int m = 0; m < static_cast<int>(options_.fluids.size()); ++m) {
         put(at(labels().mass, m, 0), M[m]);
@@ -155,8 +156,8 @@ void Start::scalars(Warehouse& state) const {
   };
   for (const models::TransportedScalar& s : ice_.models.scalars)
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-      const RealView value = state.view(state.find(s.state(), s.material), 0, b);
-      const RealView mass = state.view(state.find(labels().mass, s.material), 0, b);
+      const RealView value = state.view(state.find(s.state(), options_.place(s.material)), 0, b);
+      const RealView mass = state.view(state.find(labels().mass, options_.place(s.material)), 0, b);
       for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
         const double start = mass(cell) > 0.0 ? at_start(s, state.level().centre(cell)) : 0.0;
         if (value(cell) != start) value(cell) = start;

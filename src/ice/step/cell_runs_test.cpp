@@ -7,7 +7,7 @@
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/round.hpp"
 
-namespace sluice::ice::row_region_test {
+namespace sluice::ice::cell_runs_test {
 namespace {
 
 Level level(std::array<bool, 3> active) {
@@ -63,4 +63,4 @@ TEST(CellRuns, JoinsNeighboursIntoRuns) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::row_region_test
+}  // namespace sluice::ice::cell_runs_test

@@ -38,6 +38,7 @@ class Sources;
 enum class DensityBound { sharp, as_energy };
 
 struct SchemeOptions {
+  Places places;  // of this part among those of the component
   Axes axes;
   int components = 1;                     // of momentum, axes.count <= components <= 3
   std::array<int, 3> direction{0, 1, 2};  // level direction of each component
@@ -90,6 +91,8 @@ struct SchemeOptions {
   const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
   int first_source_sum = 0;              // likewise
 
+  // The scene's number of one of the materials.
+  int place(int m) const { return places.material_of(m); }
   // Whether a material of a mixture conducts heat, in itself or into another.
   bool conducts(int m) const {
     return conductivity_varies || conductivities[static_cast<std::size_t>(m)] > 0 ||

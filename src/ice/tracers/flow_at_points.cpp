@@ -5,22 +5,21 @@
 
 namespace sluice::ice {
 
-FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, int materials,
-                           const std::vector<int>& directions, bool own_velocities)
+FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow)
     : level_(&state.level()) {
-  for (int m = 0; m < materials; ++m)
-    masses_.push_back(state.view(state.find(labels().mass, m), 0, box));
+  for (int m = 0; m < flow.materials; ++m)
+    masses_.push_back(state.view(state.find(labels().mass, flow.places.material_of(m)), 0, box));
   const auto components = [&](Label label, int of_material) {
     std::vector<Component> list;
-    const int slot = state.find(label, of_material);
-    for (std::size_t c = 0; c < directions.size(); ++c)
-      if (level_->active[static_cast<std::size_t>(directions[c])])
-        list.push_back({directions[c], state.view(slot, static_cast<int>(c), box)});
+    const int slot = state.find(label, flow.places.material_of(of_material));
+    for (std::size_t c = 0; c < flow.directions.size(); ++c)
+      if (level_->active[static_cast<std::size_t>(flow.directions[c])])
+        list.push_back({flow.directions[c], state.view(slot, static_cast<int>(c), box)});
     return list;
   };
   momentum_ = components(labels().momentum, 0);
   known_ = masses_.front().box;
-  if (!own_velocities) return;
+  if (!flow.own_velocities) return;
   slip_ = components(labels().slip, material);
   own_mass_ = masses_[static_cast<std::size_t>(material)];
 }

@@ -5,15 +5,22 @@
 
 #include "framework/field/warehouse.hpp"
 #include "framework/particle/point_stencil.hpp"
+#include "framework/task/places.hpp"
 
 namespace sluice::ice {
 
+// How the flow is stored.
+struct FlowStorage {
+  int materials = 1;
+  std::vector<int> directions;  // of the components of the momentum
+  bool own_velocities = false;
+  Places places{};  // of the materials
+};
+
 class FlowAtPoints {
  public:
-  // Of one local box; components of the momentum along `directions`. With velocities of their own
-  // that of `material`, else the common one.
-  FlowAtPoints(const Warehouse& state, int box, int material, int materials,
-               const std::vector<int>& directions, bool own_velocities);
+  // Of one local box: with velocities of their own that of `material`, else the common one.
+  FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow);
 
   // Linear between cell centres. False: too far outside the box.
   bool velocity(Vec3 point, Vec3& u) const {

@@ -40,10 +40,8 @@ class FlowInTime {
  public:
   FlowInTime(const ParticleStep& step, int material, const FlowStorage& flow)
       : step_(step),
-        before_(*step.old_state, step.box, material, flow.materials, flow.directions,
-                flow.own_velocities),
-        after_(*step.new_state, step.box, material, flow.materials, flow.directions,
-               flow.own_velocities) {}
+        before_(*step.old_state, step.box, material, flow),
+        after_(*step.new_state, step.box, material, flow) {}
 
   bool velocity(Vec3 point, double time, Vec3& u) const {
     const double share = (time - step_.old_time) / (step_.new_time - step_.old_time);
@@ -94,7 +92,7 @@ void Tracers::check_ids(const models::TracerParticles& t, const Ids& ids, double
   if (most < static_cast<double>(most_particle_id)) return;
   throw InputError(fmt::format(
       "{}: <TracerParticles>: {:g} numbers are needed for all particles of '{}' that may appear "
-      "until t = {:g}, and there are 2^53: ask for fewer particles a cell or second, or for an "
+      "until t = {:g}, and there are 2^53: ask for fewer particles per cell or second, or for an "
       "earlier <timeStop>",
       to_string(t.where), most, t.name, max_time));
 }

@@ -14,16 +14,10 @@
 #include "framework/run/particle_method.hpp"
 #include "framework/scene/scene.hpp"
 #include "ice/boundary/boundary_fill.hpp"
+#include "ice/tracers/flow_at_points.hpp"
 #include "models/tracer_particles.hpp"
 
 namespace sluice::ice {
-
-// How the flow is stored.
-struct FlowStorage {
-  int materials = 1;
-  std::vector<int> directions;  // of the components of the momentum
-  bool own_velocities = false;
-};
 
 class Tracers : public ParticleMethod {
  public:

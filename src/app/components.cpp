@@ -1,0 +1,37 @@
+#include "app/components.hpp"
+
+#include "framework/scene/deck_values.hpp"
+#include "ice/deck/schema.hpp"
+#include "ice/ice.hpp"
+
+namespace sluice {
+namespace {
+
+std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
+                                    std::vector<Fault>& faults) {
+  ice::IceScene fluid = ice::read_ice_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<ice::Ice>(scene, std::move(fluid));
+}
+
+constexpr ComponentKind kinds[] = {
+    // type  tags          made by
+    {"ice", add_ice_tags, make_ice},
+};
+
+}  // namespace
+
+std::span<const ComponentKind> component_kinds() {
+  return kinds;
+}
+
+const ComponentKind* component_kind(const Deck& deck) {
+  const DeckNode* named = deck.root->child("SimulationComponent");
+  if (named == nullptr) return nullptr;
+  const std::string type = named->attribute("type").value_or("");
+  for (const ComponentKind& kind : kinds)
+    if (type == kind.type) return &kind;
+  return nullptr;
+}
+
+}  // namespace sluice

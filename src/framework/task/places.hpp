@@ -1,0 +1,32 @@
+// Where a part of a component stands among all: numbers of effects, reductions, faults, materials.
+//
+// A component may be made of parts that each count their own from 0: a fluid and a solid in one
+// step, declared into one list of tasks. The list adds these places, so that a part reads the same
+// alone and beside others.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace sluice {
+
+// Of what a row kernel reduces.
+struct ReductionPlaces {
+  int maximum = 0, sum = 0, fault = 0;
+  const std::vector<int>* material = nullptr;  // null: as the part counts them
+};
+
+struct Places {
+  int effect = 0;             // of the part's first effect in the EffectList
+  int maximum = 0, sum = 0;   // of its first maximum and exact sum in the Reductions
+  int fault = 0;              // added to the kinds of its faults
+  std::vector<int> material;  // the scene's number of each of its own; empty: the same
+
+  int material_of(int own) const {
+    return material.empty() ? own : material[static_cast<std::size_t>(own)];
+  }
+  ReductionPlaces of_reductions() const {
+    return {maximum, sum, fault, material.empty() ? nullptr : &material};
+  }
+};
+
+}  // namespace sluice

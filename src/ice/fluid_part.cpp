@@ -1,0 +1,285 @@
+#include "ice/fluid_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ice/classic/variables.hpp"
+#include "ice/fluid/labels.hpp"
+#include "ice/levels/interface_seeds.hpp"
+#include "ice/levels/mixture_transfer.hpp"
+#include "ice/levels/scalar_transfer.hpp"
+#include "ice/one_material/leaving_shocks.hpp"
+#include "ice/saved/criteria.hpp"
+#include "ice/sources/source_tasks.hpp"
+#include "ice/start/initialise.hpp"
+#include "ice/step/effect_ids.hpp"
+#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/scheme_options.hpp"
+#include "ice/step_tables.hpp"
+#include "ice/tracers/tracers.hpp"
+
+namespace sluice::ice {
+namespace {
+
+std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceScene& ice,
+                                                 const SchemeOptions& o,
+                                                 const std::vector<SlotInfo>& slots) {
+  const bool matches = matches_fluxes(scene, ice);
+  std::unique_ptr<TransferOperators> flow;
+  std::vector<std::size_t> by_volume;  // views of scalars
+  const std::size_t materials = o.fluids.size();
+  std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
+  for (std::size_t s = 0; s + ice.models.scalars.size() < slots.size(); ++s)
+    views += static_cast<std::size_t>(slots[s].components);
+  for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
+    if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
+  if (materials == 1)
+    flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid, by_volume);
+  else
+    flow = std::make_unique<MixtureTransfer>(
+        o.fluids, o.components, matches, o.own_velocities,
+        by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
+  if (ice.models.scalars.empty()) return flow;
+  std::vector<std::size_t> mass;
+  for (const models::TransportedScalar& s : ice.models.scalars)
+    mass.push_back(static_cast<std::size_t>(s.material));
+  return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views,
+                                                   std::move(by_volume));
+}
+
+}  // namespace
+
+FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
+    : scene_(&scene),
+      ice_(std::move(ice_scene)),
+      effects_(find_effects(scene, ice_)),
+      options_(scheme_options(scene, ice_)),
+      estimates_(wanted_estimates(scene.refinement.errors)) {
+  for (const models::TransportedScalar& s : ice_.models.scalars) s.declare_labels();
+  options_.places = std::move(places);
+  StateSlots slots;
+  slots.places = options_.places;
+  slots.mass = labels().mass;
+  slots.momentum = labels().momentum;
+  slots.energy = labels().energy;
+  if (material_count() > 1) slots.volume = labels().volume;
+  if (options_.own_velocities) slots.slip = labels().slip;
+  for (int c = 0; c < options_.components; ++c)
+    slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
+  for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
+    boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
+                                                       level, ice_.conditions, ice_.models.scalars,
+                                                       options_.mixed));
+  effects_.add(open_faces(ice_, *boundary_.front()));
+  if (effects_.on(effect_tracers))
+    tracers_ = std::make_unique<Tracers>(
+        ice_.models.tracers, scene.grid, boundary_,
+        FlowStorage{material_count(), slots.directions, options_.own_velocities, options_.places},
+        scene.time.max_time);
+  transfer_ = make_transfer(scene, ice_, options_, state_slots());
+  if (!effects_.on(effect_sources)) return;
+  for (const Level& level : scene.grid.levels)
+    sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,
+                                                 level, options_.direction));
+  options_.sources = sources_.front().get();
+}
+
+std::vector<CellMaterial> FluidPart::cell_materials() const {
+  const Labels& l = labels();
+  std::vector<CellMaterial> all;
+  for (const IceMaterial& m : ice_.materials)
+    all.push_back({m.name,
+                   options_.place(m.index),
+                   Movement::advection,
+                   {l.mass, l.momentum, l.energy, l.volume}});
+  return all;
+}
+
+SchemeOptions FluidPart::at_level(int level) const {
+  SchemeOptions o = options_;
+  const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];
+  o.level = &cells;
+  o.domain = cells.domain;
+  o.transports = transport_models(ice_, cells);
+  o.transport = o.transports.front();
+  o.boundary = boundary_[static_cast<std::size_t>(level)].get();
+  if (!sources_.empty()) o.sources = sources_[static_cast<std::size_t>(level)].get();
+  return o;
+}
+
+// One material: mass, momentum, energy. Several: mass of each, one momentum, energy and volume of
+// each.
+std::vector<SlotInfo> FluidPart::state_slots() const {
+  // LODI and slip each look one cell aside from the ghosts that they fill: slip into cells, LODI
+  // into ghosts of slip and of LODI in other directions, and again where those meet. The dynamic
+  // model filters twice. Materials with velocities of their own: what flows out of a donor follows
+  // from faces of its neighbours, and interfaces are looked for around cells.
+  const int waves = boundary_.front()->wave_directions();
+  const int aside = waves + std::max(waves - 1, 0) + (ice_.conditions.slip ? 1 : 0);
+  // Their friction follows what the dynamic model has filtered.
+  const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
+  const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
+  const int ghosts = (options_.classic ? classic::ghost_layers(options_) : 3) + aside + around;
+  std::vector<SlotInfo> slots;
+  const auto of_each = [&](Label label) {
+    for (int m = 0; m < material_count(); ++m)
+      slots.push_back({label, options_.place(m), 1, ghosts});
+  };
+  of_each(labels().mass);
+  slots.push_back({labels().momentum, options_.place(0), options_.components, ghosts});
+  of_each(labels().energy);
+  if (material_count() > 1) of_each(labels().volume);
+  if (options_.own_velocities)
+    for (int m = 0; m < material_count(); ++m)
+      slots.push_back({labels().slip, options_.place(m), options_.components, ghosts});
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    slots.push_back({s.state(), options_.place(s.material), 1, ghosts});
+  return slots;
+}
+
+std::vector<std::vector<Label>> FluidPart::checkpoint_labels() const {
+  std::vector<Label> momentum, slip;
+  for (int c = 0; c < options_.components; ++c) {
+    const int d = options_.direction[static_cast<std::size_t>(c)];
+    momentum.push_back(labels().momentum_component[d]);
+    slip.push_back(labels().slip_component[d]);
+  }
+  std::vector<std::vector<Label>> names;
+  for (const SlotInfo& slot : state_slots())
+    names.push_back(slot.label == labels().momentum ? momentum
+                    : slot.label == labels().slip   ? slip
+                                                    : std::vector{slot.label});
+  return names;
+}
+
+std::vector<FlagSeeds> FluidPart::flag_seeds(const Warehouse& state) const {
+  return interface_seeds(state, options_, scene_->refinement.interfaces);
+}
+
+SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
+  SchemeOptions o = at_level(variant.level);
+  o.masked = variant.masked;
+  o.coverage = variant.coverage;
+  o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
+  o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
+  o.volumes = variant.volumes;
+  o.first_volume_sum = first_volume_sum();
+  if (o.classic) return o;
+  if (variant.kind == static_cast<int>(o.fluids.size())) {
+    o.mixture = true;
+    o.viscosity_varies = o.viscous;
+    return o;
+  }
+  o.material = variant.kind;
+  const auto m = static_cast<std::size_t>(o.material);
+  o.fluid = o.fluids[m];
+  if (!is_mixed(o, m)) {
+    o.mixed = nullptr;
+    o.density_bound = DensityBound::sharp;
+    o.conductivity_varies = ice_.turbulence.has_value();
+  }
+  if (o.fluids.size() > 1) {
+    o.transport = o.transports[m];
+    o.viscosity = o.viscosities[m];
+    o.viscous = ice_.materials[m].viscous();
+    o.viscosity_varies = o.transport.molecular_varies() || ice_.turbulence;
+    o.conductivity = o.conductivities[m];
+    o.conducting = o.conductivity > 0 || ice_.turbulence;
+  }
+  return o;
+}
+
+void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
+  const SchemeOptions o = of_graph(variant);
+  list.enter(o.places);
+  if (o.classic) return declare_classic(list, o, effects_);
+  if (!o.mixture) return declare_one_material(list, o, effects_);
+  if (o.own_velocities) return declare_own_velocities(list, o, effects_);
+  declare_mixture(list, o, effects_);
+}
+
+// A block with one material alone needs the graph of that material only.
+int FluidPart::step_kinds() const {
+  return material_count() == 1 ? 1 : material_count() + 1;
+}
+
+int FluidPart::step_kind(const Warehouse& old_state, int local_box,
+                         const IndexBox& cells_with_halo) const {
+  const int mixed = material_count();
+  if (mixed == 1) return 0;
+  int only = -1;
+  for (int m = 0; m < mixed; ++m) {
+    const int slot = old_state.find(labels().mass, options_.place(m));
+    if (!old_state.any_nonzero(slot, 0, local_box, cells_with_halo)) continue;
+    if (only >= 0) return mixed;
+    only = m;
+  }
+  // A source may bring others in.
+  if (only >= 0 && !sources_.empty() && sources_.front()->takes_from(only)) return mixed;
+  return only >= 0 ? only : mixed;
+}
+
+void FluidPart::declare_diagnostics(TaskList& list, int level) const {
+  list.enter(options_.places);
+  declare_diagnostic_outputs(list, at_level(level), ice_.criteria, estimates_);
+}
+
+int FluidPart::first_volume_sum() const {
+  return options_.first_source_sum + (sources_.empty() ? 0 : SourceSums::count(material_count()));
+}
+
+int FluidPart::reduction_sums() const {
+  const VolumeSums of_volumes(first_volume_sum(), material_count());
+  return first_volume_sum() +
+         of_volumes.count(static_cast<int>(control_volumes(scene_->analysis).size()));
+}
+
+void FluidPart::initialise(Warehouse& state) const {
+  ice::initialise(state, *scene_, ice_, options_);
+}
+
+// What passes through a control volume's side must be counted in uniform flow as well. Materials
+// that exchange heat change where nothing flows; so may those that a finer level left at pressures
+// of their own.
+bool FluidPart::quiet_blocks_allowed() const {
+  if (material_count() > 1 &&
+      (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))
+    return false;
+  for (const models::TransportedScalar& s : ice_.models.scalars)
+    if (s.grows()) return false;
+  return !options_.gravity_on && sources_.empty() && control_volumes(scene_->analysis).empty();
+}
+
+// Shocks do not leave levels that follow them.
+IntVec3 FluidPart::interface_depth(const Level& level) const {
+  const RefinementSettings& r = scene_->refinement;
+  const bool follow =
+      r.adaptive && !r.once && !(ice_.criteria.empty() && r.errors.empty() && r.interfaces.empty());
+  if (options_.classic || !options_.second_order || follow) return {};
+  return leaving_depth(level);
+}
+
+std::string FluidPart::describe_fault(int kind) const {
+  if (kind >= fault_of_material) {
+    const auto m = static_cast<std::size_t>(kind / fault_of_material - 1);
+    return fmt::format(
+        "energy of material {} ('{}', J/m^3 of the cell; with its mass and volume it must be a "
+        "state of its law: pressure above {:g} Pa, sound speed squared above 0)",
+        m, ice_.materials[m].name, ice_.materials[m].fluid.lowest_pressure());
+  }
+  switch (kind) {
+    case fault_density:
+      return "density (kg/m^3, must be above 0)";
+    case fault_energy:
+      return "internal energy per volume (J/m^3, must be above 0)";
+    case fault_volume:
+      return "relative volume after the Lagrangian phase (must be above 0)";
+    case fault_outflow:
+      return "share of a cell's volume that flows out in the step (must be below 1)";
+    default:
+      return "value";
+  }
+}
+
+}  // namespace sluice::ice

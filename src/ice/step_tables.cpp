@@ -1,0 +1,137 @@
+#include "ice/step_tables.hpp"
+
+#include "ice/classic/variables.hpp"
+#include "ice/mixture/slip.hpp"
+#include "ice/mixture/surface.hpp"
+#include "ice/saved/step_labels.hpp"
+#include "ice/scalars/heat_release.hpp"
+#include "ice/scalars/variables.hpp"
+#include "ice/sources/source_tasks.hpp"
+#include "ice/step/effect_ids.hpp"
+#include "ice/transport/viscosity.hpp"
+
+namespace sluice::ice {
+namespace {
+
+classic::Variables declare_classic_variables(TaskList& list, const SchemeOptions& o) {
+  const int C = o.components, D = o.axes.count;
+  classic::Variables v;
+  v.common = declare_common_variables(list, o);
+  v.common.pressure_change = list.temporary("pressure change");
+  v.pressure = list.temporary("pressure after its change");
+  v.energy = list.temporary("advected energy");
+  v.momentum = list.temporary("advected momentum", C);
+  v.slope = list.temporary("limited slopes", (2 + C) * D);
+  v.shift = list.temporary("centroid shift", D);
+  v.rest = list.temporary("share that stays");
+  return v;
+}
+
+// What leaves through sides and levels, and what forces and models add: all steps alike.
+void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                  const EffectList& effects) {
+  if (effects.on(effect_boundary_account))
+    add_boundary_account(list, v, o, effect_boundary_account);  // fluxes         sums
+  add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp          sums
+  add_source_account(list, v, o, effect_sources);               // change         sums
+  add_volume_account(list, v, o, effect_diagnostics);           // fluxes, m, dp  sums
+  add_flux_record(list, v, o, effect_flux_record);              // fluxes         face tables
+}
+
+}  // namespace
+
+// One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
+// in the file of its name under one_material/; when it is absent is said there in its first line.
+void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  SchemeVariables v = declare_conservative_variables(list, o);
+  scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
+  // task                    reads                              writes
+  add_primitives(list, v, o, effect_flow);      // state                    u, p, c
+  add_slopes(list, v, o, effect_second_order);  // u, p                     su, sp, P, UT
+  add_faces(list, v, o, effect_flow);           // u, p, c, slopes          u_f, p_f
+  add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
+  add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
+  add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
+  add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f, q  rho_L, E_L, v, E*
+  add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
+  add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
+  add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
+  scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
+  scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
+  add_accounts(list, v, o, effects);                      // fluxes, m, dp   sums, face tables
+  declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
+}
+
+// The same where several materials may meet; the tasks of that name under mixture/, but for those
+// of the mixture as a whole.
+void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  mixture::Variables m = mixture::declare_variables(list, o);
+  SchemeVariables& v = m.common;
+  scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
+  // task                            reads                              writes
+  mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
+  add_slopes(list, v, o, effect_second_order);                 // u, p       su, sp, P, UT
+  add_faces(list, v, o, effect_flow);                          // slopes     u_f, p_f
+  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
+  mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
+  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
+  mixture::add_lagrangian(list, m, o, effect_flow);             // u_f, p_f   E_mL, scales
+  mixture::add_remap_bases(list, m, o, effect_second_order);    // Lagrange   bases
+  mixture::add_remap_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE of each, U
+  mixture::add_update(list, m, o, effect_equilibration);        // fluxes     new state, rates
+  scalars::add_tasks(list, v, o, effect_scalars);               // u_f, fluxes  new scalars
+  mixture::add_one_pressure(list, m, o, effect_equilibration);  // remap, f  new state, rates
+  add_accounts(list, v, o, effects);                            // fluxes, m, dp   sums, face tables
+  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
+}
+
+// The same where each material has a velocity of its own: mixture/slip.hpp.
+void declare_own_velocities(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  mixture::Variables m = mixture::declare_variables(list, o);
+  scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});
+  const SchemeVariables &v = m.common, &volume = m.slip.common;
+  constexpr int slip = effect_momentum_exchange;
+  // task                            reads                              writes
+  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  mixture::add_surface(list, m, o, slip);                     // V_m        where gas slips
+  mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
+  add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
+  add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
+  mixture::add_friction(list, m, o);                          // V_m, T_m, u  mu, t_f
+  mixture::add_slip_stress(list, m, o, effect_viscosity);     // u_m        t of each
+  mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
+  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
+  mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
+  mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow
+  mixture::add_remap_bases(list, m, o, effect_second_order);   // Lagrange   bases
+  mixture::add_slip_bases(list, m, o, slip);                   // Lagrange   bases of u_m
+  mixture::add_slip_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE, U of each
+  mixture::add_slip_update(list, m, o, effect_equilibration);  // fluxes     new state, rates
+  scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
+  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
+  mixture::add_slip_force_account(list, m, o, effect_of_forces(o));
+  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
+}
+
+// The classic form. Each line is a task (one for each axis where it says "face" or "fluxes"), in
+// the file of its name under classic/ or, without "classic::", under one_material/.
+void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  const classic::Variables v = declare_classic_variables(list, o);
+  const SchemeVariables& s = v.common;
+  // task                             reads                        writes
+  add_primitives(list, s, o, effect_flow);                // state                 u, p_n, c
+  classic::add_face_velocity(list, v, o, effect_flow);    // rho, u, p_n           u_f
+  classic::add_pressure_change(list, v, o, effect_flow);  // u_f, p_n, c, E        dp, p, E*
+  classic::add_face_pressure(list, v, o, effect_flow);    // rho, p                p_f
+  add_viscous_stress(list, s, o, effect_viscosity);       // u                     t_f
+  classic::add_lagrangian(list, v, o, effect_flow);       // m, p_f, t_f, E*       m_L, E_L
+  classic::add_slopes(list, v, o, effect_second_order);   // rho, m_L, E_L, u_f    slopes
+  classic::add_fluxes(list, v, o, effect_flow);           // u_f, m_L, E_L, slopes F
+  classic::add_update(list, v, o, effect_flow);           // m_L, E*, F            new state, rates
+  add_accounts(list, s, o, effects);                      // fluxes, m, dp   sums, face tables
+  declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
+}
+
+}  // namespace sluice::ice
