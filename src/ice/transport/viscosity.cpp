@@ -60,13 +60,6 @@ double filter_width(const SchemeOptions& o, Vec3 spacing) {
   return o.transport.turbulence->filter_width * cell;
 }
 
-double heat_ratio(const Fluid& fluid) {
-  const bool by_gamma = fluid.ideal() != nullptr ||
-                        std::holds_alternative<eos::HardSphereGas>(fluid.law) ||
-                        std::holds_alternative<eos::StiffenedGas>(fluid.law);
-  return by_gamma ? fluid.gamma : 1.0;
-}
-
 void MolecularViscosity::operator()(const Row& row, const double* rho, const double* energy,
                                     double* mu) const {
   const int n = row.count();

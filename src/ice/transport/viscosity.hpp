@@ -4,6 +4,7 @@
 #pragma once
 #include <string>
 
+#include "ice/fluid/law_row.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -54,7 +55,5 @@ void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions
 
 // Delta, m.
 double filter_width(const SchemeOptions& o, Vec3 spacing);
-// cp/cv as far as the law says; 1 for liquids and solids.
-double heat_ratio(const Fluid& fluid);
 
 }  // namespace sluice::ice
