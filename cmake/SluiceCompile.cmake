@@ -13,7 +13,8 @@ if(SLUICE_HAS_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_link_options(sluice_options INTERFACE -fuse-ld=gold)
 endif()
 
-# Only headers that are not ours: to change one of ours must not compile all objects anew.
+# Only headers that are not ours: to change one of ours must not compile all objects anew. No JSON:
+# its templates would be made in every object, used or not, which costs more than to read it.
 set(standard_headers
   <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits>
   <map> <memory> <optional> <set> <span> <sstream> <string> <string_view> <unordered_map>
@@ -26,21 +27,18 @@ set(of_precompiled $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
 
 # A precompiled header serves all rooms that are compiled with the same options.
 function(sluice_precompiled_header name)
-  cmake_parse_arguments(HEADER "" "" "OPTIONS;HEADERS" ${ARGN})
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${name}.cpp CONTENT "int ${name}_object;\n")
   add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/generated/${name}.cpp)
-  target_link_libraries(${name} PRIVATE sluice_options fmt::fmt sluice_mpi
-                        nlohmann_json::nlohmann_json)
-  target_compile_options(${name} PRIVATE ${HEADER_OPTIONS} ${of_precompiled})
-  target_precompile_headers(${name} PRIVATE ${standard_headers} ${HEADER_HEADERS})
+  target_link_libraries(${name} PRIVATE sluice_options fmt::fmt sluice_mpi)
+  target_compile_options(${name} PRIVATE ${ARGN} ${of_precompiled})
+  target_precompile_headers(${name} PRIVATE ${standard_headers})
 endfunction()
 
 # Debuggers and sanitizers keep the optimisation of their preset.
 set(without_kernels $<$<CONFIG:Release>:-O1>)
 if(SLUICE_PCH)
   sluice_precompiled_header(sluice_headers)
-  sluice_precompiled_header(sluice_headers_cold OPTIONS ${without_kernels}
-                            HEADERS <nlohmann/json.hpp>)
+  sluice_precompiled_header(sluice_headers_cold ${without_kernels})
 endif()
 
 function(sluice_compile_room room cold)

@@ -116,7 +116,7 @@ TEST_F(ArchiveCommands, ArchivesInUintahsRawLayoutAreRefusedByName) {
                                     "extract " + raw.string() + " --var press_CC"}) {
       const Outcome refused = run(line);
       EXPECT_EQ(refused.status, 2) << line;
-      EXPECT_THAT(refused.error, HasSubstr("raw binary layout; reading it is not built yet"));
+      EXPECT_THAT(refused.error, HasSubstr("raw binary layout; reading it is not supported yet"));
     }
   }
 }

@@ -7,7 +7,7 @@
 //   from: text of good.ups, of which the first occurrence is replaced (\n: line end, \xff: byte)
 //   to: the text in its place
 //   line: where the message must point; 0: not checked
-//   says: a piece of the message
+//   says: a piece of the message; {file}: the edited deck
 //   status: 0 where a warning is all
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +96,13 @@ std::string unescaped(std::string text) {
   return text;
 }
 
+BadDeck with_name_of(const std::string& file, BadDeck bad) {
+  const std::string mark = "{file}";
+  const auto at = bad.message.find(mark);
+  if (at != std::string::npos) bad.message.replace(at, mark.size(), file);
+  return bad;
+}
+
 std::vector<BadDeck> read_rows(const fs::path& file) {
   std::vector<BadDeck> rows;
   std::ifstream stream(file);
@@ -124,7 +131,7 @@ TEST_P(BadDecks, AreRefused) {
   for (const BadDeck& bad : rows) {
     ASSERT_FALSE(bad.message.empty()) << bad.name;
     const std::string file = folder.write(bad.name + ".ups", edited(good, bad));
-    expect_refused(bad, file, check(file));
+    expect_refused(with_name_of(file, bad), file, check(file));
   }
 }
 

@@ -89,7 +89,7 @@ void add_plan_command(CommandLine& line) {
   command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command.option("--ranks", o->ranks, "Plan for so many ranks");
-  command.option("--threads", o->threads, "Plan for so many threads a rank");
+  command.option("--threads", o->threads, "Plan for so many threads per rank");
   command.flag("--force-all", o->force_all, "As sluice run --force-all");
   command.flag("--force-directions", o->force_directions,
                "Treat every direction as a dimension of the run");

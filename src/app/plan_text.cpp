@@ -69,20 +69,20 @@ std::string limits_text(const RunPlan& p) {
 
 std::string memory_text(const RunPlan& p) {
   const PlannedMemory& m = p.memory;
-  TextTable table({{"memory of a rank"}, {"bytes", Align::right}, {"of what"}});
+  TextTable table({{"memory per rank"}, {"bytes", Align::right}, {"of what"}});
   table.row({"program", human_bytes(m.base), ""});
   table.row({"states", human_bytes(m.states),
-             fmt::format("old and new{}, {:g} doubles a cell each, with ghost cells",
+             fmt::format("old and new{}, {:g} doubles per cell each, with ghost cells",
                          p.hierarchy.levels.size() > 1 ? ", with substeps also the start" : "",
                          m.state_doubles_per_cell)});
   table.row({"outputs", human_bytes(m.outputs),
-             fmt::format("{:g} doubles a cell, from the first step that stores them",
+             fmt::format("{:g} doubles per cell, from the first step that stores them",
                          m.output_doubles_per_cell)});
   table.row({"scratch", human_bytes(m.scratch), "temporaries of one block, shared by all"});
   table.row({"initial fill", human_bytes(m.initial_fill), "while the first state is set"});
   if (m.messages > 0) table.row({"messages", human_bytes(m.messages), "sent and received"});
   return table.text("  ") +
-         fmt::format("  peak {} a rank{}; fields {:g} doubles a cell (budget 40)\n",
+         fmt::format("  peak {} per rank{}; fields {:g} doubles per cell (budget 40)\n",
                      human_bytes(m.peak()),
                      p.ranks == 1 ? "" : ", all together " + human_bytes(m.all_ranks),
                      m.field_doubles_per_cell());
@@ -169,8 +169,8 @@ std::string plan_text(const RunPlan& p) {
   if (p.hierarchy.levels.size() > 1) text += levels_text(p.hierarchy) + "\n";
   text += directions_text(p) + "\n";
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
-  text += fmt::format("  messages: one halo point of {},{},{} layers a step, ", p.halo.x, p.halo.y,
-                      p.halo.z);
+  text += fmt::format("  messages: one ghost exchange of {},{},{} layers per step, ", p.halo.x,
+                      p.halo.y, p.halo.z);
   text += p.ranks == 1
               ? "copied within this rank\n"
               : fmt::format("{} to {} neighbour rank{}, and {} reduction{}\n",
@@ -178,7 +178,7 @@ std::string plan_text(const RunPlan& p) {
                             p.messages.neighbour_ranks, p.messages.neighbour_ranks == 1 ? "" : "s",
                             p.reductions == 1 ? "one" : "two", p.reductions == 1 ? "" : "s");
   text += kinds_text(p);
-  text += fmt::format("  quiet blocks {}: {}{}\n\n", p.quiet_allowed ? "may sleep" : "never sleep",
+  text += fmt::format("  skipped blocks: {}; {}{}\n\n", p.quiet_allowed ? "uniform ones" : "none",
                       p.quiet_reason,
                       p.quiet_where.file.empty() ? "" : " (" + short_place(p.quiet_where) + ")");
   text += outputs_text(p) + "\n";

@@ -119,7 +119,7 @@ int run_on(Communicator& ranks, const Options& o) {
   options.limits.wall_seconds = o.wall_limit.value_or(0);
   options.progress = progress_of(o);
   options.limits.tell = !o.quiet && options.progress != ProgressMode::none;
-  options.program = std::string("sluice ") + version::kText;
+  options.program = fmt::format("sluice {}", version::kText);
   options.deck_xml = to_xml(*loaded->deck.root);
   // A link to the newest archive will lead to the one that this run makes.
   if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);
@@ -176,7 +176,7 @@ void add_run_command(CommandLine& line) {
   command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
   command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command.flag("--force-all", o->force_all,
-               "Let no block sleep and leave out no work (to measure the savings)");
+               "Skip no block and leave out no work (to measure the savings)");
   command.flag("--force-directions", o->force_directions,
                "Treat every direction as a dimension of the run");
   command.flag("--no-output", o->no_output, "Write no archive");

@@ -189,7 +189,7 @@ class Planner {
       out.where = r.where;
       const int components = component_count(label->info().type);
       if (label->info().centring == Centring::reduction) {
-        out.made = "history, a line a step";
+        out.made = "history, one line per step";
       } else if (label->info().centring == Centring::particle) {
         out.made = "of particles";
       } else {
@@ -226,9 +226,9 @@ class Planner {
     plan_.quiet_allowed = component_.quiet_blocks_allowed() && !options_.force_all;
     const bool gravity = !(scene_.constants.gravity == Vec3{});
     plan_.quiet_reason = options_.force_all    ? "--force-all"
-                         : plan_.quiet_allowed ? "nothing in the scene acts on a uniform state"
+                         : plan_.quiet_allowed ? "nothing in the problem acts on a uniform state"
                          : gravity             ? "gravity acts on a uniform state"
-                                               : "something in the scene acts on a uniform state";
+                                               : "something in the problem acts on a uniform state";
     if (gravity) plan_.quiet_where = scene_.constants.gravity_where;
   }
 

@@ -154,7 +154,9 @@ std::vector<std::vector<Label>> FluidPart::checkpoint_labels() const {
 }
 
 std::vector<FlagSeeds> FluidPart::flag_seeds(const Warehouse& state) const {
-  return interface_seeds(state, options_, scene_->refinement.interfaces);
+  std::vector<int> numbers;
+  for (int m = 0; m < material_count(); ++m) numbers.push_back(options_.place(m));
+  return interface_seeds(state, numbers, scene_->refinement.interfaces);
 }
 
 SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {

@@ -58,15 +58,14 @@ TagSpec tracer_particles_tag() {
           .with_children(
               {tag("initialization", "particles at the start")
                    .once()
-                   .child(
-                       region("a region that holds particles at the start",
-                              tag("particlesPerCell", "how many in a cell that lies in the region")
-                                  .real()
-                                  .at_least(0)
-                                  .at_most(most_in_a_cell))),
+                   .child(region("a region that holds particles at the start",
+                                 tag("particlesPerCell", "how many per cell of the region")
+                                     .real()
+                                     .at_least(0)
+                                     .at_most(most_in_a_cell))),
                tag("interiorSources", "regions in which particles appear")
                    .child(region("a region in which particles appear",
-                                 tag("particlesPerCellPerSecond", "how many in a cell and second")
+                                 tag("particlesPerCellPerSecond", "how many per cell and second")
                                      .real()
                                      .at_least(0)
                                      .unit("1/time")))});

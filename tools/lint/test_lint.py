@@ -8,6 +8,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import check_layers  # noqa: E402
 import check_lines  # noqa: E402
 import check_links  # noqa: E402
+import check_words  # noqa: E402
 
 
 class Tree(unittest.TestCase):
@@ -126,6 +127,54 @@ class Links(Tree):
         self.assertEqual(check_links.check(self.root), [
             "docs/a.md:5: '#no-heading': the page has no such heading",
             "docs/a.md:6: 'b.md#step-1': the page has no such heading"])
+
+
+class Words(Tree):
+    def faults(self, literal):
+        return list(check_words.faults_of("src/a.cpp", check_words.literals(literal)))
+
+    def test_each_word_is_named_with_its_line_and_a_better_one(self):
+        for text, word, better in [
+                ("x is not built yet", "built", "supported"),
+                ("boxes (usual)", "usual", "default"),
+                ("one halo point", "halo point", "ghost exchange"),
+                ("7 % slept", "slept", "skipped blocks"),
+                ("Scenes end", "Scenes", "problem"),
+                ("{:g} doubles a cell", "doubles a cell", "per cell"),
+                ("peak {} a rank", "{} a rank", "per rank")]:
+            told = self.faults(f'\n\nsay("{text}");')
+            self.assertEqual(len(told), 1, text)
+            self.assertTrue(told[0].startswith(f"src/a.cpp:3: '{word}' is no word for users"), told)
+            self.assertIn(better, told[0])
+
+    def test_a_text_in_several_literals_is_one(self):
+        self.assertEqual(len(self.faults('say("a halo "\n    "point");')), 1)
+        self.assertEqual(len(self.faults('say(R"(a halo point)");')), 1)
+
+    def test_comments_includes_identifiers_and_numbers_are_passed_over(self):
+        self.assertEqual(self.faults('// "a scene"\n/* "built" */\n#include "scene/scene.hpp"\n'
+                                     'int built = 1\'000; char c = \'"\'; int usual = 2\'0;\n'
+                                     'read_scene("half of a cell", "blocks_asleep");'), [])
+
+    def test_pages_and_sources_are_read_and_tests_are_not(self):
+        self.write("README.md", "one\n| MPM | not built |\n")
+        self.write("src/a.cpp", '// a\nconst char* a = "a scene";\n')
+        self.write("src/a_test.cpp", '// a\nconst char* a = "a scene";\n')
+        told = check_words.check(self.root)
+        self.assertEqual([line.split(" ")[0] for line in told], ["src/a.cpp:2:", "README.md:2:"])
+
+    def test_exceptions_hold_for_their_text_alone(self):
+        path = "src/framework/base/communicator.cpp"
+        text = "another MPI (built with {}.{} of the standard)"
+        self.assertEqual(list(check_words.faults_of(path, [(1, text)])), [])
+        self.assertEqual(len(list(check_words.faults_of(path, [(1, "built")]))), 1)
+
+    def test_exceptions_are_still_needed(self):
+        root = pathlib.Path(check_words.__file__).resolve().parents[2]
+        for (path, piece), reason in check_words.EXCEPTIONS.items():
+            texts = [text for _, text in check_words.literals((root / path).read_text())]
+            self.assertTrue(any(piece in text for text in texts), path)
+            self.assertTrue(reason)
 
 
 if __name__ == "__main__":

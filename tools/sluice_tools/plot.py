@@ -299,7 +299,7 @@ def parse(arguments):
                         "boxes, the tiles of the regridder, or none of it")
     parser.add_argument("--history", action="append", help="a .dat file by its label; levels: the "
                         "cells of each level over time")
-    parser.add_argument("--exact", help="CSV with x and one column a variable, drawn as a line")
+    parser.add_argument("--exact", help="CSV with x and one column per variable, drawn as a line")
     parser.add_argument("--particles", help="particles over the plane, coloured by this label of "
                         "theirs; p.x: in black")
     parser.add_argument("--title")

@@ -123,7 +123,7 @@ def materials_of(path):
 
 
 def first_fault(sluice, suite, name):
-    """What to tell of the first error of the deck, or None; what is not built comes last."""
+    """What to tell of the first error of the deck, or None; what is not supported comes last."""
     words = [sluice, "check", "--json", name]
     told = subprocess.run(words, cwd=suite, capture_output=True, text=True)
     faults = json.loads(told.stdout)["decks"][0]["faults"]
@@ -132,8 +132,8 @@ def first_fault(sluice, suite, name):
     if not errors:
         return None
     kind = "missing" if errors[0]["kind"] == "not_built" else "fault of the deck"
-    return f"{kind}: " + errors[0]["message"].replace(" is known to the format, but not built yet",
-                                                      "")
+    missing = " is known to the format, but not supported yet"
+    return f"{kind}: " + errors[0]["message"].replace(missing, "")
 
 
 def coarsened(path):
@@ -164,7 +164,7 @@ def run(sluice, suite, name, folder, options):
     if done.returncode == 2:
         last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
         last = re.sub(r"^\S+\.ups(:\d+)*: (error: )?", "", last)
-        return None, "missing: " + re.sub(r" are not built yet.*| is not built yet.*", "", last)
+        return None, "missing: " + re.sub(r" (?:are|is) not supported yet.*", "", last)
     if done.returncode != 0:
         last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
         return None, f"fails: {last}"

@@ -42,10 +42,11 @@ void refuse_raw_layout(const fs::path& index, const fs::path& archive) {
   const std::size_t format = text.find("<outputFormat>");
   const bool raw = format == std::string::npos || text.compare(format + 14, 4, "UDA<") == 0;
   if (!of_archive || ours || !raw) return;
-  throw InputError(fmt::format(
-      "{} is an archive in Uintah's raw binary layout; reading it is not built yet (archives that "
-      "sluice writes are read)",
-      archive.string()));
+  throw InputError(
+      fmt::format("{} is an archive in Uintah's raw binary layout; reading it is not supported yet "
+                  "(archives that "
+                  "sluice writes are read)",
+                  archive.string()));
 }
 
 }  // namespace

@@ -72,12 +72,12 @@ std::string value_text(const ValueSpec& value) {
 template <class Spec>
 void describe(std::string& text, const Spec& spec, const std::string& indent) {
   const auto line = [&](const char* what, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{}{:<10} {}\n", indent, what, value);
+    if (!value.empty()) text += fmt::format("{}{:<13} {}\n", indent, what, value);
   };
   line("value", value_text(spec.value));
   line("unit", spec.value.unit);
   line("default", spec.value.default_text.value_or(""));
-  line("not built", fmt::format("{}", fmt::join(spec.value.words_not_built, ", ")));
+  line("not supported", fmt::format("{}", fmt::join(spec.value.words_not_built, ", ")));
   line("also", fmt::format("{}", fmt::join(spec.aliases, ", ")));
 }
 
@@ -122,7 +122,7 @@ std::string table_row(const Spec& spec, const std::string& name, const std::stri
   std::string doc = spec.doc + extra;
   if (!spec.aliases.empty()) doc += fmt::format("; also written {}", fmt::join(spec.aliases, ", "));
   if (!spec.value.words_not_built.empty()) {
-    doc += fmt::format("; not built yet: {}", fmt::join(spec.value.words_not_built, ", "));
+    doc += fmt::format("; not supported yet: {}", fmt::join(spec.value.words_not_built, ", "));
   }
   return fmt::format("| {} | {} | {} | {} | {} | {} |\n", name, in_cell(value_text(spec.value)),
                      need_text(spec.need), spec.value.default_text.value_or(""), spec.value.unit,
@@ -183,7 +183,7 @@ std::string help_on(const Schema& schema, const std::string& name_or_path) {
   if (!text.empty()) return text;
   const std::string last = wanted.substr(wanted.rfind('/') + 1);
   if (const auto parents = parents_in_format(last); !parents.empty()) {
-    throw InputError(fmt::format("<{}> (in {}) is known to the format, but not built yet", last,
+    throw InputError(fmt::format("<{}> (in {}) is known to the format, but not supported yet", last,
                                  parents.front().empty() ? "the root" : parents.front()));
   }
   const auto nearest = nearest_name(last, names);

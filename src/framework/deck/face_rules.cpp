@@ -90,6 +90,62 @@ void check_conditions(const DeckNode& face, std::vector<Fault>& faults) {
   }
 }
 
+// What a condition says, beside the variable and the material that it is for.
+bool same_values(const DeckNode& a, const DeckNode& b) {
+  const auto kind = a.attribute("var");
+  if (kind != b.attribute("var")) return false;
+  if (kind == "symmetry" || kind == "computeFromDensity") return true;  // they take no value
+  const auto text_of = [](const DeckNode& condition) {
+    const DeckNode* tag = condition.child("value");
+    return collapse_blanks(tag != nullptr ? tag->text : condition.attribute("value").value_or(""));
+  };
+  const std::string one = text_of(a), other = text_of(b);
+  if (const auto x = parse_real(one), y = parse_real(other); x && y) return *x.value == *y.value;
+  if (const auto x = parse_vector(one), y = parse_vector(other); x && y)
+    return *x.value == *y.value;
+  return one == other;
+}
+
+// "all", the indices, or nothing where the deck does not say it: what messages call them.
+std::vector<std::string> materials_of(const DeckNode& condition) {
+  const auto id = condition.attribute("id"), ids = condition.attribute("ids");
+  if (!id && !ids) return {""};
+  const auto list = parse_integers(id ? *id : *ids);
+  if (!list) return {collapse_blanks(id ? *id : *ids)};
+  std::vector<std::string> names;
+  for (const int index : *list.value) names.push_back(std::to_string(index));
+  return names;
+}
+
+// The first of several conditions for one variable and material is the one that holds. One for a
+// single material beside one for all is no repetition: it is the exception.
+void check_repetitions(const DeckNode& face, const std::string& face_name,
+                       std::vector<Fault>& faults) {
+  std::map<std::pair<std::string, std::string>, const DeckNode*> known;
+  for (const DeckNode* condition : face.all("BCType")) {
+    const std::string label = condition->attribute("label").value_or("");
+    for (const std::string& material : materials_of(*condition)) {
+      const auto [first, fresh] = known.try_emplace({label, material}, condition);
+      if (fresh) continue;
+      const DeckNode& before = *first->second;
+      const std::string whose = material.empty()    ? ""
+                                : material == "all" ? " of all materials"
+                                                    : " of material " + material;
+      const std::string what =
+          fmt::format("second condition for {}{} on {}", label, whose, face_name);
+      if (same_values(before, *condition)) {
+        add_warning(faults, condition->where,
+                    fmt::format("{}; it repeats the first, at {}", what, to_string(before.where)),
+                    "remove one of them");
+      } else {
+        add_error(faults, condition->where,
+                  fmt::format("{}, other than the first, at {}", what, to_string(before.where)),
+                  "keep one of them");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void check_faces(const DeckNode& root, std::vector<Fault>& faults) {
@@ -117,6 +173,8 @@ void check_faces(const DeckNode& root, std::vector<Fault>& faults) {
                   fmt::format("<Face> on {} has no effect: {} is periodic", side,
                               direction_names[direction]),
                   "remove the face, or set periodic to 0 there");
+    } else {
+      check_repetitions(*face, fmt::format("{} {}", shape->name, side), faults);
     }
   }
   for (const auto& [side, face] : pieces) {

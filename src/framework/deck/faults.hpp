@@ -33,7 +33,7 @@ inline void add_warning(std::vector<Fault>& faults, const Location& where, std::
 // `what` is a part of the format that is not built.
 inline void add_not_built(std::vector<Fault>& faults, const Location& where,
                           const std::string& what, std::string suggestion = {}) {
-  add_error(faults, where, what + " is known to the format, but not built yet",
+  add_error(faults, where, what + " is known to the format, but not supported yet",
             std::move(suggestion));
   faults.back().not_built = true;
 }

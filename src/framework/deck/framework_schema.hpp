@@ -24,6 +24,7 @@ void check_faces(const DeckNode& root, std::vector<Fault>& faults);
 void check_refinement(const DeckNode& root, std::vector<Fault>& faults);
 void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults);
 void check_analyses(const DeckNode& root, std::vector<Fault>& faults);
+void check_saves(const DeckNode& root, std::vector<Fault>& faults);
 void check_filebase(const DeckNode& root, std::vector<Fault>& faults);
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults);
 

@@ -29,6 +29,7 @@ Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& 
   for (const std::string& text : overrides) {
     apply_override(*deck.root, text, schema, deck.faults);
   }
+  settle_faces(*deck.root, deck.faults);
   resolve_piece_labels(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) rule(*deck.root, deck.faults);

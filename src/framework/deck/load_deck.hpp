@@ -30,6 +30,7 @@ Deck load_deck_text(std::string_view xml, const std::string& shown_name,
 void drop_obsolete(DeckNode& root, std::vector<Fault>& faults);
 void apply_override(DeckNode& root, const std::string& override_text, const Schema& schema,
                     std::vector<Fault>& faults);
+void settle_faces(DeckNode& root, std::vector<Fault>& faults);
 void resolve_piece_labels(DeckNode& root, std::vector<Fault>& faults);
 
 }  // namespace sluice

@@ -183,7 +183,11 @@ TEST(PieceLabels, FaultsAreNamed) {
               HasSubstr("'a' is the label of a <box>"));
   EXPECT_THAT(
       resolve_labels("<box label='a'><min>1</min></box><box label='a'><min>2</min></box>").faults,
-      HasSubstr("error: label 'a' is already that of the piece at pieces.ups:1:"));
+      HasSubstr("warning: label 'a' is already that of the piece at pieces.ups:1:"));
+  EXPECT_THAT(resolve_labels("<box label='a'><min>1</min></box><box label='a'><min>2</min></box>"
+                             "<box label='a'/>")
+                  .faults,
+              HasSubstr("error: 'a' is the label of two pieces, at pieces.ups:1:"));
   EXPECT_THAT(
       resolve_labels("<box label='a'><min>1</min></box><box label='a'><min>1</min></box>").faults,
       HasSubstr("warning: label 'a' repeats the piece"));
@@ -192,6 +196,48 @@ TEST(PieceLabels, FaultsAreNamed) {
 TEST(PieceLabels, ThatHoldThemselvesEnd) {
   const Resolved r = resolve_labels("<union label='u'><union label='u'/><null/></union>");
   EXPECT_THAT(r.faults, HasSubstr("without end"));
+}
+
+// Conditions of a second face of one place follow those of the first; other places stay.
+TEST(SettleFaces, JoinsThoseOfOnePlace) {
+  Deck deck = read_deck_text(
+      "<Uintah_specification><Grid><BoundaryConditions>\n"
+      "<Face side='x-'><BCType label='a'/></Face>\n"
+      "<Face circle='x-' origin='0 0 0' radius='1'><BCType label='b'/></Face>\n"
+      "<Face radius='1.0' circle=' x-' origin='0.0 0 0' name='hole'><BCType label='c'/></Face>\n"
+      "<Face circle='x-' origin='0 0 0' radius='2'><BCType label='d'/></Face>\n"
+      "<Face side='x-'><BCType label='e'/></Face>\n"
+      "<Face/><Face/>"
+      "</BoundaryConditions></Grid></Uintah_specification>",
+      "faces.ups");
+  settle_faces(*deck.root, deck.faults);
+  const auto faces = deck.root->find("Grid/BoundaryConditions")->all("Face");
+  ASSERT_EQ(faces.size(), 5u);
+  const auto labels = [&](std::size_t face) {
+    std::string text;
+    for (const DeckNode* condition : faces[face]->all("BCType"))
+      text += *condition->attribute("label");
+    return text;
+  };
+  EXPECT_EQ(labels(0) + ' ' + labels(1) + ' ' + labels(2), "ae bc d");
+  EXPECT_EQ(messages(deck),
+            "faces.ups:4:1: warning: second <Face circle=\"x-\">; merged with the first at "
+            "faces.ups:3:1 (write all conditions of a face in one <Face>)\n"
+            "faces.ups:6:1: warning: second <Face side=\"x-\">; merged with the first at "
+            "faces.ups:2:1 (write all conditions of a face in one <Face>)\n");
+}
+
+TEST(SettleFaces, GivesConditionsTheDefaultMaterial) {
+  Deck deck = read_deck_text(
+      "<Uintah_specification><Grid><BoundaryConditions><DefaultMaterial>1</DefaultMaterial>"
+      "<Face side='x-'><BCType/><BCType id='all'/><BCType ids='[0,2]'/></Face>"
+      "</BoundaryConditions></Grid></Uintah_specification>",
+      "faces.ups");
+  settle_faces(*deck.root, deck.faults);
+  const auto conditions = deck.root->find("Grid/BoundaryConditions/Face")->all("BCType");
+  EXPECT_EQ(conditions.at(0)->attribute("id"), "1");
+  EXPECT_EQ(conditions.at(1)->attribute("id"), "all");
+  EXPECT_EQ(conditions.at(2)->attribute("id"), std::nullopt);
 }
 
 TEST(Obsolete, TagsMapOrDropWithOneWarningEach) {

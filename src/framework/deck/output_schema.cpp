@@ -87,6 +87,37 @@ void add_output_tags(Schema& schema) {
                tag("simTime", "lines of .dat files hold the time").boolean().by_default("true")}));
   schema.rules.emplace_back(check_checkpoint);
   schema.rules.emplace_back(check_filebase);
+  schema.rules.emplace_back(check_saves);
+}
+
+// Whether the sets of indices have one in common, as far as the deck alone can tell; empty: all.
+bool overlap(const DeckNode& a, const DeckNode& b, const char* name) {
+  const auto one = parse_index_set(a.attribute(name).value_or(""));
+  const auto other = parse_index_set(b.attribute(name).value_or(""));
+  if (!one || !other) return false;
+  if (one.value->empty() || other.value->empty()) return true;
+  for (const IndexInterval& x : *one.value)
+    for (const IndexInterval& y : *other.value)
+      if (x.low <= y.high && y.low <= x.high) return true;
+  return false;
+}
+
+// A label may be saved for several materials or levels, one <save> each.
+void check_saves(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* archiver = root.child("DataArchiver");
+  if (archiver == nullptr) return;
+  const auto saves = archiver->all("save");
+  for (auto save = saves.begin(); save != saves.end(); ++save) {
+    const auto first = std::find_if(saves.begin(), save, [&](const DeckNode* before) {
+      return before->attribute("label") == (*save)->attribute("label") &&
+             overlap(*before, **save, "material") && overlap(*before, **save, "levels");
+    });
+    if (first == save || !(*save)->attribute("label")) continue;
+    add_warning(faults, (*save)->where,
+                fmt::format("{} is saved already, by the line at {}",
+                            in_quotes(*(*save)->attribute("label")), to_string((*first)->where)),
+                "remove one of them");
+  }
 }
 
 // An archive's folder must stay within the folder that the user chose for it.

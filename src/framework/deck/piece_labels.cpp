@@ -50,10 +50,12 @@ class LabelResolver {
                     "write it empty to repeat the piece");
         continue;
       }
-      fault(*child,
-            fmt::format("label {} is already that of the piece at {}", in_quotes(label),
-                        to_string(first->second->where)),
-            "give this piece another label, or write it empty to repeat the first");
+      rivals_.try_emplace(label, child.get());
+      add_warning(faults_, child->where,
+                  fmt::format("label {} is already that of the piece at {}; this is a piece of its "
+                              "own",
+                              in_quotes(label), to_string(first->second->where)),
+                  "give it another label, or write it empty to repeat the first");
     }
   }
 
@@ -87,6 +89,12 @@ class LabelResolver {
       return;
     }
     const DeckNode& piece = *found->second;
+    if (const auto rival = rivals_.find(label); rival != rivals_.end()) {
+      fault(reference,
+            fmt::format("{} is the label of two pieces, at {} and at {}", in_quotes(label),
+                        to_string(piece.where), to_string(rival->second->where)),
+            "give one of them another label");
+    }
     if (piece.name != reference.name) {
       fault(reference,
             fmt::format("{} is the label of a <{}> at {}, not of a <{}>", in_quotes(label),
@@ -134,7 +142,8 @@ class LabelResolver {
   static constexpr int most_copied_ = 100'000;
   std::vector<Fault>& faults_;
   std::map<std::string, const DeckNode*> pieces_;
-  std::vector<const DeckNode*> within_;  // what is being resolved, outermost first
+  std::map<std::string, const DeckNode*> rivals_;  // second piece of a label, with other content
+  std::vector<const DeckNode*> within_;            // what is being resolved, outermost first
   int copied_ = 0;
   bool gave_up_ = false;
 };

@@ -1,4 +1,8 @@
 // Who runs, for how long, under what constants.
+#include <fmt/format.h>
+
+#include <map>
+
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
@@ -145,6 +149,22 @@ TagSpec component() {
                                  "WAVE"}));
 }
 
+// Public decks give some numbers twice: the first counts.
+void keep_first_of_time(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* time = root.child("Time");
+  if (time == nullptr) return;
+  std::map<std::string, Location> known;
+  std::erase_if(time->children, [&](const std::unique_ptr<DeckNode>& child) {
+    const auto [first, fresh] = known.try_emplace(child->name, child->where);
+    if (fresh || !child->children.empty()) return false;
+    add_warning(faults, child->where,
+                fmt::format("second <{}> in <Time>; dropped: the first, at {}, counts", child->name,
+                            to_string(first->second)),
+                "remove one of them");
+    return true;
+  });
+}
+
 }  // namespace
 
 void add_run_tags(Schema& schema) {
@@ -179,6 +199,7 @@ void add_run_tags(Schema& schema) {
                                 .words({"MPI", "DynamicMPI", "Unified", "Kokkos", "KokkosOpenMP"}))
                  .with_children({tag("small_messages", "accepted without effect").boolean(),
                                  tag("taskReadyQueueAlg", "accepted without effect").text()}));
+  schema.rewrites.emplace_back(keep_first_of_time);
   schema.rules.emplace_back(check_time);
 }
 
@@ -191,6 +212,11 @@ void check_time(const DeckNode& root, std::vector<Fault>& faults) {
     add_error(faults, time->child("maxTime")->where,
               "<maxTime> lies before <initTime>: nothing would be computed",
               "maxTime must be at least initTime");
+  } else if (begin && end && *end == *begin) {
+    add_warning(
+        faults, time->child("maxTime")->where,
+        fmt::format("<maxTime> {:g} is <initTime>: the run ends before its first step", *end),
+        "give the time at which the run is to end");
   }
   const auto least = real_of(time, "delt_min");
   const auto most = real_of(time, "delt_max");

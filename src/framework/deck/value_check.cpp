@@ -42,8 +42,9 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
   if (listed(spec.words_not_built)) {
     ValueVerdict verdict;
     verdict.not_built = true;
-    verdict.problem = fmt::format("{} is known to the format, but not built yet", in_quotes(text));
-    verdict.suggestion = "built: " + list_of(spec.words);
+    verdict.problem =
+        fmt::format("{} is known to the format, but not supported yet", in_quotes(text));
+    verdict.suggestion = "supported: " + list_of(spec.words);
     return verdict;
   }
   std::vector<std::string> all = spec.words;

@@ -16,6 +16,29 @@ std::int32_t points_in_cell(const std::vector<Vec3>& points, const CellLattice& 
   return n;
 }
 
+// The box of all sub-points of the cells: its ends are sub-points themselves.
+Bounds sub_points(const CellLattice& lattice, IntVec3 lower, IntVec3 upper, IntVec3 res) {
+  Bounds b;
+  for (int d = 0; d < 3; ++d) {
+    b.lower[d] = lattice.sub_point(d, lower[d], 0, res[d]);
+    b.upper[d] = lattice.sub_point(d, upper[d] - 1, res[d] - 1, res[d]);
+  }
+  return b;
+}
+
+// A block halved along its longest direction: [lower, middle up) and [middle down, upper).
+struct Halves {
+  IntVec3 middle_up, middle_down;
+  bool one_cell;
+};
+Halves halves(IntVec3 lower, IntVec3 upper) {
+  const IntVec3 n = upper - lower;
+  const int d = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
+  Halves h{upper, lower, n[d] == 1};
+  h.middle_up[d] = h.middle_down[d] = lower[d] + n[d] / 2;
+  return h;
+}
+
 // Counts over a range of cells by halving blocks until a block is settled or is one cell.
 class Counter {
  public:
@@ -27,36 +50,24 @@ class Counter {
   }
 
   void visit(const GeometryPiece& whole, IntVec3 lower, IntVec3 upper) {
-    const Bounds window = sub_points(lower, upper);
+    const Bounds window = sub_points(lattice_, lower, upper, res_);
     const Cover c = whole.cover(window);
     if (c == Cover::none) return;
     if (c == Cover::all) return fill(lower, upper);
     const PiecePtr part = whole.restricted(window);
     const GeometryPiece& piece = part ? *part : whole;
-    const IntVec3 n = upper - lower;
-    const int d = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
-    if (n[d] == 1) {
+    const Halves h = halves(lower, upper);
+    if (h.one_cell) {
       at(lower) = count_inside(piece, lattice_, lower, res_);
       return;
     }
-    IntVec3 middle_up = upper, middle_down = lower;
-    middle_up[d] = middle_down[d] = lower[d] + n[d] / 2;
-    visit(piece, lower, middle_up);
-    visit(piece, middle_down, upper);
+    visit(piece, lower, h.middle_up);
+    visit(piece, h.middle_down, upper);
   }
 
   std::vector<std::int32_t> take() { return std::move(counts_); }
 
  private:
-  // The box of all sub-points of the cells: its ends are sub-points themselves.
-  Bounds sub_points(IntVec3 lower, IntVec3 upper) const {
-    Bounds b;
-    for (int d = 0; d < 3; ++d) {
-      b.lower[d] = lattice_.sub_point(d, lower[d], 0, res_[d]);
-      b.upper[d] = lattice_.sub_point(d, upper[d] - 1, res_[d] - 1, res_[d]);
-    }
-    return b;
-  }
   std::int32_t& at(IntVec3 c) {
     const IntVec3 o = c - lower_;
     return counts_[static_cast<std::size_t>(o.x) +
@@ -121,6 +132,27 @@ std::vector<std::int32_t> count_inside(const GeometryPiece& piece, const CellLat
   Counter counter(lattice, lower, upper, res);
   counter.visit(piece, lower, upper);
   return counter.take();
+}
+
+bool any_inside(const GeometryPiece& whole, const CellLattice& lattice, IntVec3 lower,
+                IntVec3 upper, IntVec3 res) {
+  const IntVec3 n = upper - lower;
+  if (n.x <= 0 || n.y <= 0 || n.z <= 0) return false;
+  if (const std::vector<Vec3>* points = whole.points())
+    return std::any_of(points->begin(), points->end(), [&](Vec3 p) {
+      const IntVec3 c = lattice.cell_of(p);
+      return c.x >= lower.x && c.y >= lower.y && c.z >= lower.z && c.x < upper.x && c.y < upper.y &&
+             c.z < upper.z;
+    });
+  const Bounds window = sub_points(lattice, lower, upper, res);
+  const Cover c = whole.cover(window);
+  if (c != Cover::some) return c == Cover::all;
+  const PiecePtr part = whole.restricted(window);
+  const GeometryPiece& piece = part ? *part : whole;
+  const Halves h = halves(lower, upper);
+  if (h.one_cell) return count_inside(piece, lattice, lower, res) > 0;
+  return any_inside(piece, lattice, lower, h.middle_up, res) ||
+         any_inside(piece, lattice, h.middle_down, upper, res);
 }
 
 }  // namespace sluice

@@ -33,4 +33,8 @@ std::int32_t count_inside(const GeometryPiece&, const CellLattice&, IntVec3 cell
 std::vector<std::int32_t> count_inside(const GeometryPiece&, const CellLattice&, IntVec3 lower,
                                        IntVec3 upper, IntVec3 res);
 
+// Whether a sub-point of any cell of [lower, upper) lies inside; ends at the first that does.
+bool any_inside(const GeometryPiece&, const CellLattice&, IntVec3 lower, IntVec3 upper,
+                IntVec3 res);
+
 }  // namespace sluice

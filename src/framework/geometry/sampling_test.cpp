@@ -100,6 +100,26 @@ TEST(Sampling, BlocksGiveTheSameBitsAsSubPoints) {
   }
 }
 
+// Windows of two cells, some of which a piece misses.
+TEST(Sampling, ASearchFindsWhatCountsFind) {
+  const int n = 12;
+  const IntVec3 res{2, 1, 3};
+  for (const KnownVolume& k : known_volumes()) {
+    int found = 0, missed = 0;
+    for (int i = 0; i < n * n * n; ++i) {
+      const IntVec3 low{i % n, i / n % n, i / n / n}, high = low + IntVec3{2, 1, 1};
+      const auto counts = count_inside(*k.piece, cube(n), low, high, res);
+      const bool any = counts[0] > 0 || counts[1] > 0;
+      ASSERT_EQ(any_inside(*k.piece, cube(n), low, high, res), any) << k.name << ' ' << i;
+      (any ? found : missed) += 1;
+    }
+    EXPECT_GT(found, 0) << k.name;
+    EXPECT_GT(missed, 0) << k.name;
+    EXPECT_TRUE(any_inside(*k.piece, cube(n), {0, 0, 0}, IntVec3::all(n), res)) << k.name;
+    EXPECT_FALSE(any_inside(*k.piece, cube(n), IntVec3::all(n), IntVec3::all(n), res)) << k.name;
+  }
+}
+
 // A packing of small balls, cut by a box and by a large ball: what lies far away is left out of the
 // blocks, and nothing of it is lost.
 TEST(Sampling, LargeUnionsAreCountedInFull) {
@@ -208,6 +228,8 @@ TEST(Sampling, PointFilesAreCountedByTheirPoints) {
   EXPECT_EQ(counts.back(), 1);
   EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), 3);
   EXPECT_EQ(count_inside(piece, cube(4), {0, 0, 0}, {2, 2, 2}), 2);
+  EXPECT_TRUE(any_inside(piece, cube(4), {3, 3, 3}, {4, 4, 4}, {1, 1, 1}));
+  EXPECT_FALSE(any_inside(piece, cube(4), {1, 1, 1}, {3, 3, 3}, {1, 1, 1}));
 }
 
 // How often a ball is asked, whichever way.

@@ -23,7 +23,7 @@ FaceFold::FaceFold(const IndexBox& fine_faces, IntVec3 faces_each) {
   for (int d = 0; d < 3; ++d) {
     const int each = faces_each[d];
     if (each != 1 && each != 2 && each != 4)
-      throw std::logic_error("a level refines by 1, 2 or 4 a direction");
+      throw std::logic_error("a level refines by 1, 2 or 4 per direction");
     step_[static_cast<std::size_t>(d)] = stride_[static_cast<std::size_t>(d)] * each;
     coarse_size_[d] = n[d] / each;
   }

@@ -78,7 +78,7 @@ std::int64_t Hierarchy::cell_count() const {
 Schedule Hierarchy::schedule_of(int l) {
   Schedule s = component_->before_sweep(level(l));
   const int width = halo_width(*component_);
-  s.push_back({HaloPoint{"ghost cells", l, width, [this, l](const StepScope& scope, StepJournal&) {
+  s.push_back({HaloPoint{"of old state", l, width, [this, l](const StepScope& scope, StepJournal&) {
                            fill(l, scope.time);
                            return Verdict::good;
                          }}});

@@ -65,10 +65,10 @@ TEST_F(Cycle, InLockstepAllLevelsTakeTheSameStep) {
 TEST_F(Cycle, TellsItsShape) {
   Wishes w;
   EXPECT_EQ(LevelRun(nested({2}), w).hierarchy.describe_cycle(),
-            "halo point ghost cells, width 2\n"
+            "ghost exchange of old state, width 2\n"
             "sweep step\n"
             "level 1 finer level, 2 substeps\n"
-            "  halo point ghost cells, width 2\n"
+            "  ghost exchange of old state, width 2\n"
             "  sweep step\n"
             "sweep matching of fluxes and restriction\n");
 }

@@ -129,7 +129,7 @@ std::string summary(const RunReport& r) {
     text += fmt::format("particles {}: {} in the domain; {} made, {} left it\n", p.name,
                         human_count(p.here), human_count(p.made), human_count(p.left));
   if (r.blocks_asleep > 0)
-    text += fmt::format("quiet blocks: {:.0f} % slept\n",
+    text += fmt::format("skipped blocks: {:.0f} % of all\n",
                         100.0 * static_cast<double>(r.blocks_asleep) /
                             static_cast<double>(r.blocks_asleep + r.blocks_run));
   text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);

@@ -108,7 +108,7 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
                 fmt::format("a tile of {} cell{} in direction {} for level {}; it must have at "
                             "least {}",
                             tile[d], tile[d] == 1 ? "" : "s", axis[d], level, smallest_tile),
-                "8 or more cells a direction are worth their ghost cells");
+                "8 or more cells per direction are worth their ghost cells");
       return false;
     }
     if (tile[d] % ratio[d] != 0) {

@@ -208,10 +208,10 @@ TEST(LevelCycleMock, TotalsAreKeptAndBoxesChangeNothing) {
 TEST(LevelCycleMock, ThePlanShowsTheShapeOfTheStep) {
   EXPECT_EQ(describe(TwoLevels().schedule(5)),
             "step step, redone when rejected\n"
-            "  halo point coarse ghosts, width 1\n"
+            "  ghost exchange coarse ghosts, width 1\n"
             "  sweep coarse upwind\n"
             "  level 1 fine level, 2 substeps\n"
-            "    halo point fine ghosts, width 1\n"
+            "    ghost exchange fine ghosts, width 1\n"
             "    sweep fine upwind\n"
             "    sweep match fluxes\n");
 }

@@ -33,9 +33,9 @@ void check(const Schedule& schedule, int level, bool outermost) {
                             if (!s.run) refuse("sweep", s.name, "has no action");
                           },
                           [&](const HaloPoint& h) {
-                            require_level("halo point", h.name, h.level, level);
-                            if (!h.exchange) refuse("halo point", h.name, "has no action");
-                            if (h.width < 1) refuse("halo point", h.name, "has no width");
+                            require_level("ghost exchange", h.name, h.level, level);
+                            if (!h.exchange) refuse("ghost exchange", h.name, "has no action");
+                            if (h.width < 1) refuse("ghost exchange", h.name, "has no width");
                           },
                           [&](const Loop& l) {
                             if (!l.converged || l.most < 1)
@@ -97,7 +97,7 @@ void describe(const Schedule& schedule, const std::string& indent, std::string& 
   for (const Node& node : schedule)
     std::visit(Overloaded{[&](const Sweep& s) { text += indent + "sweep " + s.name + "\n"; },
                           [&](const HaloPoint& h) {
-                            text += indent + "halo point " + h.name + ", width " +
+                            text += indent + "ghost exchange " + h.name + ", width " +
                                     std::to_string(h.width) + "\n";
                           },
                           [&](const Loop& l) {

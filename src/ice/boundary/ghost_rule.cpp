@@ -20,10 +20,9 @@ namespace {
 
 [[noreturn]] void refuse(const Condition& c) {
   throw InputError(fmt::format(
-      "{}: boundary condition {} of {} is not built yet; built are Dirichlet, Neumann, symmetry, "
-      "FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile, logLawProfile, MMS_1, slip "
-      "and "
-      "creep",
+      "{}: boundary condition {} of {} is not supported yet; supported are Dirichlet, Neumann, "
+      "symmetry, FreeSlipWall, computeFromDensity, LODI, Sine, powerLawProfile, logLawProfile, "
+      "MMS_1, slip and creep",
       to_string(c.where), c.kind_name, c.variable));
 }
 

@@ -19,7 +19,7 @@ std::vector<GhostRule> make_rules(const BoundaryRegion& region,
         if (!c->zero_gradient()) rule = {GhostRule::Kind::gradient, c->value};
       } else if (c->kind != ConditionKind::symmetry && c->kind_name != "LODI") {
         throw InputError(fmt::format(
-            "{}: boundary condition {} of {} is not built; built are Dirichlet, Neumann, "
+            "{}: boundary condition {} of {} is not supported; supported are Dirichlet, Neumann, "
             "symmetry and LODI",
             to_string(c->where), c->kind_name, c->variable));
       }

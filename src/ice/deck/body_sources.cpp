@@ -24,7 +24,7 @@ std::vector<TagSpec> body_source_tags() {
   return {tag("ADD_HEAT", "heat given to materials everywhere")
               .with_children(
                   {tag("add_heat_matls", "which materials, by index").once().integers().at_least(0),
-                   tag("add_heat_coeff", "power per mass, one number a material")
+                   tag("add_heat_coeff", "power per mass, one number per material")
                        .once()
                        .reals()
                        .unit("power/mass"),
@@ -53,7 +53,7 @@ void check_body_sources(const DeckNode& root, std::vector<Fault>& faults) {
               fmt::format("<add_heat_coeff> has {} number{} for {} material{} of <add_heat_matls>",
                           coefficients->size(), coefficients->size() == 1 ? "" : "s",
                           materials->size(), materials->size() == 1 ? "" : "s"),
-              "one number a material, in the same order");
+              "one number per material, in the same order");
   const auto start = real_of(heat, "add_heat_t_start"), stop = real_of(heat, "add_heat_t_final");
   if (start && stop && *start >= *stop)
     add_error(faults, heat->child("add_heat_t_final")->where,

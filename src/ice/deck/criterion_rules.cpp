@@ -45,9 +45,10 @@ Fault refusal(const DeckNode& node, std::string_view name) {
   if (label && label->name().find('.') == std::string::npos) {
     const Centring centring = label->info().centring;
     if (face_direction(centring) >= 0)
-      fault.message = in + "lies on faces; a criterion of refinement needs a value a cell";
+      fault.message = in + "lies on faces; a criterion of refinement needs one value per cell";
     else if (centring == Centring::reduction)
-      fault.message = in + "is one number a step; a criterion of refinement needs a value a cell";
+      fault.message =
+          in + "is one number per step; a criterion of refinement needs one value per cell";
     else if (*label == ice::labels().refine_flag)
       fault.message = in + "is what the criteria of refinement make";
     else
@@ -57,7 +58,7 @@ Fault refusal(const DeckNode& node, std::string_view name) {
     fault.message = fmt::format("<{}>: {}", node.name, refusal_of(*known.find_foreign(name), name));
     fault.not_built = true;
   } else if (listed(known.not_built, name)) {
-    fault.message = fmt::format("<{}>: variable {} is known to the format, but not built yet",
+    fault.message = fmt::format("<{}>: variable {} is known to the format, but not supported yet",
                                 node.name, in_quotes(name));
     fault.not_built = true;
   } else {

@@ -50,7 +50,7 @@ TEST(CriterionRules, OthersAreRefusedByName) {
     EXPECT_THAT(told("rho_C", "0"), HasSubstr("there is no variable 'rho_C'"));
     EXPECT_THAT(told("rho_C", "0"), HasSubstr("did you mean 'rho_CC'"));
     EXPECT_THAT(told("uvel_FC", "0"), HasSubstr("uvel_FC lies on faces"));
-    EXPECT_THAT(told("TotalMass", "0"), HasSubstr("TotalMass is one number a step"));
+    EXPECT_THAT(told("TotalMass", "0"), HasSubstr("TotalMass is one number per step"));
     EXPECT_THAT(told("refineFlag", "0"), HasSubstr("is what the criteria of refinement make"));
     EXPECT_THAT(told("delP_Dilatate", "0"), HasSubstr("exists only within a step"));
     EXPECT_THAT(told("imp_delP", "0"), HasSubstr("[not built]"));

@@ -1,6 +1,6 @@
 // Reading and checking <exchange_properties>.
 //
-// Lists of coefficients run over the upper triangle, 0-1, 0-2, ..., 1-2, ..., one number a pair.
+// Lists of coefficients run over the upper triangle, 0-1, 0-2, ..., 1-2, ..., one number per pair.
 #include "ice/deck/exchange_settings.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ bool check_count(const DeckNode& coefficients, const char* kind, int materials,
             fmt::format("<{}> has {} coefficient{}; {} materials have {} pair{}: {}", kind,
                         values->size(), values->size() == 1 ? "" : "s", materials, wanted,
                         wanted == 1 ? "" : "s", pair_names(materials)),
-            "one number a pair, in this order");
+            "one number per pair, in this order");
   return false;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/scene/deck_values.hpp"
+#include "framework/scene/empty_pieces.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/deck/schema.hpp"
@@ -228,6 +229,9 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
   warn_of_vortices(deck, scene, s, faults);
+  for (const auto& block : root.children)
+    if (block->name == "MaterialProperties" || block->name == "Models")
+      warn_of_empty_pieces(*block, geometry, scene.grid, faults);
   s.gravity_where = scene.constants.gravity_where;
   return s;
 }

@@ -158,6 +158,17 @@ void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fa
       "see the range of the law in docs/theory_eos.md");
 }
 
+// A linear solver is for implicit steps.
+void check_solver(const DeckNode& root, const DeckNode* ice, std::vector<Fault>& faults) {
+  const DeckNode* solver = root.child("Solver");
+  if (solver == nullptr) return;
+  if (ice != nullptr && ice->child("ImplicitSolver") != nullptr)
+    add_not_built(faults, solver->where, "<Solver>");
+  else
+    add_warning(faults, solver->where,
+                "<Solver> has no effect: without <ImplicitSolver> nothing is solved", "remove it");
+}
+
 }  // namespace
 
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults) {
@@ -217,6 +228,7 @@ void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults) {
     add_warning(faults, ice->child("ClampSpecificVolume")->where,
                 "<ClampSpecificVolume> has no effect: there are no clamps", "remove it");
   }
+  check_solver(root, ice, faults);
 }
 
 void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {

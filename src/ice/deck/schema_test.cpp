@@ -113,6 +113,28 @@ TEST(IceSchema, JoinsFacesOfOneSide) {
   EXPECT_EQ(messages(deck).find("side y"), std::string::npos) << messages(deck);
 }
 
+// A condition for one material beside one for all is the exception from it.
+TEST(IceSchema, TellsARepeatedConditionFromAnException) {
+  const std::string all =
+      "<Face side='y-'><BCType id='all' label='Symmetric' var='symmetry'/>"
+      "<BCType id='all' label='Density' var='Neumann' value='0'/>";
+  Sample sample;
+  sample.periodic = "<periodic>[1,0,1]</periodic>";
+  const auto said = [&](const std::string& more) {
+    sample.faces = "<BoundaryConditions>" + all + more +
+                   "</Face><Face side='y+'><BCType id='all' label='Symmetric' var='symmetry'/>"
+                   "</Face></BoundaryConditions>";
+    return messages(sample.load());
+  };
+  EXPECT_EQ(said("<BCType id='0' label='Density' var='Dirichlet' value='2'/>"), "");
+  EXPECT_THAT(said("<BCType id='all' label='Density' var='Neumann' value='0.0'/>"),
+              HasSubstr("warning: second condition for Density of all materials on side y-"));
+  EXPECT_THAT(said("<BCType id='all' label='Density' var='Neumann' value='1'/>"),
+              HasSubstr("error: second condition for Density of all materials on side y-"));
+  EXPECT_THAT(said("<BCType id='all' label='Symmetric' var='symmetry' value='7'/>"),
+              HasSubstr("warning: second condition for Symmetric"));
+}
+
 TEST(IceSchema, WarnsOfAPressureThatContradicts) {
   Sample sample;
   sample.object_pressure = "<pressure>0.4003</pressure>";  // 0.075 % from 0.4

@@ -92,7 +92,7 @@ void Tracers::check_ids(const models::TracerParticles& t, const Ids& ids, double
   if (most < static_cast<double>(most_particle_id)) return;
   throw InputError(fmt::format(
       "{}: <TracerParticles>: {:g} numbers are needed for all particles of '{}' that may appear "
-      "until t = {:g}, and there are 2^53: ask for fewer particles a cell or second, or for an "
+      "until t = {:g}, and there are 2^53: ask for fewer particles per cell or second, or for an "
       "earlier <timeStop>",
       to_string(t.where), most, t.name, max_time));
 }
