@@ -14,7 +14,7 @@
 #include "ice/sources/source_tasks.hpp"
 #include "ice/start/initialise.hpp"
 #include "ice/step/effect_ids.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/scheme_options.hpp"
 #include "ice/step_tables.hpp"
 #include "ice/tracers/tracers.hpp"
