@@ -17,7 +17,7 @@ GasBox stirred() {
   box.periodic = false;
   box.walls = true;
   box.scheme = "conservative";
-  box.gravity = "[0.3,-0.5,0]";
+  box.gravity = "[0.1,-0.1,0]";
   box.density = "2+sin(5*x)";
   box.pressure = "4+0.5*cos(4*y)";
   box.velocity[0] = "0.3*sin(4*x)";
