@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "ice/ice.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::properties {
 

@@ -270,7 +270,7 @@ IntVec3 Orientation::turn_cell(IntVec3 cell, IntVec3 cells) const {
   return r;
 }
 
-std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
+std::string skew_deck(const SkewCase& c, const Orientation& o, int step_count) {
   std::string deck =
       "<Uintah_specification>\n<Meta><title>skew</title></Meta>\n"
       "<SimulationComponent type=\"ice\"/>\n";
@@ -278,14 +278,14 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int steps) {
       "<Time><maxTime>10</maxTime><initTime>0</initTime><delt_min>0</delt_min>\n"
       "<delt_max>1</delt_max><timestep_multiplier>1</timestep_multiplier>\n"
       "<max_Timesteps>{}</max_Timesteps></Time>\n",
-      steps);
+      step_count);
   deck += "<Grid>\n" + boundary(c, o) + grid_levels(c, o) + "</Grid>\n" + refinement(c, o);
   deck += fmt::format(
       "<DataArchiver><filebase>skew.uda</filebase>\n"
       "<outputTimestepInterval>{}</outputTimestepInterval>\n"
       "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>{}\n"
       "</DataArchiver>\n",
-      steps, c.materials() > 1 ? "<save label=\"vol_frac_CC\"/>" : "");
+      step_count, c.materials() > 1 ? "<save label=\"vol_frac_CC\"/>" : "");
   std::string eddies;
   if (!c.turbulence.empty())
     eddies =

@@ -81,6 +81,6 @@ inline std::ostream& operator<<(std::ostream& out, const SkewCase& c) {
 }
 
 // The deck as XML; outputs and checkpoints at the end of `steps` steps.
-std::string skew_deck(const SkewCase& c, const Orientation& o, int steps);
+std::string skew_deck(const SkewCase& c, const Orientation& o, int step_count);
 
 }  // namespace sluice::properties

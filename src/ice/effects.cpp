@@ -1,7 +1,7 @@
 // Which effects a scene calls for, and why.
 #include <fmt/format.h>
 
-#include "ice/ice.hpp"
+#include "ice/fluid_part.hpp"
 
 namespace sluice::ice {
 

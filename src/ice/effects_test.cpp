@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ice/ice.hpp"
+#include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice::effects_test {
 namespace {

@@ -14,7 +14,7 @@
 #include "ice/sources/source_tasks.hpp"
 #include "ice/start/initialise.hpp"
 #include "ice/step/effect_ids.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/scheme_options.hpp"
 #include "ice/step_tables.hpp"
 #include "ice/tracers/tracers.hpp"
@@ -154,7 +154,9 @@ std::vector<std::vector<Label>> FluidPart::checkpoint_labels() const {
 }
 
 std::vector<FlagSeeds> FluidPart::flag_seeds(const Warehouse& state) const {
-  return interface_seeds(state, options_, scene_->refinement.interfaces);
+  std::vector<int> numbers;
+  for (int m = 0; m < material_count(); ++m) numbers.push_back(options_.place(m));
+  return interface_seeds(state, numbers, scene_->refinement.interfaces);
 }
 
 SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {

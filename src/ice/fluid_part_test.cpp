@@ -17,9 +17,9 @@ GasBox stirred() {
   box.periodic = false;
   box.walls = true;
   box.scheme = "conservative";
-  box.gravity = "[1,-2,0]";
+  box.gravity = "[0.1,-0.1,0]";
   box.density = "2+sin(5*x)";
-  box.pressure = "1+0.5*cos(4*y)";
+  box.pressure = "4+0.5*cos(4*y)";
   box.velocity[0] = "0.3*sin(4*x)";
   return box;
 }

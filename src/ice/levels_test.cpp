@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/grid/box_list.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/test_support/classic.hpp"
 #include "ice/test_support/transfer.hpp"
 

@@ -7,9 +7,10 @@
 #include "ice/closure/equilibrate.hpp"
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/labels.hpp"
+#include "ice/fluid/laws_in_box.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/scalars/variables.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/step_bounds.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -20,7 +21,11 @@ namespace {
 class CellStates {
  public:
   CellStates(const Warehouse& state, const SchemeOptions& o, int box)
-      : state_(state), box_(box), fluids_(o.fluids), gas_(o.mixed), equilibration_(o.fluids) {
+      : state_(state),
+        box_(box),
+        fluids_(o.fluids),
+        laws_{o.fluids, o.mixed},
+        equilibration_(o.fluids) {
     const std::vector<Fluid>& fluids = fluids_;
     const bool own_velocities = o.own_velocities;
     const auto view = [&](Label label, int m) {
@@ -32,7 +37,7 @@ class CellStates {
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
       if (own_velocities) slip_.push_back(state.find(labels().slip, o.place(m)));
     }
-    if (gas_ != nullptr) fraction_ = view(fraction_of(o).state(), gas_->material);
+    if (!laws_.all_plain()) laws_.fraction = view(fraction_of(o).state(), laws_.gas->material);
   }
 
   struct State {
@@ -48,13 +53,13 @@ class CellStates {
       E[m] = energy_[m](cell);
       rho += M[m];
     }
-    if (gas_ != nullptr) {
+    if (!laws_.all_plain()) {
       // Where the gas is alone its largest gamma holds, as in a step.
-      const auto gas = static_cast<std::size_t>(gas_->material);
+      const auto gas = static_cast<std::size_t>(laws_.gas->material);
       bool alone = M[gas] != 0.0;
       for (std::size_t m = 0; m < fluids_.size(); ++m) alone = alone && (m == gas || M[m] == 0.0);
       if (alone) return of_one(gas, M[gas], E[gas]);
-      equilibration_.set_law(gas_->material, fluid_of(*gas_, fraction_(cell)));
+      laws_.set(equilibration_, cell);
     }
     return {rho, equilibration_.look({M, V, E}).modulus};
   }
@@ -102,8 +107,7 @@ class CellStates {
   int box_;
   std::vector<int> slip_;
   const std::vector<Fluid>& fluids_;
-  const models::MixedGas* gas_;
-  RealView fraction_;  // of it
+  LawsInBox laws_;
   mixture::Equilibration equilibration_;
   std::vector<RealView> mass_, energy_, volume_;
 };

@@ -6,13 +6,17 @@
 #include <cstdlib>
 
 #include "ice/boundary/waves.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 
 namespace sluice::ice {
 
 GhostStates::GhostStates(const BoundarySetting& setting, const BoundaryViews& views, int direction,
                          bool plus, const Moment& moment)
-    : setting_(setting), v_(views), d_(direction), plus_(plus), moment_(moment) {
+    : setting_(setting),
+      v_(views),
+      laws_{setting.fluids, setting.mixed, views.composition},
+      d_(direction),
+      plus_(plus),
+      moment_(moment) {
   if (views.mass.size() > 1) parts_.resize(views.mass.size());
 }
 
@@ -123,15 +127,10 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
   return u;
 }
 
-const Fluid& GhostStates::fluid_of(IntVec3 cell, Fluid& room, std::size_t material) const {
-  if (!is_mixed(setting_.mixed, material)) return setting_.fluids[material];
-  return room = ice::fluid_of(*setting_.mixed, v_.composition(cell));
-}
-
 void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
   Fluid room, source_room;
-  const Fluid& fluid = fluid_of(ghost, room);
-  const Fluid& source_fluid = fluid_of(source, source_room);
+  const Fluid& fluid = laws_.at(ghost, 0, room);
+  const Fluid& source_fluid = laws_.at(source, 0, source_room);
   const RealView &mass = v_.mass.front(), &energy = v_.energy.front();
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   const double source_rho = mass(source), source_E = energy(source);
@@ -172,7 +171,7 @@ double GhostStates::mixture_pressure(IntVec3 source) const {
   for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     if (M == 0.0) continue;
-    const double p = fluid_of(source, room, m).pressure(M / V, v_.energy[m](source) / V);
+    const double p = laws_.at(source, m, room).pressure(M / V, v_.energy[m](source) / V);
     if (V == 1.0) return p;
     work += V * p;
     volume += V;
@@ -189,12 +188,12 @@ void GhostStates::take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 sour
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     Part& part = parts_[m];
     part = {};
-    part.law = &fluid_of(ghost, mixed_law_, m);
+    part.law = &laws_.at(ghost, m, law_in_ghost_);
     part.given_T = r.rule.fixed_temperature || r.rule.temperature_gradient != 0;
     if (M > 0.0) {
       part.V = part.V_source = V;
       part.rho = (M - r.rule.density_gradient * distance) / V;
-      part.T = fluid_of(source, room, m).temperature(M / V, v_.energy[m](source) / V) -
+      part.T = laws_.at(source, m, room).temperature(M / V, v_.energy[m](source) / V) -
                r.rule.temperature_gradient * distance;
     }
     if (r.rule.fixed_temperature) part.T = r.rule.temperature;

@@ -8,7 +8,7 @@
 #include "framework/grid/level.hpp"
 #include "ice/boundary/ghost_rule.hpp"
 #include "ice/deck/transport_settings.hpp"
-#include "models/mixed_gas.hpp"
+#include "ice/fluid/laws_in_box.hpp"
 
 namespace sluice::ice {
 
@@ -73,8 +73,6 @@ class GhostStates {
     double u = 0;  // along one component
     bool given_T = false;
   };
-  // Of one material in this cell; `room` holds it where it is a gas that is a mixture itself.
-  const Fluid& fluid_of(IntVec3 cell, Fluid& room, std::size_t material = 0) const;
   // Hydrostatic difference of pressure over one step outward, over the sum of its two densities.
   double half_weight() const;
   double hydrostatic(IntVec3 source, IntVec3 ghost, double rho_ghost, double room) const;
@@ -124,11 +122,12 @@ class GhostStates {
 
   const BoundarySetting& setting_;
   const BoundaryViews& v_;
+  const LawsInBox laws_;
   int d_;
   bool plus_;
   const Moment& moment_;
   std::vector<Part> parts_;
-  Fluid mixed_law_;  // of a part that is a mixture itself, in the ghost
+  Fluid law_in_ghost_;  // of a part whose law is made for the cell
 };
 
 }  // namespace sluice::ice

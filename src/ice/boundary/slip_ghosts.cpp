@@ -43,7 +43,7 @@ void GhostStates::differences_along(IntVec3 cell, int e, SlipCell& slip) const {
 
 GhostStates::GasAt GhostStates::gas_at(IntVec3 cell) const {
   Fluid room;
-  const Fluid& fluid = fluid_of(cell, room);
+  const Fluid& fluid = laws_.at(cell, 0, room);
   const double rho = v_.mass.front()(cell), rho_e = v_.energy.front()(cell);
   return {rho, fluid.pressure(rho, rho_e), fluid.temperature(rho, rho_e)};
 }
@@ -51,8 +51,9 @@ GhostStates::GasAt GhostStates::gas_at(IntVec3 cell) const {
 // Of the molecules: their free path knows neither sponge layers nor eddies.
 double GhostStates::viscosity(IntVec3 cell, double T) const {
   if (setting_.sutherland) return setting_.sutherland->viscosity(T);
-  if (setting_.mixed == nullptr) return setting_.viscosity;
-  return setting_.mixed->at(v_.composition(cell))(&models::MixedGas::Node::viscosity);
+  double mu = 0;
+  laws_.row(cell, 0).viscosity(1, setting_.viscosity, &mu);
+  return mu;
 }
 
 // On the wall beside a ghost, along the wall.

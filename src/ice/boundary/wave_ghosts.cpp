@@ -32,17 +32,17 @@ void GhostStates::to_face_frame(Vec3 u, WaveState& s) const {
 double GhostStates::pressure(IntVec3 cell) const {
   if (!v_.volume.empty()) return mixture_pressure(cell);
   Fluid room;
-  return fluid_of(cell, room).pressure(v_.mass.front()(cell), v_.energy.front()(cell));
+  return laws_.at(cell, 0, room).pressure(v_.mass.front()(cell), v_.energy.front()(cell));
 }
 
 double GhostStates::sound_speed(IntVec3 cell, const WaveState& s) const {
   Fluid room;
-  if (v_.volume.empty()) return fluid_of(cell, room).sound_speed(s.rho, s.p);
+  if (v_.volume.empty()) return laws_.at(cell, 0, room).sound_speed(s.rho, s.p);
   double compliance = 0;  // 1/K
   for (std::size_t m = 0; m < v_.mass.size(); ++m) {
     const double M = v_.mass[m](cell), V = v_.volume[m](cell);
     if (M == 0.0) continue;
-    const Fluid& fluid = fluid_of(cell, room, m);
+    const Fluid& fluid = laws_.at(cell, m, room);
     if (V == 1.0) return fluid.sound_speed(M, s.p);
     compliance += V / fluid.bulk_modulus(M / V, s.p);
   }
@@ -71,7 +71,7 @@ double GhostStates::lowest_pressure(IntVec3 cell) const {
 void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
                         std::size_t m) const {
   Fluid room, source_room;
-  const Fluid& fluid = fluid_of(ghost, room, m);
+  const Fluid& fluid = laws_.at(ghost, m, room);
   double rho = rule.fixed_density ? rule.density : out.rho;
   double p = rule.fixed_pressure || rule.sine_pressure
                  ? given_pressure(rule, ghost, source)
@@ -80,7 +80,7 @@ void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 gho
   const double T =
       rule.fixed_temperature
           ? rule.temperature
-          : fluid_of(source, source_room, m).temperature(source_rho, v_.energy[m](source));
+          : laws_.at(source, m, source_room).temperature(source_rho, v_.energy[m](source));
   if (rule.fixed_temperature) {
     if (rule.fixed_density)
       p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
@@ -145,7 +145,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
     part = {};
     const double M = v_.mass[m](source), V = v_.volume[m](source);
     if (M == 0.0) continue;
-    const Fluid& fluid = fluid_of(source, room, m);
+    const Fluid& fluid = laws_.at(source, m, room);
     const double rho = M / V, change = (p - p_source) / fluid.bulk_modulus(rho, p_source);
     part.rho = rho * (1.0 + std::clamp(change, -most_change, most_change));
     part.T = fluid.temperature(rho, v_.energy[m](source) / V);
@@ -162,7 +162,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
     v_.volume[m](ghost) = present ? part.V : 0.0;
     v_.mass[m](ghost) = present ? M : 0.0;
     v_.energy[m](ghost) =
-        present ? part.V * fluid_of(ghost, room, m).energy_from_pressure(part.rho, p, part.T) : 0.0;
+        present ? part.V * laws_.at(ghost, m, room).energy_from_pressure(part.rho, p, part.T) : 0.0;
     if (present) rho += M;
   }
   wave_momentum(rule.common, out, ghost, source, rho);

@@ -49,7 +49,7 @@ WaveRows::WaveRows(const GhostStates& states, const IndexBox& ghosts)
   end_ = ghosts.upper[a_];
   find_neighbours(ghosts.lower[b_]);
   const BoundarySetting& setting = s_.setting_;
-  one_law_ = setting.fluids.size() == 1 && setting.mixed == nullptr;
+  one_law_ = setting.fluids.size() == 1 && s_.laws_.all_plain();
   held_.fill(std::numeric_limits<int>::min());
   allot_room();
   if (one_law_) std::fill_n(lowest_, count_, setting.fluids.front().lowest_pressure());

@@ -17,6 +17,19 @@ void mixed_primitive_row(const MixedGas& gas, int n, const double* __restrict f,
   });
 }
 
+void mixed_pressure_row(const MixedGas& gas, int n, const double* __restrict f,
+                        const double* __restrict E, double* __restrict p) {
+  gas.for_row(n, f, [=](int i, const MixedGas::Between& at) { p[i] = at.ratio() * E[i]; });
+}
+
+void mixed_sound_speed_row(const MixedGas& gas, int n, const double* __restrict f,
+                           const double* __restrict rho, const double* __restrict p,
+                           double* __restrict c) {
+  gas.for_row(n, f, [=](int i, const MixedGas::Between& at) {
+    c[i] = std::sqrt((1.0 + at.ratio()) * p[i] / rho[i]);
+  });
+}
+
 void mixed_pressure_and_modulus_row(const MixedGas& gas, int n, const double* __restrict f,
                                     const double* __restrict E, double* __restrict p,
                                     double* __restrict K) {

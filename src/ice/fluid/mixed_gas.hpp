@@ -23,6 +23,10 @@ inline bool is_mixed(const models::MixedGas* gas, std::size_t m) {
 // p and c of the old state.
 void mixed_primitive_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
                          const double* E, double* w, double* p, double* c);
+void mixed_pressure_row(const models::MixedGas& gas, int n, const double* f, const double* E,
+                        double* p);
+void mixed_sound_speed_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
+                           const double* p, double* c);
 // p and rho c^2, and that at another pressure.
 void mixed_pressure_and_modulus_row(const models::MixedGas& gas, int n, const double* f,
                                     const double* E, double* p, double* K);

@@ -43,18 +43,18 @@ void add_cells(const RealView& fraction, const IndexBox& cells, std::vector<IntV
 
 }  // namespace
 
-std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const SchemeOptions& o,
+std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const std::vector<int>& materials,
                                        const std::vector<InterfaceCriterion>& criteria) {
   std::vector<FlagSeeds> all;
-  const int materials = static_cast<int>(o.fluids.size());
-  if (materials < 2) return all;
+  const int count = static_cast<int>(materials.size());
+  if (count < 2) return all;
   for (const InterfaceCriterion& c : criteria) {
     if (state.level().index >= c.finest_level) continue;
     FlagSeeds& seeds = all.emplace_back();
     seeds.distance = c.distance;
-    for (int m = 0; m < materials; ++m) {
+    for (int m = 0; m < count; ++m) {
       if (c.material >= 0 && c.material != m) continue;
-      const int slot = state.find(labels().volume, o.place(m));
+      const int slot = state.find(labels().volume, materials[static_cast<std::size_t>(m)]);
       for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
         add_cells(state.view(slot, 0, b), state.local_boxes()[static_cast<std::size_t>(b)].cells,
                   seeds.cells);

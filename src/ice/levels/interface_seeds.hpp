@@ -6,13 +6,13 @@
 
 #include "framework/run/component.hpp"
 #include "framework/scene/refinement_settings.hpp"
-#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
 // Cells that interfaces between materials pass, one entry for each criterion that asks for a level
-// finer than that of the state; ghost cells are filled.
-std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const SchemeOptions& options,
+// finer than that of the state; ghost cells are filled. `materials`: under which numbers the state
+// holds them.
+std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const std::vector<int>& materials,
                                        const std::vector<InterfaceCriterion>& criteria);
 
 }  // namespace sluice::ice

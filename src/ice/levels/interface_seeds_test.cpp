@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/saved/criteria.hpp"
+#include "ice/levels/interface_seeds.hpp"
 
 namespace sluice::ice::interface_seeds_test {
 namespace {
@@ -38,7 +38,7 @@ class InterfaceSeeds : public testing::Test {
     }
   }
   Cells seeds(int material, double distance = 0) const {
-    const auto all = interface_seeds(*state_, 3, {{material, distance, 1, {}}});
+    const auto all = interface_seeds(*state_, {0, 1, 2}, {{material, distance, 1, {}}});
     EXPECT_EQ(all.size(), 1u);
     EXPECT_EQ(all.front().distance, distance);
     Cells cells;
@@ -93,21 +93,21 @@ TEST_F(InterfaceSeeds, AskForLevelsUpToTheOneThatIsNamed) {
   build(1);
   fill([](IntVec3) { return 0.5; });
   const std::vector<InterfaceCriterion> criteria = {{0, 0.3, 1, {}}, {-1, 0.1, 2, {}}};
-  EXPECT_EQ(interface_seeds(*state_, 3, criteria).size(), 2u);
+  EXPECT_EQ(interface_seeds(*state_, {0, 1, 2}, criteria).size(), 2u);
   level_.index = 1;
-  const auto finer = interface_seeds(*state_, 3, criteria);
+  const auto finer = interface_seeds(*state_, {0, 1, 2}, criteria);
   ASSERT_EQ(finer.size(), 1u);
   EXPECT_EQ(finer.front().distance, 0.1);
   level_.index = 2;
-  EXPECT_TRUE(interface_seeds(*state_, 3, criteria).empty());
+  EXPECT_TRUE(interface_seeds(*state_, {0, 1, 2}, criteria).empty());
 }
 
 // Off: no cell is looked at, not even for where the fractions are.
 TEST_F(InterfaceSeeds, AreNoneWithoutACriterionOrWithOneMaterial) {
   const Level level;
   const Warehouse nothing(level, 0);
-  EXPECT_TRUE(interface_seeds(nothing, 3, {}).empty());
-  EXPECT_TRUE(interface_seeds(nothing, 1, {{-1, 1, 1, {}}}).empty());
+  EXPECT_TRUE(interface_seeds(nothing, {0, 1, 2}, {}).empty());
+  EXPECT_TRUE(interface_seeds(nothing, {0}, {{-1, 1, 1, {}}}).empty());
 }
 
 }  // namespace

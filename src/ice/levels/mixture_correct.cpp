@@ -16,8 +16,8 @@
 
 #include "ice/closure/drag.hpp"
 #include "ice/closure/traces.hpp"
+#include "ice/fluid/laws_in_box.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/levels/correction.hpp"
 #include "ice/levels/mixture_transfer.hpp"
 
@@ -34,11 +34,10 @@ struct Part {
 
 class MixtureCorrector {
  public:
-  MixtureCorrector(const MixtureLayout& layout, const std::vector<Fluid>& fluids,
-                   const MixedGasView& mixed)
+  MixtureCorrector(const MixtureLayout& layout, const LawsInBox& laws)
       : layout_(layout),
-        fluids_(fluids),
-        mixed_(mixed),
+        laws_(laws),
+        fluids_(laws.fluids),
         components_(static_cast<int>(layout.components)),
         part_(layout.materials),
         change_(layout.materials),
@@ -56,7 +55,7 @@ class MixtureCorrector {
       write(state, cell);
       return share;
     }
-    find_pressure();
+    find_pressure(cell);
     for (const double share : correction_shares) {
       if (!try_share(share)) continue;
       part_ = now_;
@@ -89,10 +88,6 @@ class MixtureCorrector {
       total_.m[c] = change.amount[layout_.momentum(c)][n];
     }
     total_.E = change.amount[layout_.total_energy()][n];
-    if (mixed_.gas != nullptr) mixed_law_ = fluid_of(*mixed_.gas, state[mixed_.fraction](cell));
-  }
-  const Fluid& law(std::size_t m) const {
-    return is_mixed(mixed_.gas, m) ? mixed_law_ : fluids_[m];
   }
   void write(const StateViews& state, IntVec3 cell) const {
     for (std::size_t m = 0; m < part_.size(); ++m) {
@@ -118,12 +113,13 @@ class MixtureCorrector {
     return sole;
   }
 
-  void find_pressure() {
+  void find_pressure(IntVec3 cell) {
     double work = 0, volume = 0;
+    Fluid room;
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part& s = part_[m];
       if (s.M == 0.0) continue;
-      work += s.V * law(m).pressure(s.M / s.V, s.E / s.V);
+      work += s.V * laws_.at(cell, m, room).pressure(s.M / s.V, s.E / s.V);
       volume += s.V;
     }
     pressure_ = work / volume;
@@ -248,9 +244,8 @@ class MixtureCorrector {
   }
 
   const MixtureLayout& layout_;
-  const std::vector<Fluid>& fluids_;
-  const MixedGasView& mixed_;
-  Fluid mixed_law_;  // of the cell before
+  const LawsInBox laws_;
+  const std::vector<Fluid>& fluids_;  // what bounds the laws in all cells
   int components_;
   std::vector<Part> part_, change_, now_;
   GasCell mixture_{}, total_{};  // all materials together: density, momentum; their change
@@ -261,7 +256,9 @@ class MixtureCorrector {
 
 void MixtureTransfer::correct(const StateViews& state, const ConservedChange& change,
                               std::span<double> share) const {
-  MixtureCorrector corrector(layout_, fluids_, mixed_);
+  LawsInBox laws{fluids_, mixed_.gas};
+  if (!laws.all_plain()) laws.fraction = state[mixed_.fraction];
+  MixtureCorrector corrector(layout_, laws);
   for (std::size_t n = 0; n < change.cells.size(); ++n) share[n] = corrector.run(state, change, n);
 }
 

@@ -9,14 +9,13 @@
 #include <cmath>
 
 #include "ice/closure/contacts.hpp"
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/viscosity.hpp"
 
@@ -32,7 +31,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
   const Out own = task.write(list.temporary("density and energy of a material", 2));
   const bool varies = o.conductivity_varies, turbulent = o.transport.turbulence.has_value();
-  const In fraction = o.mixed != nullptr ? task.read(old_fraction(list, o)) : In{};
+  const LawsOfCells laws(task, list, o);
   const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
   const In rho = turbulent ? task.read(v.common.rho) : In{};
   const Out conductivity = varies ? task.write(v.common.conductivity) : Out{};
@@ -49,18 +48,10 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
         double* __restrict C = part(capacity, m);
-        if (is_mixed(o, n)) {
-          const double* f = part(fraction);
-          mixed_temperature_row(*o.mixed, count, f, r, e, part(temperature, m));
-          property_row(*o.mixed, &models::MixedGas::Node::cv, count, f, C);
-          if (varies)
-            property_row(*o.mixed, &models::MixedGas::Node::conductivity, count, f,
-                         part(conductivity, m));
-        } else {
-          temperature_row(o.fluids[n], count, r, e, part(temperature, m));
-          heat_capacity_row(o.fluids[n], count, r, e, C);
-          if (varies) std::fill_n(part(conductivity, m), count, o.conductivities[n]);
-        }
+        const LawRow law = laws.of(part, n);
+        law.temperature(count, r, e, part(temperature, m));
+        law.heat_capacity(count, r, e, C);
+        if (varies) law.conductivity(count, o.conductivities[n], part(conductivity, m));
         if (turbulent) {
           const double scale = heat_ratio(o.fluids[n]) / o.transport.turbulence->prandtl;
           const double* __restrict mu_t = part(eddy);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice::mixture {
 

@@ -10,8 +10,8 @@
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -25,10 +25,10 @@ struct Remapped {
 struct Handles {
   UpdateState end;  // the new state
   Remapped remapped;
-  In fraction;
+  LawsOfCells laws;  // of the new state
 };
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, TaskList& list, const Variables& v, const SchemeOptions& o) {
   Handles h;
   UpdateState& end = h.end;
   end.common = read_end_of_step(task, v.common, o);
@@ -50,7 +50,7 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   end.common.next.rho = end.end;
   end.pressure = task.write(v.common.new_pressure);
   end.closure = task.write(v.common.closure);
-  h.fraction = task.read(v.common.scalars.fraction);
+  h.laws = LawsOfCells(task, list, o, LawsOfCells::When::new_state);
   return h;
 }
 
@@ -78,11 +78,9 @@ void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::
   const UpdateHandles u = handles_of(h.end, static_cast<int>(m));
   check_row(row, u, o, static_cast<int>(m));
   end_alone(row, h.end, u, o.fluid);
-  if (!is_mixed(o, m)) return;
-  const double* __restrict E = row(u.next.energy);
-  double* __restrict p = row(h.end.pressure);
-  o.mixed->for_row(row.count(), row(h.fraction),
-                   [=](int i, const models::MixedGas::Between& at) { p[i] = at.ratio() * E[i]; });
+  if (h.laws.plain(m)) return;
+  const double *rho = row(u.next.rho), *E = row(u.next.energy);
+  h.laws.of(row, m).pressure(row.count(), rho, E, row(h.end.pressure));
 }
 
 // Of a cell at the edge of others, which holds the mixed gas alone: likewise.
@@ -105,14 +103,13 @@ bool may_hold_others(const Row& row, const SchemeOptions& o, int m) {
 void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   if (o.mixed == nullptr) return;
   TaskBuilder task = list.task("one pressure", effect);
-  const Handles h = declare(task, v, o);
+  const Handles h = declare(task, list, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
       mark_alone(row, -1);  // the whole state is written
       copy_state(row, h, C);
-      const double* f = row(h.fraction);
       std::optional<ClosingCells> cells;
       std::optional<CellClosure> laws;
       for_each_run(runs_of(row, h.end.pure), row.count(), [&](int first, int count, double pure) {
@@ -125,7 +122,7 @@ void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o
           laws.emplace(closure);
         }
         for (int i = first; i < first + count; ++i) {
-          laws->set_law(o.mixed->material, fluid_of(*o.mixed, f[i]));
+          h.laws.set(*laws, row, i);
           cells->close(i, *laws);
           set_rate_of_gas(row, h.end, o, i);
         }

@@ -9,13 +9,12 @@
 #include <cmath>
 #include <limits>
 
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/presence.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/primitives_rows.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -23,8 +22,7 @@ namespace {
 struct Handles {
   StateReads state;
   In momentum, presence;
-  const models::MixedGas* gas = nullptr;  // a material that is a mixture itself
-  In fraction;
+  LawsOfCells laws;
   Out rho, total_energy, velocity, pressure, sound, inverse_rho, shock_slope, pi;
   Out scratch;
 };
@@ -35,11 +33,7 @@ void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict M = row(h.state.mass[k]);
   const double* __restrict E = row(h.state.energy[k]);
-  if (is_mixed(h.gas, k))
-    mixed_primitive_row(*h.gas, n, row(h.fraction), M, E, row(h.inverse_rho), row(h.pressure),
-                        row(h.sound));
-  else
-    primitive_row(fluid, n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
+  h.laws.of(row, k).primitives(n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
   double* __restrict rho = row(h.rho);
   double* __restrict energy = row(h.total_energy);
   double* __restrict slope = row(h.shock_slope);
@@ -89,10 +83,7 @@ void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& f
     x.r[i] = M[i] * inverse;
     x.e[i] = E[i] * inverse;
   }
-  if (is_mixed(h.gas, k))
-    mixed_pressure_and_modulus_row(*h.gas, n, row(h.fraction), x.e, x.pm, x.Km);
-  else
-    pressure_and_modulus_row(fluid, n, x.r, x.e, x.pm, x.Km);
+  h.laws.of(row, k).pressure_and_modulus(n, x.r, x.e, x.pm, x.Km);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double softness = V[i] / x.Km[i];
@@ -107,18 +98,14 @@ void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& f
 }
 
 // Adds V_m/K_m of material m at the mean pressure to `c`.
-void add_softness(const Row& row, const Handles& h, int m, const Fluid& fluid,
-                  const MixtureRows& x) {
+void add_softness(const Row& row, const Handles& h, int m, const MixtureRows& x) {
   const int n = row.count();
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict M = row(h.state.mass[k]);
   const double* __restrict V = row(h.state.volume[k]);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.r[i] = M[i] / V[i];
-  if (is_mixed(h.gas, k))
-    mixed_modulus_row(*h.gas, n, row(h.fraction), x.p, x.Km);
-  else
-    modulus_row(fluid, n, x.r, x.p, x.Km);
+  h.laws.of(row, k).modulus(n, x.r, x.p, x.Km);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.c[i] += V[i] / x.Km[i];
 }
@@ -144,7 +131,7 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
     w[i] = 1.0 / x.rho[i];
     x.c[i] = 0.0;
   }
-  for_each_of(set, [&](int m) { add_softness(row, h, m, fluids[static_cast<std::size_t>(m)], x); });
+  for_each_of(set, [&](int m) { add_softness(row, h, m, x); });
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.c[i] = std::sqrt(w[i] / x.c[i]);
 }
@@ -232,11 +219,10 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.shock_slope = task.write(v.common.shock_slope);
   h.pi = task.write(v.common.pi);
   h.scratch = task.write(list.temporary("closure of a material", 5));
-  h.gas = o.mixed;
-  if (o.mixed != nullptr) h.fraction = task.read(old_fraction(list, o));
+  h.laws = LawsOfCells(task, list, o);
   const std::vector<Fluid> fluids = o.fluids;
   const int components = o.components;
-  const bool gases = o.mixed == nullptr && all_ideal_gases(fluids);
+  const bool gases = h.laws.all_plain() && all_ideal_gases(fluids);
   task.kernel([=](const Row& row) {
     const int room = row.whole_vectors();
     for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {

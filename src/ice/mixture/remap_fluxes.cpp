@@ -24,8 +24,8 @@
 #include "ice/mixture/face_donors.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {

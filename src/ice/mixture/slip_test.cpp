@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "exact/material_riemann.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/test_support/mixture.hpp"
 
 namespace sluice::ice::slip_test {

@@ -11,8 +11,8 @@
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/step/effect_ids.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 #include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice::mixture {
@@ -105,12 +105,12 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
   const In presence = task.read(v.presence);
   const Out viscosity = task.write(v.own_viscosity);
   const Out own = task.write(list.temporary("density and energy of a viscous material", 2));
-  std::vector<MolecularViscosity> laws;
+  std::vector<MolecularViscosity> viscous;
   for (std::size_t m = 0; m < o.fluids.size(); ++m)
-    laws.push_back({o.fluids[m], o.transports[m], o.viscosities[m], o.axes.direction[0]});
-  const In fraction = o.mixed != nullptr ? task.read(old_fraction(list, o)) : In{};
-  task.kernel([=, gas = o.mixed](const Row& row) {
-    for (int m = 0; m < static_cast<int>(laws.size()); ++m)
+    viscous.push_back({o.transports[m], o.viscosities[m], o.axes.direction[0]});
+  const LawsOfCells laws(task, list, o);
+  task.kernel([=](const Row& row) {
+    for (int m = 0; m < static_cast<int>(viscous.size()); ++m)
       std::fill_n(row(viscosity, m), row.count(), 0.0);
     for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
@@ -119,10 +119,7 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
-        if (is_mixed(gas, n))
-          mixed_viscosity_row(*gas, laws[n], part, part(fraction), r, e, part(viscosity, m));
-        else
-          laws[n](part, r, e, part(viscosity, m));
+        viscous[n](part, laws.of(part, n), r, e, part(viscosity, m));
       });
     });
   });

@@ -7,10 +7,9 @@
 // fraction, and what spreads of it carries enthalpy: transport/mixed_heat.cpp. Absent without
 // conduction.
 #include "ice/boundary/wall_slip.hpp"
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/mixed_heat.hpp"
@@ -22,7 +21,7 @@ struct Handles {
   In temperature, conductivity;
   In rho, energy, pressure, velocity, viscosity;  // slip alone
   scalars::SpreadingHandles spreading;            // a mixed gas alone
-  In fraction;                                    // the same, with eddies or slip
+  LawsOfCells laws;                               // with eddies or slip
   Out flux;
 };
 
@@ -35,9 +34,10 @@ double gas_on_wall(const Row& row, const Handles& h, const SchemeOptions& o, int
   gas.rho = cell(h.rho, 0, inside);
   gas.p = cell(h.pressure, 0, inside);
   gas.temperature = cell(h.temperature, 0, inside);
-  gas.specific_heat = o.mixed != nullptr
-                          ? o.mixed->specific_heat(cell(h.fraction, 0, inside))
-                          : o.fluid.heat_capacity(gas.rho, cell(h.energy, 0, inside));
+  Fluid room;
+  gas.specific_heat = h.laws.of_one(row, axis, inside)
+                          .at(i, room)
+                          .heat_capacity(gas.rho, cell(h.energy, 0, inside));
   gas.viscosity = o.molecular_varies() ? cell(h.viscosity, 0, inside) : o.viscosity;
   gas.conductivity = conductivity;
   gas.spacing = row.step().spacing[o.axes.direction[axis]];
@@ -70,9 +70,9 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   const auto conductivity_on_wall = [&](int i) {
     if (!varies) return k;
     if (!o.transport.turbulence) return harmonic_mean(ka[i], kb[i]);
-    if (o.mixed == nullptr) return k;
+    if (h.laws.all_plain()) return k;
     const auto molecular = [&](int shift) {
-      return o.mixed->at(row(h.fraction, 0, axis, shift)[i])(&models::MixedGas::Node::conductivity);
+      return h.laws.of_one(row, axis, shift).conductivity(i, k);
     };
     return harmonic_mean(molecular(-1), molecular(0));
   };
@@ -98,15 +98,9 @@ void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptio
   TaskBuilder task = list.task("temperature", effect);
   const In rho = task.read(v.rho), energy = task.read(v.energy);
   const Out temperature = task.write(v.temperature);
-  if (o.mixed != nullptr) {
-    const In f = task.read(old_fraction(list, o));
-    task.kernel([=, gas = o.mixed](const Row& row) {
-      mixed_temperature_row(*gas, row.count(), row(f), row(rho), row(energy), row(temperature));
-    });
-    return;
-  }
-  task.kernel([=, fluid = o.fluid](const Row& row) {
-    temperature_row(fluid, row.count(), row(rho), row(energy), row(temperature));
+  const LawsOfCells laws(task, list, o);
+  task.kernel([=](const Row& row) {
+    laws.of_one(row).temperature(row.count(), row(rho), row(energy), row(temperature));
   });
 }
 
@@ -135,15 +129,14 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
         h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
     if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
-    if (mixes && (turbulent || slips)) h.fraction = task.read(old_fraction(list, o), both);
+    if (turbulent || slips) h.laws = LawsOfCells(task, list, o, LawsOfCells::When::old_state, both);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)
         flux_row<true>(row, h, o, axis);
       else
         flux_row<false>(row, h, o, axis);
-      if (o.mixed != nullptr)
-        scalars::add_carried_enthalpy(row, h.spreading, h.temperature, o, axis, row(h.flux));
+      scalars::add_carried_enthalpy(row, h.spreading, h.temperature, o, axis, row(h.flux));
     });
   }
 }

@@ -3,8 +3,8 @@
 #include "ice/mixture/slip.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/step/effect_ids.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/mixed_fraction.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -124,7 +124,7 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
   }
   if (o.mixed != nullptr) {
     materials.f = old_fraction(list, o);
-    materials.f_new = v.common.scalars.fraction;
+    materials.f_new = new_fraction(list, o);
   }
   return materials;
 }

@@ -5,7 +5,7 @@
 
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice::mixture {
@@ -14,11 +14,13 @@ namespace {
 class Declarer {
  public:
   explicit Declarer(QuantityList& q)
-      : q_(q), o_(q.options()), v_(declare_variables(q.list(), of_mixture(o_))) {
-    const SchemeOptions mixed = of_mixture(o_);
-    add_primitives(q.list(), v_, mixed, effect_diagnostics, true);
-    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixed, effect_diagnostics);
-    if (o_.transport.turbulence) declare_eddies(mixed);
+      : q_(q),
+        o_(q.options()),
+        mixture_(of_mixture(o_)),
+        v_(declare_variables(q.list(), mixture_)) {
+    add_primitives(q.list(), v_, mixture_, effect_diagnostics, true);
+    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixture_, effect_diagnostics);
+    if (o_.transport.turbulence) declare_eddies();
     if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
@@ -36,21 +38,21 @@ class Declarer {
 
  private:
   static SchemeOptions of_mixture(const SchemeOptions& o) {
-    SchemeOptions mixed = o;
-    mixed.mixture = true;
-    mixed.viscosity_varies = o.viscous;
-    return mixed;
+    SchemeOptions mixture = o;
+    mixture.mixture = true;
+    mixture.viscosity_varies = o.viscous;
+    return mixture;
   }
   // Of the common motion, for every material alike.
-  void declare_eddies(const SchemeOptions& mixed) {
+  void declare_eddies() {
     const SchemeVariables& c = v_.common;
     const StateVariables state{c.rho, c.energy, c.velocity};
-    add_eddy_viscosity({q_.list(), mixed, effect_diagnostics, "eddies of the mixture: "}, state,
+    add_eddy_viscosity({q_.list(), mixture_, effect_diagnostics, "eddies of the mixture: "}, state,
                        c.eddy_viscosity);
     const SubgridStress stress{q_.fresh(labels().subgrid_normal, 0),
                                q_.fresh(labels().subgrid_shear, 0)};
-    add_subgrid_stress({q_.list(), mixed, effect_diagnostics, "compute the subgrid stress"}, state,
-                       c.eddy_viscosity, stress);
+    add_subgrid_stress({q_.list(), mixture_, effect_diagnostics, "compute the subgrid stress"},
+                       state, c.eddy_viscosity, stress);
     for (int m = 1; m < static_cast<int>(o_.fluids.size()); ++m) {
       q_.add(labels().subgrid_normal, m, stress.normal);
       q_.add(labels().subgrid_shear, m, stress.shear);
@@ -98,13 +100,13 @@ class Declarer {
   VariableId closure(Label label, int m, F f) {
     return law_closure(label, m, [f](const Fluid&, double r, double e) { return f(r, e); });
   }
-  // f(law, density, energy per volume), the law of a mixed gas being that of its fraction.
+  // f(law, density, energy per volume), the law being that of the cell.
   template <class F>
   VariableId law_closure(Label label, int m, F f) {
     const VariableId to = q_.fresh(label, m);
     TaskBuilder t = q_.task(label, m);
     const In density = t.read(v_.density), energy = t.read(v_.specific_energy);
-    const LawsOfCells laws = read_laws(t);
+    const LawsOfCells laws(t, q_.list(), mixture_);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       const double *r = row(density, m), *e = row(energy, m);
@@ -116,26 +118,6 @@ class Declarer {
     });
     return to;
   }
-  // g(the mixed gas at its fraction), 0 where it is absent.
-  template <class G>
-  void of_fraction(Label label, int m, G g) {
-    const VariableId to = q_.fresh(label, m);
-    TaskBuilder t = q_.task(label, m);
-    const In density = t.read(v_.density);
-    const In fraction = t.read(old_fraction(q_.list(), o_));
-    const Out out = t.write(to);
-    t.kernel([=, gas = o_.mixed](const Row& row) {
-      const double *r = row(density, m), *f = row(fraction);
-      double* value = row(out);
-      for (int i = 0; i < row.count(); ++i) value[i] = r[i] > 0.0 ? g(gas->at(f[i])) : 0.0;
-    });
-  }
-  LawsOfCells read_laws(TaskBuilder& t) {
-    LawsOfCells laws{o_.fluids, o_.mixed, {}};
-    if (o_.mixed != nullptr) laws.fraction = t.read(old_fraction(q_.list(), o_));
-    return laws;
-  }
-
   // A trace is as warm as the heaviest material.
   VariableId temperature(int m) {
     const VariableId to = q_.fresh(labels().temperature, m);
@@ -144,7 +126,7 @@ class Declarer {
     const In total = t.read(v_.common.rho);
     std::vector<In> mass;
     for (const VariableId id : v_.mass) mass.push_back(t.read(id));
-    const LawsOfCells laws = read_laws(t);
+    const LawsOfCells laws(t, q_.list(), mixture_);
     const Out out = t.write(to);
     t.kernel([=](const Row& row) {
       Fluid room;
@@ -204,10 +186,26 @@ class Declarer {
     return to;
   }
 
+  // Of the molecules, 0 where the material is absent.
+  void declare_conductivity(int m) {
+    const auto k = static_cast<std::size_t>(m);
+    const VariableId to = q_.fresh(labels().thermal_conductivity, m);
+    TaskBuilder t = q_.task(labels().thermal_conductivity, m);
+    const In density = t.read(v_.density);
+    const LawsOfCells laws(t, q_.list(), mixture_);
+    const Out out = t.write(to);
+    t.kernel([=, given = o_.conductivities[k]](const Row& row) {
+      const double* r = row(density, m);
+      const LawRow law = laws.of(row, k);
+      double* value = row(out);
+      for (int i = 0; i < row.count(); ++i)
+        value[i] = r[i] > 0.0 ? law.conductivity(i, given) : 0.0;
+    });
+  }
+
   void declare_material(int m) {
     const Labels& l = labels();
     const auto k = static_cast<std::size_t>(m);
-    const Fluid fluid = o_.fluids[k];
     q_.add(l.rho, m, v_.mass[k]);
     q_.add(l.volume_fraction, m, v_.volume[k]);
     single(v_.density, m, l.rho_micro, m);
@@ -220,21 +218,11 @@ class Declarer {
         law_closure(l.compressibility, m, [](const Fluid& law, double r, double e) {
           return 1.0 / law.bulk_modulus(r, law.pressure(r, e));
         }));
-    const auto constant = [&](Label label, double value) {
-      closure(label, m, [value](double, double) { return value; });
-    };
     declare_viscosities(m);
-    if (is_mixed(o_, k)) {
-      using At = models::MixedGas::Between;
-      of_fraction(l.thermal_conductivity, m,
-                  [](const At& at) { return at(&models::MixedGas::Node::conductivity); });
-      of_fraction(l.gamma, m, [](const At& at) { return 1.0 + at.ratio(); });
-      of_fraction(l.specific_heat, m, [](const At& at) { return at(&models::MixedGas::Node::cv); });
-    } else {
-      constant(l.thermal_conductivity, o_.conductivities[k]);
-      constant(l.gamma, fluid.gamma);
-      constant(l.specific_heat, fluid.specific_heat);
-    }
+    declare_conductivity(m);
+    law_closure(l.gamma, m, [](const Fluid& law, double, double) { return law.gamma; });
+    law_closure(l.specific_heat, m,
+                [](const Fluid& law, double, double) { return law.specific_heat; });
     q_.slopes(v_.mass[k], l.gradient_rho, m);
     q_.slopes(T, l.gradient_temperature, m);
     q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
@@ -273,6 +261,7 @@ class Declarer {
 
   QuantityList& q_;
   const SchemeOptions& o_;
+  const SchemeOptions mixture_;
   Variables v_;
   VariableId velocity_;
   std::vector<VariableId> compressibility_;

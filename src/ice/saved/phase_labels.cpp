@@ -7,8 +7,7 @@
 #include "ice/saved/step_labels.hpp"
 #include "ice/step/cell_sums.hpp"
 #include "ice/step/effect_ids.hpp"
-#include "ice/step/mixed_fraction.hpp"
-#include "models/transported_scalar.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -94,9 +93,8 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
                             {}});
   materials.density_new = v.rho_new;
   if (o.mixed != nullptr) {
-    const models::TransportedScalar& scalar = fraction_of(o);
     materials.f = old_fraction(list, o);
-    materials.f_new = list.new_state(scalar.state(), scalar.material, 1);
+    materials.f_new = new_fraction(list, o);
   }
   return materials;
 }

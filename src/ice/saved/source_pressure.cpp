@@ -9,7 +9,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/sources/source_tasks.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -72,27 +72,25 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
     return;
   }
   const In change = task.read(v.source_change);
+  const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   const SourceChange layout = source_change(o);
   if (o.mixture) {
     std::vector<MaterialRows> state;
     for (const MaterialOfStep& m : materials.each)
       state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
-    const LawsOfCells laws{o.fluids, o.mixed,
-                           o.mixed != nullptr ? task.read(*materials.f_new) : In{}};
     task.kernel(
         [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;
   }
   const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);
-  const In fraction = o.mixed != nullptr ? task.read(*materials.f_new) : In{};
-  task.kernel([=, fluid = o.fluid, gas = o.mixed](const Row& row) {
+  task.kernel([=, fluid = o.fluid](const Row& row) {
     const double* dM = row(change, layout.of(0, SourceChange::mass));
     const double* dE = row(change, layout.of(0, SourceChange::energy));
     double* dp = row(out);
+    // The pressure of such a gas is its energy times a number.
+    if (!laws.all_plain()) return laws.of_one(row).pressure(row.count(), row(rho), dE, dp);
     for (int i = 0; i < row.count(); ++i)
-      dp[i] = gas != nullptr
-                  ? gas->at(row(fraction)[i]).ratio() * dE[i]
-                  : answer(fluid, {row(rho)[i], 1.0, row(energy)[i], dM[i], 0.0, dE[i]}).pressed;
+      dp[i] = answer(fluid, {row(rho)[i], 1.0, row(energy)[i], dM[i], 0.0, dE[i]}).pressed;
   });
 }
 

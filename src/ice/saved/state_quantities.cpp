@@ -3,12 +3,11 @@
 
 #include <stdexcept>
 
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/saved/criteria.hpp"
-#include "ice/saved/mixed_gas_quantities.hpp"
 #include "ice/saved/mixture_quantities.hpp"
 #include "ice/saved/quantity_list.hpp"
 #include "ice/saved/wave_labels.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice {
@@ -42,38 +41,46 @@ void declare_viscosities(QuantityList& q, const StateVariables& state) {
   q.of(molecular, eddy, l.total_viscosity, 0, [](double a, double b) { return a + b; });
 }
 
+// A row of the law from two cell variables.
+VariableId of_law(QuantityList& q, VariableId first, VariableId second, Label label,
+                  void (LawRow::*rows)(int, const double*, const double*, double*) const) {
+  const VariableId v = q.fresh(label, 0);
+  TaskBuilder t = q.task(label, 0);
+  const In a = t.read(first), b = t.read(second);
+  const LawsOfCells laws(t, q.list(), q.options());
+  const Out out = t.write(v);
+  t.kernel(
+      [=](const Row& row) { (laws.of_one(row).*rows)(row.count(), row(a), row(b), row(out)); });
+  return v;
+}
+
+// f(law of the row, i). `any`: a variable of the cells; a task must read something.
+template <class F>
+void of_law(QuantityList& q, VariableId any, Label label, F f) {
+  const VariableId v = q.fresh(label, 0);
+  TaskBuilder t = q.task(label, 0);
+  static_cast<void>(t.read(any));
+  const LawsOfCells laws(t, q.list(), q.options());
+  const Out out = t.write(v);
+  t.kernel([=](const Row& row) {
+    const LawRow law = laws.of_one(row);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = f(law, i);
+  });
+}
+
 // What one material makes of its state.
 void declare_of_one(QuantityList& q) {
   const Labels& l = labels();
   const SchemeOptions& o = q.options();
-  const Fluid fluid = o.fluid;
   const VariableId rho = q.list().old_state(l.mass, 0, 1), E = q.list().old_state(l.energy, 0, 1);
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
-  VariableId p, T, c, compressibility;
-  if (o.mixed != nullptr) {
-    const MixedQuantities b = declare_mixed_quantities(q, rho, E);
-    p = b.pressure;
-    T = b.temperature;
-    c = b.sound_speed;
-    compressibility = b.compressibility;
-  } else {
-    // Asked for by most criteria of refinement, at every look.
-    p = q.of_rows(rho, E, l.pressure, 0,
-                  [fluid](int n, const double* r, const double* e, double* pressure) {
-                    pressure_row(fluid, n, r, e, pressure);
-                  });
-    T = q.of_rows(rho, E, l.temperature, 0,
-                  [fluid](int n, const double* r, const double* e, double* temperature) {
-                    temperature_row(fluid, n, r, e, temperature);
-                  });
-    c = q.of(rho, p, l.sound_speed, 0,
-             [fluid](double r, double pressure) { return fluid.sound_speed(r, pressure); });
-    compressibility = q.of(rho, p, l.compressibility, 0, [fluid](double r, double pressure) {
-      const double speed = fluid.sound_speed(r, pressure);
-      return 1.0 / (r * speed * speed);
-    });
-  }
+  // Pressure and temperature are asked for by most criteria of refinement, at every look.
+  const VariableId p = of_law(q, rho, E, l.pressure, &LawRow::pressure);
+  const VariableId T = of_law(q, rho, E, l.temperature, &LawRow::temperature);
+  const VariableId c = of_law(q, rho, p, l.sound_speed, &LawRow::sound_speed);
+  const VariableId compressibility = of_law(q, rho, p, l.compressibility, &LawRow::compressibility);
   q.of(rho, p, l.specific_volume, 0, [](double r, double) { return 1.0 / r; });
   const auto constant = [&](Label label, double value) {
     q.of(rho, rho, label, 0, [value](double, double) { return value; });
@@ -83,11 +90,16 @@ void declare_of_one(QuantityList& q) {
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
-  if (o.mixed == nullptr) {
-    constant(l.thermal_conductivity, o.conductivity);
-    constant(l.gamma, fluid.gamma);
-    constant(l.specific_heat, fluid.specific_heat);
-  }
+  of_law(q, rho, l.thermal_conductivity,
+         [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
+  of_law(q, rho, l.gamma, [](const LawRow& law, int i) {
+    Fluid room;
+    return law.at(i, room).gamma;
+  });
+  of_law(q, rho, l.specific_heat, [](const LawRow& law, int i) {
+    Fluid room;
+    return law.at(i, room).specific_heat;
+  });
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);
   q.slopes(T, l.gradient_temperature, 0);

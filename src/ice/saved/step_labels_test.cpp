@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ice/step/effect_ids.hpp"
 #include "ice/test_support/transport.hpp"
 
 namespace sluice::ice::step_labels_test {

@@ -1,38 +1,30 @@
 // Saved labels that only exist inside a step.
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/mixed_gas.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/saved/transport_labels.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/cell_sums.hpp"
 #include "ice/step/effect_ids.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {
 namespace {
 
 // p(new state) - p(old state).
-void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                          const MaterialsOfStep& materials) {
+void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
   const Label label = labels().pressure_change;
   if (o.mixture)
     return save_values(list, label, 0, effect_saved_intermediates,
                        std::array{v.pressure, v.new_pressure},
                        [](const Row&, const auto& q, int i) { return q[1][i] - q[0][i]; });
-  if (o.mixed != nullptr)
-    return save_values(list, label, 0, effect_saved_intermediates,
-                       std::array{v.pressure, v.energy_new, *materials.f_new},
-                       [gas = o.mixed](const Row&, const auto& q, int i) {
-                         return gas->at(q[2][i]).ratio() * q[1][i] - q[0][i];
-                       });
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
+  const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   const Out out = task.write(list.output(label, 0));
-  const Fluid fluid = o.fluid;
   task.kernel([=](const Row& row) {
     const double* before = row(p);
     double* change = row(out);
-    pressure_row(fluid, row.count(), row(rho), row(E), change);
+    laws.of_one(row).pressure(row.count(), row(rho), row(E), change);
     for (int i = 0; i < row.count(); ++i) change[i] -= before[i];
   });
 }
@@ -65,7 +57,7 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
   if (o.classic)
     save(l.pressure_change, v.pressure_change);
   else
-    pressure_change_task(list, v, o, materials);
+    pressure_change_task(list, v, o);
   declare_phase_labels(list, v, o, materials, effect_saved_intermediates);
   declare_motion_labels(list, v, o, materials, effect_saved_intermediates);
   declare_face_labels(list, v, o, materials, effect_saved_intermediates);

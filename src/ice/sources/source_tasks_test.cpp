@@ -9,6 +9,7 @@
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/ice.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::ice::source_tasks_test {

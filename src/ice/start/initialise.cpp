@@ -7,7 +7,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/start/initial_state_parts.hpp"
 #include "ice/start/material_fill.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -46,9 +46,9 @@ class Start {
   void scalars(Warehouse& state) const;
 
  private:
-  // The law of a mixed gas at the start, and its energy.
-  Fluid mixed_law(Vec3 centre) const;
-  double mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const;
+  // The law of material m in the cell with this centre; `room` holds one that is made for it.
+  const Fluid& law(std::size_t m, Vec3 centre, Fluid& room) const;
+  double energy(std::size_t m, const Fluid& law, const PrimitiveFill& fill, std::size_t n) const;
 
   const Scene* scene_;
   const IceScene& ice_;
@@ -59,7 +59,8 @@ void Start::one_material(Warehouse& state) const {
   const IceMaterial& m = ice_.materials.front();
   const int mass = state.find(labels().mass, options_.place(0)),
             momentum = state.find(labels().momentum, options_.place(0)),
-            energy = state.find(labels().energy, options_.place(0));
+            energy_slot = state.find(labels().energy, options_.place(0));
+  Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
     const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
@@ -67,10 +68,8 @@ void Start::one_material(Warehouse& state) const {
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
       state.view(mass, 0, b)(cell) = fill.density[n];
-      state.view(energy, 0, b)(cell) =
-          options_.mixed != nullptr ? mixed_energy(state.level().centre(cell), fill, n)
-                                    : m.fluid.energy_from_pressure(
-                                          fill.density[n], fill.pressure[n], fill.temperature[n]);
+      state.view(energy_slot, 0, b)(cell) =
+          energy(0, law(0, state.level().centre(cell), room), fill, n);
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum, c, b)(cell) =
             fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
@@ -79,17 +78,19 @@ void Start::one_material(Warehouse& state) const {
   }
 }
 
-Fluid Start::mixed_law(Vec3 centre) const {
-  return fluid_of(*options_.mixed, fraction_of(options_).at_start(centre));
+const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
+  if (!is_mixed(options_, m)) return options_.fluids[m];
+  return room = fluid_of(*options_.mixed, fraction_of(options_).at_start(centre));
 }
 
-// What holds beside the density: the pressure where it is that of the weight or of a formula, the
-// temperature otherwise.
-double Start::mixed_energy(Vec3 centre, const PrimitiveFill& fill, std::size_t n) const {
-  const Fluid fluid = mixed_law(centre);
-  if (is_hydrostatic(ice_, scene_->constants) || (ice_.formula && ice_.formula->pressure))
-    return fluid.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
-  return fluid.energy_from_temperature(fill.density[n], fill.temperature[n]);
+// What holds beside the density is the pressure. That of a law which differs from cell to cell
+// follows from the temperature, but where it is that of the weight or of a formula.
+double Start::energy(std::size_t m, const Fluid& law, const PrimitiveFill& fill,
+                     std::size_t n) const {
+  const bool pressure_holds = !is_mixed(options_, m) || is_hydrostatic(ice_, scene_->constants) ||
+                              (ice_.formula && ice_.formula->pressure);
+  if (!pressure_holds) return law.energy_from_temperature(fill.density[n], fill.temperature[n]);
+  return law.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
 }
 
 // Writes only what differs: memory of an absent material stays untouched.
@@ -98,7 +99,7 @@ void Start::materials(Warehouse& state) const {
     if (at != value) at = value;
   };
   mixture::Equilibration equilibration(options_.fluids);
-  const models::MixedGas* gas = options_.mixed;
+  Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
     const MixtureFill fill =
@@ -111,15 +112,12 @@ void Start::materials(Warehouse& state) const {
         const MaterialFill& f = fill.materials[m];
         M[m] = V[m] = E[m] = 0.0;
         if (f.volume_fraction[n] == 0.0) continue;
-        const Fluid& fluid = options_.fluids[m];
-        const bool composed = is_mixed(gas, m);
-        if (composed) equilibration.set_law(gas->material, mixed_law(state.level().centre(cell)));
+        const Fluid& fluid = law(m, state.level().centre(cell), room);
+        if (is_mixed(options_, m)) equilibration.set_law(static_cast<int>(m), fluid);
         V[m] = f.volume_fraction[n];
         M[m] = V[m] * f.density[n];
         rho += M[m];
-        E[m] = V[m] * (composed ? mixed_energy(state.level().centre(cell), f, n)
-                                : fluid.energy_from_pressure(f.density[n], f.pressure[n],
-                                                             f.temperature[n]));
+        E[m] = V[m] * energy(m, fluid, f, n);
         for (int d = 0; d < 3; ++d) momentum[d] += M[m] * f.velocity[d][n];
       }
       const int failed = equilibration.equilibrate({M, V, E}).failed;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "framework/run/load_balance.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/test_support/tracers.hpp"
 
 namespace sluice::ice::tracers_test {

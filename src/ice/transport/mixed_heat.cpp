@@ -2,20 +2,18 @@
 #include "ice/transport/mixed_heat.hpp"
 
 #include "ice/fluid/shared_mass.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 #include "models/transported_scalar.hpp"
 
 namespace sluice::ice::scalars {
 
-using models::MixedGas;
-
 void add_conductivity(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
   TaskBuilder task = list.task("conductivity of the mixture", effect);
-  const In f = task.read(old_fraction(list, o));
+  const LawsOfCells laws(task, list, o);
   const Out k = task.write(v.conductivity);
-  task.kernel([=, gas = o.mixed](const Row& row) {
-    property_row(*gas, &MixedGas::Node::conductivity, row.count(), row(f), row(k));
+  task.kernel([=, given = o.conductivity](const Row& row) {
+    laws.of_one(row).conductivity(row.count(), given, row(k));
   });
 }
 

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/step/mixed_fraction.hpp"
+#include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -25,27 +24,18 @@ void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sp
 void add_totals(const TransportTask& t, const SchemeVariables& v) {
   TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
-  const bool varies = t.options.molecular_varies(), mixed = t.options.mixed != nullptr;
+  const bool varies = t.options.molecular_varies();
   const In molecular = varies ? task.read(v.molecular_viscosity) : In{};
-  const In fraction = mixed ? task.read(old_fraction(t.list, t.options)) : In{};
+  const LawsOfCells laws(task, t.list, t.options);
   const Out viscosity = task.write(v.viscosity), conductivity = task.write(v.conductivity);
   task.kernel([=, o = t.options](const Row& row) {
     const int n = row.count();
     const double* __restrict mu_t = row(eddy);
     const double* __restrict mu = varies ? row(molecular) : nullptr;
     double* __restrict total = row(viscosity);
-    double* __restrict k = row(conductivity);
     for (int i = 0; i < n; ++i) total[i] = (varies ? mu[i] : o.viscosity) + mu_t[i];
-    if (mixed) {
-      const double inverse = 1.0 / o.transport.turbulence->prandtl;
-      o.mixed->for_row(n, row(fraction), [=](int i, const models::MixedGas::Between& at) {
-        k[i] = at(&models::MixedGas::Node::conductivity) + inverse * at.cp() * mu_t[i];
-      });
-      return;
-    }
-    heat_capacity_row(o.fluid, n, row(rho), row(E), k);
-    const double scale = heat_ratio(o.fluid) / o.transport.turbulence->prandtl;
-    for (int i = 0; i < n; ++i) k[i] = o.conductivity + scale * k[i] * mu_t[i];
+    laws.of_one(row).conductivity_with_eddies(n, o.conductivity, o.transport.turbulence->prandtl,
+                                              row(rho), row(E), mu_t, row(conductivity));
   });
 }
 
@@ -60,39 +50,16 @@ double filter_width(const SchemeOptions& o, Vec3 spacing) {
   return o.transport.turbulence->filter_width * cell;
 }
 
-double heat_ratio(const Fluid& fluid) {
-  const bool by_gamma = fluid.ideal() != nullptr ||
-                        std::holds_alternative<eos::HardSphereGas>(fluid.law) ||
-                        std::holds_alternative<eos::StiffenedGas>(fluid.law);
-  return by_gamma ? fluid.gamma : 1.0;
-}
-
-void MolecularViscosity::operator()(const Row& row, const double* rho, const double* energy,
-                                    double* mu) const {
+void MolecularViscosity::operator()(const Row& row, const LawRow& law, const double* rho,
+                                    const double* energy, double* mu) const {
   const int n = row.count();
   if (models.sutherland) {
-    temperature_row(fluid, n, rho, energy, mu);
+    law.temperature(n, rho, energy, mu);
     for (int i = 0; i < n; ++i) mu[i] = models.sutherland->viscosity(mu[i]);
   } else {
-    std::fill_n(mu, n, constant);
+    law.viscosity(n, constant, mu);
   }
-  take_sponges(row, mu);
-}
-
-void MolecularViscosity::take_sponges(const Row& row, double* mu) const {
   for (const TransportModels::Sponge& sponge : models.sponges) sponge_row(row, along, sponge, mu);
-}
-
-void mixed_viscosity_row(const models::MixedGas& gas, const MolecularViscosity& law, const Row& row,
-                         const double* f, const double* rho, const double* E, double* mu) {
-  const int n = row.count();
-  if (law.models.sutherland) {
-    mixed_temperature_row(gas, n, f, rho, E, mu);
-    for (int i = 0; i < n; ++i) mu[i] = law.models.sutherland->viscosity(mu[i]);
-  } else {
-    property_row(gas, &models::MixedGas::Node::viscosity, n, f, mu);
-  }
-  law.take_sponges(row, mu);
 }
 
 void add_molecular_viscosity(const TransportTask& t, const StateVariables& state,
@@ -101,15 +68,9 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   const In rho = task.read(state.rho), E = task.read(state.energy);
   const Out out = task.write(viscosity);
   const SchemeOptions& o = t.options;
-  const MolecularViscosity law{o.fluid, o.transport, o.viscosity, o.axes.direction[0]};
-  if (o.mixed != nullptr) {
-    const In f = task.read(old_fraction(t.list, o));
-    task.kernel([=, gas = o.mixed](const Row& row) {
-      mixed_viscosity_row(*gas, law, row, row(f), row(rho), row(E), row(out));
-    });
-    return;
-  }
-  task.kernel([=](const Row& row) { law(row, row(rho), row(E), row(out)); });
+  const MolecularViscosity viscous{o.transport, o.viscosity, o.axes.direction[0]};
+  const LawsOfCells laws(task, t.list, o);
+  task.kernel([=](const Row& row) { viscous(row, laws.of_one(row), row(rho), row(E), row(out)); });
 }
 
 void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,

@@ -4,6 +4,7 @@
 #pragma once
 #include <string>
 
+#include "ice/fluid/law_row.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -24,20 +25,14 @@ struct TransportTask {
 
 // Molecular viscosity of a row of cells that one material fills or shares; rho, rho e: its own.
 struct MolecularViscosity {
-  Fluid fluid;
   TransportModels models;
   double constant = 0;  // <dynamic_viscosity>
   int along = 0;        // direction of rows
 
-  void operator()(const Row& row, const double* rho, const double* energy, double* mu) const;
-  // At least that of the layers.
-  void take_sponges(const Row& row, double* mu) const;
+  // By Sutherland's law, else as the material's law has it; at least that of the layers.
+  void operator()(const Row& row, const LawRow& law, const double* rho, const double* energy,
+                  double* mu) const;
 };
-
-// Of a gas whose properties follow from f: as `law` has it at the gas's own temperature, or that of
-// its fraction.
-void mixed_viscosity_row(const models::MixedGas& gas, const MolecularViscosity& law, const Row& row,
-                         const double* f, const double* rho, const double* E, double* mu);
 
 // <dynamic_viscosity> or Sutherland's law, at least that of the layers.
 void add_molecular_viscosity(const TransportTask& task, const StateVariables& state,
@@ -54,7 +49,5 @@ void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions
 
 // Delta, m.
 double filter_width(const SchemeOptions& o, Vec3 spacing);
-// cp/cv as far as the law says; 1 for liquids and solids.
-double heat_ratio(const Fluid& fluid);
 
 }  // namespace sluice::ice

@@ -1,0 +1,127 @@
+// Each function hands the row to the rows of its kind of law.
+#include "ice/fluid/law_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/mixed_gas.hpp"
+
+namespace sluice::ice {
+
+using models::MixedGas;
+
+namespace {
+
+void primitive_row(const Fluid& fluid, int n, const double* __restrict r,
+                   const double* __restrict E, double* __restrict w, double* __restrict p,
+                   double* __restrict c) {
+  if (const eos::IdealGas* gas = fluid.ideal()) {
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      w[i] = 1.0 / r[i];
+      p[i] = gas->pressure(r[i], E[i]);
+      c[i] = std::sqrt(gas->gamma * p[i] * w[i]);
+    }
+    return;
+  }
+  pressure_and_modulus_row(fluid, n, r, E, p, c);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    w[i] = 1.0 / r[i];
+    c[i] = std::sqrt(c[i] * w[i]);
+  }
+}
+
+}  // namespace
+
+void LawRow::pressure(int n, const double* rho, const double* rho_e, double* p) const {
+  if (gas_ != nullptr) return mixed_pressure_row(*gas_, n, fraction_, rho_e, p);
+  pressure_row(*plain_, n, rho, rho_e, p);
+}
+
+void LawRow::pressure_and_modulus(int n, const double* rho, const double* rho_e, double* p,
+                                  double* K) const {
+  if (gas_ != nullptr) return mixed_pressure_and_modulus_row(*gas_, n, fraction_, rho_e, p, K);
+  pressure_and_modulus_row(*plain_, n, rho, rho_e, p, K);
+}
+
+void LawRow::modulus(int n, const double* rho, const double* p, double* K) const {
+  if (gas_ != nullptr) return mixed_modulus_row(*gas_, n, fraction_, p, K);
+  modulus_row(*plain_, n, rho, p, K);
+}
+
+void LawRow::primitives(int n, const double* rho, const double* rho_e, double* inverse_rho,
+                        double* p, double* c) const {
+  if (gas_ != nullptr)
+    return mixed_primitive_row(*gas_, n, fraction_, rho, rho_e, inverse_rho, p, c);
+  primitive_row(*plain_, n, rho, rho_e, inverse_rho, p, c);
+}
+
+void LawRow::sound_speed(int n, const double* rho, const double* p, double* c) const {
+  if (gas_ != nullptr) return mixed_sound_speed_row(*gas_, n, fraction_, rho, p, c);
+  sound_speed_row(*plain_, n, rho, p, c);
+}
+
+void LawRow::compressibility(int n, const double* __restrict rho, const double* __restrict p,
+                             double* __restrict kappa) const {
+  if (gas_ != nullptr) {
+    mixed_modulus_row(*gas_, n, fraction_, p, kappa);
+    for (int i = 0; i < n; ++i) kappa[i] = 1.0 / kappa[i];
+    return;
+  }
+  sound_speed_row(*plain_, n, rho, p, kappa);
+  for (int i = 0; i < n; ++i) kappa[i] = 1.0 / (rho[i] * kappa[i] * kappa[i]);
+}
+
+void LawRow::temperature(int n, const double* rho, const double* rho_e, double* T) const {
+  if (gas_ != nullptr) return mixed_temperature_row(*gas_, n, fraction_, rho, rho_e, T);
+  temperature_row(*plain_, n, rho, rho_e, T);
+}
+
+void LawRow::heat_capacity(int n, const double* rho, const double* rho_e, double* cv) const {
+  if (gas_ != nullptr) return property_row(*gas_, &MixedGas::Node::cv, n, fraction_, cv);
+  heat_capacity_row(*plain_, n, rho, rho_e, cv);
+}
+
+void LawRow::viscosity(int n, double given, double* mu) const {
+  if (gas_ != nullptr) return property_row(*gas_, &MixedGas::Node::viscosity, n, fraction_, mu);
+  std::fill_n(mu, n, given);
+}
+
+void LawRow::conductivity(int n, double given, double* k) const {
+  if (gas_ != nullptr) return property_row(*gas_, &MixedGas::Node::conductivity, n, fraction_, k);
+  std::fill_n(k, n, given);
+}
+
+double LawRow::conductivity(int i, double given) const {
+  return gas_ != nullptr ? gas_->at(fraction_[i])(&MixedGas::Node::conductivity) : given;
+}
+
+void LawRow::conductivity_with_eddies(int n, double given, double prandtl,
+                                      const double* __restrict rho, const double* __restrict rho_e,
+                                      const double* __restrict mu_t, double* __restrict k) const {
+  if (gas_ != nullptr) {
+    const double inverse = 1.0 / prandtl;
+    return gas_->for_row(n, fraction_, [=](int i, const MixedGas::Between& at) {
+      k[i] = at(&MixedGas::Node::conductivity) + inverse * at.cp() * mu_t[i];
+    });
+  }
+  heat_capacity_row(*plain_, n, rho, rho_e, k);
+  const double scale = heat_ratio(*plain_) / prandtl;
+  for (int i = 0; i < n; ++i) k[i] = given + scale * k[i] * mu_t[i];
+}
+
+const Fluid& LawRow::at(int i, Fluid& room) const {
+  if (gas_ == nullptr) return *plain_;
+  return room = fluid_of(*gas_, fraction_[i]);
+}
+
+double heat_ratio(const Fluid& fluid) {
+  const bool by_gamma = fluid.ideal() != nullptr ||
+                        std::holds_alternative<eos::HardSphereGas>(fluid.law) ||
+                        std::holds_alternative<eos::StiffenedGas>(fluid.law);
+  return by_gamma ? fluid.gamma : 1.0;
+}
+
+}  // namespace sluice::ice
