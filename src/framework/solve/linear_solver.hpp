@@ -27,8 +27,8 @@ class LinearSolver {
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
 
-  // Collective, as solve(). Throws PhysicsError that names a cell whose row is not valid. The matrix
-  // is copied; its level must stay.
+  // Collective, as solve(). Throws PhysicsError that names a cell whose row is not valid. The
+  // matrix is copied; its level must stay.
   void set_up(const CellMatrix& matrix);
   // `x` holds where to begin, then the solution, finite even where it has not converged. Throws
   // PhysicsError that names a cell whose right-hand side or start is not finite. Of a singular
