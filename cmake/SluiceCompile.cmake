@@ -53,6 +53,18 @@ function(sluice_compile_room room cold)
   endif()
 endfunction()
 
+# Files of a library with kernels that are none themselves: objects of their own, as other options
+# need another precompiled header.
+function(sluice_cold_files room files uses)
+  if(NOT files)
+    return()
+  endif()
+  add_library(${room}_cold OBJECT ${files})
+  target_link_libraries(${room}_cold PRIVATE sluice_options ${uses})
+  sluice_compile_room(${room}_cold TRUE)
+  target_sources(${room} PRIVATE $<TARGET_OBJECTS:${room}_cold>)
+endfunction()
+
 # Where the sources are, for tests that read decks: only for those that ask. Objects of the others
 # are the same in every checkout.
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/sluice_source_dir.hpp CONTENT

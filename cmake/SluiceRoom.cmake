@@ -1,17 +1,22 @@
-# sluice_room(NAME [COLD] [USES rooms...] [LIBRARIES libs...])
+# sluice_room(NAME [COLD] [COLD_FILES files...] [USES rooms...] [LIBRARIES libs...])
 #   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
-#   COLD: no file of it is a kernel (SluiceCompile.cmake).
+#   COLD: no file of it is a kernel (SluiceCompile.cmake); COLD_FILES: these are none.
 #   The tests of a room are one executable NAME_test: one test of ctest, labelled "cases".
 function(sluice_room name)
-  cmake_parse_arguments(ROOM "COLD" "" "USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "COLD" "" "COLD_FILES;USES;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_(test|fuzz)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(TRANSFORM ROOM_COLD_FILES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  if(ROOM_COLD_FILES)
+    list(REMOVE_ITEM sources ${ROOM_COLD_FILES})
+  endif()
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC sluice_options ${ROOM_USES} ${ROOM_LIBRARIES})
     sluice_compile_room(${name} ${ROOM_COLD})
+    sluice_cold_files(${name} "${ROOM_COLD_FILES}" "${ROOM_USES};${ROOM_LIBRARIES}")
   else()  # headers only
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE sluice_options ${ROOM_USES} ${ROOM_LIBRARIES})
