@@ -99,7 +99,7 @@ template <int D, int C, bool Scaled, DensityBound Bound>
 void flux_row_by_order(const Row& row, const RemapFluxHandles& h, int axis, double l,
                        const SchemeOptions& o) {
   if (!o.second_order)
-    flux_row<D, C, false, false, Scaled, Bound>(row, h, axis, l);
+    flux_row<D, C, false, false, Scaled, DensityBound::sharp>(row, h, axis, l);  // has no bound
   else if (o.masked)
     flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
   else
