@@ -8,8 +8,10 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/levels/interface_seeds.hpp"
 #include "ice/levels/mixture_transfer.hpp"
+#include "ice/levels/offset_transfer.hpp"
 #include "ice/levels/scalar_transfer.hpp"
 #include "ice/one_material/leaving_shocks.hpp"
+#include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/pressure_solve.hpp"
 #include "ice/saved/criteria.hpp"
 #include "ice/sources/source_tasks.hpp"
@@ -23,9 +25,9 @@
 namespace sluice::ice {
 namespace {
 
-std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceScene& ice,
-                                                 const SchemeOptions& o,
-                                                 const std::vector<SlotInfo>& slots) {
+std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const IceScene& ice,
+                                                      const SchemeOptions& o,
+                                                      const std::vector<SlotInfo>& slots) {
   const bool matches = matches_fluxes(scene, ice);
   std::unique_ptr<TransferOperators> flow;
   std::vector<std::size_t> by_volume;  // views of scalars
@@ -48,6 +50,14 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
     mass.push_back(static_cast<std::size_t>(s.material));
   return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views,
                                                    std::move(by_volume));
+}
+
+std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceScene& ice,
+                                                 const SchemeOptions& o,
+                                                 const std::vector<SlotInfo>& slots) {
+  auto flow = make_flow_transfer(scene, ice, o, slots);
+  if (!o.implicit) return flow;
+  return std::make_unique<OffsetTransfer>(std::move(flow));
 }
 
 }  // namespace
@@ -169,6 +179,8 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
   o.coverage = variant.coverage;
+  o.meets_finer =
+      o.implicit && variant.level + 1 < static_cast<int>(scene_->grid.levels.size());
   o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
   o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
   o.volumes = variant.volumes;
@@ -212,25 +224,46 @@ void FluidPart::shape_step(StepShape& shape) const {
   if (!options_.implicit) return;
   const Labels& l = labels();
   const auto pressure = std::make_shared<pressure::PressureSolve>(*ice_.implicit);
-  std::vector<Label> system{l.matrix_cell, l.right_side};
-  for (int a = 0; a < options_.axes.count; ++a)
-    system.push_back(l.matrix_face[options_.axes.direction[a]]);
+  std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
+  const bool several = scene_->grid.levels.size() > 1;
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const int d = options_.axes.direction[a];
+    system.push_back(l.matrix_face[d]);
+    if (!several) continue;
+    for (auto* labels_of_sweep : {&system, &stored}) {
+      labels_of_sweep->push_back(l.face_velocity[d]);
+      labels_of_sweep->push_back(l.face_pressure[d]);
+    }
+  }
+  if (several) shape.link_levels(pressure::take_finer_faces);
+  // On several levels passes also correct the matrix where they meet.
+  constexpr int most_corrections = 8;
+  const int most = several ? std::max(ice_.implicit->max_passes, most_corrections)
+                           : ice_.implicit->max_passes;
   shape.solve("start", [pressure](const StageScope& scope) { return pressure->start(scope); });
   shape.prepare("pressure system", system);
   shape.iterate(
-      "pressure", ice_.implicit->max_passes,
+      "pressure", most,
       [pressure](const StageScope& scope) { return pressure->judge(scope); },
       [&](StepShape& pass) {
         pass.solve("pressure",
                    [pressure](const StageScope& scope) { return pressure->solve(scope); });
-        pass.sweep("step", {l.volume_error});
+        pass.sweep("step", stored);
       });
   shape.take_over();
 }
 
 std::vector<SlotInfo> FluidPart::work_slots() const {
   if (!options_.implicit) return {};
-  return {{labels().pressure_increment, options_.place(0), 1, 0}};
+  std::vector<SlotInfo> slots{{labels().pressure_increment, options_.place(0), 1, 0},
+                              {labels().pressure_correction, options_.place(0), 1, 0}};
+  if (scene_->grid.levels.size() == 1) return slots;
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const int d = options_.axes.direction[a];
+    for (const Label label : {labels().finer_face_velocity[d], labels().finer_face_pressure[d]})
+      slots.push_back({label, options_.place(0), 1, 0});
+  }
+  return slots;
 }
 
 // A block with one material alone needs the graph of that material only.

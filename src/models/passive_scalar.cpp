@@ -239,9 +239,12 @@ void rename_scalar_totals(DeckNode& root, std::vector<Fault>& faults) {
   if (archiver == nullptr || root.child("Models") == nullptr) return;
   for (const auto& save : archiver->children)
     for (auto& [name, value] : save->attributes) {
-      if (save->name != "save" || name != "label" || value.rfind(old, 0) != 0) continue;
+      if (save->name != "save" || name != "label") continue;
+      // Older decks write sum_scalar_f.
+      const bool underlined = value.rfind("sum_scalar_", 0) == 0;
+      if (value.rfind(old, 0) != 0 && !underlined) continue;
       if (std::find(analysed.begin(), analysed.end(), value) != analysed.end()) continue;
-      const std::string now = "totalSum_" + value.substr(old.find("scalar-"));
+      const std::string now = "totalSum_scalar-" + value.substr(old.size());
       add_warning(faults, save->where, fmt::format("variable {} is now {}", value, now),
                   fmt::format("write {}", now));
       value = now;

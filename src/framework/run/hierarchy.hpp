@@ -105,6 +105,8 @@ class Hierarchy {
   Schedule schedule_of(int level);
   Schedule schedule_of(const StepShape& shape);
   Schedule cycle_of_levels();
+  using LevelAction = std::function<Verdict(int level, const StepScope&)>;
+  Node sweeping_node(std::string name, LevelAction act);
   Node stage_node(const StepShape::Stage& stage);
   Node iteration_node(const StepShape::Iterate& iterate);
   StageScope stage_scope(const StepScope& scope, StepJournal& journal);
@@ -145,6 +147,7 @@ class Hierarchy {
   RefinementFlags refinement_flags_;
   std::unique_ptr<ParticleCloud> particles_;
   Schedule cycle_;
+  StepShape::Link link_;
   int levels_in_cycle_ = 0;
   StepJournal journal_;  // of the last attempt, until it is accepted or rejected
   CycleResult result_;

@@ -24,6 +24,8 @@ Schedule Hierarchy::schedule_of(int l) {
                            return Verdict::good;
                          }}});
   s.push_back({Sweep{"step", l, [this, l](const StepScope& scope, StepJournal&) {
+                       if (const auto& joint = joints_[static_cast<std::size_t>(l)])
+                         joint->fluxes.clear();
                        const Verdict verdict = sweep(l, scope, {});
                        if (verdict == Verdict::good) take_over(l, scope);
                        return verdict;
@@ -38,6 +40,17 @@ Schedule Hierarchy::schedule_of(int l) {
 
 StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) {
   return {existing_levels(), communicator_, scope, previous_dt_, pass_, &journal, &result_.reason};
+}
+
+// A sweep of all levels, finest first.
+Node Hierarchy::sweeping_node(std::string name, LevelAction act) {
+  return {Stage{std::move(name), [this, act = std::move(act)](const StepScope& scope, StepJournal&) {
+                  for (int l = level_count() - 1; l >= 0; --l) {
+                    if (link_ && l + 1 < level_count()) link_(level(l), level(l + 1));
+                    if (act(l, scope) == Verdict::reject) return Verdict::reject;
+                  }
+                  return Verdict::good;
+                }}};
 }
 
 // One stage on all levels.
@@ -61,14 +74,14 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
       return Verdict::good;
     });
   if (const auto* prepare = std::get_if<StepShape::Prepare>(&stage))
-    return on_levels("prepare " + prepare->name,
+    return sweeping_node("prepare " + prepare->name,
                      [this, stored = prepare->stored](int l, const StepScope& scope) {
                        level(l).set_previous_dt(previous_dt_);
                        level(l).prepare(scope.time, scope.dt, stored);
                        return Verdict::good;
                      });
   if (const auto* sweep = std::get_if<StepShape::Sweep>(&stage))
-    return on_levels("sweep " + sweep->name,
+    return sweeping_node("sweep " + sweep->name,
                      [this, stored = sweep->stored](int l, const StepScope& scope) {
                        return this->sweep(l, scope, stored);
                      });
@@ -102,6 +115,12 @@ Node Hierarchy::iteration_node(const StepShape::Iterate& iterate) {
 // All levels together, in lockstep.
 Schedule Hierarchy::schedule_of(const StepShape& shape) {
   Schedule s;
+  link_ = shape.link();
+  s.push_back({Stage{"clear flux records", [this](const StepScope&, StepJournal&) {
+                       for (auto& joint : joints_)
+                         if (joint != nullptr) joint->fluxes.clear();
+                       return Verdict::good;
+                     }}});
   for (const StepShape::Stage& stage : shape.stages()) s.push_back(stage_node(stage));
   for (int l = level_count() - 2; l >= 0; --l)
     s.push_back({Sweep{"matching of fluxes and restriction", 0,
@@ -156,9 +175,7 @@ bool Hierarchy::ends_coarse_step(const StepScope& scope) {
 
 // The new state beside the old one.
 Verdict Hierarchy::sweep(int l, const StepScope& scope, const std::vector<Label>& stored) {
-  const auto n = static_cast<std::size_t>(l);
   LevelSolver& solver = level(l);
-  if (joints_[n] != nullptr) joints_[n]->fluxes.clear();
   const bool last = ends_coarse_step(scope);
   std::vector<Label> wanted = stored;
   if (last) wanted.insert(wanted.end(), wanted_->begin(), wanted_->end());

@@ -64,6 +64,16 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
           fmt::format("box: {} cells in direction {}; there must be 1 to 2^30", cells[d], axis[d]));
       return std::nullopt;
     }
+    if (std::abs(cells[d] - whole) > on_node * whole && resolution == nullptr && cells[d] > 1) {
+      const double fit = std::floor(cells[d]);
+      add_warning(faults, source.where,
+                  fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
+                              "{:g} in place of {:g}",
+                              cells[d], axis[d], box.lower[d] + fit * spacing[d], box.upper[d]),
+                  "fit the spacing to upper - lower");
+      cells[d] = fit;
+      continue;
+    }
     if (std::abs(cells[d] - whole) > on_node * whole) {
       add_error(faults, source.where,
                 fmt::format("box: {} cells in direction {} is not a whole number; fit the spacing "
@@ -123,6 +133,10 @@ std::optional<RawBox> read_box(const DeckNode& node, const DeckNode& level,
     const std::optional<Vec3> cells = cells_of(node, level, raw.box, raw.spacing, faults);
     if (!cells) return;
     raw.cells = *cells;
+    for (int d = 0; d < 3; ++d)
+      if (const double end = raw.box.lower[d] + raw.cells[d] * raw.spacing[d];
+          std::abs(end - raw.box.upper[d]) > on_node * raw.spacing[d])
+        raw.box.upper[d] = end;
     for (int d = 0; d < 3; ++d)
       if (raw.box.patches[d] > raw.cells[d])
         add_error(faults, node.where,

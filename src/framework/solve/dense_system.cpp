@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "framework/base/communicator.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/exact_sum.hpp"
 #include "framework/base/text.hpp"
+#include "framework/solve/all_boxes.hpp"
 
 namespace sluice::solve {
 namespace {
@@ -27,67 +27,15 @@ IndexBox window_of(const Level& level) {
   return window;
 }
 
-void append(std::string& bytes, const ConstRealView& v) {
-  for_each_cell(v.box, [&](IntVec3 c) {
-    char raw[sizeof(double)];
-    std::memcpy(raw, &v(c), sizeof raw);
-    bytes.append(raw, sizeof raw);
-  });
-}
-
-// The numbers of all boxes of a level, on all ranks.
-class AllBoxes {
- public:
-  AllBoxes(const Level& level, const ConstBoxViews& own) {
-    if (world().size() == 1) {
-      std::size_t next = 0;
-      for (const GridBox& b : level.boxes) add(own.at(next++), b.cells);
-      return;
-    }
-    std::string bytes;
-    for (std::size_t n = 0; n < own.size(); ++n) append(bytes, restricted(own[n], level, n));
-    received_ = world().gather_to_all(bytes);
-    std::vector<std::size_t> read(received_.size(), 0);
-    for (const GridBox& b : level.boxes) {
-      const auto owner = static_cast<std::size_t>(b.owner);
-      std::vector<double>& numbers =
-          numbers_.emplace_back(static_cast<std::size_t>(b.cells.volume()));
-      const std::size_t size = numbers.size() * sizeof(double);
-      std::memcpy(numbers.data(), received_.at(owner).data() + read[owner], size);
-      read[owner] += size;
-    }
-    for (std::size_t n = 0; n < numbers_.size(); ++n)
-      views_.push_back(view_of(numbers_[n].data(), level.boxes[n].cells));
-  }
-  const ConstBoxViews& views() const { return views_; }
-
- private:
-  // A view of a box's own cells, without ghosts.
-  static ConstRealView cells_of(const ConstRealView& v, const IndexBox& cells) {
-    ConstRealView inner = v;
-    inner.data = v.data + v.offset(cells.lower);
-    inner.box = cells;
-    return inner;
-  }
-  static ConstRealView restricted(const ConstRealView& v, const Level& level, std::size_t n) {
-    return cells_of(v, boxes_of(level, world().rank()).at(n));
-  }
-  void add(const ConstRealView& v, const IndexBox& cells) { views_.push_back(cells_of(v, cells)); }
-
-  std::vector<std::string> received_;
-  std::vector<std::vector<double>> numbers_;
-  ConstBoxViews views_;
-};
-
 ConstBoxViews constant(const BoxViews& views) {
   return {views.begin(), views.end()};
 }
 
-std::array<double, 3> total_couplings(const std::array<AllBoxes, 3>& low) {
+std::array<double, 3> total_couplings(const std::array<ConstBoxViews, 3>& low) {
   std::array<double, 3> total{};
   for (int d = 0; d < 3; ++d) {
     ExactSum sum;
-    for (const ConstRealView& v : low[d].views())
+    for (const ConstRealView& v : low[d])
       for_each_cell(v.box, [&](IntVec3 c) { sum.add(std::fabs(v(c))); });
     total[d] = sum.value();
   }
@@ -97,13 +45,20 @@ std::array<double, 3> total_couplings(const std::array<AllBoxes, 3>& low) {
 }  // namespace
 
 DenseSystem::DenseSystem(const CellMatrix& matrix)
-    : level_(&matrix.level()), window_(window_of(*level_)) {
+    : DenseSystem(matrix.level(), AllBoxes(matrix.level(), constant(matrix.diagonal())).views(),
+                  {AllBoxes(matrix.level(), constant(matrix.low(0))).views(),
+                   AllBoxes(matrix.level(), constant(matrix.low(1))).views(),
+                   AllBoxes(matrix.level(), constant(matrix.low(2))).views()}) {}
+
+DenseSystem::DenseSystem(const Level& level, const ConstBoxViews& diagonal,
+                         const std::array<ConstBoxViews, 3>& low, const DenseSystem* like)
+    : level_(&level), window_(window_of(level)) {
   if (window_.empty()) throw PhysicsError("linear system: the level has no cells");
-  const AllBoxes diagonal(*level_, constant(matrix.diagonal()));
-  const std::array<AllBoxes, 3> low{AllBoxes(*level_, constant(matrix.low(0))),
-                                    AllBoxes(*level_, constant(matrix.low(1))),
-                                    AllBoxes(*level_, constant(matrix.low(2)))};
-  choose_directions(matrix, total_couplings(low));
+  if (like == nullptr)
+    choose_directions(total_couplings(low));
+  else
+    axis_ = like->axis_;
+  take_shape();
   present_.assign(shape_.size(), 0);
   diagonal_.assign(shape_.size(), 1.0);
   for (auto& v : low_) v.assign(shape_.size(), 0.0);
@@ -112,8 +67,8 @@ DenseSystem::DenseSystem(const CellMatrix& matrix)
                   [&](IntVec3 c) { to[static_cast<std::size_t>(place_of(c))] = from(c); });
   };
   for (std::size_t n = 0; n < level_->boxes.size(); ++n) {
-    copy(diagonal.views()[n], diagonal_);
-    for (int d = 0; d < 3; ++d) copy(low[static_cast<std::size_t>(axis_[d])].views()[n], low_[d]);
+    copy(diagonal[n], diagonal_);
+    for (int d = 0; d < 3; ++d) copy(low[static_cast<std::size_t>(axis_[d])][n], low_[d]);
     for_each_cell(level_->boxes[n].cells,
                   [&](IntVec3 c) { present_[static_cast<std::size_t>(place_of(c))] = 1; });
   }
@@ -130,9 +85,7 @@ DenseSystem::DenseSystem(const CellMatrix& matrix)
 }
 
 // The strongest direction becomes 1; of the others, the one of unit stride stays so.
-void DenseSystem::choose_directions(const CellMatrix& matrix,
-                                    const std::array<double, 3>& couplings) {
-  const Level& level = matrix.level();
+void DenseSystem::choose_directions(const std::array<double, 3>& couplings) {
   const IntVec3 size = window_.size();
   std::stable_sort(axis_.begin(), axis_.end(),
                    [&](int a, int b) { return (size[a] > 1) > (size[b] > 1); });
@@ -149,11 +102,15 @@ void DenseSystem::choose_directions(const CellMatrix& matrix,
   } else if (most > reorder_ratio * next && strongest != axis_.begin() + 1) {
     std::swap(*strongest, axis_[1]);
   }
+}
+
+void DenseSystem::take_shape() {
+  const IntVec3 size = window_.size();
   for (int d = 0; d < 3; ++d) {
     const int a = axis_[d];
     shape_.count[d] = size[a];
-    shape_.periodic[d] = level.periodic[static_cast<std::size_t>(a)] && size[a] > 1 &&
-                         size[a] == level.domain.size()[a];
+    shape_.periodic[d] = level_->periodic[static_cast<std::size_t>(a)] && size[a] > 1 &&
+                         size[a] == level_->domain.size()[a];
   }
 }
 

@@ -21,6 +21,10 @@ class DenseSystem {
   // Throws PhysicsError that names the first cell whose row no solver may see: a coefficient that
   // is not finite, an empty row, a diagonal that is not positive, a coupling with no cell.
   explicit DenseSystem(const CellMatrix& matrix);
+  // From the numbers of all boxes of the level (all_boxes.hpp). `like`: another system on the same
+  // level, whose places are to be those of this one.
+  DenseSystem(const Level& level, const ConstBoxViews& diagonal,
+              const std::array<ConstBoxViews, 3>& low, const DenseSystem* like = nullptr);
 
   const DenseShape& shape() const { return shape_; }
   const DenseVector& diagonal() const { return diagonal_; }
@@ -29,6 +33,8 @@ class DenseSystem {
   std::int64_t unknowns() const { return unknowns_; }
   // Couplings as positive numbers and the sums of rows.
   DenseEquations equations() const;
+  IntVec3 cell_of(std::ptrdiff_t c) const;
+  std::ptrdiff_t place_of(IntVec3 cell) const;  // in vectors; of a cell in the window
   std::string cell_name(std::ptrdiff_t c) const;
 
   DenseVector vector() const { return DenseVector(shape_.size(), 0.0); }
@@ -55,12 +61,11 @@ class DenseSystem {
   }
 
  private:
-  void choose_directions(const CellMatrix& matrix, const std::array<double, 3>& couplings);
+  void choose_directions(const std::array<double, 3>& couplings);
+  void take_shape();
   void need_rows() const;
   void need_neighbours() const;
   void fold_own_neighbours();
-  IntVec3 cell_of(std::ptrdiff_t c) const;
-  std::ptrdiff_t place_of(IntVec3 cell) const;
 
   const Level* level_;
   IndexBox window_;

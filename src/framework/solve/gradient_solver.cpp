@@ -1,8 +1,6 @@
 // Conjugate gradients on a window.
 #include "framework/solve/gradient_solver.hpp"
 
-#include <cmath>
-
 namespace sluice::solve {
 namespace {
 
@@ -25,44 +23,11 @@ void combine(const DenseSystem& system, const DenseVector& a, double s, const De
 }  // namespace
 
 void GradientSolver::prepare(const DenseSystem& system) {
-  const MultigridSettings settings;
-  DenseEquations equations = system.equations();
-  if (needs_lines(equations, settings)) {
-    cycle_.emplace<Multigrid<double>>(std::move(equations), settings);
-  } else {
-    cycle_.emplace<Multigrid<float>>(std::move(equations), settings);
-  }
+  cycle_ = MultigridCycle(system);
   r_ = system.vector();
   z_ = r_;
   p_ = r_;
   q_ = r_;
-}
-
-// z = B r. The cycle gets the residual over its norm: numbers that 32 bits can hold.
-void GradientSolver::precondition(const DenseSystem& system, double norm) {
-  const double shrink = std::ldexp(1.0, -std::ilogb(norm));
-  const int n = system.shape().count[0];
-  const auto by = [&]<class Real>(Multigrid<Real>& cycle) {
-    Real* b = cycle.right_side();
-    system.for_rows([&](std::ptrdiff_t row) {
-      const double* from = r_.data() + row;
-      Real* to = b + row;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) to[i] = static_cast<Real>(shrink * from[i]);
-    });
-    cycle.cycle();
-    const Real* e = cycle.correction();
-    const double grow = cycle.scale() / shrink;
-    system.for_rows([&](std::ptrdiff_t row) {
-      const Real* from = e + row;
-      double* to = z_.data() + row;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) to[i] = grow * static_cast<double>(from[i]);
-    });
-  };
-  if (auto* single = std::get_if<Multigrid<float>>(&cycle_)) by(*single);
-  if (auto* full = std::get_if<Multigrid<double>>(&cycle_)) by(*full);
-  if (system.singular()) system.remove_mean(z_);
 }
 
 LinearSolver::Attempt GradientSolver::attempt(const DenseSystem& system, const DenseVector& b,
@@ -77,7 +42,7 @@ LinearSolver::Attempt GradientSolver::attempt(const DenseSystem& system, const D
       result.failure = "the maximum of iterations";
       break;
     }
-    precondition(system, residual);
+    cycle_.apply(system, r_, residual, z_);
     const double rz_now = system.dot(r_, z_);
     combine(system, z_, rz > 0 ? rz_now / rz : 0.0, p_, p_);
     rz = rz_now;

@@ -3,10 +3,8 @@
 // The bits of a result depend on the system alone, not on boxes, ranks or threads.
 // Y. Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 9.1.
 #pragma once
-#include <variant>
-
 #include "framework/solve/linear_solver.hpp"
-#include "framework/solve/multigrid.hpp"
+#include "framework/solve/multigrid_cycle.hpp"
 
 namespace sluice::solve {
 
@@ -18,9 +16,7 @@ class GradientSolver : public LinearSolver {
   void prepare(const DenseSystem& system) override;
   Attempt attempt(const DenseSystem& system, const DenseVector& b, DenseVector& x,
                   const Goal& goal) override;
-  void precondition(const DenseSystem& system, double norm);
-
-  std::variant<std::monostate, Multigrid<float>, Multigrid<double>> cycle_;
+  MultigridCycle cycle_;
   DenseVector r_, z_, p_, q_;
 };
 

@@ -214,10 +214,7 @@ SaveLabels ice_save_labels() {
   SaveLabels savable;
   for (const Label label : ice::own_labels())
     if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
-  savable.not_built = {"imp_delP",
-                       "sum_imp_delP",
-                       "rhs",
-                       "matrix",
+  savable.not_built = {"matrix",
                        "max_RHS",
                        "TMV_CC",
                        "delT",

@@ -58,6 +58,14 @@ void declare_solve(Labels& l) {
   l.pressure_increment = cell("work.pressure_increment", "Pa",
                               "Semi-implicit steps: change of the work pressure in the step, as it "
                               "is solved for.");
+  l.pressure_correction = cell("work.pressure_correction", "Pa",
+                               "Semi-implicit steps: what the last solve of the step added.");
+  l.last_correction = cell("imp_delP", "Pa",
+                           "Semi-implicit steps: change of the work pressure by the last solve of "
+                           "the step.");
+  l.sum_of_corrections = cell("sum_imp_delP", "Pa",
+                              "Semi-implicit steps: change of the work pressure by all solves of "
+                              "the step.");
   l.matrix_cell = cell("pressure_matrix_CC", "1/Pa",
                        "Semi-implicit steps: what a rise of the pressure takes of the volume of a "
                        "cell, 1/(al rho c^2), the diagonal of the system without its faces.");
@@ -67,6 +75,16 @@ void declare_solve(Labels& l) {
     l.matrix_face[d] = face(faces[d], d, "1/Pa",
                             "Semi-implicit steps: coupling of two cells in the pressure's system, "
                             "A dt^2/(rho dx^2); 0 on faces whose velocity is given.");
+  constexpr const char* finer_u[] = {"work.finer_face_velocity_x", "work.finer_face_velocity_y",
+                                     "work.finer_face_velocity_z"};
+  constexpr const char* finer_p[] = {"work.finer_face_pressure_x", "work.finer_face_pressure_y",
+                                     "work.finer_face_pressure_z"};
+  for (int d = 0; d < 3; ++d) {
+    l.finer_face_velocity[d] = cell(finer_u[d], "m/s",
+                                    "Semi-implicit steps on levels: mean velocity of the fine "
+                                    "faces on the cell's low face, where a finer level begins.");
+    l.finer_face_pressure[d] = cell(finer_p[d], "Pa", "Likewise the mean of their pressures.");
+  }
   l.right_side = cell("rhs", "1",
                       "Semi-implicit steps: right-hand side of the first solve of the step, the "
                       "relative volume by which a cell would be wrong without it.");

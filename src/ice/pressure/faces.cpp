@@ -11,6 +11,7 @@
 //   open (LODI)         open_faces.hpp
 // The coefficient of a face, A dt^2/(rho_f dx^2), is 0 where its velocity does not depend on d.
 #include "ice/fluid/labels.hpp"
+#include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/side_faces.hpp"
 #include "ice/pressure/variables.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 struct Handles {
   In rho, work, increment, velocity, sound, prediction;
+  In finer_velocity, finer_pressure;
   Out face_velocity, face_pressure;
 };
 
@@ -52,6 +54,20 @@ void inner_faces(const Row& row, const Handles& h, int axis, const FaceConstants
     const double per_r = 1.0 / (ra[i] + rb[i]);
     uf[i] = star[i] - l * (2.0 * per_r) * (0.5 * (Xb[i] - Xa[i]) + A * (db[i] - da[i]));
     pf[i] = (rb[i] * (Xa[i] + da[i]) + ra[i] * (Xb[i] + db[i])) * per_r + (j[i] + s[i]);
+  }
+}
+
+// Where a finer level begins, what it has found.
+void finer_faces(const Row& row, const Handles& h) {
+  const int n = row.count();
+  const double* __restrict u = row(h.finer_velocity);
+  const double* __restrict p = row(h.finer_pressure);
+  double* __restrict uf = row(h.face_velocity);
+  double* __restrict pf = row(h.face_pressure);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    uf[i] = u[i] == not_given ? uf[i] : u[i];
+    pf[i] = p[i] == not_given ? pf[i] : p[i];
   }
 }
 
@@ -179,12 +195,17 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
     h.velocity = task.read(v.velocity, both);
     h.sound = task.read(v.sound, both);
     h.prediction = task.read(v.solve.prediction[a]);
+    if (o.meets_finer) {
+      h.finer_velocity = task.read(v.solve.finer_velocity[a]);
+      h.finer_pressure = task.read(v.solve.finer_pressure[a]);
+    }
     h.face_velocity = task.write(v.face_velocity[a]);
     h.face_pressure = task.write(v.face_pressure[a]);
     task.kernel([=](const Row& row) {
       const FaceConstants k = face_constants(row, o, direction);
       inner_faces(row, h, axis, k);
       side_faces(row, h, axis, k, o);
+      if (o.meets_finer) finer_faces(row, h);
     });
     add_face_coefficient(list, v, o, axis, effect);
   }

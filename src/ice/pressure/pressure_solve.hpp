@@ -1,14 +1,13 @@
-// One pass of the semi-implicit step on a level: the system from the fields that a sweep has
-// stored, its solution into the work slot d. Kept from step to step: memory and what the solver
-// has set up.
+// The passes of a semi-implicit step: solve, sweep, judge what is left. Kept from step to step:
+// memory and what the solver has set up.
 #pragma once
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "framework/run/step_shape.hpp"
-#include "framework/solve/linear_solver.hpp"
 #include "ice/deck/implicit_settings.hpp"
+#include "ice/pressure/pressure_system.hpp"
 
 namespace sluice::ice::pressure {
 
@@ -26,19 +25,19 @@ class PressureSolve {
   StepShape::Iterate::Answer judge(const StageScope& scope);
 
  private:
-  struct System;
   struct Pass {
     double error = 0;  // max |R| after it
     int iterations = 0;
     double residual = 0;  // of the linear solve, of its right-hand side
     std::string reason;   // why that did not converge
   };
-  System& system_on(LevelSolver& level, int rank);
+  PressureSystem& system_on(const StageScope& scope);
   std::string history() const;
   bool stalls() const;
 
   ImplicitSettings settings_;
-  std::shared_ptr<System> system_;
+  std::unique_ptr<PressureSystem> system_;
+  std::vector<std::vector<GridBox>> boxes_;  // of its levels
   std::vector<Pass> passes_;  // of the attempt under way
 };
 

@@ -21,6 +21,13 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   x.smooth = list.temporary("smooth pressure");
   x.error = list.temporary("relative volume error");
   if (o.viscous) x.force = list.temporary("viscous force", o.axes.count);
+  if (o.meets_finer)
+    for (int a = 0; a < o.axes.count; ++a) {
+      const auto n = static_cast<std::size_t>(a);
+      const int d = o.axes.direction[a];
+      x.finer_velocity[n] = list.old_state(l.finer_face_velocity[d], 0, 1);
+      x.finer_pressure[n] = list.old_state(l.finer_face_pressure[d], 0, 1);
+    }
   for (int a = 0; a < o.axes.count; ++a)
     x.prediction[static_cast<std::size_t>(a)] =
         list.temporary("prediction of axis " + std::to_string(a), prediction_count,
@@ -54,6 +61,17 @@ void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOpt
   });
 }
 
+namespace {
+
+void save_increment(TaskList& list, Label label, VariableId from, int effect) {
+  TaskBuilder task = list.task("save " + label.name(), effect);
+  const In in = task.read(from);
+  const Out out = task.write(list.output(label, 0));
+  task.kernel([=](const Row& row) { std::copy_n(row(in), row.count(), row(out)); });
+}
+
+}  // namespace
+
 void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
   add_work_pressure(list, v, o, effect);  // p, Y                    X-, ps
@@ -61,6 +79,9 @@ void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOpti
   add_viscous_force(list, v, o, effect);  // t_f                     Fv
   add_predictions(list, v, o, effect);    // u, c, slopes, Fv        u*, j, k
   add_solved_face_states(list, v, o, effect);          // X-, d, predictions      u_f, p_f, matrix, R
+  save_increment(list, labels().sum_of_corrections, v.solve.increment, effect);
+  save_increment(list, labels().last_correction,
+                 list.old_state(labels().pressure_correction, 0, 1), effect);
 }
 
 }  // namespace sluice::ice::pressure

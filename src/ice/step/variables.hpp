@@ -86,6 +86,7 @@ struct SchemeOptions {
   // With several levels: which cells count in sums, where fluxes are recorded.
   const LevelCoverage* coverage = nullptr;
   const FluxRecorder* recorder = nullptr;
+  bool meets_finer = false;              // faces may be given by a finer level: pressure/finer_faces.hpp
   bool shocks_leave = false;             // a level that shocks leave where it ends: recorder->ends
   const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
   int first_volume_sum = 0;              // of their sums among those of the step
@@ -139,6 +140,7 @@ struct PressureVariables {
   VariableId force;               // viscous, by axis
   std::array<VariableId, 3> prediction;  // by axis: u*, j, k
   VariableId error;               // R
+  std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
 struct SchemeVariables {
