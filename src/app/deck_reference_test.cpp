@@ -78,7 +78,7 @@ TEST(DeckHelp, NamesTheNearestTagAndWhatIsNotBuilt) {
     }
   };
   EXPECT_NE(message("gama").find("did you mean 'gamma'"), std::string::npos);
-  EXPECT_NE(message("ImplicitSolver").find("not supported yet"), std::string::npos);
+  EXPECT_NE(message("RMCRT").find("not supported yet"), std::string::npos);
 }
 
 }  // namespace

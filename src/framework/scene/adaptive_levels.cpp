@@ -112,12 +112,13 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
       return false;
     }
     if (tile[d] % ratio[d] != 0) {
-      add_error(faults, where,
-                fmt::format("a tile of {} cells in direction {} for level {}, but the refinement "
-                            "ratio is {}; a tile must consist of whole coarse cells",
-                            tile[d], axis[d], level, ratio[d]),
-                fmt::format("use {}", (tile[d] / ratio[d] + 1) * ratio[d]));
-      return false;
+      const int whole = (tile[d] / ratio[d] + 1) * ratio[d];
+      add_warning(faults, where,
+                  fmt::format("a tile of {} cells in direction {} for level {}, where the refinement "
+                              "ratio is {}: tiles of whole coarse cells, of {}, take its place",
+                              tile[d], axis[d], level, ratio[d], whole),
+                  fmt::format("use {}", whole));
+      tile[d] = whole;
     }
   }
   return true;

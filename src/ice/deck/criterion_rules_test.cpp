@@ -53,7 +53,7 @@ TEST(CriterionRules, OthersAreRefusedByName) {
     EXPECT_THAT(told("TotalMass", "0"), HasSubstr("TotalMass is one number per step"));
     EXPECT_THAT(told("refineFlag", "0"), HasSubstr("is what the criteria of refinement make"));
     EXPECT_THAT(told("delP_Dilatate", "0"), HasSubstr("exists only within a step"));
-    EXPECT_THAT(told("imp_delP", "0"), HasSubstr("[not built]"));
+    EXPECT_THAT(told("max_RHS", "0"), HasSubstr("[not built]"));
     EXPECT_THAT(told("state.mass", "0"), HasSubstr("error"));
     EXPECT_THAT(told("vol_frac_CC", "0"), HasSubstr("warning: <"));
     EXPECT_THAT(told("vol_frac_CC", "0"), HasSubstr("the same in all cells"));

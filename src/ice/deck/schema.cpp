@@ -1,8 +1,11 @@
 // The tags of ICE.
 #include "ice/deck/schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "framework/deck/faults.hpp"
 #include "framework/field/label.hpp"
 #include "ice/deck/body_sources.hpp"
 #include "ice/deck/custom_start.hpp"
@@ -240,14 +243,27 @@ SaveLabels ice_save_labels() {
        "remove the line"},
       {"maxMach_", "LODI faces take the Mach number of each cell, not the largest of the face",
        "save mach"}};
-  for (const char* end : {"*_FC_flux", "*_FC_corr"})
-    savable.foreign.push_back({end,
-                               "registers match the fluxes where levels meet, and are no fields",
-                               "remove the line"});
   for (const char* face : {"sp_volX_FC", "sp_volY_FC", "sp_volZ_FC"})
     savable.foreign.push_back({face, "the scheme takes no specific volume on faces",
                                "save sp_vol_CC of the cells on both sides"});
   return savable;
+}
+
+// What registers hold where levels meet is no field here: such lines are dropped.
+void drop_register_labels(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* archiver = root.child("DataArchiver");
+  if (archiver == nullptr || !runs_ice(root)) return;
+  std::erase_if(archiver->children, [&](const std::unique_ptr<DeckNode>& save) {
+    const std::string label = save->attribute("label").value_or("");
+    if (save->name != "save" || !(label.ends_with("_FC_flux") || label.ends_with("_FC_corr")))
+      return false;
+    add_warning(faults, save->where,
+                fmt::format("variable '{}' is not saved: registers match the fluxes where levels "
+                            "meet, and are no fields",
+                            label),
+                "remove the line");
+    return true;
+  });
 }
 
 // Models bring variables of their own.
@@ -270,6 +286,7 @@ void add_ice_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rewrites.emplace_back(models::move_parameters);
   schema.rewrites.emplace_back(models::rename_scalar_totals);
+  schema.rewrites.emplace_back(drop_register_labels);
   schema.rewrites.emplace_back(models::locate_tables);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);

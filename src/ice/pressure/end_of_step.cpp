@@ -9,6 +9,7 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/error_rows.hpp"
 #include "ice/pressure/variables.hpp"
+#include "ice/step/cell_sums.hpp"
 #include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice::pressure {
@@ -26,12 +27,15 @@ void add_volume_error(TaskList& list, const SchemeVariables& v, const SchemeOpti
       const double *r = row(rho), *c = row(sound), *p = row(in.pressure), *pL = row(p_in);
       double* R = row(out);
       const ErrorRows<D> error(row, in, axes);
+      for (int i = 0; i < n; ++i) R[i] = error.at(i, pL[i] - p[i], r[i] * (c[i] * c[i]));
+      // Cells under a finer level are its means.
       std::int64_t most = 0;
-      for (int i = 0; i < n; ++i) {
-        R[i] = error.at(i, pL[i] - p[i], r[i] * (c[i] * c[i]));
-        const std::int64_t size = ordered_bits(std::fabs(R[i]));
-        most = size > most ? size : most;
-      }
+      for_uncovered(row, o, [&](int first, int end) {
+        for (int i = first; i < end; ++i) {
+          const std::int64_t size = ordered_bits(std::fabs(R[i]));
+          most = size > most ? size : most;
+        }
+      });
       row.reductions().maximum(StepSlots::volume_error, most);
     });
   });
