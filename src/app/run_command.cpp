@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/command_line.hpp"
@@ -14,6 +13,7 @@
 #include "app/scene_loader.hpp"
 #include "app/text_sink.hpp"
 #include "framework/base/communicator.hpp"
+#include "framework/base/json.hpp"
 #include "framework/run/simulation.hpp"
 #include "sluice_version.hpp"
 
