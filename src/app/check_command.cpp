@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/scene_loader.hpp"
 #include "app/sluice_schema.hpp"
+#include "framework/base/json.hpp"
 #include "framework/deck/load_deck.hpp"
 
 namespace sluice {
@@ -27,8 +27,8 @@ const char* kind_of(const Fault& fault) {
                                                : "note";
 }
 
-nlohmann::ordered_json to_json(const Deck& deck) {
-  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+Json to_json(const Deck& deck) {
+  Json faults = Json::array();
   for (const Fault& fault : deck.faults) {
     faults.push_back({{"kind", kind_of(fault)},
                       {"file", fault.where.file},
@@ -54,7 +54,7 @@ void print(const Deck& deck, bool quiet) {
 
 int check(const Options& options) {
   const Schema schema = sluice_schema();
-  nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  Json reports = Json::array();
   bool all_good = true;
   for (const std::string& file : options.files) {
     Deck deck = load_deck(file, options.overrides, schema);
@@ -68,9 +68,8 @@ int check(const Options& options) {
     }
   }
   if (options.json) {
-    const nlohmann::ordered_json report = {{"good", all_good}, {"decks", reports}};
-    using Json = nlohmann::ordered_json;
-    fmt::print("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
+    const Json report = {{"good", all_good}, {"decks", reports}};
+    fmt::print("{}\n", report.dump(2));
   }
   return all_good ? 0 : 2;
 }

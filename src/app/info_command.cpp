@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/command_line.hpp"
@@ -10,13 +9,12 @@
 #include "app/text_sink.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 struct Verification {
   bool done = false;
   std::int64_t values = 0;

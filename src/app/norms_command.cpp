@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/norms.hpp"
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
@@ -29,7 +29,7 @@ void write_csv(const std::string& target, const std::vector<NormsRow>& rows) {
 }
 
 void write_json(const std::string& target, const std::vector<NormsRow>& rows) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   // JSON knows no NaN: it becomes null.
   for (const NormsRow& r : rows)
     list.push_back({{"time", r.time},

@@ -20,4 +20,33 @@ IntVec3 positive_triple(const std::string& text, const char* option) {
   return v;
 }
 
+SceneOptions RunOptionValues::scene_options(int ranks) const {
+  SceneOptions options;
+  options.ranks = ranks;
+  options.boxes = positive_triple(boxes, "--boxes");
+  options.force_directions = force_directions;
+  return options;
+}
+
+IntVec3 RunOptionValues::block_extents() const {
+  return positive_triple(block, "--block");
+}
+
+void add_run_options(Command& command, RunOptionValues& values) {
+  command.option("--set", values.overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  command.option("--threads", values.threads, "Threads of each rank");
+  command.option("--boxes", values.boxes, "Force a split of the level into I,J,K boxes");
+  command.option("--block", values.block, "Extents I,J,K of the blocks that fit the cache");
+  command.flag("--force-all", values.force_all,
+               "Skip no block and leave out no work (to measure the savings)");
+  command.flag("--force-directions", values.force_directions,
+               "Treat every direction as a dimension of the run");
+  command.flag("--no-output", values.no_output, "Write no archive");
+  command.flag("--quiet", values.quiet, "Drop warnings of the deck and notes about the time step");
+}
+
+void check_run_options(const RunOptionValues& values) {
+  if (values.threads < 1) throw InputError("--threads takes a number of at least 1");
+}
+
 }  // namespace sluice

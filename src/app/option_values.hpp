@@ -1,12 +1,30 @@
-// Values of options that several commands share.
+// Options that several commands share, and their values.
 #pragma once
 #include <string>
+#include <vector>
 
+#include "app/command_line.hpp"
 #include "framework/base/vec3.hpp"
+#include "framework/scene/scene.hpp"
 
 namespace sluice {
 
 // "I,J,K", each at least 1; zeros for an empty text. InputError names the option.
 IntVec3 positive_triple(const std::string& text, const char* option);
+
+// How a deck is run: the same for `run`, and for `plan`, which tells what such a run does.
+struct RunOptionValues {
+  std::vector<std::string> overrides;
+  std::string boxes, block;
+  int threads = 1;
+  bool force_all = false, force_directions = false, no_output = false, quiet = false;
+
+  SceneOptions scene_options(int ranks) const;
+  IntVec3 block_extents() const;
+};
+
+void add_run_options(Command& command, RunOptionValues& values);
+// InputError for a number out of range.
+void check_run_options(const RunOptionValues& values);
 
 }  // namespace sluice

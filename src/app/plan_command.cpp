@@ -19,11 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string deck, graph, boxes, block;
-  std::vector<std::string> overrides;
-  int ranks = 1, threads = 1;
-  bool json = false, force_all = false, force_directions = false, quiet = false;
-  bool no_output = false;
+  RunOptionValues run;
+  std::string deck, graph;
+  int ranks = 1;
+  bool json = false;
 };
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -59,18 +58,15 @@ void write_graph(const std::string& file, const std::string& dot) {
 
 int plan(const Options& o) {
   if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
-  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
-  SceneOptions scene_options;
-  scene_options.ranks = o.ranks;
-  scene_options.boxes = positive_triple(o.boxes, "--boxes");
-  scene_options.force_directions = o.force_directions;
-  const auto loaded = load_scene(o.deck, o.overrides, scene_options, o.quiet);
+  check_run_options(o.run);
+  const auto loaded =
+      load_scene(o.deck, o.run.overrides, o.run.scene_options(o.ranks), o.run.quiet);
   PlanOptions options;
   options.ranks = o.ranks;
-  options.threads = o.threads;
-  options.force_all = o.force_all;
-  options.output = !o.no_output;
-  options.block = positive_triple(o.block, "--block");
+  options.threads = o.run.threads;
+  options.force_all = o.run.force_all;
+  options.output = !o.run.no_output;
+  options.block = o.run.block_extents();
   const RunPlan plan = plan_run(*loaded, options);
   if (!o.graph.empty()) write_graph(o.graph, plan.dot);
   fmt::print("{}", o.json ? plan_json(plan) : plan_text(plan));
@@ -85,16 +81,8 @@ void add_plan_command(CommandLine& line) {
   command.option("DECK", o->deck, "Deck (.ups)").required();
   command.flag("--json", o->json, "As JSON, for scripts");
   command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
-  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
-  command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
-  command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
   command.option("--ranks", o->ranks, "Plan for so many ranks");
-  command.option("--threads", o->threads, "Plan for so many threads per rank");
-  command.flag("--force-all", o->force_all, "As sluice run --force-all");
-  command.flag("--force-directions", o->force_directions,
-               "Treat every direction as a dimension of the run");
-  command.flag("--no-output", o->no_output, "As sluice run --no-output");
-  command.flag("--quiet", o->quiet, "Drop warnings");
+  add_run_options(command, o->run);
   command.action([o] { return plan(*o); });
 }
 

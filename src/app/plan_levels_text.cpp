@@ -2,17 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/effect_table.hpp"
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
 
 using Align = TextTable::Align;
-using Json = nlohmann::ordered_json;
-
 std::string triple(IntVec3 v) {
   return fmt::format("{},{},{}", v.x, v.y, v.z);
 }

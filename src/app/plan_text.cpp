@@ -1,19 +1,16 @@
 // A plan as tables for people and as JSON for scripts.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/effect_table.hpp"
 #include "app/plan_levels_text.hpp"
 #include "app/run_plan.hpp"
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
 
 using Align = TextTable::Align;
-using Json = nlohmann::ordered_json;
-
 const char* velocity_text(VelocityComponent v) {
   return v == VelocityComponent::solved    ? "solved"
          : v == VelocityComponent::carried ? "carried along"

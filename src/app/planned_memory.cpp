@@ -97,8 +97,8 @@ class MemoryPlanner {
       const int copies =
           r_.hierarchy.levels[static_cast<std::size_t>(level.index)].substeps > 1 ? 3 : 2;
       for (const SlotInfo& s : r_.component.state_slots())
-        m.states += copies * s.components * word *
-                    static_cast<double>(framed_cells(level, rank, s.ghosts));
+        m.states +=
+            copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));
       for (Label l : kept)
         m.outputs += stored_components(r_.materials, l) *
                      array_bytes(level, rank, face_direction(l.info().centring) >= 0 ? 1 : 0);

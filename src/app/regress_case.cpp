@@ -5,13 +5,13 @@
 
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/golden.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
@@ -22,15 +22,15 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}: {}: {}", file.string(), where, what));
 }
 
-RegressCase read_case(const fs::path& file, const nlohmann::json& json, std::size_t number) {
+RegressCase read_case(const fs::path& file, const Json& json, std::size_t number) {
   std::string where = fmt::format("case {}", number + 1);
   if (!json.is_object()) refuse(file, where, "not an object");
   static const std::set<std::string> known = {"name",      "deck",    "set",   "variables",
                                               "tolerance", "restart", "boxes", "ranks"};
-  for (const auto& item : json.items())
-    if (known.count(item.key()) == 0)
+  for (const auto& [key, value] : json.members())
+    if (known.count(key) == 0)
       refuse(file, where,
-             fmt::format("unknown entry '{}' (known: {})", item.key(), fmt::join(known, ", ")));
+             fmt::format("unknown entry '{}' (known: {})", key, fmt::join(known, ", ")));
   RegressCase c;
   try {
     c.name = json.at("name").get<std::string>();
@@ -42,7 +42,7 @@ RegressCase read_case(const fs::path& file, const nlohmann::json& json, std::siz
     c.restart = json.value("restart", 0);
     c.ranks = json.value("ranks", 0);
     c.boxes = json.value("boxes", std::string());
-  } catch (const nlohmann::json::exception& problem) {
+  } catch (const JsonError& problem) {
     refuse(file, where, problem.what());
   }
   if (c.name.empty() || c.name.find('/') != c.name.npos)
@@ -100,18 +100,18 @@ std::vector<RegressCase> read_regress_cases(const fs::path& file) {
   if (!in)
     throw InputError(fmt::format(
         "{}: there is no such file; name the list of cases with --cases FILE", file.string()));
-  nlohmann::json json;
+  Json json;
   try {
-    json = nlohmann::json::parse(in, nullptr, true, true);
-  } catch (const nlohmann::json::exception& problem) {
+    json = Json::parse({std::istreambuf_iterator<char>(in), {}}, Json::Comments::skipped);
+  } catch (const JsonError& problem) {
     throw InputError(fmt::format("{}: {}", file.string(), problem.what()));
   }
-  if (!json.is_object() || !json.contains("cases") || !json["cases"].is_array())
+  if (!json.is_object() || !json.contains("cases") || !json.at("cases").is_array())
     throw InputError(fmt::format("{}: expected {{\"cases\": [...]}}", file.string()));
   std::vector<RegressCase> cases;
   std::set<std::string> names;
-  for (std::size_t n = 0; n < json["cases"].size(); ++n) {
-    cases.push_back(read_case(file, json["cases"][n], n));
+  for (std::size_t n = 0; n < json.at("cases").size(); ++n) {
+    cases.push_back(read_case(file, json.at("cases").at(n), n));
     if (!names.insert(cases.back().name).second)
       refuse(file, "case '" + cases.back().name + "'", "the name is there twice");
   }
@@ -146,8 +146,9 @@ RegressRunner::Run RegressRunner::run_deck(const RegressCase& c, const std::stri
   request.output = here / "run.log";
   const int status = run_process(request);
   std::ifstream in(here / "run.json");
-  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
-  if (status != 0 || !report.is_object() || !report.value("archive", nlohmann::json()).is_string())
+  const Json report = Json::parse_or_null({std::istreambuf_iterator<char>(in), {}});
+  if (status != 0 || !report.is_object() || !report.contains("archive") ||
+      !report.at("archive").is_text())
     return {{},
             fmt::format("the {} run ended with status {} and no archive: {}", name, status,
                         last_lines(request.output, 5))};

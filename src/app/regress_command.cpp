@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/command_line.hpp"
@@ -13,6 +12,7 @@
 #include "app/study_process.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/deck/nearest_name.hpp"
 
@@ -20,8 +20,6 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 struct Options {
   std::string file, mpiexec = "mpiexec", folder;
   std::vector<std::string> names;

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/command_line.hpp"
@@ -14,6 +13,7 @@
 #include "app/scene_loader.hpp"
 #include "app/text_sink.hpp"
 #include "framework/base/communicator.hpp"
+#include "framework/base/json.hpp"
 #include "framework/run/simulation.hpp"
 #include "sluice_version.hpp"
 
@@ -21,14 +21,12 @@ namespace sluice {
 namespace {
 
 struct Options {
-  std::string deck, restart, json, progress = "auto", boxes, block;
+  RunOptionValues run;
+  std::string deck, restart, json, progress = "auto";
   std::string parent = ".";
-  std::vector<std::string> overrides;
-  int threads = 1;
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;  // seconds
-  bool force_all = false, force_directions = false, no_output = false, copy = false, quiet = false;
-  bool costs = false, plot = false;
+  bool copy = false, costs = false, plot = false;
 };
 
 // The deck of the run: as named, or the one that the archive keeps.
@@ -46,7 +44,7 @@ std::string deck_file(const Options& o) {
 }
 
 void check_numbers(const Options& o) {
-  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  check_run_options(o.run);
   if (o.max_steps && *o.max_steps < 1)
     throw InputError(fmt::format(
         "--max-steps is {}; it takes a step number of at least 1 (leave it out for no limit)",
@@ -82,7 +80,7 @@ std::string continuation(const Options& o, const RunReport& report) {
   words.archive = *report.archive;
   words.parent = o.parent;
   words.ranks = report.ranks;
-  words.threads = o.threads;
+  words.threads = o.run.threads;
   return "the run goes on with\n" + command_to_continue(words) + "\n";
 }
 
@@ -104,28 +102,24 @@ void tell_end(const Options& o, const RunReport& report, ProgressMode progress) 
 
 int run_on(Communicator& ranks, const Options& o) {
   check_numbers(o);
-  SceneOptions scene_options;
-  scene_options.ranks = ranks.size();
-  scene_options.boxes = positive_triple(o.boxes, "--boxes");
-  scene_options.force_directions = o.force_directions;
   const std::unique_ptr<LoadedScene> loaded =
-      load_scene(deck_file(o), o.overrides, scene_options, o.quiet);
+      load_scene(deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.quiet);
   RunOptions options;
   options.parent = o.parent;
-  options.output = !o.no_output;
-  options.threads = o.threads;
-  options.force_all = o.force_all;
+  options.output = !o.run.no_output;
+  options.threads = o.run.threads;
+  options.force_all = o.run.force_all;
   options.limits.max_steps = o.max_steps.value_or(0);
   options.limits.wall_seconds = o.wall_limit.value_or(0);
   options.progress = progress_of(o);
-  options.limits.tell = !o.quiet && options.progress != ProgressMode::none;
+  options.limits.tell = !o.run.quiet && options.progress != ProgressMode::none;
   options.program = fmt::format("sluice {}", version::kText);
   options.deck_xml = to_xml(*loaded->deck.root);
   // A link to the newest archive will lead to the one that this run makes.
   if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);
   options.restart_step = o.step.value_or(-1);
   options.copy_earlier = o.copy;
-  options.block = positive_triple(o.block, "--block");
+  options.block = o.run.block_extents();
   // Opened before the run: a path that cannot be written must not cost a run.
   std::optional<TextSink> json;
   if (ranks.is_root() && !o.json.empty()) json.emplace(o.json);
@@ -163,26 +157,17 @@ void add_run_command(CommandLine& line) {
   auto o = std::make_shared<Options>();
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command.option("-o,--output", o->parent, "Parent folder of the archive");
-  command.option("--threads", o->threads, "Threads of this rank");
   command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
   command.option("--wall-limit", o->wall_limit, "Stop with a checkpoint after so many seconds");
-  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
   command.option("--step", o->step, "With --restart: from the checkpoint of this step");
   command.flag("--copy", o->copy, "With --restart: copy earlier outputs, do not refer to them");
   command.option("--json", o->json,
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
-  command.option("--boxes", o->boxes, "Force a split of the level into I,J,K boxes");
-  command.option("--block", o->block, "Extents I,J,K of the blocks that fit the cache");
-  command.flag("--force-all", o->force_all,
-               "Skip no block and leave out no work (to measure the savings)");
-  command.flag("--force-directions", o->force_directions,
-               "Treat every direction as a dimension of the run");
-  command.flag("--no-output", o->no_output, "Write no archive");
+  add_run_options(command, o->run);
   command.flag("--costs", o->costs, "Print the measured share of time of each effect");
   command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
-  command.flag("--quiet", o->quiet, "Drop warnings of the deck and notes about the time step");
   command.action([o] { return run(*o); });
 }
 

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 #include "framework/deck/nearest_name.hpp"
 
 namespace sluice {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) {
   throw InputError(fmt::format("{}: {}", file, what));
@@ -23,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 void refuse_unknown(const std::string& file, const Json& object,
                     const std::vector<std::string>& known) {
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, value] : object.members()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     refuse(file, fmt::format("unknown entry \"{}\" ({})", key, suggest_name(key, known)));
   }
@@ -31,22 +28,27 @@ void refuse_unknown(const std::string& file, const Json& object,
 
 std::string need_text(const std::string& file, const Json& object, const std::string& key) {
   if (!object.contains(key)) refuse(file, fmt::format("entry \"{}\" is missing", key));
-  if (!object[key].is_string()) refuse(file, fmt::format("\"{}\" must be a text", key));
-  return object[key].get<std::string>();
+  if (!object.at(key).is_text()) refuse(file, fmt::format("\"{}\" must be a text", key));
+  return object.at(key).get<std::string>();
+}
+
+const std::vector<Json>& list_in(const std::string& file, const Json& value, const char* name) {
+  if (!value.is_array()) refuse(file, fmt::format("\"{}\" must be a list", name));
+  return value.entries();
 }
 
 // A text or a list of texts, each PATH=VALUE.
 std::vector<std::string> overrides_in(const std::string& file, const Json& value) {
   std::vector<std::string> out;
   const auto add = [&](const Json& one) {
-    if (!one.is_string() || one.get<std::string>().find('=') == std::string::npos) {
+    if (!one.is_text() || one.get<std::string>().find('=') == std::string::npos) {
       refuse(file,
              fmt::format("{} is no override; expected \"PATH=VALUE\" as for --set", one.dump()));
     }
     out.push_back(one.get<std::string>());
   };
   if (value.is_array()) {
-    for (const Json& one : value) add(one);
+    for (const Json& one : value.entries()) add(one);
   } else {
     add(value);
   }
@@ -59,8 +61,8 @@ IntVec3 resolution_in(const std::string& file, const Json& value) {
     refuse(file, fmt::format("{} in \"resolution\" is no triple such as [100,1,1]", value.dump()));
   }
   for (int d = 0; d < 3; ++d) {
-    const Json& n = value[static_cast<std::size_t>(d)];
-    if (!n.is_number_integer() || n.get<std::int64_t>() < 1 || n.get<std::int64_t>() > 100000000) {
+    const Json& n = value.at(static_cast<std::size_t>(d));
+    if (!n.is_whole() || n.get<std::int64_t>() < 1 || n.get<std::int64_t>() > 100000000) {
       refuse(file, fmt::format("{} in \"resolution\": cells must be whole numbers from 1 on",
                                value.dump()));
     }
@@ -75,12 +77,12 @@ Study::Ladder ladder_in(const std::string& file, const Json& value) {
   Study::Ladder ladder;
   ladder.name = need_text(file, value, "name");
   ladder.default_value = need_text(file, value, "default");
-  if (!value.contains("values") || !value["values"].is_object() || value["values"].empty()) {
+  if (!value.contains("values") || !value.at("values").is_object() || value.at("values").empty()) {
     refuse(file,
            fmt::format("ladder \"{}\" needs \"values\": names with their overrides", ladder.name));
   }
   std::vector<std::string> names;
-  for (const auto& [name, overrides] : value["values"].items()) {
+  for (const auto& [name, overrides] : value.at("values").members()) {
     ladder.values.push_back({name, overrides_in(file, overrides)});
     names.push_back(name);
   }
@@ -105,18 +107,16 @@ std::string deck_path(const std::string& file, const std::string& deck) {
 Json parse(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw InputError(fmt::format("{}: cannot be read; name a .study file", file));
-  std::stringstream text;
-  text << in.rdbuf();
   try {
-    return Json::parse(text.str(), nullptr, true, true);
-  } catch (const nlohmann::json::exception& problem) {
+    return Json::parse({std::istreambuf_iterator<char>(in), {}}, Json::Comments::skipped);
+  } catch (const JsonError& problem) {
     refuse(file, fmt::format("this is no JSON: {}", problem.what()));
   }
 }
 
 void read_targets(Study& study, const Json& value) {
   study.targets.clear();
-  for (const Json& target : value) {
+  for (const Json& target : list_in(study.file, value, "targets")) {
     if (!target.is_number() || !(target.get<double>() > 0)) {
       refuse(study.file, fmt::format("target {} must be a number above zero", target.dump()));
     }
@@ -159,21 +159,22 @@ Study read_study(const std::string& file) {
     refuse(file,
            fmt::format("unknown norm \"{}\" ({})", study.norm, suggest_name(study.norm, norms)));
   }
-  if (json.contains("set")) study.overrides = overrides_in(file, json["set"]);
+  if (json.contains("set")) study.overrides = overrides_in(file, json.at("set"));
   if (json.contains("resolution_path")) {
     study.resolution_path = need_text(file, json, "resolution_path");
   }
-  if (!json.contains("resolution") || !json["resolution"].is_array() ||
-      json["resolution"].empty()) {
+  if (!json.contains("resolution") || !json.at("resolution").is_array() ||
+      json.at("resolution").empty()) {
     refuse(file, "entry \"resolution\" is missing: a list of [cells, cells, cells]");
   }
-  for (const Json& one : json["resolution"]) {
+  for (const Json& one : json.at("resolution").entries()) {
     study.resolutions.push_back(resolution_in(file, one));
   }
   if (json.contains("ladders")) {
-    for (const Json& one : json["ladders"]) study.ladders.push_back(ladder_in(file, one));
+    for (const Json& one : list_in(file, json.at("ladders"), "ladders"))
+      study.ladders.push_back(ladder_in(file, one));
   }
-  if (json.contains("targets")) read_targets(study, json["targets"]);
+  if (json.contains("targets")) read_targets(study, json.at("targets"));
   return study;
 }
 

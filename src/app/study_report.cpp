@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/text.hpp"
 #include "framework/base/utc_time.hpp"
 #include "sluice_version.hpp"
@@ -167,7 +167,6 @@ void write_csv(std::ostream& out, const StudyReport& report) {
 }
 
 std::string json_text(const StudyReport& report) {
-  using Json = nlohmann::ordered_json;
   utsname machine{};
   ::uname(&machine);
   const Study& study = report.study;

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/archive_error.hpp"
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 namespace {
@@ -103,22 +103,21 @@ StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& po
                                  last_lines(log, 20)));
   }
   std::ifstream in(json);
-  const auto told = nlohmann::json::parse(in, nullptr, false);
+  const Json told = Json::parse_or_null({std::istreambuf_iterator<char>(in), {}});
   if (!told.is_object()) {
     once.message = fmt::format("exit status {}: {}", exit_status, last_lines(log, 5));
     return once;
   }
-  once.status = told.value("status", "failed");
+  once.status = told.value("status", std::string("failed"));
   once.steps = told.value("steps", 0);
   once.wall_seconds = told.value("wall_s", 0.0);
   once.seconds = told.value("stepping_s", once.wall_seconds);
   if (once.status != "done") once.message = last_lines(log, 5);
   if (measure_error && once.status == "done") {
-    const auto archive = told.find("archive");
-    if (archive == told.end() || !archive->is_string()) {
+    if (!told.contains("archive") || !told.at("archive").is_text()) {
       throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
     }
-    once.norms = measure(study, archive->get<std::string>());
+    once.norms = measure(study, told.at("archive").get<std::string>());
   }
   return once;
 }

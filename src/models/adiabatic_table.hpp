@@ -10,9 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "models/mixed_gas.hpp"
 #include "models/property_table.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

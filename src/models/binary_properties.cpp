@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/mixture_scalar.hpp"
 

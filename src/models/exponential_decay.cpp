@@ -1,6 +1,7 @@
 // The tag <exponentialDecay>.
 #include "models/exponential_decay.hpp"
 
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::models {

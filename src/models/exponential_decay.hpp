@@ -1,6 +1,10 @@
 // Decay with exp(-(c1 c2 + c3) t), as decks say it of a scalar.
 #pragma once
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

@@ -9,9 +9,13 @@
 #include <vector>
 
 #include "framework/base/vec3.hpp"
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "models/time_window.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

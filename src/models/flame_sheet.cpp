@@ -2,6 +2,7 @@
 #include "models/flame_sheet.hpp"
 
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/mixture_scalar.hpp"
 #include "models/transported_scalar.hpp"

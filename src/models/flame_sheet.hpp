@@ -11,8 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "models/mixed_gas.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

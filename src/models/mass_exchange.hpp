@@ -9,8 +9,12 @@
 #include <vector>
 
 #include "framework/base/error.hpp"
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "models/time_window.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/schema.hpp"
 #include "models/material_name.hpp"
 #include "models/passive_scalar.hpp"
 

@@ -7,13 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "models/fixed_values.hpp"
 #include "models/mass_exchange.hpp"
 #include "models/mixed_gas.hpp"
 #include "models/passive_scalar.hpp"
 #include "models/tracer_particles.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

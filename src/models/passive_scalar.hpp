@@ -6,8 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "models/transported_scalar.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

@@ -7,6 +7,7 @@
 
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/exponential_decay.hpp"
 #include "models/material_name.hpp"

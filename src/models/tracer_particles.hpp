@@ -9,10 +9,14 @@
 #include <vector>
 
 #include "framework/base/error.hpp"
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "framework/field/label.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "models/time_window.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::models {
 

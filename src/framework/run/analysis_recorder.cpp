@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "framework/analysis/line.hpp"
 #include "framework/analysis/plane.hpp"
 #include "framework/analysis/probe.hpp"
+#include "framework/base/json.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/run/refuse_label.hpp"
 
@@ -388,9 +388,9 @@ void AnalysisRecorder::add_checkpoint_pieces(std::vector<FieldPiece>& pieces) co
 }
 
 std::string AnalysisRecorder::state() const {
-  nlohmann::json kept = nlohmann::json::array();
+  Json kept = Json::array();
   for (const Module& m : modules_) {
-    nlohmann::json last = m.last ? nlohmann::json(*m.last) : nlohmann::json(nullptr);
+    Json last = m.last ? Json(*m.last) : Json(nullptr);
     if (m.budgets != nullptr)
       kept.push_back({{"last", last}, {"passed", m.budgets->state()}});
     else if (m.statistics != nullptr)
@@ -403,16 +403,16 @@ std::string AnalysisRecorder::state() const {
 
 void AnalysisRecorder::restore(const std::string& json_text, const ArchiveStep* checkpoint) {
   lay_out();
-  const nlohmann::json kept = nlohmann::json::parse(json_text);
+  const Json kept = Json::parse(json_text);
   for (std::size_t n = 0; n < modules_.size() && n < kept.size(); ++n) {
     Module& m = modules_[n];
-    const bool more = kept[n].is_object();
-    const nlohmann::json& last = more ? kept[n].at("last") : kept[n];
+    const bool more = kept.at(n).is_object();
+    const Json& last = more ? kept.at(n).at("last") : kept.at(n);
     if (last.is_number()) m.last = last.get<double>();
-    if (more && m.budgets != nullptr && kept[n].contains("passed"))
-      m.budgets->restore(kept[n].at("passed"));
-    if (more && m.statistics != nullptr && kept[n].contains("samples") && checkpoint != nullptr)
-      m.statistics->restore(*checkpoint, kept[n].at("samples").get<int>());
+    if (more && m.budgets != nullptr && kept.at(n).contains("passed"))
+      m.budgets->restore(kept.at(n).at("passed").get<std::vector<std::vector<double>>>());
+    if (more && m.statistics != nullptr && kept.at(n).contains("samples") && checkpoint != nullptr)
+      m.statistics->restore(*checkpoint, kept.at(n).at("samples").get<int>());
   }
 }
 

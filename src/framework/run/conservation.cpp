@@ -6,18 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/text.hpp"
 
 namespace sluice {
 namespace {
-
-using Json = nlohmann::json;
 
 // JSON has no NaN and no infinities: they go as text.
 Json number(double x) {
@@ -189,7 +187,7 @@ void Conservation::restore(const Json& json) {
     std::vector<Book> restored;
     for (std::size_t i = 0; i < books_.size(); ++i) {
       const Json& entry = json.at(i);
-      const std::string found = entry.at("name");
+      const auto found = entry.at("name").get<std::string>();
       if (found != books_[i].name) {
         throw InputError(fmt::format("the checkpoint follows '{}' where this run follows '{}'",
                                      found, books_[i].name));
@@ -198,7 +196,7 @@ void Conservation::restore(const Json& json) {
                           total_of(entry.at("boundary")), total_of(entry.at("sources"))});
     }
     books_ = std::move(restored);
-  } catch (const Json::exception& error) {
+  } catch (const JsonError& error) {
     throw InputError(fmt::format(
         "the conserved totals of a checkpoint cannot be read: {}\n  restart from an earlier "
         "checkpoint",

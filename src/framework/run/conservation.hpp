@@ -12,13 +12,14 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "framework/base/exact_sum.hpp"
 
 namespace sluice {
+
+class Json;
 
 // A total over the grid, cell by cell: q and |q|.
 struct ConservedTotal {
@@ -70,13 +71,13 @@ class Conservation {
   double worst_drift() const;
 
   // {name: {start, now, boundary, sources, defect, scale, drift}}
-  nlohmann::json to_json() const;
+  Json to_json() const;
   std::string table() const;
 
   // Exact state for a checkpoint: a run that goes on keeps its books.
-  nlohmann::json checkpoint() const;
+  Json checkpoint() const;
   // InputError when the names differ or the text is damaged.
-  void restore(const nlohmann::json& json);
+  void restore(const Json& json);
 
  private:
   struct Book {

@@ -6,10 +6,10 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice::conservation_test {
 namespace {
@@ -115,7 +115,7 @@ TEST(Conservation, json_and_table_tell_all) {
   books.set_start(0, total_of({2.0}));
   books.add_boundary(0, total_of({0.5}));
   books.set_now(0, total_of({2.5}));
-  const nlohmann::json entry = books.to_json().at("mass of gas");
+  const Json entry = books.to_json().at("mass of gas");
   EXPECT_EQ(entry.at("start"), 2.0);
   EXPECT_EQ(entry.at("now"), 2.5);
   EXPECT_EQ(entry.at("boundary"), 0.5);
@@ -136,15 +136,15 @@ TEST(Conservation, a_restart_keeps_the_books) {
   books.set_now(1, total_of({-2.0}));
   const std::string text = books.checkpoint().dump();
   Conservation again({"mass of gas", "momentum x"});
-  again.restore(nlohmann::json::parse(text));
+  again.restore(Json::parse(text));
   again.set_now(0, total_of({0.9}));
   again.set_now(1, total_of({-2.0}));
   EXPECT_EQ(again.to_json(), books.to_json());
   EXPECT_EQ(again.checkpoint().dump(), text);
   Conservation other({"mass of gas", "momentum y"});
-  EXPECT_THROW(other.restore(nlohmann::json::parse(text)), InputError);
-  EXPECT_THROW(Conservation({"mass of gas"}).restore(nlohmann::json::parse(text)), InputError);
-  EXPECT_THROW(again.restore(nlohmann::json::parse("[{\"name\": 3}, 4]")), InputError);
+  EXPECT_THROW(other.restore(Json::parse(text)), InputError);
+  EXPECT_THROW(Conservation({"mass of gas"}).restore(Json::parse(text)), InputError);
+  EXPECT_THROW(again.restore(Json::parse("[{\"name\": 3}, 4]")), InputError);
   EXPECT_EQ(again.checkpoint().dump(), text) << "a refused restart changes nothing";
 }
 

@@ -7,18 +7,16 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <tuple>
 #include <vector>
 
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/text.hpp"
 
 namespace sluice {
 namespace {
-
-using Json = nlohmann::json;
 
 // Doubles as integers of the same order; all NaN are one.
 std::int64_t order_of(double x) {
@@ -36,8 +34,8 @@ Json value_to_json(double x) {
   return std::isfinite(x) ? Json(x) : Json(shortest_text(x));
 }
 double value_from_json(const Json& json) {
-  return json.is_string() ? std::strtod(json.get<std::string>().c_str(), nullptr)
-                          : json.get<double>();
+  return json.is_text() ? std::strtod(json.get<std::string>().c_str(), nullptr)
+                        : json.get<double>();
 }
 
 Json to_json(const EventPlace& place) {
@@ -52,14 +50,14 @@ Json to_json(const EventPlace& place) {
 
 EventPlace place_from_json(const Json& json) {
   EventPlace place;
-  place.step = json.at("step");
-  place.level = json.at("level");
-  place.material = json.at("material");
-  place.task = json.at("task");
+  place.step = json.at("step").get<int>();
+  place.level = json.at("level").get<int>();
+  place.material = json.at("material").get<int>();
+  place.task = json.at("task").get<std::string>();
   place.value = value_from_json(json.at("value"));
   if (json.contains("cell")) {
     const Json& cell = json.at("cell");
-    place.cell = IntVec3{cell.at(0), cell.at(1), cell.at(2)};
+    place.cell = IntVec3{cell.at(0).get<int>(), cell.at(1).get<int>(), cell.at(2).get<int>()};
   }
   return place;
 }
@@ -177,9 +175,9 @@ Json EventLedger::to_json() const {
 
 EventLedger EventLedger::from_json(const Json& json) {
   EventLedger ledger;
-  for (const auto& [name, entry] : json.items()) {
+  for (const auto& [name, entry] : json.members()) {
     EventRecord record;
-    record.count = entry.at("count");
+    record.count = entry.at("count").get<std::int64_t>();
     record.first = place_from_json(entry.at("first"));
     record.last = place_from_json(entry.at("last"));
     record.common = entry.value("common", false);

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +20,7 @@
 
 namespace sluice {
 
+class Json;
 class Communicator;
 
 struct EventPlace {
@@ -70,8 +70,8 @@ class EventLedger {
   EventLedger merge_ranks(Communicator& ranks) const;
 
   // {name: {count, first: {step, level, cell, material, task, value}, last: {...}}}
-  nlohmann::json to_json() const;
-  static EventLedger from_json(const nlohmann::json& json);
+  Json to_json() const;
+  static EventLedger from_json(const Json& json);
   // A table of one line an event, or one sentence that there was none.
   std::string table() const;
 

@@ -6,12 +6,12 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 #include <vector>
 
 #include "framework/base/communicator.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice::event_ledger_test {
 namespace {
@@ -32,7 +32,7 @@ TEST(EventLedger, a_smooth_run_reads_zero) {
   for (int step = 0; step < 3; ++step) ledger.accept_step();
   EXPECT_TRUE(ledger.empty());
   EXPECT_EQ(ledger.total(), 0);
-  EXPECT_EQ(ledger.to_json(), nlohmann::json::object());
+  EXPECT_EQ(ledger.to_json(), Json::object());
   EXPECT_THAT(ledger.table(), HasSubstr("no events"));
 }
 
@@ -102,7 +102,7 @@ TEST(EventLedger, json_reads_back) {
   ledger.keep("solver fallback", whole);
   ledger.accept_step();
   const std::string text = ledger.to_json().dump();
-  const EventLedger again = EventLedger::from_json(nlohmann::json::parse(text));
+  const EventLedger again = EventLedger::from_json(Json::parse(text));
   EXPECT_EQ(again.to_json().dump(), text);
   EXPECT_TRUE(std::isnan(again.records().at("not finite").first.value));
   EXPECT_FALSE(again.records().at("solver fallback").first.cell.has_value());

@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "framework/archive/archive.hpp"
 #include "framework/archive/particle_table.hpp"
+#include "framework/base/json.hpp"
 #include "framework/run/particle_cloud.hpp"
 
 namespace sluice {
@@ -93,20 +92,19 @@ void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
 void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels) {
   const auto& kept = checkpoint.info().state;
   const auto found = kept.find("particles");
-  const nlohmann::json json =
-      found == kept.end() ? nlohmann::json() : nlohmann::json::parse(found->second);
-  if (!json.contains("kinds") || json["kinds"].size() != kinds_.size())
+  const Json json = found == kept.end() ? Json() : Json::parse(found->second);
+  if (!json.contains("kinds") || json.at("kinds").size() != kinds_.size())
     throw InputError(
         fmt::format("{} was written by a run with other particles: a restart goes on "
                     "with the same <TracerParticles>",
                     checkpoint.folder().string()));
-  time_ = json["time"].get<double>();
+  time_ = json.at("time").get<double>();
   lay_out(levels);
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     Kind& kind = kinds_[k];
     if (communicator_->is_root()) {
-      kind.made = json["kinds"][k]["made"].get<std::int64_t>();
-      kind.left = json["kinds"][k]["left"].get<std::int64_t>();
+      kind.made = json.at("kinds").at(k).at("made").get<std::int64_t>();
+      kind.left = json.at("kinds").at(k).at("left").get<std::int64_t>();
     }
     const ParticleKind& what = method_->kinds()[k];
     for (int l = 0; l < static_cast<int>(checkpoint.grid().levels.size()); ++l) {

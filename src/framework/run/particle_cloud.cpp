@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "framework/archive/archive.hpp"
+#include "framework/base/json.hpp"
 #include "framework/particle/domain_ends.hpp"
 
 namespace sluice {
@@ -160,7 +160,7 @@ std::vector<ParticleCount> ParticleCloud::counts() const {
 }
 
 std::string ParticleCloud::state() const {
-  nlohmann::json json;
+  Json json;
   json["time"] = time_;
   for (const ParticleCount& c : counts())
     json["kinds"].push_back({{"made", c.made}, {"left", c.left}});

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 
@@ -21,10 +20,10 @@ double RunReport::uniform_updates() const {
   return static_cast<double>(steps) * finest->substeps * static_cast<double>(finest->domain_cells);
 }
 
-nlohmann::ordered_json to_json(const RunReport& r) {
-  nlohmann::ordered_json effects = nlohmann::ordered_json::array();
+Json to_json(const RunReport& r) {
+  Json effects = Json::array();
   for (const EffectCost& e : r.effects) {
-    nlohmann::ordered_json line = nullptr;
+    Json line = nullptr;
     if (!e.effect.line.file.empty()) line = to_string(e.effect.line);
     effects.push_back({{"name", e.effect.name},
                        {"on", e.effect.on},
@@ -34,9 +33,9 @@ nlohmann::ordered_json to_json(const RunReport& r) {
                        {"bytes_per_cell", e.bytes_per_cell},
                        {"seconds", e.seconds}});
   }
-  nlohmann::ordered_json archive = nullptr;
+  Json archive = nullptr;
   if (r.archive) archive = *r.archive;
-  nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+  Json levels = Json::array();
   for (const LevelCost& level : r.levels)
     levels.push_back({{"cells", level.cells},
                       {"boxes", level.boxes},
@@ -44,7 +43,7 @@ nlohmann::ordered_json to_json(const RunReport& r) {
                       {"domain_cells", level.domain_cells},
                       {"substeps", level.substeps},
                       {"cell_updates", level.updates}});
-  nlohmann::ordered_json particles = nlohmann::ordered_json::array();
+  Json particles = Json::array();
   for (const ParticleCount& p : r.particles)
     particles.push_back({{"name", p.name}, {"made", p.made}, {"left", p.left}, {"here", p.here}});
   return {{"status", to_string(r.status)},
@@ -75,8 +74,8 @@ nlohmann::ordered_json to_json(const RunReport& r) {
           {"blocks_asleep", r.blocks_asleep},
           {"step_limit", r.step_limit},
           {"effects", effects},
-          {"events", nlohmann::ordered_json::parse(r.events_json)},
-          {"conservation", nlohmann::ordered_json::parse(r.conservation_json)}};
+          {"events", Json::parse(r.events_json)},
+          {"conservation", Json::parse(r.conservation_json)}};
 }
 
 namespace {

@@ -1,7 +1,6 @@
 // What a run tells when it ends: for people, for run.json and for `--json`.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,8 @@
 #include "framework/task/effect.hpp"
 
 namespace sluice {
+
+class Json;
 
 struct EffectCost {
   Effect effect;
@@ -69,7 +70,7 @@ struct RunReport {
   double uniform_updates() const;
 };
 
-nlohmann::ordered_json to_json(const RunReport& report);
+Json to_json(const RunReport& report);
 std::string summary(const RunReport& report);
 
 }  // namespace sluice

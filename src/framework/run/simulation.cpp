@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "framework/archive/archive.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/memory.hpp"
 
 namespace sluice {
@@ -74,10 +74,10 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   time_.restart(time_state_from_json_text(kept.at("time")));
   hierarchy_.set_previous_dt(time_.state().previous_dt);
   set_totals(true);
-  conservation_.restore(nlohmann::json::parse(kept.at("conservation")));
+  conservation_.restore(Json::parse(kept.at("conservation")));
   if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
-    tallies_.restore(nlohmann::json::parse(counted->second));
-  ledger_ = EventLedger::from_json(nlohmann::json::parse(kept.at("events")));
+    tallies_.restore(Json::parse(counted->second));
+  ledger_ = EventLedger::from_json(Json::parse(kept.at("events")));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
     analysis_.restore(sampled->second, &checkpoint);
   limit_ = limit_at_restart(kept);
@@ -88,7 +88,7 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
 // state alone does not tell them: those of face velocities are of the step before.
 StepLimit Simulation::limit_at_restart(const std::map<std::string, std::string>& kept) {
   const auto found = kept.find("rates");
-  Rates rates = found == kept.end() ? Rates() : Rates(nlohmann::json::parse(found->second));
+  Rates rates = found == kept.end() ? Rates() : Json::parse(found->second).get<Rates>();
   rates.resize(static_cast<std::size_t>(hierarchy_.possible_levels()));
   for (int l = 0; l < hierarchy_.level_count(); ++l)
     if (static_cast<int>(rates[static_cast<std::size_t>(l)].size()) !=
@@ -158,8 +158,7 @@ StepInfo Simulation::step_info() const {
   info.state["conservation"] = conservation_.checkpoint().dump();
   if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
-  if (all_finite(hierarchy_.rates()))
-    info.state["rates"] = nlohmann::json(hierarchy_.rates()).dump();
+  if (all_finite(hierarchy_.rates())) info.state["rates"] = Json(hierarchy_.rates()).dump();
   if (analysis_.any()) info.state["analysis"] = analysis_.state();
   if (const ParticleCloud* particles = hierarchy_.particles())
     info.state["particles"] = particles->state();

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
 #include "framework/base/text.hpp"
 
 namespace sluice {
@@ -252,27 +252,27 @@ StepEnd TimeControl::accept(const StepPlan& plan, double wall_seconds, bool term
 }
 
 std::string to_json_text(const TimeState& state) {
-  return nlohmann::json{{"step", state.step},
-                        {"time", state.time},
-                        {"previous_dt", state.previous_dt},
-                        {"physics_dt", state.physics_dt},
-                        {"next_output", state.schedule.next_output},
-                        {"next_checkpoint", state.schedule.next_checkpoint}}
+  return Json{{"step", state.step},
+              {"time", state.time},
+              {"previous_dt", state.previous_dt},
+              {"physics_dt", state.physics_dt},
+              {"next_output", state.schedule.next_output},
+              {"next_checkpoint", state.schedule.next_checkpoint}}
       .dump();
 }
 
 TimeState time_state_from_json_text(const std::string& text) {
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const Json json = Json::parse(text);
     TimeState state;
-    json.at("step").get_to(state.step);
-    json.at("time").get_to(state.time);
-    json.at("previous_dt").get_to(state.previous_dt);
-    json.at("physics_dt").get_to(state.physics_dt);
-    json.at("next_output").get_to(state.schedule.next_output);
-    json.at("next_checkpoint").get_to(state.schedule.next_checkpoint);
+    state.step = json.at("step").get<int>();
+    state.time = json.at("time").get<double>();
+    state.previous_dt = json.at("previous_dt").get<double>();
+    state.physics_dt = json.at("physics_dt").get<double>();
+    state.schedule.next_output = json.at("next_output").get<std::int64_t>();
+    state.schedule.next_checkpoint = json.at("next_checkpoint").get<std::int64_t>();
     return state;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const JsonError& error) {
     throw InputError(fmt::format(
         "the time state of a checkpoint cannot be read: {}\n  found '{}'; restart from an earlier "
         "checkpoint",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 

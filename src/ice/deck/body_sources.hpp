@@ -3,8 +3,12 @@
 #include <vector>
 
 #include "framework/base/vec3.hpp"
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "models/added_heat.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::ice {
 

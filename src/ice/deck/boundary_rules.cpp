@@ -8,6 +8,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "ice/deck/schema.hpp"
 #include "models/models.hpp"
 

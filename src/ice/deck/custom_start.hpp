@@ -5,8 +5,12 @@
 #include <variant>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "framework/grid/level.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::ice {
 

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 

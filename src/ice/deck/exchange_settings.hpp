@@ -3,8 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "ice/fluid/fluid.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::ice {
 

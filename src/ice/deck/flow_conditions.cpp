@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::ice {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "framework/deck/schema.hpp"
+
 namespace sluice::ice {
 namespace {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/scene/empty_pieces.hpp"
 #include "ice/deck/read_fluid.hpp"

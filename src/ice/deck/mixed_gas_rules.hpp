@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 
 namespace sluice {
 

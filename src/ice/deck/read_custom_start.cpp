@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/custom_start.hpp"
 

@@ -8,6 +8,7 @@
 #include "eos/component_heat.hpp"
 #include "framework/base/error.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/fluid_laws.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 

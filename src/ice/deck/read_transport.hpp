@@ -3,9 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "framework/deck/schema.hpp"
+#include "framework/deck/deck.hpp"
 #include "framework/scene/scene.hpp"
 #include "ice/deck/transport_settings.hpp"
+
+namespace sluice {
+struct TagSpec;
+}
 
 namespace sluice::ice {
 

@@ -9,6 +9,7 @@
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
 #include "ice/deck/fluid_laws.hpp"
 #include "ice/deck/ice_scene.hpp"
 #include "ice/deck/mixed_gas_rules.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/schema.hpp"
 #include "framework/field/label.hpp"
 #include "ice/deck/body_sources.hpp"
 #include "ice/deck/custom_start.hpp"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/deck/load_deck.hpp"
+#include "framework/deck/schema.hpp"
 #include "ice/deck/exchange_settings.hpp"
 
 namespace sluice::schema_test {

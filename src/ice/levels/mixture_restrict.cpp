@@ -49,22 +49,22 @@ class MixtureRestrictor {
  private:
   using Rows = double[Children::most_in(D)][width];
 
-  void gather(std::size_t q, IntVec3 first, int n, Rows& rows) const {
+  [[gnu::noinline]] void gather(std::size_t q, IntVec3 first, int n, Rows& rows) const {
     children_.gather<D>(fine_[q], along_, first, n, rows);
   }
   // Into rows_[0].
-  void mean(const Rows& rows, int n) {
+  [[gnu::noinline]] void mean(const Rows& rows, int n) {
     for (int child = 0; child < children_.count(); ++child)
       std::copy(rows[child], rows[child] + n, rows_[child]);
     children_.mean(rows_, n);
   }
-  void write(std::size_t q, IntVec3 first, int n, const double* values) const {
+  [[gnu::noinline]] void write(std::size_t q, IntVec3 first, int n, const double* values) const {
     const RealView& v = coarse_[q];
     double* to = v.data + v.offset(first);
     const std::ptrdiff_t step = v.stride[along_];
     for (int i = 0; i < n; ++i) to[i * step] = values[i];
   }
-  bool any(const Rows& rows, int n) const {
+  [[gnu::noinline]] bool any(const Rows& rows, int n) const {
     for (int child = 0; child < children_.count(); ++child)
       for (int i = 0; i < n; ++i)
         if (rows[child][i] != 0.0) return true;

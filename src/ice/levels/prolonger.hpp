@@ -64,7 +64,10 @@ class Prolonger {
         basis_(children),
         lines_(regions, children.axes()),
         rows_of_children_(regions, children),
-        by_volume_(by_volume) {}
+        by_volume_(by_volume) {
+    std::fill_n(ones_, width, 1.0);
+    std::fill_n(nothing_, width, -0.0);
+  }
 
   void run() {
     const auto run_batch = [&](const Batch<width>& batch) { run(batch); };
@@ -101,15 +104,15 @@ class Prolonger {
   }
   // The coarse cells of a batch and their neighbours, or cells shifted along two axes; of a scalar
   // its amount.
-  void gather_star(int q, const Batch<width>& batch, double (*to)[width]) const {
+  [[gnu::noinline]] void gather_star(int q, const Batch<width>& batch, double (*to)[width]) const {
     lines_.gather_star(view(q), batch, to);
     if (q < quantities_) return;
     double mass[Lines::star][width];
     lines_.gather_star(0, batch, mass);
     for (int k = 0; k < Lines::star; ++k) take_amount(q - quantities_, batch, mass[k], to[k]);
   }
-  void gather(int q, const Batch<width>& batch, int axis, int shift, int other, int move,
-              double* to) const {
+  [[gnu::noinline]] void gather(int q, const Batch<width>& batch, int axis, int shift, int other,
+                                int move, double* to) const {
     lines_.gather(view(q), batch, axis, shift, other, move, to);
     if (q < quantities_) return;
     double mass[width];
@@ -195,7 +198,7 @@ class Prolonger {
   }
 
   // Factor for the terms of q that keeps every fine value above a share of the coarse one.
-  void find_factor(int q, int n, double* __restrict factor) const {
+  [[gnu::noinline]] void find_factor(int q, int n, double* __restrict factor) const {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       double deepest = 0;
@@ -205,7 +208,7 @@ class Prolonger {
       factor[i] = deepest > room ? larger(0.0, room) / deepest : 1.0;
     }
   }
-  void scale(int q, int n, const double* __restrict factor) {
+  [[gnu::noinline]] void scale(int q, int n, const double* __restrict factor) {
     for (int k = 0; k < Functions::terms; ++k)
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) term_[q][k][i] *= factor[i];
@@ -301,17 +304,21 @@ class Prolonger {
       for (int x = 0; x < Each; ++x)
         row[i * Each + x] = f(i, Functions::sum([&](int k) { return term[k][i] * of[k][x]; }));
   }
+  // (centre + what is added) times factor: one loop for all that can be written so, each of its
+  // bodies is dear to compile.
+  template <int Each>
+  [[gnu::noinline]] void find_scaled_row(int q, int child, int n, const double* __restrict centre,
+                                         const double* __restrict factor, double* row) const {
+    for_row<Each>(q, child, n, row,
+                  [=](int i, double change) { return (centre[i] + change) * factor[i]; });
+  }
   // A row of children of all cells of a batch.
   template <int Each>
   void find_row(int q, int child, int n, double* row) const {
-    const double* centre = centre_[q];
-    if (q < energy_at_)
-      for_row<Each>(q, child, n, row, [=](int i, double change) { return centre[i] + change; });
-    else if (q > energy_at_)
+    if (q > energy_at_)
       find_scalar_row<Each>(q - quantities_, child, n, row);
-    else if (ideal_)
-      for_row<Each>(q, child, n, row,
-                    [=, this](int i, double change) { return (centre[i] + change) * rest_[i]; });
+    else if (q < energy_at_ || ideal_)
+      find_scaled_row<Each>(q, child, n, centre_[q], q < energy_at_ ? ones_ : rest_, row);
     else
       for_row<Each>(q, child, n, row,
                     [this](int i, double change) { return fine_energy(change, i); });
@@ -320,9 +327,8 @@ class Prolonger {
   template <int Each>
   void find_scalar_row(int s, int child, int n, double* row) const {
     double mass[width * Each];
-    for_row<Each>(0, child, n, mass,
-                  [this](int i, double change) { return centre_[0][i] + change; });
-    for_row<Each>(quantities_ + s, child, n, row, [](int, double change) { return change; });
+    find_scaled_row<Each>(0, child, n, centre_[0], ones_, mass);
+    find_scaled_row<Each>(quantities_ + s, child, n, nothing_, ones_, row);
     for (int i = 0; i < n; ++i)
       for (int k = i * Each; k < (i + 1) * Each; ++k)
         row[k] = larger(smaller(scalar_[s][i] + row[k] / mass[k], highest_[s][i]), lowest_[s][i]);
@@ -360,6 +366,7 @@ class Prolonger {
   double rest_[width];                                  // share of the internal energy that stays
   double energy_[width];                                // of the coarse cells; not of an ideal gas
   double rows_[Children::most_in(D)][width];
+  double ones_[width], nothing_[width];  // to add -0.0 changes no bit
 };
 
 }  // namespace sluice::ice

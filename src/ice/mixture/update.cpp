@@ -28,17 +28,17 @@ struct Laws {
   IdealRelaxation ideal;
 };
 
-// Cells that are not of pure neighbourhood; rows are looked up once for all of them.
-template <int D, int C>
-class MixedCells {
+// Cells that are not of pure neighbourhood; rows are looked up once for all of them. Here is what
+// needs no momentum: made once for all counts of components.
+template <int D>
+class MaterialCells {
  public:
-  MixedCells(const Row& row, const UpdateState& h, const SchemeOptions& o, const Laws& laws)
+  MaterialCells(const Row& row, const UpdateState& h, const SchemeOptions& o, const Laws& laws)
       : row_(row),
         h_(h),
         o_(o),
         laws_(laws),
         materials_(static_cast<int>(h.state.size())),
-        motion_(row, h.common),
         J_(row(h.stretch, 0)),
         iJ_(row(h.common.inverse_J)),
         density_(row(h.end, 0)),
@@ -63,14 +63,16 @@ class MixedCells {
   }
 
   // Up to `room` cells from `first` on are there; those beyond `count` get any state.
-  void run(int first, int count, int room) {
+  // `move`(first, n): the momentum of the mixture, and the energy k that it loses in `modulus`.
+  template <class Move>
+  void run(int first, int count, int room, Move&& move) {
     constexpr int most = IdealRelaxation::most_cells;
     const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
     if (h_.closes) mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done), whole = std::min(most, all - done);
       remap_materials(first + done, whole);
-      move_mixture(first + done, whole);
+      move(first + done, whole);
       share_defect(first + done, whole);
       if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
       if (!h_.closes) continue;
@@ -97,9 +99,9 @@ class MixedCells {
     double* next[3];
   };
 
-  // Mass, volume and energy of each material after the remap, without k. A loop for each: together
-  // they have more rows than there are registers for.
-  void remap_materials(int first, int n) const {
+  // Mass, volume and energy of each material after the remap, without k, and the density. A loop
+  // for each: together they have more rows than there are registers for.
+  [[gnu::noinline]] void remap_materials(int first, int n) const {
     const double* __restrict J = J_ + first;
     for (int m = 0; m < materials_; ++m) {
       const Material& k = rows_[m];
@@ -109,6 +111,12 @@ class MixedCells {
       gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i]; });
       gain(k, of_mass, first, n, [=](int i) { return M[i]; });
       gain(k, of_energy, first, n, [=](int i) { return E_L[i]; });
+    }
+    double* __restrict density = density_ + first;
+    for (int m = 0; m < materials_; ++m) {
+      const double* __restrict M = rows_[m].next[of_mass] + first;
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) density[i] = (m == 0 ? 0.0 : density[i]) + M[i];
     }
   }
 
@@ -129,24 +137,8 @@ class MixedCells {
     }
   }
 
-  // New density and momentum of the mixture; k in `modulus`.
-  void move_mixture(int first, int n) const {
-    double* __restrict density = density_ + first;
-    for (int m = 0; m < materials_; ++m) {
-      const double* __restrict M = rows_[m].next[of_mass] + first;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) density[i] = (m == 0 ? 0.0 : density[i]) + M[i];
-    }
-    const MotionRows<D, C> motion = motion_;
-    double* defect = modulus_;
-    const double* rho = density_;
-#pragma GCC ivdep
-    for (int i = first; i < first + n; ++i)
-      defect[i] = motion.heat(i, rho[i], 1.0 / rho[i], [](int) { return 0.0; });
-  }
-
   // k by mass, with what materials leave that are gone.
-  void share_defect(int first, int n) const {
+  [[gnu::noinline]] void share_defect(int first, int n) const {
     for (int m = 0; m < materials_; ++m)
       drains(rows_[m], first, n) ? take_gone<true>(rows_[m], first, n)
                                  : take_gone<false>(rows_[m], first, n);
@@ -201,7 +193,7 @@ class MixedCells {
   }
 
   // What nobody asked for might not be the state of a gas.
-  void repeat_first(int first, int n, int whole) const {
+  [[gnu::noinline]] void repeat_first(int first, int n, int whole) const {
     for (int m = 0; m < materials_; ++m)
       for (double* next : rows_[m].next) {
         double* __restrict to = next + first;
@@ -212,7 +204,7 @@ class MixedCells {
   }
 
   // In `whole` cells, of which `n` are asked for.
-  void find_pressure(int first, int n, int whole) {
+  [[gnu::noinline]] void find_pressure(int first, int n, int whole) {
     if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n, whole)) {
       GasRows gases[most_materials];
       for (int m = 0; m < materials_; ++m) {
@@ -240,10 +232,37 @@ class MixedCells {
   const SchemeOptions& o_;
   const Laws& laws_;
   int materials_;
-  MotionRows<D, C> motion_;
   const double *J_, *iJ_;
   double *density_, *modulus_, *pressure_ = nullptr;
   Material rows_[most_materials];
+};
+
+template <int D, int C>
+class MixedCells : public MaterialCells<D> {
+ public:
+  MixedCells(const Row& row, const UpdateState& h, const SchemeOptions& o, const Laws& laws)
+      : MaterialCells<D>(row, h, o, laws),
+        motion_(row, h.common),
+        density_(row(h.end, 0)),
+        defect_(row(h.end, 1)) {}
+
+  void run(int first, int count, int room) {
+    MaterialCells<D>::run(first, count, room, [this](int begin, int n) { move(begin, n); });
+  }
+
+ private:
+  void move(int first, int n) const {
+    const MotionRows<D, C> motion = motion_;
+    double* defect = defect_;
+    const double* rho = density_;
+#pragma GCC ivdep
+    for (int i = first; i < first + n; ++i)
+      defect[i] = motion.heat(i, rho[i], 1.0 / rho[i], [](int) { return 0.0; });
+  }
+
+  MotionRows<D, C> motion_;
+  const double* density_;
+  double* defect_;
 };
 
 }  // namespace
