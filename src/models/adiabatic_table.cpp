@@ -95,7 +95,7 @@ std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table) {
 }
 
 TagSpec adiabatic_table_tag() {
-  const TagSpec test = tag("doTableTest", "must be false").boolean().by_default("false");
+  const TagSpec test = tag("doTableTest", "accepted without effect: the table is checked when it is read").boolean().by_default("false");
   const TagSpec constants =
       tag("constants", "of the mixture fraction").with_children(diffusion_tags());
   std::vector<TagSpec> of_mixture = mixture_tags("the mixture fraction", {test, constants});
@@ -122,7 +122,9 @@ void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::st
   if (const DeckNode* value = parameters.child("tableValue"))
     add_not_built(faults, value->where, "<tableValue>", "remove it");
   if (is_true(scalar, "doTableTest"))
-    add_not_built(faults, scalar->child("doTableTest")->where, "<doTableTest> true", "write false");
+    add_warning(faults, scalar->child("doTableTest")->where,
+                "<doTableTest> true has no effect: the table is checked when it is read",
+                "write false");
 }
 
 MixedGas read_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
