@@ -21,6 +21,11 @@ struct SolverSettings {
   int skip = 0;                         // <skip>: PFMG smooths no level that it need not
   int jump = 0;                         // <jump>, of SparseMSG
   int relax_type = 1;                   // 0 Jacobi, 1 weighted, 2 red-black, 3 not symmetric
+
+  // Steps that each serves; who solves counts them. 1: anew in every step.
+  int set_up_every = 1;        // <setupFrequency>
+  int coefficients_every = 1;  // <updateCoefFrequency>
+  int solve_every = 1;         // <solveFrequency>
 };
 
 const std::vector<std::string>& solver_types();

@@ -251,20 +251,6 @@ SaveLabels ice_save_labels() {
   return savable;
 }
 
-// The format has one for every component; ICE would solve for the pressure with it.
-TagSpec linear_solver() {
-  TagSpec parameters = tag("Parameters", "accepted without effect")
-                           .attribute(attribute("variable", "what is solved for").text());
-  for (const char* name : {"criteria", "initial_tolerance", "jump", "logging", "maxiterations",
-                           "norm", "npost", "npre", "outputEquations", "preconditioner",
-                           "precond_maxiters", "precond_tolerance", "relax_type", "setupFrequency",
-                           "skip", "solveFrequency", "solver", "tolerance", "updateCoefFrequency"})
-    parameters = parameters.child(tag(name, "accepted without effect").text());
-  return tag("Solver", "accepted without effect: steps of ice are explicit")
-      .attribute(attribute("type", "the solver of the deck's author").text())
-      .child(parameters.multiple());
-}
-
 // Models bring variables of their own.
 void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root) || !models::all_built(root)) return;
@@ -282,7 +268,6 @@ void add_ice_tags(Schema& schema) {
           .attribute(attribute("add", "accepted without effect").boolean())
           .with_children({tag("ICE", "materials of ICE").child(material()), ice::exchange_tag()}));
   schema.add(models::models_tag());
-  schema.add(linear_solver());
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rewrites.emplace_back(models::move_parameters);
   schema.rewrites.emplace_back(models::rename_scalar_totals);
