@@ -1,5 +1,8 @@
 #include "app/components.hpp"
 
+#include "examples/burger.hpp"
+#include "examples/poisson.hpp"
+#include "examples/wave.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/ice.hpp"
@@ -17,6 +20,11 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
 constexpr ComponentKind kinds[] = {
     // type  tags          made by
     {"ice", add_ice_tags, make_ice},
+    // Examples of components: docs/your_own_component.md.
+    {"poisson1", examples::add_poisson_tags, examples::make_poisson},
+    {"benchmark", nullptr, examples::make_poisson},
+    {"burger", examples::add_burger_tags, examples::make_burger},
+    {"wave", examples::add_wave_tags, examples::make_wave},
 };
 
 }  // namespace

@@ -66,6 +66,10 @@ std::string label_reference() {
                 "Values on faces between cells: index i is the low face of cell i; the faces that "
                 "close the domain are stored too.",
                 [](Label l) { return face_direction(l.info().centring) >= 0; });
+  page += table("Nodes",
+                "Values at the corners of cells: index i is the low corner of cell i; the nodes that "
+                "close the domain are stored too.",
+                [](Label l) { return l.info().centring == Centring::node; });
   page +=
       table("Histories", "One number (or vector) a step, kept as a `.dat` file beside the index.",
             [](Label l) { return l.info().centring == Centring::reduction; });

@@ -39,6 +39,7 @@ struct Totals {
   ConservedTotal kinetic_energy;        // J
   std::vector<double> tallies;          // Component::tally_names, since the start; of all ranks
   std::vector<ConservedTotal> amounts;  // what else the component carries, in its own order
+  std::vector<double> step_sums;        // of the last accepted step; empty before the first
 };
 
 // What came in through the boundary in one accepted step, and what forces and sources added.

@@ -41,6 +41,7 @@ Totals Simulation::totals() {
   merge_ranks(t.kinetic_energy, communicator_);
   for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
   for (ConservedTotal& a : t.amounts) merge_ranks(a, communicator_);
+  t.step_sums = step_sums_;
   return t;
 }
 
@@ -67,6 +68,7 @@ void Simulation::set_totals(bool at_start) {
 }
 
 void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
+  step_sums_ = sums;
   const bool joined = hierarchy_.possible_levels() > 1;
   const StepBalance b = component_.balance(sums, joined ? nullptr : &step_start_, plan.dt);
   int q = 0;

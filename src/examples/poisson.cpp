@@ -1,0 +1,97 @@
+// Laplace's equation on nodes.
+#include "examples/poisson.hpp"
+
+#include <algorithm>
+
+#include "framework/grid/nodes.hpp"
+#include "framework/refine/face_table.hpp"
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice::examples {
+
+PoissonLabels claim_poisson_labels() {
+  return {claim_label({"phi", ValueType::real, Centring::node, "1",
+                       "solution of Laplace's equation (poisson1, benchmark)"}),
+          claim_label({"residual", ValueType::real, Centring::reduction, "1",
+                       "sum over the inner nodes of the squared change of phi in a sweep "
+                       "(poisson1, benchmark)"})};
+}
+
+Poisson::Poisson(const Scene& scene, const PoissonScene& settings)
+    : PlainComponent(scene, scene.component, "Jacobi's method"), settings_(settings) {}
+
+// One ghost layer: the neighbours of a box's own nodes, and the nodes that close the domain.
+std::vector<SlotInfo> Poisson::state_slots() const {
+  return {{labels_.phi, 0, 1, 1}};
+}
+
+// Inner nodes start at 0, as new fields do; the others are the boundary's.
+void Poisson::initialise(Warehouse& /*state*/) const {}
+
+// The nodes on the sides: the low ones are nodes of a box, the high ones ghosts. An edge belongs to
+// the last of its sides; no stencil reads it.
+void Poisson::fill_boundary(Warehouse& state, double /*time*/, std::span<const double> /*sums*/,
+                            const ThreadTeam& /*team*/) const {
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView phi = state.view(0, 0, b);
+    for (const Side side : all_sides)
+      if (ends_at(state.level(), side))
+        fill(phi, side_nodes(state.level(), side, phi.box),
+             settings_.side_value[static_cast<std::size_t>(side)]);
+  }
+}
+
+void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
+  const Level& grid = level(variant.level);
+  const Axes axes = active_axes(grid);
+  const IndexBox inner = inner_nodes(grid);
+  std::array<double, 3> weight{};  // of both neighbours along an axis
+  double sum = 0;
+  for (int a = 0; a < axes.count; ++a) {
+    const double dx = grid.spacing[axes.direction[a]];
+    weight[static_cast<std::size_t>(a)] = 1 / (dx * dx);
+    sum += 2 / (dx * dx);
+  }
+  for (double& w : weight) w /= sum;
+
+  const Label label = labels_.phi;
+  TaskBuilder sweep = list.task("Jacobi sweep", equation);
+  const In phi = sweep.read(list.old_state(label, 0, 1), Stencil::box(1));
+  const Out next = sweep.write(list.new_state(label, 0, 1));
+  sweep.kernel([=](const Row& row) {
+    std::copy_n(row(phi), row.count(), row(next));  // nodes on sides keep their value
+    const RowPart part = part_in(row, inner, axes.direction[0]);
+    double* to = row(next);
+    for (int i = part.begin; i < part.end; ++i) to[i] = 0;
+    for (int a = 0; a < axes.count; ++a) {
+      const double w = weight[static_cast<std::size_t>(a)];
+      const double *below = row(phi, 0, a, -1), *above = row(phi, 0, a, 1);
+#pragma GCC ivdep
+      for (int i = part.begin; i < part.end; ++i) to[i] += w * (below[i] + above[i]);
+    }
+    // Exact sums: the same bits however the nodes are shared out.
+    ExactSum& residual = row.reductions().sum(0);
+    const double* from = row(phi);
+    for (int i = part.begin; i < part.end; ++i)
+      residual.add((to[i] - from[i]) * (to[i] - from[i]));
+  });
+}
+
+StepLimit Poisson::step_limit(const std::vector<double>& /*maxima*/) const {
+  return {settings_.dt, "deck: delt"};
+}
+
+double Poisson::history_value(Label label, const Totals& totals) const {
+  if (label == labels_.residual) return totals.step_sums.front();
+  return PlainComponent::history_value(label, totals);
+}
+
+std::unique_ptr<Component> make_poisson(const Deck& deck, const Scene& scene,
+                                        std::vector<Fault>& faults) {
+  const PoissonScene settings = read_poisson(deck, scene, faults);
+  need_one_level(scene, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<Poisson>(scene, settings);
+}
+
+}  // namespace sluice::examples
