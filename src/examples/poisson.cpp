@@ -82,7 +82,7 @@ StepLimit Poisson::step_limit(const std::vector<double>& /*maxima*/) const {
 }
 
 double Poisson::history_value(Label label, const Totals& totals) const {
-  if (label == labels_.residual) return totals.step_sums.front();
+  if (label == labels_.residual) return totals.sweep_sums.front();
   return PlainComponent::history_value(label, totals);
 }
 

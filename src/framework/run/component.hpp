@@ -17,6 +17,7 @@
 #include "framework/refine/transfer_operators.hpp"
 #include "framework/refine/volume_faces.hpp"
 #include "framework/run/conservation.hpp"
+#include "framework/run/step_shape.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
 #include "framework/task/schedule.hpp"
@@ -39,7 +40,8 @@ struct Totals {
   ConservedTotal kinetic_energy;        // J
   std::vector<double> tallies;          // Component::tally_names, since the start; of all ranks
   std::vector<ConservedTotal> amounts;  // what else the component carries, in its own order
-  std::vector<double> step_sums;        // of the last accepted step; empty before the first
+  // What the last sweep over each level summed, over levels and ranks; empty before the first.
+  std::vector<double> sweep_sums;
 };
 
 // What came in through the boundary in one accepted step, and what forces and sources added.
@@ -136,6 +138,15 @@ class Component {
   // be attempted several times: what lasts beyond it goes to the journal, in all ranks alike. Asked
   // for when levels come or go, not when their boxes change.
   virtual Schedule before_sweep(LevelSolver& /*level*/) const { return {}; }
+  // Stages of a step that all levels take together (in lockstep); none: exchange, sweep, take over,
+  // each level for itself. Asked for when levels come or go.
+  virtual void shape_step(StepShape& /*shape*/) const {}
+  // Cell fields beside the state that a stage of the step writes and sweeps read as old state, with
+  // its ghosts: neither exchanged with it, nor kept, nor carried to the next step.
+  virtual std::vector<SlotInfo> work_slots() const { return {}; }
+  // Ghost cells of one of them outside the domain, when the others are filled.
+  virtual void fill_work_boundary(Warehouse& /*state*/, Label /*label*/,
+                                  const ThreadTeam& /*team*/) const {}
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
   virtual void declare_diagnostics(TaskList& list, int level) const = 0;
   // What happens where levels meet.

@@ -8,8 +8,6 @@
 namespace sluice {
 namespace {
 
-constexpr int masked_attempts = 3;  // at one substep, each with more cells at first order
-
 int substeps_of(const Level& level, bool lock_step) {
   return lock_step ? 1 : std::max({level.ratio.x, level.ratio.y, level.ratio.z});
 }
@@ -75,120 +73,6 @@ std::int64_t Hierarchy::cell_count() const {
   return n;
 }
 
-Schedule Hierarchy::schedule_of(int l) {
-  Schedule s = component_->before_sweep(level(l));
-  const int width = halo_width(*component_);
-  s.push_back({HaloPoint{"of old state", l, width, [this, l](const StepScope& scope, StepJournal&) {
-                           fill(l, scope.time);
-                           return Verdict::good;
-                         }}});
-  s.push_back({Sweep{"step", l,
-                     [this, l](const StepScope& scope, StepJournal&) { return sweep(l, scope); }}});
-  if (l + 1 >= level_count()) return s;
-  s.push_back({LevelCycle{"finer level", l + 1, substeps_[static_cast<std::size_t>(l) + 1],
-                          schedule_of(l + 1)}});
-  s.push_back({Sweep{"matching of fluxes and restriction", l,
-                     [this, l](const StepScope& scope, StepJournal&) { return match(l, scope); }}});
-  return s;
-}
-
-// Where the present state of a level stands between the two states of the next coarser one. Outside
-// a coarse step, and before the coarser level has advanced in it, both levels are at its end.
-double Hierarchy::share_of(int l) const {
-  const auto n = static_cast<std::size_t>(l);
-  return advancing_ ? static_cast<double>(done_[n]) / substeps_[n] : 1.0;
-}
-
-void Hierarchy::fill(int l, double time) {
-  LevelSolver& solver = level(l);
-  if (l == 0) {
-    solver.fill_ghosts(time);
-    return;
-  }
-  const auto interface = [&](Warehouse& state) {
-    LevelSolver& coarser = level(l - 1);
-    const double share = share_of(l);
-    // Its new state stands at the end of its own step; the old one was filled when it was swept.
-    if (share > 0) fill(l - 1, advancing_ ? ends_[static_cast<std::size_t>(l) - 1] : time);
-    const Warehouse* before = share < 1 ? &coarser.previous() : nullptr;
-    const Warehouse* after = share > 0 ? &coarser.state() : nullptr;
-    joints_[static_cast<std::size_t>(l) - 1]->ghosts.run(
-        before, after, share, state, solver.state_slots(), component_->transfer(),
-        scene_->refinement.interface_order, solver.team());
-  };
-  solver.fill_ghosts(time, interface, &level(0));
-}
-
-Verdict Hierarchy::sweep(int l, const StepScope& scope) {
-  const auto n = static_cast<std::size_t>(l);
-  LevelSolver& solver = level(l);
-  if (joints_[n] != nullptr) joints_[n]->fluxes.clear();
-  bool last = true;  // substep of the coarse step: its outputs and rates are asked for
-  for (const StepScope* s = &scope; s != nullptr; s = s->coarser)
-    last = last && s->substep + 1 == s->substeps;
-  const std::vector<Label> none;
-  const RunControl* control = l == 0 ? control_ : nullptr;
-  for (int masked = 0;; ++masked) {
-    const StepAttempt& a =
-        solver.attempt(scope.time, scope.dt, last ? *wanted_ : none, control, last);
-    if (l == 0) result_.control = a.control;
-    if (a.faults == 0) break;
-    if (masked == 0) result_.unsound = solver.unsound_start();
-    if (result_.unsound || masked == masked_attempts || solver.mask_faults() == 0) {
-      result_.first_fault = a.first_fault;
-      result_.faults = a.faults;
-      return Verdict::reject;
-    }
-    EventPlace place;
-    place.step = step_;
-    place.level = l;
-    place.cell = a.first_fault.cell;
-    place.material = a.first_fault.material;
-    place.task = "update";
-    place.value = a.first_fault.value;
-    ledger_->keep("step redone with first-order faces", place);
-  }
-  const StepAttempt& a = solver.attempt_result();
-  for (std::size_t s = 0; s < a.sums.size(); ++s) result_.sums[s] += a.sums[s];
-  if (last) maxima_[n] = a.maxima;
-  solver.advance();
-  ends_[n] = scope.time + scope.dt;
-  if (l > 0) {
-    joints_[n - 1]->fluxes.add_substep();
-    ++done_[n];
-  }
-  if (n + 1 < done_.size()) done_[n + 1] = 0;
-  return Verdict::good;
-}
-
-Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
-  Joint& joint = *joints_[static_cast<std::size_t>(l)];
-  LevelSolver& coarse = level(l);
-  LevelSolver& fine = level(l + 1);
-  const CorrectionReport report = joint.fluxes.correct(
-      coarse.state(), fine.state(), coarse.state_slots(), component_->transfer(), *communicator_);
-  if (report.limited > 0) {
-    EventPlace place;
-    place.step = step_;
-    place.level = l;
-    place.cell = report.first;
-    place.task = "matching of fluxes";
-    place.value = static_cast<double>(report.limited);
-    ledger_->keep("correction of fluxes limited", place);
-  }
-  if (report.failed) {
-    result_.first_fault = {report.first, l, 0, 0, 0.0};
-    result_.faults = report.limited;
-    result_.unmatched = true;
-    return Verdict::reject;
-  }
-  joint.restriction.run(fine.state(), coarse.state(), coarse.state_slots(), component_->transfer(),
-                        coarse.team());
-  coarse.touch();
-  fine.touch();
-  return Verdict::good;
-}
-
 const CycleResult& Hierarchy::attempt(int step, double time, double dt,
                                       const std::vector<Label>& wanted, const RunControl& control,
                                       EventLedger& ledger) {
@@ -197,6 +81,9 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   step_ = step;
   time_ = time;
   end_ = time + dt;
+  dt_ = dt;
+  pass_ = 0;
+  stopped_ = false;
   wanted_ = &wanted;
   control_ = &control;
   ledger_ = &ledger;
@@ -231,6 +118,7 @@ void Hierarchy::accept() {
   advance_particles();
   journal_.accept();
   time_ = end_;
+  previous_dt_ = dt_;
   for (int l = 0; l < level_count(); ++l) {
     const auto n = static_cast<std::size_t>(l);
     level(l).accept();

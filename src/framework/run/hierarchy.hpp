@@ -33,6 +33,7 @@ struct CycleResult {
   RunControl::Answer control;
   // The state at the start of the step holds what is no number: no smaller step can help.
   std::optional<UnsoundCell> unsound;
+  std::string reason;  // why a stage of the step rejected it; empty: inadmissible cells
 };
 
 class Hierarchy {
@@ -63,6 +64,8 @@ class Hierarchy {
   StepLimit step_limit() const;
   // What it rests on, by level; a restart sets those of its checkpoint.
   const std::vector<std::vector<double>>& rates() const { return maxima_; }
+  // Length of the last accepted step; a restart sets that of its checkpoint.
+  void set_previous_dt(double dt) { previous_dt_ = dt; }
   void set_rates(std::vector<std::vector<double>> rates) { maxima_ = std::move(rates); }
   // Of the first step of a run: no longer than one step of the finest level. What bursts at the
   // start is faster than its state at rest tells, and refined levels follow only afterwards.
@@ -100,8 +103,15 @@ class Hierarchy {
   };
 
   Schedule schedule_of(int level);
+  Schedule schedule_of(const StepShape& shape);
+  Schedule cycle_of_levels();
+  Node stage_node(const StepShape::Stage& stage);
+  Node iteration_node(const StepShape::Iterate& iterate);
+  StageScope stage_scope(const StepScope& scope, StepJournal& journal);
   void fill(int level, double time);
-  Verdict sweep(int level, const StepScope& scope);
+  static bool ends_coarse_step(const StepScope& scope);
+  Verdict sweep(int level, const StepScope& scope, const std::vector<Label>& stored);
+  void take_over(int level, const StepScope& scope);
   Verdict match(int level, const StepScope& scope);
   double share_of(int level) const;
   void make_joint(int coarser);
@@ -140,6 +150,9 @@ class Hierarchy {
   CycleResult result_;
   // Of the attempt under way.
   int step_ = 0;
+  int pass_ = 0;               // of an iteration within the step
+  bool stopped_ = false;       // that iteration has no hope
+  double previous_dt_ = 0, dt_ = 0;
   double time_ = 0, end_ = 0;  // of the coarse step; time_ also of the states between steps
   bool advancing_ = false;
   const std::vector<Label>* wanted_ = nullptr;

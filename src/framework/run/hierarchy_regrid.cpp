@@ -54,7 +54,7 @@ void Hierarchy::join_levels(int first) {
   watch_volumes(first);
   if (level_count() == levels_in_cycle_) return;
   levels_in_cycle_ = level_count();
-  cycle_ = schedule_of(0);
+  cycle_ = cycle_of_levels();
   check(cycle_);
 }
 

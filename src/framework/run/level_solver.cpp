@@ -54,6 +54,7 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
     add_state_slot(s);
     state_slots_.push_back(state_.find(s.label, s.material));
   }
+  for (const SlotInfo& s : component.work_slots()) add_state_slot(s);
   halo_ =
       std::make_unique<HaloExchange>(level_, halo_width(component), communicator.rank(), arrays);
   TaskList step, diagnostic;
@@ -99,7 +100,8 @@ Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   accept();
   if (level_.boxes.empty()) {
     for (auto& [key, v] : variants_) v->executor->rest();
-    for (auto& [key, v] : diagnostics_) v->executor->rest();
+    for (auto* some : {&diagnostics_, &preparations_})
+      for (auto& [key, v] : *some) v->executor->rest();
   }
   return before;
 }
@@ -121,8 +123,9 @@ bool LevelSolver::chooses_kinds() const {
   return component_->step_kinds() > 1 && !options_.force_all;
 }
 
-std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, bool diagnostic,
+std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, Purpose purpose,
                                                                 const std::vector<Label>& wanted) {
+  const bool diagnostic = purpose == Purpose::diagnostic;
   for (const Variable& v : diagnostic ? diagnostic_outputs_ : step_outputs_)
     if (contains(wanted, v.label))
       outputs_.add({v.label, v.material, v.components, v.closing == IntVec3{} ? 0 : 1});
@@ -131,7 +134,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, boo
   kinds.count = diagnostic ? 1 : component_->step_kinds();
   kinds.halo = level_.ghosts(halo_width(*component_));
   variant->lists.resize(static_cast<std::size_t>(kinds.count));
-  kinds.graph = [this, masked, diagnostic, wanted, v = variant.get()](int kind) {
+  kinds.graph = [this, masked, purpose, diagnostic, wanted, v = variant.get()](int kind) {
     auto& list = v->lists[static_cast<std::size_t>(kind)];
     list = std::make_unique<TaskList>();
     if (diagnostic)
@@ -139,8 +142,8 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, boo
     else
       component_->declare_step(*list, {level_.index, masked, options_.joined ? &recorder_ : nullptr,
                                        options_.joined ? &coverage_ : nullptr, kind, &volumes_});
-    SweepGraph graph = graph_of(*list, wanted);
-    if (v->lists.size() > 1) graph.absent = absent_slots(*list, kind, wanted);
+    SweepGraph graph = graph_of(*list, purpose, wanted);
+    if (v->lists.size() > 1) graph.absent = absent_slots(*list, purpose, kind, wanted);
     return graph;
   };
   if (!diagnostic && chooses_kinds())
@@ -148,20 +151,24 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, boo
       return component_->step_kind(state, box, cells);
     };
   variant->executor = std::make_unique<SweepExecutor>(std::move(kinds), level_,
-                                                      sweep_options(diagnostic, !wanted.empty()));
+                                                      sweep_options(purpose, !wanted.empty()));
   return variant;
 }
 
-SweepGraph LevelSolver::graph_of(const TaskList& list, const std::vector<Label>& wanted) const {
+SweepGraph LevelSolver::graph_of(const TaskList& list, Purpose purpose,
+                                 const std::vector<Label>& wanted) const {
+  const bool advances = purpose != Purpose::preparation;
   std::vector<VariableId> wanted_variables;
   for (std::size_t n = 0; n < list.variables().size(); ++n) {
     const Variable& v = list.variables()[n];
-    if (v.storage == Storage::new_state ||
+    if ((advances && v.storage == Storage::new_state) ||
         (v.storage == Storage::output && contains(wanted, v.label)))
       wanted_variables.push_back({static_cast<int>(n)});
   }
   SweepGraph graph{
-      &list, compile(list, component_->effects(), wanted_variables, active_axes(level_)), {}};
+      &list,
+      compile(list, component_->effects(), wanted_variables, active_axes(level_), advances),
+      {}};
   const IntVec3 ghosts = level_.ghosts(halo_width(*component_));
   for (int d = 0; d < 3; ++d)
     if (graph.plan.halo[d] > ghosts[d])
@@ -172,7 +179,7 @@ SweepGraph LevelSolver::graph_of(const TaskList& list, const std::vector<Label>&
 }
 
 // What the graph of a kind leaves to be filled.
-std::vector<AbsentSlot> LevelSolver::absent_slots(const TaskList& list, int kind,
+std::vector<AbsentSlot> LevelSolver::absent_slots(const TaskList& list, Purpose purpose, int kind,
                                                   const std::vector<Label>& wanted) const {
   std::vector<AbsentSlot> absent;
   auto add = [&](Label label, int material, bool output, IntVec3 closing) {
@@ -180,13 +187,15 @@ std::vector<AbsentSlot> LevelSolver::absent_slots(const TaskList& list, int kind
     if (const auto value = component_->absent_value(label, material, kind))
       absent.push_back({label, material, *value, output, closing});
   };
-  for (const SlotInfo& s : component_->state_slots()) add(s.label, s.material, false, {});
+  if (purpose == Purpose::step)
+    for (const SlotInfo& s : component_->state_slots()) add(s.label, s.material, false, {});
   for (const Variable& v : step_outputs_)
     if (contains(wanted, v.label)) add(v.label, v.material, true, v.closing);
   return absent;
 }
 
-SweepOptions LevelSolver::sweep_options(bool diagnostic, bool storing) const {
+SweepOptions LevelSolver::sweep_options(Purpose purpose, bool storing) const {
+  const bool diagnostic = purpose == Purpose::diagnostic;
   SweepOptions o;
   o.threads = options_.threads;
   o.team = team_;
@@ -220,7 +229,7 @@ void LevelSolver::bind(Variant& variant) {
 
 LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>& wanted) {
   auto& v = variants_[{masked, wanted}];
-  if (v == nullptr) v = make_variant(masked, false, wanted);
+  if (v == nullptr) v = make_variant(masked, Purpose::step, wanted);
   bind(*v);
   return *v;
 }
@@ -228,9 +237,16 @@ LevelSolver::Variant& LevelSolver::variant(bool masked, const std::vector<Label>
 LevelSolver::Variant& LevelSolver::diagnostics(const std::vector<Label>& wanted) {
   auto found = diagnostics_.find(wanted);
   if (found == diagnostics_.end())
-    found = diagnostics_.emplace(wanted, make_variant(false, true, wanted)).first;
+    found = diagnostics_.emplace(wanted, make_variant(false, Purpose::diagnostic, wanted)).first;
   bind(*found->second);
   return *found->second;
+}
+
+LevelSolver::Variant& LevelSolver::preparation(const std::vector<Label>& wanted) {
+  auto& v = preparations_[wanted];
+  if (v == nullptr) v = make_variant(false, Purpose::preparation, wanted);
+  bind(*v);
+  return *v;
 }
 
 // All ranks come here together: they fill the same levels in the same order.
@@ -266,10 +282,25 @@ const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vecto
     next_.swap(start_);
     start_kept_ = true;
   }
-  const StepConstants step{time, dt, level_.spacing, level_.index, rates || options_.force_all};
-  last_ = variant(masked_, stored).executor->run(step);
+  last_ = variant(masked_, stored).executor->run(constants(time, dt, rates));
   reduce(last_, control);
   return attempt_;
+}
+
+void LevelSolver::prepare(double time, double dt, const std::vector<Label>& stored) {
+  std::vector<Label> labels = stored;
+  std::sort(labels.begin(), labels.end());
+  preparation(labels).executor->run(constants(time, dt, false));
+}
+
+StepConstants LevelSolver::constants(double time, double dt, bool rates) const {
+  return {time, dt, level_.spacing, level_.index, rates || options_.force_all, previous_dt_};
+}
+
+void LevelSolver::fill_work_ghosts(Label label) {
+  const int slot = state_.find(label, 0);
+  halo_->run(state_, {slot}, team_.get());
+  component_->fill_work_boundary(state_, label, *team_);
 }
 
 void LevelSolver::reduce(const Reductions& local, const RunControl* control) {

@@ -92,6 +92,13 @@ class LevelSolver {
   // are stored in outputs(). Without `rates` the maxima mean nothing.
   const StepAttempt& attempt(double time, double dt, const std::vector<Label>& wanted,
                              const RunControl* control, bool rates = true);
+  // Stores step labels of the current state in outputs() and computes nothing else; ghosts must be
+  // filled.
+  void prepare(double time, double dt, const std::vector<Label>& stored);
+  // Ghosts of a work slot (Component::work_slots), by copies and at the sides of the domain.
+  void fill_work_ghosts(Label label);
+  // Length of the step before the next attempt; 0: none.
+  void set_previous_dt(double dt) { previous_dt_ = dt; }
   const StepAttempt& attempt_result() const { return attempt_; }
   // The last attempt becomes the current state; masks are forgotten.
   void advance();
@@ -137,13 +144,17 @@ class LevelSolver {
   struct Variant;
   Variant& variant(bool masked, const std::vector<Label>& wanted);
   Variant& diagnostics(const std::vector<Label>& wanted);
+  Variant& preparation(const std::vector<Label>& wanted);
   bool chooses_kinds() const;
   std::int64_t widen_masks(int slot);
   void spread_masks(int slot);
-  std::unique_ptr<Variant> make_variant(bool masked, bool diagnostic,
+  // What a graph is compiled for: labels of a state, of a step without its new state, a step.
+  enum class Purpose { diagnostic, preparation, step };
+  std::unique_ptr<Variant> make_variant(bool masked, Purpose purpose,
                                         const std::vector<Label>& wanted);
-  SweepGraph graph_of(const TaskList& list, const std::vector<Label>& wanted) const;
-  std::vector<AbsentSlot> absent_slots(const TaskList& list, int kind,
+  SweepGraph graph_of(const TaskList& list, Purpose purpose,
+                      const std::vector<Label>& wanted) const;
+  std::vector<AbsentSlot> absent_slots(const TaskList& list, Purpose purpose, int kind,
                                        const std::vector<Label>& wanted) const;
   void sum_for_boundary();
   void reduce(const Reductions& local, const RunControl* control);
@@ -151,7 +162,8 @@ class LevelSolver {
 
   void add_state_slot(SlotInfo info, Contents contents = Contents::zero);
   void bind(Variant& variant);
-  SweepOptions sweep_options(bool diagnostic, bool storing) const;
+  SweepOptions sweep_options(Purpose purpose, bool storing) const;
+  StepConstants constants(double time, double dt, bool rates) const;
 
   const Component* component_;
   Level level_;
@@ -165,7 +177,7 @@ class LevelSolver {
   std::shared_ptr<const ThreadTeam> team_;
   std::unique_ptr<HaloExchange> halo_;
   std::map<std::pair<bool, std::vector<Label>>, std::unique_ptr<Variant>> variants_;
-  std::map<std::vector<Label>, std::unique_ptr<Variant>> diagnostics_;
+  std::map<std::vector<Label>, std::unique_ptr<Variant>> diagnostics_, preparations_;
   std::vector<Variable> step_outputs_, diagnostic_outputs_;
   std::vector<Label> step_labels_, diagnostic_labels_;
   Reductions last_;
@@ -174,6 +186,7 @@ class LevelSolver {
   Reduction reduction_;
   bool masked_ = false, ghosts_filled_ = false;
   bool start_kept_ = false;  // in start_; else in state_ or, after one substep, in next_
+  double previous_dt_ = 0;
   int advanced_ = 0;         // substeps of this coarse step
   int layout_ = 0;           // counts the calls of lay_out and join
   int boxes_ = 0;            // counts the calls of lay_out

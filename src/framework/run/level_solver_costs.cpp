@@ -89,7 +89,8 @@ std::int64_t LevelSolver::cells_asleep() const {
 std::size_t LevelSolver::memory_bytes() const {
   std::size_t n = state_.bytes() + next_.bytes() + start_.bytes() + outputs_.bytes();
   for (const auto& [key, v] : variants_) n += v->executor->scratch_bytes();
-  for (const auto& [key, v] : diagnostics_) n += v->executor->scratch_bytes();
+  for (const auto* some : {&diagnostics_, &preparations_})
+    for (const auto& [key, v] : *some) n += v->executor->scratch_bytes();
   return n;
 }
 

@@ -72,6 +72,7 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   hierarchy_.restore(checkpoint);
   const std::map<std::string, std::string>& kept = checkpoint.info().state;
   time_.restart(time_state_from_json_text(kept.at("time")));
+  hierarchy_.set_previous_dt(time_.state().previous_dt);
   set_totals(true);
   conservation_.restore(nlohmann::json::parse(kept.at("conservation")));
   if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
@@ -168,6 +169,9 @@ StepInfo Simulation::step_info() const {
 }
 
 void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
+  if (!a.reason.empty())
+    throw PhysicsError(fmt::format("step {} at t = {:g}, even with dt = {:g}: {}", plan.step,
+                                   plan.start, plan.dt, a.reason));
   const CellFault& f = a.first_fault;
   if (a.unmatched)
     throw PhysicsError(fmt::format(

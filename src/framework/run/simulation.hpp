@@ -82,7 +82,6 @@ class Simulation {
   Conservation conservation_;
   Conservation tallies_;  // beside what is conserved: its "sources" alone
   StepStart step_start_;
-  std::vector<double> step_sums_;  // of the last accepted step
   StepLimit limit_;
   RunStatus status_ = RunStatus::running;
   std::string message_;

@@ -1,4 +1,5 @@
 // What a run has of each conserved quantity, and what came in through boundaries and from sources.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/run/simulation.hpp"
@@ -41,7 +42,11 @@ Totals Simulation::totals() {
   merge_ranks(t.kinetic_energy, communicator_);
   for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
   for (ConservedTotal& a : t.amounts) merge_ranks(a, communicator_);
-  t.step_sums = step_sums_;
+  for (int l = 0; l < hierarchy_.level_count(); ++l) {
+    const std::vector<double>& own = hierarchy_.level(l).attempt_result().sums;
+    t.sweep_sums.resize(std::max(t.sweep_sums.size(), own.size()));
+    for (std::size_t n = 0; n < own.size(); ++n) t.sweep_sums[n] += own[n];
+  }
   return t;
 }
 
@@ -68,7 +73,6 @@ void Simulation::set_totals(bool at_start) {
 }
 
 void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
-  step_sums_ = sums;
   const bool joined = hierarchy_.possible_levels() > 1;
   const StepBalance b = component_.balance(sums, joined ? nullptr : &step_start_, plan.dt);
   int q = 0;

@@ -48,8 +48,9 @@ struct SweepPlan {
 // the effect.
 void check(const TaskList& list, const EffectList& effects);
 
-// Pass 3. True for tasks that stay.
-std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted);
+// Pass 3. True for tasks that stay. `reduces`: tasks marked `always` are wanted too.
+std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted,
+                        bool reduces = true);
 
 // Pass 4. Indices of the tasks that stay, producers before consumers.
 std::vector<int> order(const TaskList& list, const std::vector<bool>& keep);
@@ -57,9 +58,9 @@ std::vector<int> order(const TaskList& list, const std::vector<bool>& keep);
 // Passes 5 to 7 for tasks in execution order.
 SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, const Axes& axes);
 
-// All passes.
+// All passes; `reduces` as for prune.
 SweepPlan compile(const TaskList& list, const EffectList& effects,
-                  const std::vector<VariableId>& wanted, const Axes& axes);
+                  const std::vector<VariableId>& wanted, const Axes& axes, bool reduces = true);
 
 // The graph as DOT for `sluice plan --graph`.
 std::string to_dot(const TaskList& list, const EffectList& effects, const SweepPlan& plan);

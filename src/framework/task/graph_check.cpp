@@ -60,7 +60,8 @@ void check(const TaskList& list, const EffectList& effects) {
   order(list, std::vector<bool>(list.tasks().size(), true));
 }
 
-std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted) {
+std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted,
+                        bool reduces) {
   const std::vector<int> writer = writers(list);
   std::vector<bool> keep(list.tasks().size(), false);
   std::vector<int> todo;
@@ -72,7 +73,7 @@ std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wan
   };
   for (VariableId v : wanted) want(writer[static_cast<std::size_t>(v.index)]);
   for (std::size_t t = 0; t < list.tasks().size(); ++t)
-    if (list.tasks()[t].always) want(static_cast<int>(t));
+    if (reduces && list.tasks()[t].always) want(static_cast<int>(t));
   while (!todo.empty()) {
     const Task& t = list.tasks()[static_cast<std::size_t>(todo.back())];
     todo.pop_back();

@@ -112,9 +112,9 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
 }
 
 SweepPlan compile(const TaskList& list, const EffectList& effects,
-                  const std::vector<VariableId>& wanted, const Axes& axes) {
+                  const std::vector<VariableId>& wanted, const Axes& axes, bool reduces) {
   check(list, effects);
-  return plan_sweep(list, order(list, prune(list, wanted)), axes);
+  return plan_sweep(list, order(list, prune(list, wanted, reduces)), axes);
 }
 
 std::string to_dot(const TaskList& list, const EffectList& effects, const SweepPlan& plan) {

@@ -52,6 +52,7 @@ struct StepConstants {
   Vec3 spacing{1, 1, 1};  // of the level
   int level = 0;
   bool rates = true;  // whether the rates of the new state are asked for
+  double dt_before = 0.0;  // length of the step before; 0: there was none
 };
 
 class Row {

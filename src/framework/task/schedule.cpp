@@ -37,6 +37,9 @@ void check(const Schedule& schedule, int level, bool outermost) {
                             if (!h.exchange) refuse("ghost exchange", h.name, "has no action");
                             if (h.width < 1) refuse("ghost exchange", h.name, "has no width");
                           },
+                          [&](const Stage& s) {
+                            if (!s.run) refuse("stage", s.name, "has no action");
+                          },
                           [&](const Loop& l) {
                             if (!l.converged || l.most < 1)
                               refuse("loop", l.name, "would never end");
@@ -100,6 +103,7 @@ void describe(const Schedule& schedule, const std::string& indent, std::string& 
                             text += indent + "ghost exchange " + h.name + ", width " +
                                     std::to_string(h.width) + "\n";
                           },
+                          [&](const Stage& s) { text += indent + "all levels: " + s.name + "\n"; },
                           [&](const Loop& l) {
                             text += indent + "loop " + l.name + ", at most " +
                                     std::to_string(l.most) + " passes\n";
@@ -142,6 +146,7 @@ Verdict run(const Schedule& schedule, const StepScope& scope, StepJournal& journ
     const Verdict verdict =
         std::visit(Overloaded{[&](const Sweep& s) { return s.run(scope, journal); },
                               [&](const HaloPoint& h) { return h.exchange(scope, journal); },
+                              [&](const Stage& s) { return s.run(scope, journal); },
                               [&](const Loop& l) { return run_loop(l, scope, journal); },
                               [&](const LevelCycle& c) { return run_cycle(c, scope, journal); },
                               [&](const Retry& r) { return run_retry(r, scope, journal); }},

@@ -69,6 +69,13 @@ struct HaloPoint {
   Action exchange;
 };
 
+// An action on all levels at once: a solve, a sweep over each of them. Of steps that no level takes
+// alone (run/step_shape.hpp).
+struct Stage {
+  std::string name;
+  Action run;
+};
+
 // The body until `converged` (asked after each pass, counted from 1); rejects after `most` passes.
 struct Loop {
   std::string name;
@@ -95,7 +102,7 @@ struct Retry {
 };
 
 struct Node {
-  std::variant<Sweep, HaloPoint, Loop, LevelCycle, Retry> what;
+  std::variant<Sweep, HaloPoint, Stage, Loop, LevelCycle, Retry> what;
 };
 
 // Throws std::logic_error naming the node: nodes stand in a step of their own level, cycles go one

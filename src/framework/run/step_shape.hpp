@@ -1,0 +1,101 @@
+// The shape of a step, as a component declares it: what all levels do together, in order.
+//
+// A step that declares nothing is exchange, sweep, take over on each level, finer levels in
+// substeps of the coarser one (hierarchy_cycle.cpp). A step that solves a system between sweeps
+// declares stages instead; all levels then take the same step, each stage on all of them before the
+// next begins:
+//
+//   shape.prepare("pressure system", labels);       // stored: coefficients, right-hand side
+//   shape.iterate("pressure", most, converged,      // until converged(scope)
+//                 [&](StepShape& pass) {
+//                   pass.solve("pressure", solve);  // writes work slots of the states
+//                   pass.sweep("step", labels);     // the new state beside the old one
+//                 });
+//   shape.take_over();                              // the new state becomes the present one
+//
+// Ghost cells of the state are filled when a step begins. An attempt leaves nothing behind when it
+// is rejected: what lasts goes to the journal.
+#pragma once
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "framework/field/label.hpp"
+#include "framework/task/schedule.hpp"
+
+namespace sluice {
+
+class LevelSolver;
+class Communicator;
+
+// What a stage between sweeps sees.
+struct StageScope {
+  std::vector<LevelSolver*> levels;  // coarse to fine
+  Communicator* ranks = nullptr;
+  StepScope step;          // of the coarsest level; the finer ones take the same step
+  double dt_before = 0;    // length of the step before; 0: there was none
+  int pass = 0;            // of the iteration around it, counted from 1
+  StepJournal* journal = nullptr;
+  std::string* reason = nullptr;  // why it rejects the step, for the message
+};
+
+// All ranks must return the same.
+using StageAction = std::function<Verdict(const StageScope&)>;
+
+class StepShape {
+ public:
+  struct Exchange {};
+  struct Prepare {
+    std::string name;
+    std::vector<Label> stored;
+  };
+  struct Solve {
+    std::string name;
+    StageAction action;
+  };
+  struct Sweep {
+    std::string name;
+    std::vector<Label> stored;  // beside those that are saved
+  };
+  struct TakeOver {};
+  struct Iterate;
+  using Stage = std::variant<Exchange, Prepare, Solve, Sweep, TakeOver, Iterate>;
+  // Stages until `converged`, which may reject the step by the reason it gives.
+  struct Iterate {
+    std::string name;
+    int most = 1;
+    enum class Answer { again, done, reject };
+    std::function<Answer(const StageScope&)> converged;
+    std::vector<Stage> body;
+  };
+
+  // Ghost cells of the state: after take_over() within a step.
+  void exchange_state() { stages_.push_back(Exchange{}); }
+  // A sweep that stores these labels of the step and makes no new state.
+  void prepare(std::string name, std::vector<Label> stored) {
+    stages_.push_back(Prepare{std::move(name), std::move(stored)});
+  }
+  void solve(std::string name, StageAction action) {
+    stages_.push_back(Solve{std::move(name), std::move(action)});
+  }
+  void sweep(std::string name, std::vector<Label> stored = {}) {
+    stages_.push_back(Sweep{std::move(name), std::move(stored)});
+  }
+  void take_over() { stages_.push_back(TakeOver{}); }
+  void iterate(std::string name, int most,
+               std::function<Iterate::Answer(const StageScope&)> converged,
+               const std::function<void(StepShape&)>& body) {
+    StepShape inner;
+    body(inner);
+    stages_.push_back(
+        Iterate{std::move(name), most, std::move(converged), std::move(inner.stages_)});
+  }
+  const std::vector<Stage>& stages() const { return stages_; }
+  bool plain() const { return stages_.empty(); }
+
+ private:
+  std::vector<Stage> stages_;
+};
+
+}  // namespace sluice
