@@ -2,6 +2,8 @@
 
 #include "examples/burger.hpp"
 #include "examples/poisson.hpp"
+#include "examples/repeated_poisson.hpp"
+#include "examples/linear_solve.hpp"
 #include "examples/wave.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
@@ -23,6 +25,8 @@ constexpr ComponentKind kinds[] = {
     // Examples of components: docs/your_own_component.md.
     {"poisson1", examples::add_poisson_tags, examples::make_poisson},
     {"benchmark", nullptr, examples::make_poisson},
+    {"poisson2", nullptr, examples::make_repeated_poisson},
+    {"solvertest", examples::add_solver_test_tags, examples::make_solver_test},
     {"burger", examples::add_burger_tags, examples::make_burger},
     {"wave", examples::add_wave_tags, examples::make_wave},
 };

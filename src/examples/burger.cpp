@@ -198,8 +198,10 @@ std::unique_ptr<Component> make_burger(const Deck& deck, const Scene& scene,
   for (const BoundarySide& side : scene.boundary.sides)
     for (const BoundaryRegion& region : side.regions)
       for (const Condition& c : region.conditions)
-        add_warning(faults, c.where, "this condition has no effect: sides of burger copy their "
-                                     "inner nodes", "remove it");
+        add_warning(faults, c.where,
+                    "this condition has no effect: sides of burger copy their "
+                    "inner nodes",
+                    "remove it");
   const Level& grid = scene.grid.levels.front();
   for (int d = 0; d < 3; ++d)
     if (ends_at(grid, side_of(d, false)) && grid.domain.size()[d] < 2)

@@ -35,8 +35,8 @@ class Burger : public PlainComponent {
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;
 
-  static Label label();                  // u
-  static double start(const Vec3& x);    // u at time 0
+  static Label label();                // u
+  static double start(const Vec3& x);  // u at time 0
 
  private:
   double dt_;

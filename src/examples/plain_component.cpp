@@ -33,8 +33,8 @@ void PlainComponent::declare_diagnostics(TaskList& list, int /*level*/) const {
 }
 
 Label PlainComponent::refine_flag() const {
-  static const Label label = declare_label({"examples.refine", ValueType::real, Centring::cell, "1",
-                                            "1 where a finer level is wanted"});
+  static const Label label = declare_label(
+      {"examples.refine", ValueType::real, Centring::cell, "1", "1 where a finer level is wanted"});
   return label;
 }
 

@@ -72,8 +72,7 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
     // Exact sums: the same bits however the nodes are shared out.
     ExactSum& residual = row.reductions().sum(0);
     const double* from = row(phi);
-    for (int i = part.begin; i < part.end; ++i)
-      residual.add((to[i] - from[i]) * (to[i] - from[i]));
+    for (int i = part.begin; i < part.end; ++i) residual.add((to[i] - from[i]) * (to[i] - from[i]));
   });
 }
 
@@ -82,7 +81,7 @@ StepLimit Poisson::step_limit(const std::vector<double>& /*maxima*/) const {
 }
 
 double Poisson::history_value(Label label, const Totals& totals) const {
-  if (label == labels_.residual) return totals.sweep_sums.front();
+  if (label == labels_.residual) return totals.sweep_sums.empty() ? 0.0 : totals.sweep_sums.front();
   return PlainComponent::history_value(label, totals);
 }
 

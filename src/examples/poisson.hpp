@@ -35,6 +35,9 @@ class Poisson : public PlainComponent {
   int reduction_sums() const override { return 1; }  // the residual
   double history_value(Label label, const Totals& totals) const override;
 
+ protected:
+  const PoissonScene& settings() const { return settings_; }
+
  private:
   PoissonScene settings_;
   PoissonLabels labels_ = claim_poisson_labels();

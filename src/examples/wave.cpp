@@ -21,8 +21,9 @@ constexpr double stable_runge_kutta = 2.8;  // 2 sqrt(2), rounded down
 constexpr double stable_euler = 2.0;
 
 Label stage_label(const char* field, int stage) {
-  return declare_label({fmt::format("{}{}", field, stage + 1), ValueType::real, Centring::cell, "1",
-                        fmt::format("{} of state {} of a Runge-Kutta step (wave)", field, stage + 1)});
+  return declare_label(
+      {fmt::format("{}{}", field, stage + 1), ValueType::real, Centring::cell, "1",
+       fmt::format("{} of state {} of a Runge-Kutta step (wave)", field, stage + 1)});
 }
 
 // phi and pi: read, or written. With components they are two of one variable.
@@ -92,8 +93,7 @@ void add_last_stage(TaskList& list, int effect, const Variables& v, const Axes& 
     const auto blend = [&](double* to, const double* a, const double* b, const double* c,
                            const double* d) {
 #pragma GCC ivdep
-      for (int i = 0; i < row.count(); ++i)
-        to[i] = ((b[i] - a[i]) + 2 * c[i] + d[i]) * (1.0 / 3.0);
+      for (int i = 0; i < row.count(); ++i) to[i] = ((b[i] - a[i]) + 2 * c[i] + d[i]) * (1.0 / 3.0);
     };
     blend(row(phi), y1.phi_row(row), y2.phi_row(row), y3.phi_row(row), y4.phi_row(row));
     blend(row(pi), y1.pi_row(row), y2.pi_row(row), y3.pi_row(row), y4.pi_row(row));
@@ -129,19 +129,18 @@ void add_euler(TaskList& list, int effect, const Variables& v, const Axes& axes,
   });
 }
 
-// What a deck may save of the states within a step.
-void add_stage_outputs(TaskList& list, int effect, const WaveLabels& labels,
-                       const Variables& v) {
+// What a deck may save of the states within a step: a task each, as only those wanted are stored.
+void add_stage_outputs(TaskList& list, int effect, const WaveLabels& labels, const Variables& v) {
   for (int stage = 0; stage < stages; ++stage) {
     const auto n = static_cast<std::size_t>(stage);
-    TaskBuilder task = list.task(fmt::format("save state {}", stage + 1), effect);
-    const Fields y = read_state(task, v, stage, Stencil::point());
-    const Out phi = task.write(list.output(labels.phi_stage[n], 0));
-    const Out pi = task.write(list.output(labels.pi_stage[n], 0));
-    task.kernel([=](const Row& row) {
-      std::copy_n(y.phi_row(row), row.count(), row(phi));
-      std::copy_n(y.pi_row(row), row.count(), row(pi));
-    });
+    const auto save = [&](Label label, auto row_of) {
+      TaskBuilder task = list.task("save " + label.name(), effect);
+      const Fields y = read_state(task, v, stage, Stencil::point());
+      const Out to = task.write(list.output(label, 0));
+      task.kernel([=](const Row& row) { std::copy_n(row_of(y, row), row.count(), row(to)); });
+    };
+    save(labels.phi_stage[n], [](const Fields& y, const Row& row) { return y.phi_row(row); });
+    save(labels.pi_stage[n], [](const Fields& y, const Row& row) { return y.pi_row(row); });
   }
 }
 
@@ -156,8 +155,8 @@ int mirrored(int i, int lower, int upper) {
 
 WaveLabels claim_wave_labels() {
   WaveLabels l;
-  l.phi = claim_label({"phi", ValueType::real, Centring::cell, "1",
-                       "solution of the wave equation (wave)"});
+  l.phi = claim_label(
+      {"phi", ValueType::real, Centring::cell, "1", "solution of the wave equation (wave)"});
   l.pi = claim_label({"pi", ValueType::real, Centring::cell, "1/s", "its rate of change (wave)"});
   for (std::size_t n = 0; n < stages; ++n) {
     l.phi_stage[n] = stage_label("phi", static_cast<int>(n));
@@ -279,8 +278,11 @@ void add_wave_tags(Schema& schema) {
   schema.add(
       tag("Wave", "the wave equation in cells")
           .with_children(
-              {tag("radius", "of the bump at the start").real().above(0).unit("length").by_default(
-                   "0.05"),
+              {tag("radius", "of the bump at the start")
+                   .real()
+                   .above(0)
+                   .unit("length")
+                   .by_default("0.05"),
                tag("initial_condition", "Chombo: a bump at the origin, at rest")
                    .words({"Chombo"})
                    .by_default("Chombo"),

@@ -75,9 +75,11 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "poisson1", "benchmark", "burger", "wave"})
+                     .words({"ice", "poisson1", "poisson2", "solvertest", "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("POISSON1", "poisson1")
+                     .spelling("POISSON2", "poisson2")
+                     .spelling("SOLVERTEST", "solvertest")
                      .spelling("BENCHMARK", "benchmark")
                      .spelling("BURGER", "burger")
                      .spelling("WAVE", "wave")
@@ -107,8 +109,6 @@ TagSpec component() {
                                  "PARTICLETEST",
                                  "phasefield",
                                  "PHASEFIELD",
-                                 "poisson2",
-                                 "POISSON2",
                                  "poisson3",
                                  "POISSON3",
                                  "poisson4",
@@ -137,8 +137,6 @@ TagSpec component() {
                                  "SHELLMPM",
                                  "solvertest2",
                                  "SOLVERTEST2",
-                                 "solvertest",
-                                 "SOLVERTEST",
                                  "switcher",
                                  "unifiedschedulertest",
                                  "UNIFIEDSCHEDULERTEST",
