@@ -189,6 +189,17 @@ Effect tracers(const IceScene& ice) {
           ice.models.tracers.front().where};
 }
 
+// Sound crosses many cells in a step, or it must not cross one.
+Effect pressure_solve(const IceScene& ice) {
+  if (!ice.implicit)
+    return {"pressure solve", false, "no <ImplicitSolver>: steps follow sound", {}};
+  const ImplicitSettings& s = *ice.implicit;
+  return {"pressure solve", true,
+          fmt::format("<ImplicitSolver>: {}, relative volume errors to {:g} in at most {} passes",
+                      describe(s.linear), s.tolerance, s.max_passes),
+          s.where};
+}
+
 }  // namespace
 
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
@@ -237,6 +248,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          ice.models.where.line > 0 ? "no <Model> of a reaction" : "no <Models> in the deck",
          ice.models.where});
   e.add(tracers(ice));
+  e.add(pressure_solve(ice));
   return e;
 }
 

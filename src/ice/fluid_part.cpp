@@ -10,6 +10,7 @@
 #include "ice/levels/mixture_transfer.hpp"
 #include "ice/levels/scalar_transfer.hpp"
 #include "ice/one_material/leaving_shocks.hpp"
+#include "ice/pressure/pressure_solve.hpp"
 #include "ice/saved/criteria.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/start/initialise.hpp"
@@ -30,7 +31,8 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
   std::vector<std::size_t> by_volume;  // views of scalars
   const std::size_t materials = o.fluids.size();
   std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
-  for (std::size_t s = 0; s + ice.models.scalars.size() < slots.size(); ++s)
+  const std::size_t beside = ice.models.scalars.size() + (o.implicit ? 1 : 0);
+  for (std::size_t s = 0; s + beside < slots.size(); ++s)
     views += static_cast<std::size_t>(slots[s].components);
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
     if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
@@ -65,6 +67,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   slots.energy = labels().energy;
   if (material_count() > 1) slots.volume = labels().volume;
   if (options_.own_velocities) slots.slip = labels().slip;
+  if (options_.implicit) slots.offset = labels().pressure_offset;
   for (int c = 0; c < options_.components; ++c)
     slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
@@ -120,7 +123,9 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   // Their friction follows what the dynamic model has filtered.
   const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
   const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
-  const int ghosts = (options_.classic ? classic::ghost_layers(options_) : 3) + aside + around;
+  // Slopes of the semi-implicit step reach one cell further.
+  const int own = options_.classic ? classic::ghost_layers(options_) : options_.implicit ? 4 : 3;
+  const int ghosts = own + aside + around;
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {
     for (int m = 0; m < material_count(); ++m)
@@ -135,6 +140,7 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
       slots.push_back({labels().slip, options_.place(m), options_.components, ghosts});
   for (const models::TransportedScalar& s : ice_.models.scalars)
     slots.push_back({s.state(), options_.place(s.material), 1, ghosts});
+  if (options_.implicit) slots.push_back({labels().pressure_offset, options_.place(0), 1, ghosts});
   return slots;
 }
 
@@ -201,6 +207,32 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   declare_mixture(list, o, effects_);
 }
 
+// Semi-implicit: d by passes over a system that is made once, then the step with what came out.
+void FluidPart::shape_step(StepShape& shape) const {
+  if (!options_.implicit) return;
+  const Labels& l = labels();
+  const auto pressure = std::make_shared<pressure::PressureSolve>(*ice_.implicit);
+  std::vector<Label> system{l.matrix_cell, l.right_side};
+  for (int a = 0; a < options_.axes.count; ++a)
+    system.push_back(l.matrix_face[options_.axes.direction[a]]);
+  shape.solve("start", [pressure](const StageScope& scope) { return pressure->start(scope); });
+  shape.prepare("pressure system", system);
+  shape.iterate(
+      "pressure", ice_.implicit->max_passes,
+      [pressure](const StageScope& scope) { return pressure->judge(scope); },
+      [&](StepShape& pass) {
+        pass.solve("pressure",
+                   [pressure](const StageScope& scope) { return pressure->solve(scope); });
+        pass.sweep("step", {l.volume_error});
+      });
+  shape.take_over();
+}
+
+std::vector<SlotInfo> FluidPart::work_slots() const {
+  if (!options_.implicit) return {};
+  return {{labels().pressure_increment, options_.place(0), 1, 0}};
+}
+
 // A block with one material alone needs the graph of that material only.
 int FluidPart::step_kinds() const {
   return material_count() == 1 ? 1 : material_count() + 1;
@@ -250,7 +282,7 @@ bool FluidPart::quiet_blocks_allowed() const {
     return false;
   for (const models::TransportedScalar& s : ice_.models.scalars)
     if (s.grows()) return false;
-  return !options_.gravity_on && sources_.empty() && control_volumes(scene_->analysis).empty();
+  return !options_.gravity_on && !options_.implicit && sources_.empty() && control_volumes(scene_->analysis).empty();
 }
 
 // Shocks do not leave levels that follow them.

@@ -37,6 +37,8 @@ class FluidPart {
 
   void declare_step(TaskList& list, const StepVariant& variant) const;
   void declare_diagnostics(TaskList& list, int level) const;
+  void shape_step(StepShape& shape) const;
+  std::vector<SlotInfo> work_slots() const;
   int step_kinds() const;
   int step_kind(const Warehouse& old_state, int local_box, const IndexBox& cells_with_halo) const;
 

@@ -13,6 +13,10 @@ void Ice::fill_boundary(Warehouse& state, double time, std::span<const double> s
   fluid_.boundary(state.level().index).fill(state, team, time, sums);
 }
 
+void Ice::fill_work_boundary(Warehouse& state, Label label, const ThreadTeam& team) const {
+  fluid_.boundary(state.level().index).fill_increment(state, state.find(label, 0), team);
+}
+
 int Ice::boundary_sums() const {
   return fluid_.boundary(0).sum_count();
 }

@@ -47,7 +47,12 @@ class Ice : public Component {
   Label mask_label() const override;
   const ParticleMethod* particles() const override { return fluid_.tracers(); }
 
-  int reduction_maxima() const override { return StepSlots::maxima; }
+  int reduction_maxima() const override {
+    return fluid_.options().implicit ? StepSlots::maxima_with_solve : StepSlots::maxima;
+  }
+  void shape_step(StepShape& shape) const override { fluid_.shape_step(shape); }
+  std::vector<SlotInfo> work_slots() const override { return fluid_.work_slots(); }
+  void fill_work_boundary(Warehouse& state, Label label, const ThreadTeam& team) const override;
   int reduction_sums() const override { return fluid_.reduction_sums(); }
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
   bool quiet_blocks_allowed() const override { return fluid_.quiet_blocks_allowed(); }

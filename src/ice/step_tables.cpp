@@ -3,6 +3,7 @@
 #include "ice/classic/variables.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/pressure/variables.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/scalars/heat_release.hpp"
 #include "ice/scalars/variables.hpp"
@@ -27,6 +28,13 @@ classic::Variables declare_classic_variables(TaskList& list, const SchemeOptions
   return v;
 }
 
+// Velocity and pressure of the faces: from Riemann problems, or from a pressure that is solved for.
+void add_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  if (o.implicit) return pressure::add_solved_faces(list, v, o, effect_pressure_solve);
+  add_slopes(list, v, o, effect_second_order);
+  add_faces(list, v, o, effect_flow);
+}
+
 // What leaves through sides and levels, and what forces and models add: all steps alike.
 void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                   const EffectList& effects) {
@@ -44,11 +52,11 @@ void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions&
 // in the file of its name under one_material/; when it is absent is said there in its first line.
 void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   SchemeVariables v = declare_conservative_variables(list, o);
+  if (o.implicit) pressure::declare_variables(list, o, v);
   scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
   // task                    reads                              writes
   add_primitives(list, v, o, effect_flow);      // state                    u, p, c
-  add_slopes(list, v, o, effect_second_order);  // u, p                     su, sp, P, UT
-  add_faces(list, v, o, effect_flow);           // u, p, c, slopes          u_f, p_f
+  add_face_states(list, v, o);                  // u, p, c                  slopes, u_f, p_f
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
   add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
@@ -58,6 +66,8 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
   scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
   scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
+  if (o.implicit)
+    pressure::add_end_of_one(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   add_accounts(list, v, o, effects);                      // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
 }
@@ -67,11 +77,11 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
 void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
+  if (o.implicit) pressure::declare_variables(list, o, v);
   scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   // task                            reads                              writes
   mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
-  add_slopes(list, v, o, effect_second_order);                 // u, p       su, sp, P, UT
-  add_faces(list, v, o, effect_flow);                          // slopes     u_f, p_f
+  add_face_states(list, v, o);                                 // u, p       slopes, u_f, p_f
   mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
   mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
   mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
@@ -82,6 +92,8 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
   mixture::add_update(list, m, o, effect_equilibration);        // fluxes     new state, rates
   scalars::add_tasks(list, v, o, effect_scalars);               // u_f, fluxes  new scalars
   mixture::add_one_pressure(list, m, o, effect_equilibration);  // remap, f  new state, rates
+  if (o.implicit)
+    pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
   add_accounts(list, v, o, effects);                            // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
@@ -90,14 +102,17 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
 void declare_own_velocities(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});
+  if (o.implicit) {
+    pressure::declare_variables(list, o, m.common);
+    m.slip.common.solve = m.common.solve;
+  }
   const SchemeVariables &v = m.common, &volume = m.slip.common;
   constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   mixture::add_surface(list, m, o, slip);                     // V_m        where gas slips
   mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
-  add_slopes(list, volume, o, effect_second_order);           // u, p       su, sp, P, UT
-  add_faces(list, volume, o, effect_flow);                    // slopes     u_f, p_f
+  add_face_states(list, volume, o);                           // u, p       slopes, u_f, p_f
   mixture::add_friction(list, m, o);                          // V_m, T_m, u  mu, t_f
   mixture::add_slip_stress(list, m, o, effect_viscosity);     // u_m        t of each
   mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
@@ -109,6 +124,8 @@ void declare_own_velocities(TaskList& list, const SchemeOptions& o, const Effect
   mixture::add_slip_bases(list, m, o, slip);                   // Lagrange   bases of u_m
   mixture::add_slip_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE, U of each
   mixture::add_slip_update(list, m, o, effect_equilibration);  // fluxes     new state, rates
+  if (o.implicit)
+    pressure::add_end_of_mixture(list, m, volume, o, effect_pressure_solve);  // X, state  R, Y
   scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
   add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
   mixture::add_slip_force_account(list, m, o, effect_of_forces(o));

@@ -33,6 +33,7 @@ FLOORS = {
         ["start", "sources", "transport", "tracers"],
         ["one_material", "classic"],
         ["mixture"],
+        ["pressure"],
         ["scalars"],
         ["levels", "account"],
         ["saved"],

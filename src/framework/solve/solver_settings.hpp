@@ -32,6 +32,8 @@ const std::vector<std::string>& solver_types();
 const std::vector<std::string>& hypre_solvers();
 const std::vector<std::string>& hypre_preconditioners();
 
+// In a few words: "hypre cg with pfmg to 1e-10".
+std::string describe(const SolverSettings& settings);
 // All that is wrong, a line each, with the valid names; empty when nothing is.
 std::vector<std::string> faults_of(const SolverSettings& settings);
 

@@ -9,6 +9,8 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
   constexpr double flow_share = 0.9;
   // Friction along its own direction acts with 4/3 mu: 0.75 is what explicit steps can bear.
   constexpr double diffusion_share = 0.7;
+  // Of a semi-implicit step: beyond, the pressure of a closed box is hardly determined.
+  constexpr double most_cells_of_sound = 2e4;
   const double sound_share = o.classic ? classic::sound_share(o.axes.count) : most_in_one_direction;
   StepLimit limit{o.cfl / maxima[StepSlots::deck_rate], o.conservative_time_step
                                                             ? "deck: conservative rule"
@@ -17,7 +19,13 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
     if (dt < limit.dt) limit = {dt, reason};
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
-  at_most(sound_share / maxima[StepSlots::sound_rate],
+  if (o.implicit) {
+    at_most(most_cells_of_sound / maxima[StepSlots::sound_rate],
+            "scheme: sound crosses 20,000 cells");
+    if (maxima[StepSlots::flow_rate] == 0)
+      at_most(o.cfl / maxima[StepSlots::sound_rate], "start from rest: cfl dx/c");
+  } else
+    at_most(sound_share / maxima[StepSlots::sound_rate],
           o.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
                     : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
   const double diffusion = maxima[StepSlots::diffusion_rate];

@@ -183,6 +183,40 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
   if (one || setting_.mixed != nullptr) fill_scalars(state, box, ghosts, side, true);
   fill_flow(state, box, ghosts, side, moment);
   if (!one) fill_scalars(state, box, ghosts, side, false);
+  if (slots_.offset.valid()) fill_like_pressure(offset_view(state, box), ghosts, side);
+}
+
+RealView BoundaryFill::offset_view(const Warehouse& state, int box) const {
+  return state.view(state.find(slots_.offset, slots_.places.material_of(slots_.material)), 0, box);
+}
+
+void BoundaryFill::fill_like_pressure(const RealView& view, const IndexBox& ghosts,
+                                      Side side) const {
+  const int d = direction_of(side);
+  for_each_cell(ghosts, [&](IntVec3 ghost) {
+    const GhostRule& here = rules_[static_cast<std::size_t>(side)][region(side, ghost)];
+    const IntVec3 source = source_cell(ghost, d, is_plus(side), here.mirrored(), level_->domain);
+    view(ghost) = here.side_kind() == SideKind::pressure ? 0.0 : view(source);
+  });
+}
+
+void BoundaryFill::fill_increment(Warehouse& state, int slot, const ThreadTeam& team) const {
+  const int width = state.info(slot).ghosts;
+  team.for_each(state.local_boxes().size(), [&](std::size_t n, int) {
+    const int box = static_cast<int>(n);
+    for (const Side side : all_sides)
+      if (regions_[static_cast<std::size_t>(side)] != nullptr)
+        if (const IndexBox ghosts = ghost_region(state, box, width, side); !ghosts.empty())
+          fill_like_pressure(state.view(slot, 0, box), ghosts, side);
+  });
+}
+
+BoundaryFill::FarPressure BoundaryFill::far_pressure(Side side, IntVec3 cell) const {
+  const GhostRule& here = rule(side, cell);
+  const LodiSettings& lodi = *setting_.conditions.lodi;
+  const int d = direction_of(side);
+  return {here.fixed_pressure ? here.pressure : lodi.press_infinity, lodi.sigma,
+          level_->domain.size()[d] * level_->spacing[d]};
 }
 
 void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
@@ -250,6 +284,7 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
   for (const auto* some : {&v.mass, &v.energy, &v.volume, &v.momentum, &v.slip})
     all.insert(all.end(), some->begin(), some->end());
   for (const scalars::GhostViews& s : scalar_views(state, box)) all.push_back(s.scalar);
+  if (slots_.offset.valid()) all.push_back(offset_view(state, box));
   std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * all.size(), 0.0);
   const auto each = [&](auto&& f) {
     std::size_t n = 0;

@@ -45,6 +45,7 @@ struct StateSlots {
   Label volume{};               // of several materials
   Label slip{};                 // of those with velocities of their own; none: they have one
   Places places{};              // of the materials
+  Label offset{};               // of semi-implicit steps: work pressure less that of the state
 };
 
 class BoundaryFill {
@@ -68,6 +69,9 @@ class BoundaryFill {
   int sum_count() const;
   void add_sums(const Warehouse& state, std::span<ExactSum> sums) const;
 
+  // Ghosts outside the domain of a change of the pressure that is solved for: as the state's, 0
+  // where the pressure is given.
+  void fill_increment(Warehouse& state, int slot, const ThreadTeam& team) const;
   // Walls let nothing pass: the face solver sets u_f = 0 there, whatever the ghosts hold.
   bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
   // `cell`: any cell with the transverse indices of the face.
@@ -81,6 +85,12 @@ class BoundaryFill {
   bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
   int wave_directions() const;  // with open faces
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
+  SideKind side_kind(Side side, IntVec3 cell) const { return rule(side, cell).side_kind(); }
+  // Of an open face: what its pressure is drawn to, how strongly, over which length.
+  struct FarPressure {
+    double pressure, sigma, length;
+  };
+  FarPressure far_pressure(Side side, IntVec3 cell) const;
 
  private:
   // The region of a boundary face; beyond the domain that of its image or of the nearest face.
@@ -93,6 +103,7 @@ class BoundaryFill {
   void number_open_face(Side side);  // that of the region added last
   std::vector<std::optional<Vec3>> carriers(std::span<const double> sums) const;
   BoundaryViews views(const Warehouse& state, int box) const;
+  RealView offset_view(const Warehouse& state, int box) const;
   std::vector<scalars::GhostViews> scalar_views(const Warehouse& state, int box) const;
   // `everywhere`: whether or not the material is there.
   void fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side,
@@ -101,6 +112,8 @@ class BoundaryFill {
                  const Moment& moment) const;
   // Of open faces, a row of cells at a time (boundary/open_sides.cpp).
   void fill_open_side(GhostStates& states, const IndexBox& ghosts, Side side) const;
+  // Of a number that has no rule of its own: mirrored or copied, 0 where the pressure is given.
+  void fill_like_pressure(const RealView& view, const IndexBox& ghosts, Side side) const;
   // By any rule but waves.
   void fill_ghost(GhostStates& states, Side side, std::size_t region, IntVec3 ghost) const;
   void fill_side(Warehouse& state, int box, const IndexBox& ghosts, Side side,

@@ -16,6 +16,15 @@ bool GhostRule::plain() const {
          !vortex_pressure && !waves;
 }
 
+SideKind GhostRule::side_kind() const {
+  if (mirrored()) return SideKind::wall;
+  if (waves) return SideKind::open;
+  if (velocity_kind != Velocity::copy) return SideKind::velocity;
+  const bool given = fixed_pressure || sine_pressure || vortex_pressure ||
+                     (fixed_density && fixed_temperature);
+  return given ? SideKind::pressure : SideKind::copied;
+}
+
 namespace {
 
 [[noreturn]] void refuse(const Condition& c) {

@@ -11,6 +11,10 @@ namespace sluice::ice {
 
 constexpr double unfilled = 1e-6;  // of a cell: volumes are given with as many digits
 
+// What a face on the side of the domain makes of a pressure that is solved for (pressure/faces.cpp):
+// its velocity is 0, given, or that of the cell inside; its pressure is given; waves leave.
+enum class SideKind { wall, velocity, copied, pressure, open };
+
 // What a wall does to heat: it has a temperature of its own, or a gradient along the inward normal.
 struct WallHeat {
   bool fixed = false, slip = false;      // slip: fixed, but the gas at the wall has another
@@ -38,6 +42,7 @@ struct GhostRule {
     return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall ||
            velocity_kind == Velocity::slip;
   }
+  SideKind side_kind() const;
   // The conserved state is copied (or mirrored) as it is.
   bool plain() const;
 };

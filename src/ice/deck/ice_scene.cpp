@@ -225,6 +225,13 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (const models::TransportedScalar& scalar : s.models.scalars)
     if (scalar.refine_above >= 0)
       s.criteria.push_back({scalar.value().name(), scalar.refine_above, scalar.material});
+  if (const DeckNode* block = root.find("CFD/ICE/ImplicitSolver")) {
+    s.implicit = read_implicit(root, *block, faults);
+    // hypre has no solver for one dimension; ours takes a few iterations there.
+    const std::array<bool, 3>& active = scene.grid.levels.front().active;
+    if (std::count(active.begin(), active.end(), true) == 1)
+      s.implicit->linear.type = solve::SolverSettings{}.type;
+  }
   s.conditions = read_flow_conditions(root);
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);

@@ -11,6 +11,7 @@
 #include "ice/deck/custom_start.hpp"
 #include "ice/deck/exchange_settings.hpp"
 #include "ice/deck/flow_conditions.hpp"
+#include "ice/deck/implicit_settings.hpp"
 #include "ice/deck/transport_settings.hpp"
 #include "ice/fluid/fluid.hpp"
 #include "models/models.hpp"
@@ -49,6 +50,7 @@ struct IceScene {
   bool classic = false;      // <scheme>classic</scheme>
   bool second_order = true;  // <advection type=>
   bool compatible_fluxes = true;
+  std::optional<ImplicitSettings> implicit;
   double cfl = 0.4;
   double sound_speed_knob = 1;
   double diffusion_knob = 1;

@@ -162,9 +162,7 @@ void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fa
 void check_solver(const DeckNode& root, const DeckNode* ice, std::vector<Fault>& faults) {
   const DeckNode* solver = root.child("Solver");
   if (solver == nullptr) return;
-  if (ice != nullptr && ice->child("ImplicitSolver") != nullptr)
-    add_not_built(faults, solver->where, "<Solver>");
-  else
+  if (ice == nullptr || ice->child("ImplicitSolver") == nullptr)
     add_warning(faults, solver->where,
                 "<Solver> has no effect: without <ImplicitSolver> nothing is solved", "remove it");
 }

@@ -8,6 +8,7 @@
 #include "ice/deck/custom_start.hpp"
 #include "ice/deck/exchange_settings.hpp"
 #include "ice/deck/fluid_laws.hpp"
+#include "ice/deck/implicit_settings.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/fluid/labels.hpp"
@@ -74,6 +75,7 @@ TagSpec ice_block() {
                           .words({"conservative", "classic"})
                           .by_default("conservative"),
                       advection(), time_step_control(), custom_initialization(),
+                      ice::implicit_solver_tag(),
                       tag("max_iteration_equilibration",
                           "accepted without effect: the search for one pressure always ends")
                           .integer()
@@ -277,6 +279,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_fluids);
   schema.rules.emplace_back(ice::check_ice_exchange);
   schema.rules.emplace_back(ice::check_transport);
+  schema.rules.emplace_back(ice::check_implicit);
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);

@@ -51,6 +51,30 @@ void declare_state(Labels& l) {
                 "1 where slopes are used, 0 in cells whose faces are redone at first order.");
 }
 
+void declare_solve(Labels& l) {
+  l.pressure_offset = cell("state.pressure_offset", "Pa",
+                           "State of semi-implicit steps: work pressure (the one that is solved "
+                           "for) minus the pressure of the equation of state.");
+  l.pressure_increment = cell("work.pressure_increment", "Pa",
+                              "Semi-implicit steps: change of the work pressure in the step, as it "
+                              "is solved for.");
+  l.matrix_cell = cell("pressure_matrix_CC", "1/Pa",
+                       "Semi-implicit steps: what a rise of the pressure takes of the volume of a "
+                       "cell, 1/(al rho c^2), the diagonal of the system without its faces.");
+  constexpr const char* faces[] = {"pressure_matrix_FCX", "pressure_matrix_FCY",
+                                   "pressure_matrix_FCZ"};
+  for (int d = 0; d < 3; ++d)
+    l.matrix_face[d] = face(faces[d], d, "1/Pa",
+                            "Semi-implicit steps: coupling of two cells in the pressure's system, "
+                            "A dt^2/(rho dx^2); 0 on faces whose velocity is given.");
+  l.right_side = cell("rhs", "1",
+                      "Semi-implicit steps: right-hand side of the first solve of the step, the "
+                      "relative volume by which a cell would be wrong without it.");
+  l.volume_error = cell("volume_error", "1",
+                        "Semi-implicit steps: relative volume by which a cell is wrong after the "
+                        "last solve; the largest is held below outer_iteration_tolerance.");
+}
+
 void declare_primitives(Labels& l) {
   l.rho = cell("rho_CC", "kg/m^3", "Mass of the material per volume of the cell.");
   l.rho_micro = cell("rho_micro_CC", "kg/m^3", "True density: mass per volume of the material.");
@@ -247,6 +271,7 @@ const Labels& labels() {
   static const Labels all = [] {
     Labels l;
     declare_state(l);
+  declare_solve(l);
     declare_primitives(l);
     declare_derivatives(l);
     declare_waves(l);

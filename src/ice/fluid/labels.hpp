@@ -16,6 +16,10 @@ struct Labels {
   Label momentum_component[3];  // as checkpoints keep them
   // 1 where slopes are used, 0 in cells whose faces are redone at first order.
   Label mask;
+  // Semi-implicit steps: work pressure less that of the state; what the solve adds to it in the step;
+  // the system of the first pass, and what the last left.
+  Label pressure_offset, pressure_increment;
+  Label matrix_cell, matrix_face[3], right_side, volume_error;
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

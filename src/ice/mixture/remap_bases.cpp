@@ -44,6 +44,7 @@ class MixedBases {
     for (int t = 0; t < D; ++t) {
       mixture_.su[t] = row(handles.common.velocity_slope, t);
       mixture_.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
+      mixture_.put[t] = handles.common.solved ? 0.0 : mixture_.h[t];
       blend_[2 * t] = runs_of(row, handles.blend, t, -1);
       blend_[2 * t + 1] = runs_of(row, handles.blend, t, 1);
     }
@@ -92,7 +93,7 @@ class MixedBases {
     const double *p, *iJ, *mask, *pure;
     const double* base[2][D];  // of density and energy
     const double* su[D];
-    double h[D];
+    double h[D], put[D];  // put: what squeezing gives back, see remap_base_rows.hpp
 
     Mixture from(int first) const {
       Mixture x = *this;
@@ -158,9 +159,9 @@ class MixedBases {
     }
     const double hu = x.h[t] * k.u[t][i], slopes = full ? hu : 0.0, squeeze = x.su[t][i];
     return {hu * central_slope(V - V_low, V_high - V),
-            slopes * central_slope(here.r - low.r, high.r - here.r) - x.h[t] * here.r * squeeze,
+            slopes * central_slope(here.r - low.r, high.r - here.r) - x.put[t] * here.r * squeeze,
             slopes * central_slope(here.e - low.e, high.e - here.e) -
-                x.h[t] * (here.e + x.p[i]) * squeeze};
+                x.put[t] * (here.e + x.p[i]) * squeeze};
   }
 
   template <bool Blend>

@@ -15,6 +15,9 @@ namespace sluice::ice {
 struct RemapBaseHandles {
   In rho, energy, velocity, pressure, inverse_rho, velocity_slope, pressure_slope, mask;
   In rho_L, energy_L, velocity_L, energy_scale;
+  bool solved = false;  // the pressure is solved for: read these
+  std::array<In, 3> face_pressure;
+  Vec3 force;
   std::array<Out, 3> base;
 };
 
@@ -41,7 +44,7 @@ struct BaseContext {
 };
 
 // The bases of density and energy. `Scaled`: not of an ideal gas.
-template <int D, bool Masked, bool Scaled>
+template <int D, bool Masked, bool Scaled, bool PutBack>
 void state_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes) {
   const BaseContext<D, Masked> x(row, h, axes);
   const Quantity rho = quantity<D>(row, h.rho, 0), E = quantity<D>(row, h.energy, 0);
@@ -58,8 +61,13 @@ void state_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes
   for (int i = 0; i < x.n; ++i) {
     double of_rho[D], of_E[D];
     for (int t = 0; t < D; ++t) {
-      of_rho[t] = x.masked(x.advected(rho, t, i) - x.h[t] * rho.centre[i] * su[t][i], i);
-      of_E[t] = x.masked(x.advected(E, t, i) - x.h[t] * (E.centre[i] + p[i]) * su[t][i], i);
+      double put_rho = 0.0, put_E = 0.0;
+      if constexpr (PutBack) {
+        put_rho = x.h[t] * rho.centre[i] * su[t][i];
+        put_E = x.h[t] * (E.centre[i] + p[i]) * su[t][i];
+      }
+      of_rho[t] = x.masked(x.advected(rho, t, i) - put_rho, i);
+      of_E[t] = x.masked(x.advected(E, t, i) - put_E, i);
     }
     const double least_rho = 0.1 * rL[i], least_E = Scaled ? EL[i] - 0.9 * scale[i] : 0.1 * EL[i];
     for (int d = 0; d < D; ++d) {
@@ -70,7 +78,8 @@ void state_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes
 }
 
 template <int D, int C, bool Masked>
-void velocity_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3 gravity) {
+void predicted_velocity_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes,
+                                  Vec3 gravity) {
   const BaseContext<D, Masked> x(row, h, axes);
   const double* w = row(h.inverse_rho);
   const double *sp[D], *v[C];
@@ -98,13 +107,59 @@ void velocity_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& a
     }
 }
 
+// Where the pressure is solved for: half of what the faces' pressures did across, the solve's part
+// of it included.
+template <int D, int C, bool Masked>
+void solved_velocity_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes,
+                               Vec3 gravity) {
+  const BaseContext<D, Masked> x(row, h, axes);
+  const double* w = row(h.inverse_rho);
+  const double *low[D], *high[D], *v[C];
+  double g_dx[D], f_dx[D], *base[D][C];
+  Quantity u[C];
+  for (int t = 0; t < D; ++t) {
+    const In p_f = h.face_pressure[static_cast<std::size_t>(t)];
+    low[t] = row(p_f);
+    high[t] = row(p_f, 0, t, 1);
+    g_dx[t] = gravity[axes.direction[t]] * row.step().spacing[axes.direction[t]];
+    f_dx[t] = h.force[axes.direction[t]] * row.step().spacing[axes.direction[t]];
+  }
+  for (int c = 0; c < C; ++c) {
+    u[c] = quantity<D>(row, h.velocity, c);
+    v[c] = row(h.velocity_L, c);
+    for (int d = 0; d < D; ++d) base[d][c] = row(h.base[static_cast<std::size_t>(d)], 2 + c);
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < x.n; ++i)
+#pragma GCC unroll 3
+    for (int c = 0; c < C; ++c) {
+      double change[D];
+      for (int t = 0; t < D; ++t) {
+        const double put =
+            t == c ? x.h[t] * (w[i] * ((high[t][i] - low[t][i]) - f_dx[t]) - g_dx[t]) : 0.0;
+        change[t] = x.masked(x.advected(u[c], t, i) - put, i);
+      }
+      for (int d = 0; d < D; ++d) base[d][c][i] = v[c][i] - others<D>(change, d);
+    }
+}
+
+template <int D, int C, bool Masked>
+void velocity_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3 gravity) {
+  h.solved ? solved_velocity_base_rows<D, C, Masked>(row, h, axes, gravity)
+           : predicted_velocity_base_rows<D, C, Masked>(row, h, axes, gravity);
+}
+
+// Where the pressure is solved for rho and E get nothing put back: what converges across is what
+// the solve makes of the flow, not half the slopes of the old one.
 template <int D, int C, bool Masked>
 void base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3 gravity,
                bool scaled) {
-  if (scaled)
-    state_base_rows<D, Masked, true>(row, h, axes);
+  if (h.solved)
+    scaled ? state_base_rows<D, Masked, true, false>(row, h, axes)
+           : state_base_rows<D, Masked, false, false>(row, h, axes);
   else
-    state_base_rows<D, Masked, false>(row, h, axes);
+    scaled ? state_base_rows<D, Masked, true, true>(row, h, axes)
+           : state_base_rows<D, Masked, false, true>(row, h, axes);
   velocity_base_rows<D, C, Masked>(row, h, axes, gravity);
 }
 
@@ -119,6 +174,14 @@ inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVaria
   h.velocity_slope = task.read(v.velocity_slope);
   h.pressure_slope = task.read(v.pressure_slope);
   if (o.masked) h.mask = task.read(v.mask);
+  h.solved = o.implicit;
+  h.force = o.force;
+  if (h.solved)
+    for (int d = 0; d < o.axes.count; ++d) {
+      const auto a = static_cast<std::size_t>(d);
+      h.face_pressure[a] =
+          task.read(v.face_pressure[a], Stencil::along(o.axes.direction[d], 0, 1));
+    }
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);
   h.velocity_L = task.read(v.velocity_L);

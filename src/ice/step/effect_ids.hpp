@@ -23,6 +23,7 @@ enum EffectId {
   effect_sources,
   effect_reactions,
   effect_tracers,
+  effect_pressure_solve,
   effect_open_faces
 };
 

@@ -97,6 +97,7 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   take_friction_and_conduction(ice, scene.grid.levels.front(), o);
   o.first_source_sum = o.sums + static_cast<int>(o.fluids.size()) - 1;
   o.classic = ice.classic;
+  o.implicit = ice.implicit.has_value();
   o.second_order = ice.second_order;
   o.compatible_fluxes = ice.compatible_fluxes;
   o.cfl = ice.cfl;

@@ -53,6 +53,7 @@ struct SchemeOptions {
   std::optional<ConvectiveExchange> convective;
   int sums = 8;          // exact sums before those of further materials: see StepSlots
   bool classic = false;  // the classic form, see classic/
+  bool implicit = false;  // one pressure is solved for, see pressure/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
@@ -130,6 +131,16 @@ struct ScalarVariables {
   std::array<VariableId, 3> carrier, face, spread;
 };
 
+// Of a semi-implicit step: pressure/variables.hpp.
+struct PressureVariables {
+  VariableId offset, offset_new;  // state: X - p
+  VariableId increment;           // d = X - X-, solved for
+  VariableId work, smooth;        // X-; the pressure whose slopes count
+  VariableId force;               // viscous, by axis
+  std::array<VariableId, 3> prediction;  // by axis: u*, j, k
+  VariableId error;               // R
+};
+
 struct SchemeVariables {
   // State: mass, momentum and internal energy per volume.
   VariableId rho, momentum, energy, mask;        // old
@@ -166,6 +177,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> material_flux;
   std::array<VariableId, 3> material_velocity;  // with which it passes, if each has its own
   ScalarVariables scalars;
+  PressureVariables solve;
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.
@@ -184,6 +196,8 @@ struct StepSlots {
   static constexpr int sound_rate = 2;      // max of (|u| + c)/dx and .8 of its sum
   static constexpr int diffusion_rate = 3;  // max of 2 D sum 1/dx^2, D = mu/rho or k/(rho cv)
   static constexpr int maxima = 4;
+  static constexpr int volume_error = 4;  // semi-implicit steps: max |R|
+  static constexpr int maxima_with_solve = 5;
   // Exact sums: what came in through the boundary in this step.
   static constexpr int mass = 0;
   static constexpr int momentum = 1;  // three

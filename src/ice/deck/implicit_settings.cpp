@@ -1,0 +1,57 @@
+#include "ice/deck/implicit_settings.hpp"
+
+#include "framework/deck/faults.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "framework/solve/solver_tags.hpp"
+#include "ice/deck/schema.hpp"
+
+namespace sluice::ice {
+
+TagSpec implicit_solver_tag() {
+  return tag("ImplicitSolver",
+             "the pressure is solved for: steps as long as the flow allows, not its sound")
+      .with_children(
+          {tag("max_outer_iterations", "solves in a step, at most; 1: what is left of the volume "
+                                       "of cells is taken up by the next step")
+               .once()
+               .integer()
+               .at_least(1),
+           tag("outer_iteration_tolerance",
+               "largest relative error of the volume of a cell after the last solve")
+               .once()
+               .real()
+               .at_least(0),
+           tag("iters_before_timestep_restart",
+               "solves after which a step that has not converged is redone with a smaller one")
+               .integer()
+               .at_least(1)})
+      .child(solve::solver_parameters_tag());
+}
+
+ImplicitSettings read_implicit(const DeckNode& root, const DeckNode& block,
+                               std::vector<Fault>& faults) {
+  ImplicitSettings s;
+  s.where = block.where;
+  s.max_passes = integer_or(block, "max_outer_iterations", s.max_passes);
+  s.tolerance = real_or(block, "outer_iteration_tolerance", s.tolerance);
+  s.most_before_redo = integer_or(block, "iters_before_timestep_restart", s.max_passes);
+  s.linear = solve::read_solver_settings(root, block, "implicitPressure", faults);
+  return s;
+}
+
+void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* ice = root.find("CFD/ICE");
+  const DeckNode* block = ice == nullptr ? nullptr : ice->child("ImplicitSolver");
+  if (block == nullptr || !runs_ice(root)) return;
+  if (const DeckNode* scheme = ice->child("scheme"); scheme != nullptr && scheme->text == "classic")
+    add_error(faults, block->where, "<ImplicitSolver> needs <scheme>conservative</scheme>",
+              "remove <scheme>, or <ImplicitSolver>");
+  if (const DeckNode* amr = root.child("AMR"); amr != nullptr && !boolean_or(*amr, "useLockStep", false))
+    if (const DeckNode* grid = root.find("Grid"); grid != nullptr && amr->child("Regridder") != nullptr)
+      add_error(faults, block->where,
+                "<ImplicitSolver> solves for the pressure of all levels at once, which must take "
+                "the same step",
+                "<useLockStep> true in <AMR>");
+}
+
+}  // namespace sluice::ice

@@ -1,0 +1,67 @@
+// The semi-implicit step: one pressure X in the middle of the step, solved for, in place of that of
+// the Riemann problems at the faces. docs/theory/ice_pressure.md.
+//
+//   X   work pressure: pressure at t + dt/2 at the cell's centre. X- is that of the step before;
+//       the state keeps Y = X - p, so that X- = p + Y, and ghost cells follow from those of p
+//   d   = X - X-, what is solved for: a work slot, kept unrounded within the step
+//   u_f = u* - dt/(rho_f dx) [ (X-_b - X-_a)/2 + A (d_b - d_a) ]
+//   p_f = (rho_b X_a + rho_a X_b)/(rho_a + rho_b) + j + k
+//   R   = { (1 - g1)(p - X-) + al [dp - 2 sum_d h_d u_d sp_d] - d } / (al rho c^2)
+// R is the relative error of the volume of a cell. dp is the rise of its pressure in the step: in
+// the first pass -rho c^2 sum_d l_d (u_f+ - u_f-), afterwards that of the Lagrangian phase. One
+// pass solves
+//   e/(al rho c^2) - sum over faces of  A dt^2/(rho_f dx^2) (e_neighbour - e) = R,   d <- d + e.
+// What the solve leaves changes no balance: the faces' velocities and pressures are single-valued,
+// and all after them is the explicit scheme.
+#pragma once
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice::mixture {
+struct Variables;
+}
+
+namespace sluice::ice::pressure {
+
+// r = dt_before/dt; the first step has none. g1 damps what X- and p disagree about, s1 the waves
+// that no step resolves; both cost phase error of second order (measured: .177 (w dt)^2).
+struct SolveConstants {
+  double old_share;   // 1 - g1 (of this step)
+  double al, A;       // (1 + g1 r)/2, 1/2 + s
+};
+inline SolveConstants solve_constants(const StepConstants& step) {
+  constexpr double g1 = 0.15, s1 = 0.1;
+  constexpr double most_growth = 4.0;  // of r, beyond which X- says little about this step
+  const double r = step.dt_before / step.dt;
+  const double g = r > most_growth ? 0.0 : g1;
+  return {1.0 - g, 0.5 * (1.0 + g * r), 0.5 + s1 * (r < 1.0 ? r : 1.0)};
+}
+
+// Components of the prediction of a face.
+enum Prediction { star_velocity = 0, jump_pressure, slope_pressure, prediction_count };
+
+// Declares what the tasks of this folder share, and the state.
+void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
+
+// Tasks of the step, in order, in place of slopes and faces; each in the file of its name.
+void add_work_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_smooth_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_viscous_force(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_predictions(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_solved_face_states(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// All of these.
+void add_solved_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// After the Lagrangian phase: R by the law, its maximum; X - p of the new state. `p_L`: pressure of
+// the state after it; `p_new`: of the new state.
+void add_volume_error(TaskList&, const SchemeVariables&, const SchemeOptions&, VariableId p_L,
+                      int effect);
+void add_offset(TaskList&, const SchemeVariables&, const SchemeOptions&, VariableId p_new,
+                int effect);
+// Both, of one material, whose pressures they find.
+void add_end_of_one(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// Both where several materials may meet; `faces`: what moves with the faces' velocity.
+void add_end_of_mixture(TaskList&, const mixture::Variables&, const SchemeVariables& faces,
+                        const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice::pressure
