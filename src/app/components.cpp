@@ -26,6 +26,7 @@ constexpr ComponentKind kinds[] = {
     {"poisson1", examples::add_poisson_tags, examples::make_poisson},
     {"benchmark", nullptr, examples::make_poisson},
     {"poisson2", nullptr, examples::make_repeated_poisson},
+    {"poisson3", nullptr, examples::make_poisson_on_levels},
     {"solvertest", examples::add_solver_test_tags, examples::make_solver_test},
     {"burger", examples::add_burger_tags, examples::make_burger},
     {"wave", examples::add_wave_tags, examples::make_wave},

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "examples/labels.hpp"
 #include "framework/field/label.hpp"
 #include "framework/run/particle_method.hpp"
 #include "ice/fluid/labels.hpp"
@@ -54,6 +55,7 @@ std::string table(const char* title, const char* text, const std::function<bool(
 
 std::string label_reference() {
   ice::labels();  // declares them
+  examples::declare_labels();
   models::TransportedScalar scalar;
   scalar.name = "NAME";
   scalar.declare_labels();

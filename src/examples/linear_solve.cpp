@@ -69,14 +69,14 @@ class PressureSystem {
 // The stage: the work field of the level becomes the solution.
 struct PressureSolve {
   SolverTestScene settings;
-  SolverTestLabels labels;
-  std::unique_ptr<PressureSystem> system;
+  Label pressure, solution;
+  std::unique_ptr<PressureSystem> system = nullptr;
   int steps = 0;  // accepted so far
 
   Verdict operator()(const StageScope& scope) {
     LevelSolver& level = *scope.levels.front();
     Warehouse& state = level.state();
-    const int from = state.find(labels.pressure, 0), to = state.find(labels.solution, 0);
+    const int from = state.find(pressure, 0), to = state.find(solution, 0);
     solve::BoxViews x;
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
       const IndexBox& cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
@@ -106,23 +106,26 @@ SolverTestLabels claim_solver_test_labels() {
   };
   return {cell("pressure", "solution of the linear system (solvertest)"),
           cell("pressure_rhs", "right-hand side of the linear system (solvertest)"),
-          cell("pressure_matrix", "diagonal of the matrix of the linear system (solvertest)"),
-          cell("examples.solution", "solution before it is the state (solvertest)")};
+          cell("pressure_matrix", "diagonal of the matrix of the linear system (solvertest)")};
 }
 
 SolverTest::SolverTest(const Scene& scene, const SolverTestScene& settings)
-    : PlainComponent(scene, "solvertest", "linear system"), settings_(settings) {}
+    : PlainComponent(scene, "solvertest", "linear system"),
+      settings_(settings),
+      solution_(declare_label({"work.solution", ValueType::real, Centring::cell, "1",
+                               "solution before it is the state"})) {}
 
 std::vector<SlotInfo> SolverTest::state_slots() const {
   return {{labels_.pressure, 0, 1, 0}};
 }
 
 std::vector<SlotInfo> SolverTest::work_slots() const {
-  return {{labels_.solution, 0, 1, 0}};
+  return {{solution_, 0, 1, 0}};
 }
 
 void SolverTest::shape_step(StepShape& shape) const {
-  const auto stage = std::make_shared<PressureSolve>(PressureSolve{settings_, labels_, nullptr, 0});
+  const auto stage =
+      std::make_shared<PressureSolve>(PressureSolve{settings_, labels_.pressure, solution_});
   shape.solve("pressure", [stage](const StageScope& scope) { return (*stage)(scope); });
   shape.sweep("pressure");
   shape.take_over();
@@ -130,7 +133,7 @@ void SolverTest::shape_step(StepShape& shape) const {
 
 void SolverTest::declare_step(TaskList& list, const StepVariant& /*variant*/) const {
   TaskBuilder task = list.task("pressure", equation);
-  const In solution = task.read(list.old_state(labels_.solution, 0, 1));
+  const In solution = task.read(list.old_state(solution_, 0, 1));
   const Out pressure = task.write(list.new_state(labels_.pressure, 0, 1));
   task.kernel([=](const Row& row) { std::copy_n(row(solution), row.count(), row(pressure)); });
 }

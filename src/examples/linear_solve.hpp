@@ -25,7 +25,7 @@ struct SolverTestScene {
 };
 
 struct SolverTestLabels {
-  Label pressure, right_side, matrix, solution;
+  Label pressure, right_side, matrix;
 };
 SolverTestLabels claim_solver_test_labels();
 
@@ -35,7 +35,7 @@ class SolverTest : public PlainComponent {
 
   std::vector<SlotInfo> state_slots() const override;
   std::vector<SlotInfo> work_slots() const override;
-  void initialise(Warehouse& /*state*/) const override {}  // at first 0
+  void initialise(Warehouse& state) const override { fill_state(state, 0.0); }
   void fill_boundary(Warehouse& /*state*/, double /*time*/, std::span<const double> /*sums*/,
                      const ThreadTeam& /*team*/) const override {}  // nobody reads ghosts
   void shape_step(StepShape& shape) const override;
@@ -46,6 +46,7 @@ class SolverTest : public PlainComponent {
  private:
   SolverTestScene settings_;
   SolverTestLabels labels_ = claim_solver_test_labels();
+  Label solution_;  // a work field
 };
 
 void add_solver_test_tags(Schema& schema);

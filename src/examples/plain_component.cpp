@@ -33,15 +33,13 @@ void PlainComponent::declare_diagnostics(TaskList& list, int /*level*/) const {
 }
 
 Label PlainComponent::refine_flag() const {
-  static const Label label = declare_label(
-      {"examples.refine", ValueType::real, Centring::cell, "1", "1 where a finer level is wanted"});
-  return label;
+  return declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
+                        "1 where a finer level is wanted, 0 elsewhere"});
 }
 
 Label PlainComponent::mask_label() const {
-  static const Label label = declare_label({"examples.mask", ValueType::real, Centring::cell, "1",
-                                            "marks of steps that are redone; never set"});
-  return label;
+  return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
+                        "marks of a step that is redone; no example sets any"});
 }
 
 // Nothing is conserved: the mass of "material" 0 stays 0.
@@ -84,6 +82,13 @@ void need_one_level(const Scene& scene, std::vector<Fault>& faults) {
   const Location& second = scene.grid_settings.levels[1].where;
   add_error(faults, second, fmt::format("{} runs on one level", scene.component),
             "remove the others");
+}
+
+void fill_state(Warehouse& state, double value) {
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView v = state.view(0, 0, b);
+    fill(v, v.box, value);
+  }
 }
 
 RowPart part_in(const Row& row, const IndexBox& box, int along) {

@@ -11,11 +11,28 @@ namespace sluice::examples {
 
 PoissonLabels claim_poisson_labels() {
   return {claim_label({"phi", ValueType::real, Centring::node, "1",
-                       "solution of Laplace's equation (poisson1, benchmark)"}),
+                       "solution of Laplace's equation (poisson1 to poisson3, benchmark)"}),
           claim_label({"residual", ValueType::real, Centring::reduction, "1",
                        "sum over the inner nodes of the squared change of phi in a sweep "
-                       "(poisson1, benchmark)"})};
+                       "(poisson1 to poisson3, benchmark)"})};
 }
+
+namespace {
+
+// Of both neighbours along an axis.
+std::array<double, 3> weights_of(const Level& grid, const Axes& axes) {
+  std::array<double, 3> weight{};
+  double sum = 0;
+  for (int a = 0; a < axes.count; ++a) {
+    const double dx = grid.spacing[axes.direction[a]];
+    weight[static_cast<std::size_t>(a)] = 1 / (dx * dx);
+    sum += 2 / (dx * dx);
+  }
+  for (double& w : weight) w /= sum;
+  return weight;
+}
+
+}  // namespace
 
 Poisson::Poisson(const Scene& scene, const PoissonScene& settings)
     : PlainComponent(scene, scene.component, "Jacobi's method"), settings_(settings) {}
@@ -25,8 +42,10 @@ std::vector<SlotInfo> Poisson::state_slots() const {
   return {{labels_.phi, 0, 1, 1}};
 }
 
-// Inner nodes start at 0, as new fields do; the others are the boundary's.
-void Poisson::initialise(Warehouse& /*state*/) const {}
+// Nodes on sides are the boundary's.
+void Poisson::initialise(Warehouse& state) const {
+  fill_state(state, 0.0);
+}
 
 // The nodes on the sides: the low ones are nodes of a box, the high ones ghosts. An edge belongs to
 // the last of its sides; no stencil reads it.
@@ -45,22 +64,11 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
   const Level& grid = level(variant.level);
   const Axes axes = active_axes(grid);
   const IndexBox inner = inner_nodes(grid);
-  std::array<double, 3> weight{};  // of both neighbours along an axis
-  double sum = 0;
-  for (int a = 0; a < axes.count; ++a) {
-    const double dx = grid.spacing[axes.direction[a]];
-    weight[static_cast<std::size_t>(a)] = 1 / (dx * dx);
-    sum += 2 / (dx * dx);
-  }
-  for (double& w : weight) w /= sum;
-
-  const Label label = labels_.phi;
+  const std::array<double, 3> weight = weights_of(grid, axes);
   TaskBuilder sweep = list.task("Jacobi sweep", equation);
-  const In phi = sweep.read(list.old_state(label, 0, 1), Stencil::box(1));
-  const Out next = sweep.write(list.new_state(label, 0, 1));
-  sweep.kernel([=](const Row& row) {
-    std::copy_n(row(phi), row.count(), row(next));  // nodes on sides keep their value
-    const RowPart part = part_in(row, inner, axes.direction[0]);
+  const In phi = sweep.read(list.old_state(labels_.phi, 0, 1), Stencil::box(1));
+  const Out next = sweep.write(list.new_state(labels_.phi, 0, 1));
+  const auto relax = [=](const Row& row, RowPart part) {
     double* to = row(next);
     for (int i = part.begin; i < part.end; ++i) to[i] = 0;
     for (int a = 0; a < axes.count; ++a) {
@@ -73,6 +81,18 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
     ExactSum& residual = row.reductions().sum(0);
     const double* from = row(phi);
     for (int i = part.begin; i < part.end; ++i) residual.add((to[i] - from[i]) * (to[i] - from[i]));
+  };
+  // Nodes on sides, and those that a finer level owns, keep their value.
+  const LevelCoverage* coverage = variant.coverage;
+  if (coverage != nullptr) sweep.by_box();
+  sweep.kernel([=](const Row& row) {
+    std::copy_n(row(phi), row.count(), row(next));
+    const RowPart part = part_in(row, inner, axes.direction[0]);
+    if (coverage == nullptr) return relax(row, part);
+    const int first = row.cell()[axes.direction[0]];
+    for (const LevelCoverage::Segment& s : coverage->uncovered_in_row(row.box(), row.cell()))
+      relax(row,
+            {std::max(part.begin, s.first - first), std::min(part.end, s.first + s.count - first)});
   });
 }
 

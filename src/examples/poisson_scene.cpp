@@ -20,9 +20,9 @@ double side_value(const Scene& scene, Side side, std::vector<Fault>& faults) {
               fmt::format("write <Face side=\"{}\">", name_of(side)));
   const Condition* phi = whole.find("Phi", 0);
   if (phi == nullptr) {
-    add_error(faults, whole.where.line > 0 ? whole.where : scene.grid_settings.where,
-              fmt::format("side {} has no condition for Phi", name_of(side)),
-              "write <BCType id=\"0\" label=\"Phi\" var=\"Dirichlet\"><value>0</value></BCType>");
+    add_warning(faults, whole.where.line > 0 ? whole.where : scene.grid_settings.where,
+                fmt::format("side {} has no condition for Phi: 0 is taken", name_of(side)),
+                "write <BCType id=\"0\" label=\"Phi\" var=\"Dirichlet\"><value>0</value></BCType>");
     return 0;
   }
   if (phi->kind != ConditionKind::dirichlet || !phi->has_value || phi->is_vector ||

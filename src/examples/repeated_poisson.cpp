@@ -6,16 +6,14 @@
 #include <algorithm>
 
 #include "framework/base/error.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/run/level_solver.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::examples {
 
 void RepeatedPoisson::initialise(Warehouse& state) const {
-  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const RealView phi = state.view(0, 0, b);
-    fill(phi, phi.box, 1.0);
-  }
+  fill_state(state, 1.0);
 }
 
 void RepeatedPoisson::shape_step(StepShape& shape) const {
@@ -45,6 +43,19 @@ std::unique_ptr<Component> make_repeated_poisson(const Deck& deck, const Scene& 
                                                  std::vector<Fault>& faults) {
   const PoissonScene settings = read_poisson(deck, scene, faults);
   need_one_level(scene, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<RepeatedPoisson>(scene, settings);
+}
+
+std::unique_ptr<Component> make_poisson_on_levels(const Deck& deck, const Scene& scene,
+                                                  std::vector<Fault>& faults) {
+  const PoissonScene settings = read_poisson(deck, scene, faults);
+  if (scene.refinement.adaptive)
+    add_error(faults, scene.refinement.where, "poisson3 takes the levels of <Grid>",
+              "remove <Regridder>");
+  else if (scene.grid.levels.size() > 1 && !scene.refinement.lock_step)
+    add_error(faults, scene.refinement.where, "the levels of poisson3 step together",
+              "write <AMR><useLockStep>true</useLockStep></AMR>");
   if (any_error(faults)) return nullptr;
   return std::make_unique<RepeatedPoisson>(scene, settings);
 }

@@ -75,10 +75,11 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "poisson1", "poisson2", "solvertest", "burger", "wave", "benchmark"})
+                     .words({"ice", "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("POISSON1", "poisson1")
                      .spelling("POISSON2", "poisson2")
+                     .spelling("POISSON3", "poisson3")
                      .spelling("SOLVERTEST", "solvertest")
                      .spelling("BENCHMARK", "benchmark")
                      .spelling("BURGER", "burger")
@@ -109,8 +110,6 @@ TagSpec component() {
                                  "PARTICLETEST",
                                  "phasefield",
                                  "PHASEFIELD",
-                                 "poisson3",
-                                 "POISSON3",
                                  "poisson4",
                                  "POISSON4",
                                  "portabledependencytest",
