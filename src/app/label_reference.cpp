@@ -69,8 +69,8 @@ std::string label_reference() {
                 "close the domain are stored too.",
                 [](Label l) { return face_direction(l.info().centring) >= 0; });
   page += table("Nodes",
-                "Values at the corners of cells: index i is the low corner of cell i; the nodes that "
-                "close the domain are stored too.",
+                "Values at the corners of cells: index i is the low corner of cell i; the nodes "
+                "that close the domain are stored too.",
                 [](Label l) { return l.info().centring == Centring::node; });
   page +=
       table("Histories", "One number (or vector) a step, kept as a `.dat` file beside the index.",

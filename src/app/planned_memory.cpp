@@ -101,7 +101,7 @@ class MemoryPlanner {
                     static_cast<double>(framed_cells(level, rank, s.ghosts));
       for (Label l : kept)
         m.outputs += stored_components(r_.materials, l) *
-                     array_bytes(level, rank, closing_layers(l.info().centring) == IntVec3{} ? 0 : 1);
+                     array_bytes(level, rank, l.info().centring == Centring::cell ? 0 : 1);
       for (const GridBox& b : level.boxes)
         if (b.owner == rank)
           m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(level, b));

@@ -7,13 +7,13 @@
 // the solution steepens (burger_4patch does at t = 0.1). So each node is the mean of a cell around
 // it, and a step is MUSCL-Hancock: second order where u is smooth, the right speed at shocks.
 //
-//   1. slope of each direction, limited:  s_d = limited mean of u(i) - u(i - e_d), u(i + e_d) - u(i)
+//   1. slope of each direction, limited:  s_d = limited(u(i) - u(i - e_d), u(i + e_d) - u(i))
 //   2. half a step:                       h = u - dt/2 sum over d of u s_d / dx_d
 //   3. flux at the low side of a node:    F_d = g(h(i - e_d) + s_d(i - e_d)/2, h(i) - s_d(i)/2),
 //                                         Godunov's g(l, r) = max(max(l, 0)^2, min(r, 0)^2) / 2
 //   4. step:                              u' = u - dt sum over d of (F_d(i + e_d) - F_d(i)) / dx_d
 //
-// Limits: one level, a uniform start; dt = delt, or 1/2 / max sum |u| / dx_d where that is less.
+// Limits: one level; dt = delt, or 1/2 / max sum |u| / dx_d where that is less.
 // E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics (2009), section 14.4.
 #pragma once
 #include <memory>

@@ -20,9 +20,9 @@ constexpr int stages = 4;
 constexpr double stable_runge_kutta = 2.8;  // 2 sqrt(2), rounded down
 constexpr double stable_euler = 2.0;
 
-Label stage_label(const char* field, int stage) {
+Label stage_label(const char* field, const char* unit, int stage) {
   return declare_label(
-      {fmt::format("{}{}", field, stage + 1), ValueType::real, Centring::cell, "1",
+      {fmt::format("{}{}", field, stage + 1), ValueType::real, Centring::cell, unit,
        fmt::format("{} of state {} of a Runge-Kutta step (wave)", field, stage + 1)});
 }
 
@@ -159,8 +159,8 @@ WaveLabels claim_wave_labels() {
       {"phi", ValueType::real, Centring::cell, "1", "solution of the wave equation (wave)"});
   l.pi = claim_label({"pi", ValueType::real, Centring::cell, "1/s", "its rate of change (wave)"});
   for (std::size_t n = 0; n < stages; ++n) {
-    l.phi_stage[n] = stage_label("phi", static_cast<int>(n));
-    l.pi_stage[n] = stage_label("pi", static_cast<int>(n));
+    l.phi_stage[n] = stage_label("phi", "1", static_cast<int>(n));
+    l.pi_stage[n] = stage_label("pi", "1/s", static_cast<int>(n));
   }
   return l;
 }

@@ -75,7 +75,8 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
+                     .words({"ice", "poisson1", "poisson2", "poisson3", "solvertest", "burger",
+                             "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("POISSON1", "poisson1")
                      .spelling("POISSON2", "poisson2")

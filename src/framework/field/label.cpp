@@ -96,9 +96,8 @@ std::vector<Label> all_labels() {
   const std::lock_guard lock(r.mutex);
   std::vector<Label> labels;
   for (int id = 0; id < static_cast<int>(r.infos.size()); ++id) labels.emplace_back(id);
-  std::stable_sort(labels.begin(), labels.end(), [&](Label a, Label b) {
-    return r.info(a.id()).name < r.info(b.id()).name;
-  });
+  std::stable_sort(labels.begin(), labels.end(),
+                   [&](Label a, Label b) { return r.info(a.id()).name < r.info(b.id()).name; });
   return labels;
 }
 

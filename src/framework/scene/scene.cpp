@@ -137,8 +137,7 @@ void read_grid_and_boundary(const DeckNode& root, const SceneOptions& options, S
   // Without materials fields belong to "material" 0.
   const int materials = std::max(1, static_cast<int>(scene.materials.size()));
   scene.boundary = read_boundary_conditions(grid->child("BoundaryConditions"), scene.grid_settings,
-                                            materials,
-                                            boundary_needs(scene.materials), faults);
+                                            materials, boundary_needs(scene.materials), faults);
   DirectionFacts facts;
   facts.gravity = scene.constants.gravity;
   facts.force_all = options.force_directions;
