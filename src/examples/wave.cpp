@@ -26,7 +26,7 @@ Label stage_label(const char* field, const char* unit, int stage) {
        fmt::format("{} of state {} of a Runge-Kutta step (wave)", field, stage + 1)});
 }
 
-// phi and pi: read, or written. With components they are two of one variable.
+// phi and pi of a state as a task reads them: two variables, or two components of one.
 struct Fields {
   In phi, pi;
   int pi_component = 0;
