@@ -6,7 +6,9 @@
 // Each node belongs to the finest level whose boxes own it: on the low sides of a finer level to
 // that level, on the high sides to the coarser one.
 //
-// Limits: second order; fluxes are not matched.
+// Limits: the error between nodes is of second order, that of a solution of Laplace's equation
+// through such a boundary of first (at the centre of a cube, middle half refined: 2.2e-3 of the
+// side's value on 8^3 cells, 1.0e-3 on 16^3); fluxes are not matched; low and high sides differ.
 #pragma once
 #include "framework/refine/transfer_operators.hpp"
 

@@ -8,8 +8,9 @@
 // lie between nodes of the coarser one. Nodes below it take its values at the end of each step, so
 // that the levels agree after several steps: Schwarz's alternating method.
 //
-// Limits: values of Phi as for poisson1; levels as the deck's <Grid> has them, in lockstep. A run
-// ends with a message where 100 n^2 sweeps on n cells do not reach the residual.
+// Limits: where levels meet those of NodeTransfer; values of Phi as for poisson1; levels as the
+// deck's <Grid> has them, in lockstep. A run ends with a message where 100 n^2 sweeps on n cells do
+// not reach the residual.
 // H. A. Schwarz, Vierteljahrsschrift Naturf. Ges. Zuerich 15 (1870) 272-286.
 #pragma once
 #include <memory>
