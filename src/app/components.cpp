@@ -1,5 +1,10 @@
 #include "app/components.hpp"
 
+#include "examples/burger.hpp"
+#include "examples/linear_solve.hpp"
+#include "examples/poisson.hpp"
+#include "examples/repeated_poisson.hpp"
+#include "examples/wave.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/ice.hpp"
@@ -17,6 +22,14 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
 constexpr ComponentKind kinds[] = {
     // type  tags          made by
     {"ice", add_ice_tags, make_ice},
+    // Examples of components: docs/your_own_component.md.
+    {"poisson1", examples::add_poisson_tags, examples::make_poisson},
+    {"benchmark", nullptr, examples::make_poisson},
+    {"poisson2", nullptr, examples::make_repeated_poisson},
+    {"poisson3", nullptr, examples::make_poisson_on_levels},
+    {"solvertest", examples::add_solver_test_tags, examples::make_solver_test},
+    {"burger", examples::add_burger_tags, examples::make_burger},
+    {"wave", examples::add_wave_tags, examples::make_wave},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace sluice {
 
 struct ComponentKind {
   const char* type;                  // <SimulationComponent type>, as the schema spells it
-  void (*add_tags)(Schema& schema);  // its part of the schema
+  void (*add_tags)(Schema& schema);  // its part of the schema; null: another's
   // From a deck without faults and its scene, which the component keeps a reference to. Faults that
   // reading finds are added; with errors among them there is no component.
   std::unique_ptr<Component> (*make)(const Deck& deck, const Scene& scene,

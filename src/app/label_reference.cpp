@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "examples/labels.hpp"
 #include "framework/field/label.hpp"
 #include "framework/run/particle_method.hpp"
 #include "ice/fluid/labels.hpp"
@@ -54,6 +55,7 @@ std::string table(const char* title, const char* text, const std::function<bool(
 
 std::string label_reference() {
   ice::labels();  // declares them
+  examples::declare_labels();
   models::TransportedScalar scalar;
   scalar.name = "NAME";
   scalar.declare_labels();
@@ -66,6 +68,10 @@ std::string label_reference() {
                 "Values on faces between cells: index i is the low face of cell i; the faces that "
                 "close the domain are stored too.",
                 [](Label l) { return face_direction(l.info().centring) >= 0; });
+  page += table("Nodes",
+                "Values at the corners of cells: index i is the low corner of cell i; the nodes "
+                "that close the domain are stored too.",
+                [](Label l) { return l.info().centring == Centring::node; });
   page +=
       table("Histories", "One number (or vector) a step, kept as a `.dat` file beside the index.",
             [](Label l) { return l.info().centring == Centring::reduction; });

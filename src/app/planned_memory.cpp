@@ -101,7 +101,7 @@ class MemoryPlanner {
             copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));
       for (Label l : kept)
         m.outputs += stored_components(r_.materials, l) *
-                     array_bytes(level, rank, face_direction(l.info().centring) >= 0 ? 1 : 0);
+                     array_bytes(level, rank, l.info().centring == Centring::cell ? 0 : 1);
       for (const GridBox& b : level.boxes)
         if (b.owner == rank)
           m.initial_fill = std::max(m.initial_fill, initial_fill_bytes(level, b));

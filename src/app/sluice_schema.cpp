@@ -12,7 +12,8 @@ Schema sluice_schema() {
   Schema schema;
   add_framework_tags(schema);
   solve::add_solver_tag(schema);
-  for (const ComponentKind& kind : component_kinds()) kind.add_tags(schema);
+  for (const ComponentKind& kind : component_kinds())
+    if (kind.add_tags != nullptr) kind.add_tags(schema);
   describe_exact_solution(schema);
   return schema;
 }

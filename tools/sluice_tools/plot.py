@@ -20,11 +20,11 @@ def usual_variables(step):
     found = [name for name in USUAL if step.has(name)]
     if found:
         return found
-    cells = [name for name in step.names()
-             if step.archive.variables[name].centring == "cell"]
-    if not cells:
-        raise ArchiveError("the archive holds no cell variable to draw")
-    return cells[:4]
+    fields = [name for name in step.names()
+              if step.archive.variables[name].centring in ("cell", "node")]
+    if not fields:
+        raise ArchiveError("the archive holds no variable of cells or nodes to draw")
+    return fields[:4]
 
 
 def read_exact(path):

@@ -55,6 +55,24 @@ class Levels(unittest.TestCase):
         self.assertEqual(plot.parse(["some.uda", "--levels", "boxes"]).levels, "boxes")
 
 
+class UsualVariables(unittest.TestCase):
+    def names(self, **centrings):
+        variables = {name: types.SimpleNamespace(centring=c) for name, c in centrings.items()}
+        return plot.usual_variables(types.SimpleNamespace(
+            has=variables.__contains__, names=lambda: list(variables),
+            archive=types.SimpleNamespace(variables=variables)))
+
+    def test_a_fluid_shows_its_own(self):
+        self.assertEqual(self.names(phi="node", rho_CC="cell"), ["rho_CC"])
+
+    def test_else_what_is_in_cells_and_on_nodes(self):
+        self.assertEqual(self.names(phi="node", pi="cell", flux="x face"), ["phi", "pi"])
+
+    def test_nothing_to_draw_is_told(self):
+        with self.assertRaises(plot.ArchiveError):
+            self.names(flux="x face")
+
+
 class LinesOfMaterials(unittest.TestCase):
     """Two materials that meet in the second of three cells."""
     VALUES = {("rho_CC", 0): [1.0, 0.5, 0.0], ("rho_CC", 1): [0.0, 2.0, 4.0],

@@ -12,12 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The indices of a label in a box. The closing face of every box is stored, and the box beyond, if
+// The indices of a label in a box. What closes a box is stored with it, and the box beyond, if
 // there is one, has the same value there.
 IndexBox indices_in(const IndexBox& cells, Label label, const Level& level) {
   IndexBox box = cells;
-  const int d = face_direction(label.info().centring);
-  if (d >= 0 && level.active[static_cast<std::size_t>(d)]) box.upper[d] += 1;
+  const IntVec3 closing = closing_layers(label.info().centring);
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) box.upper[d] += closing[d];
   return box;
 }
 

@@ -83,7 +83,7 @@ void check_averages(const AnalysisModule& m, const FindQuantity& find) {
   for (const AnalysedVariable& v : all) {
     const AnalysedQuantity q = find(v);
     if (q.label.info().centring != Centring::cell)
-      refuse(m, v, "lives on faces; averages over planes are of cell variables");
+      refuse(m, v, "lives on faces or nodes; averages over planes are of cell variables");
     if (m.velocity && q.components != 1 && v.label != m.velocity->label)
       refuse(m, v, "is a vector; fluxes are of scalars and of the velocity itself");
   }
@@ -112,7 +112,7 @@ void check_fields(const AnalysisModule& m, const FindQuantity& find) {
   if (m.name != "pointExtract") return;
   for (const AnalysedVariable& v : m.variables)
     if (find(v).label.info().centring != Centring::cell)
-      refuse(m, v, "lives on faces; points are between the centres of cells");
+      refuse(m, v, "lives on faces or nodes; points are between the centres of cells");
 }
 
 namespace {

@@ -60,11 +60,13 @@ void PlaneSampler::lay_out(const Level& level) {
   }
 }
 
-// Both faces of every cell: a face between two boxes has the same value in both.
+// All faces or nodes of every cell: one between two boxes has the same value in both.
 IndexBox PlaneSampler::indices_of(const IndexBox& cells, Label label) const {
-  const int d = face_direction(label.info().centring);
-  if (d < 0 || !geometry_.active[static_cast<std::size_t>(d)]) return cells;
-  return cells.grown(d, 0, 1);
+  IndexBox indices = cells;
+  const IntVec3 closing = closing_layers(label.info().centring);
+  for (int d = 0; d < 3; ++d)
+    if (geometry_.active[static_cast<std::size_t>(d)]) indices.upper[d] += closing[d];
+  return indices;
 }
 
 void PlaneSampler::pack(const Warehouse& outputs, int rank, std::vector<double>& numbers) const {
@@ -107,12 +109,12 @@ std::string PlaneSampler::text_of(const Plane& plane, const AnalysedQuantity& q,
     }
   }
   std::string text = snapshot_head(time) + fmt::format("# X Y Z{}\n", columns_of(q));
-  const int face = face_direction(q.label.info().centring);
+  const IntVec3 closing = closing_layers(q.label.info().centring);
   for_each_cell(all, [&](IntVec3 i) {
     const std::size_t at = place(i);
     if (held[at] == 0) return;
     Vec3 x = geometry_.centre(i);
-    if (face >= 0) x[face] -= 0.5 * geometry_.spacing[face];
+    for (int d = 0; d < 3; ++d) x[d] -= 0.5 * closing[d] * geometry_.spacing[d];
     fmt::format_to(std::back_inserter(text), "{:.17g} {:.17g} {:.17g}", x.x, x.y, x.z);
     for (std::size_t c = 0; c < components; ++c)
       fmt::format_to(std::back_inserter(text), " {:.17g}", values[at * components + c]);

@@ -25,18 +25,15 @@ std::string listed(const std::set<T>& items) {
 }  // namespace
 
 Vec3 position(const Level& level, Centring centring, IntVec3 c) {
-  Vec3 shift = Vec3::all(centring == Centring::node ? 0.0 : 0.5);
-  if (const int face = face_direction(centring); face >= 0) shift[face] = 0;
+  const IntVec3 closing = closing_layers(centring);
   Vec3 p;
-  for (int d = 0; d < 3; ++d) p[d] = level.anchor[d] + (c[d] + shift[d]) * level.spacing[d];
+  for (int d = 0; d < 3; ++d)
+    p[d] = level.anchor[d] + (c[d] + 0.5 * (1 - closing[d])) * level.spacing[d];
   return p;
 }
 
 IndexBox index_range(const Level& level, Centring centring) {
-  if (centring == Centring::node)
-    return {level.domain.lower, level.domain.upper + IntVec3{1, 1, 1}};
-  const int face = face_direction(centring);
-  return face < 0 ? level.domain : level.domain.grown(face, 0, 1);
+  return {level.domain.lower, level.domain.upper + closing_layers(centring)};
 }
 
 bool LabelFilter::selects(const std::string& name) const {

@@ -248,6 +248,13 @@ class StepExport {
     return many_materials_.at(f.name) ? fmt::format("{}_{}", f.name, f.material) : f.name;
   }
 
+  // A direction that is not of the run has one layer of nodes, drawn on both sides of its cell.
+  static IntVec3 on_one_layer(IntVec3 c, const IndexBox& stored) {
+    for (int d = 0; d < 3; ++d)
+      if (stored.size()[d] == 1) c[d] = stored.lower[d];
+    return c;
+  }
+
   static VtkArray fill(const FieldInfo& info, const LoadedField* f, const std::string& name,
                        const VtkLevel& vtk, const IndexBox& cells, IntVec3 shift) {
     VtkArray a;
@@ -260,7 +267,8 @@ class StepExport {
     const IndexBox range{cells.lower, a.on_points ? cells.upper + IntVec3{1, 1, 1} : cells.upper};
     a.values.reserve(static_cast<std::size_t>(range.volume() * a.components));
     for_each_cell(range, [&](IntVec3 place) {
-      const IntVec3 c = vtk.source(place) + shift;
+      IntVec3 c = vtk.source(place) + shift;
+      if (a.on_points && f) c = on_one_layer(c, f->values.cells);
       const bool has = f && f->values.has(c);
       for (int m = 0; m < a.components; ++m) a.values.push_back(has ? f->values.at(c, m) : absent);
     });

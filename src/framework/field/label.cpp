@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 namespace sluice {
 namespace {
@@ -14,7 +15,19 @@ struct Registry {
   std::mutex mutex;
   std::deque<LabelInfo> infos;
   std::map<std::string, int, std::less<>> by_name;
+
+  const LabelInfo& info(int id) const { return infos[static_cast<std::size_t>(id)]; }
+  int add(LabelInfo info) {
+    const int id = static_cast<int>(infos.size());
+    by_name[info.name] = id;
+    infos.push_back(std::move(info));
+    return id;
+  }
 };
+
+bool same_kind(const LabelInfo& a, const LabelInfo& b) {
+  return a.type == b.type && a.centring == b.centring;
+}
 
 Registry& registry() {
   static Registry r;
@@ -46,15 +59,22 @@ Label declare_label(LabelInfo info) {
   Registry& r = registry();
   const std::lock_guard lock(r.mutex);
   if (auto it = r.by_name.find(info.name); it != r.by_name.end()) {
-    const LabelInfo& old = r.infos[static_cast<std::size_t>(it->second)];
-    if (old.type != info.type || old.centring != info.centring)
+    if (!same_kind(r.info(it->second), info))
       throw std::logic_error("label " + info.name + " declared twice with different types");
     return Label(it->second);
   }
-  const int id = static_cast<int>(r.infos.size());
-  r.by_name.emplace(info.name, id);
-  r.infos.push_back(std::move(info));
-  return Label(id);
+  return Label(r.add(std::move(info)));
+}
+
+Label claim_label(LabelInfo info) {
+  Registry& r = registry();
+  const std::lock_guard lock(r.mutex);
+  for (int id = 0; id < static_cast<int>(r.infos.size()); ++id)
+    if (r.info(id).name == info.name && same_kind(r.info(id), info)) {
+      r.by_name[info.name] = id;
+      return Label(id);
+    }
+  return Label(r.add(std::move(info)));
 }
 
 std::optional<Label> find_label(std::string_view name) {
@@ -75,7 +95,9 @@ std::vector<Label> all_labels() {
   Registry& r = registry();
   const std::lock_guard lock(r.mutex);
   std::vector<Label> labels;
-  for (const auto& [name, id] : r.by_name) labels.emplace_back(id);
+  for (int id = 0; id < static_cast<int>(r.infos.size()); ++id) labels.emplace_back(id);
+  std::stable_sort(labels.begin(), labels.end(),
+                   [&](Label a, Label b) { return r.info(a.id()).name < r.info(b.id()).name; });
   return labels;
 }
 

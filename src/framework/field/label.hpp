@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/base/vec3.hpp"
+
 namespace sluice {
 
 enum class Centring { cell, node, x_face, y_face, z_face, particle, reduction };
@@ -23,6 +25,14 @@ constexpr int component_count(ValueType t) {
 // The direction normal to a face-centred label, or -1.
 constexpr int face_direction(Centring c) {
   return c == Centring::x_face ? 0 : c == Centring::y_face ? 1 : c == Centring::z_face ? 2 : -1;
+}
+// Fields are kept by cell: a face by the cell above it, a node by the cell of which it is the low
+// corner. So a box of cells has more layers of values on its high sides: 1 where that closes it.
+constexpr IntVec3 closing_layers(Centring c) {
+  if (c == Centring::node) return {1, 1, 1};
+  IntVec3 layers{};
+  if (const int d = face_direction(c); d >= 0) layers[d] = 1;
+  return layers;
 }
 
 struct LabelInfo {
@@ -51,6 +61,9 @@ class Label {
 // Declares a label, or returns the one already declared under this name with the same type and
 // centring. Throws std::logic_error on a contradiction.
 Label declare_label(LabelInfo info);
+// The same for a name that components give to different things (phi on nodes, phi in cells): from
+// now on it means this one. A run has one component, which claims its names when it is made.
+Label claim_label(LabelInfo info);
 std::optional<Label> find_label(std::string_view name);
 int label_count();
 std::vector<Label> all_labels();  // sorted by name

@@ -225,11 +225,29 @@ TEST(Label, RefusesASecondMeaning) {
   }
 }
 
+TEST(Label, ANameMeansTheOneClaimedLast) {
+  const LabelInfo in_cells{"test_claimed", ValueType::real, Centring::cell, "1", "of cells"};
+  LabelInfo on_nodes = in_cells;
+  on_nodes.centring = Centring::node;
+  const Label cells = claim_label(in_cells), nodes = claim_label(on_nodes);
+  EXPECT_NE(cells, nodes);
+  EXPECT_EQ(find_label("test_claimed"), nodes);
+  EXPECT_EQ(claim_label(in_cells), cells);
+  EXPECT_EQ(find_label("test_claimed"), cells);
+  EXPECT_EQ(nodes.info().centring, Centring::node);
+}
+
+TEST(Label, ValuesThatCloseABox) {
+  EXPECT_EQ(closing_layers(Centring::cell), (IntVec3{0, 0, 0}));
+  EXPECT_EQ(closing_layers(Centring::node), (IntVec3{1, 1, 1}));
+  EXPECT_EQ(closing_layers(Centring::y_face), (IntVec3{0, 1, 0}));
+}
+
 TEST(Label, AllLabelsAreSortedByName) {
   label(2);
   const std::vector<Label> all = all_labels();
   EXPECT_EQ(static_cast<int>(all.size()), label_count());
-  for (std::size_t n = 1; n < all.size(); ++n) EXPECT_LT(all[n - 1].name(), all[n].name());
+  for (std::size_t n = 1; n < all.size(); ++n) EXPECT_LE(all[n - 1].name(), all[n].name());
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ CellAverages::CellAverages(const AnalysisModule& m, const FindQuantity& find, Hi
                       "take another variable");
     };
     const LabelInfo& info = q.label.info();
-    if (info.centring != Centring::cell) refuse("lives on faces; averages are of cell variables");
+    if (info.centring != Centring::cell)
+      refuse("lives on faces or nodes; averages are of cell variables");
     if (!hierarchy.level(0).is_diagnostic_label(q.label))
       refuse("exists only inside a step; averages are of functions of the state");
     const std::vector<std::string> names = names_of_cell_averages(v.label);

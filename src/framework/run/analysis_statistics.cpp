@@ -126,8 +126,8 @@ std::vector<std::size_t> Statistics::add_quantity(const AnalysedVariable& v,
   const AnalysedQuantity q = find(v);
   if (q.label.info().centring != Centring::cell)
     throw DeckError(v.where,
-                    fmt::format("<Module name=\"{}\">: '{}' lives on faces; statistics are of "
-                                "cell variables",
+                    fmt::format("<Module name=\"{}\">: '{}' lives on faces or nodes; "
+                                "statistics are of cell variables",
                                 module_->name, v.label),
                     "analyse a variable of cells");
   quantities_.push_back(q);

@@ -40,6 +40,8 @@ struct Totals {
   ConservedTotal kinetic_energy;        // J
   std::vector<double> tallies;          // Component::tally_names, since the start; of all ranks
   std::vector<ConservedTotal> amounts;  // what else the component carries, in its own order
+  // What the last sweep over each level summed, over levels and ranks; empty before the first.
+  std::vector<double> sweep_sums;
 };
 
 // What came in through the boundary in one accepted step, and what forces and sources added.

@@ -153,8 +153,8 @@ class Hierarchy {
   CycleResult result_;
   // Of the attempt under way.
   int step_ = 0;
-  int pass_ = 0;               // of an iteration within the step
-  bool stopped_ = false;       // that iteration has no hope
+  int pass_ = 0;          // of an iteration within the step
+  bool stopped_ = false;  // that iteration has no hope
   double previous_dt_ = 0, dt_ = 0;
   double time_ = 0, end_ = 0;  // of the coarse step; time_ also of the states between steps
   bool advancing_ = false;

@@ -44,18 +44,20 @@ StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) 
 
 // A sweep of all levels, finest first.
 Node Hierarchy::sweeping_node(std::string name, LevelAction act) {
-  return {Stage{std::move(name), [this, act = std::move(act)](const StepScope& scope, StepJournal&) {
-                  for (int l = level_count() - 1; l >= 0; --l) {
-                    if (link_ && l + 1 < level_count()) link_(level(l), level(l + 1));
-                    if (act(l, scope) == Verdict::reject) return Verdict::reject;
-                  }
-                  return Verdict::good;
-                }}};
+  return {
+      Stage{std::move(name), [this, act = std::move(act)](const StepScope& scope, StepJournal&) {
+              for (int l = level_count() - 1; l >= 0; --l) {
+                if (link_ && l + 1 < level_count()) link_(level(l), level(l + 1));
+                if (act(l, scope) == Verdict::reject) return Verdict::reject;
+              }
+              return Verdict::good;
+            }}};
 }
 
 // One stage on all levels.
 Node Hierarchy::stage_node(const StepShape::Stage& stage) {
-  if (const auto* iterate = std::get_if<StepShape::Iterate>(&stage)) return iteration_node(*iterate);
+  if (const auto* iterate = std::get_if<StepShape::Iterate>(&stage))
+    return iteration_node(*iterate);
   const auto on_levels = [this](std::string name, auto act) {
     return Node{Stage{std::move(name), [this, act](const StepScope& scope, StepJournal&) {
                         for (int l = 0; l < level_count(); ++l)
@@ -75,16 +77,16 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
     });
   if (const auto* prepare = std::get_if<StepShape::Prepare>(&stage))
     return sweeping_node("prepare " + prepare->name,
-                     [this, stored = prepare->stored](int l, const StepScope& scope) {
-                       level(l).set_previous_dt(previous_dt_);
-                       level(l).prepare(scope.time, scope.dt, stored);
-                       return Verdict::good;
-                     });
+                         [this, stored = prepare->stored](int l, const StepScope& scope) {
+                           level(l).set_previous_dt(previous_dt_);
+                           level(l).prepare(scope.time, scope.dt, stored);
+                           return Verdict::good;
+                         });
   if (const auto* sweep = std::get_if<StepShape::Sweep>(&stage))
     return sweeping_node("sweep " + sweep->name,
-                     [this, stored = sweep->stored](int l, const StepScope& scope) {
-                       return this->sweep(l, scope, stored);
-                     });
+                         [this, stored = sweep->stored](int l, const StepScope& scope) {
+                           return this->sweep(l, scope, stored);
+                         });
   const auto& solve = std::get<StepShape::Solve>(stage);
   return {Stage{"solve " + solve.name,
                 [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
@@ -123,8 +125,9 @@ Schedule Hierarchy::schedule_of(const StepShape& shape) {
                      }}});
   for (const StepShape::Stage& stage : shape.stages()) s.push_back(stage_node(stage));
   for (int l = level_count() - 2; l >= 0; --l)
-    s.push_back({Sweep{"matching of fluxes and restriction", 0,
-                       [this, l](const StepScope& scope, StepJournal&) { return match(l, scope); }}});
+    s.push_back(
+        {Sweep{"matching of fluxes and restriction", 0,
+               [this, l](const StepScope& scope, StepJournal&) { return match(l, scope); }}});
   return s;
 }
 

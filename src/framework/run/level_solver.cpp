@@ -128,7 +128,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, Pur
   const bool diagnostic = purpose == Purpose::diagnostic;
   for (const Variable& v : diagnostic ? diagnostic_outputs_ : step_outputs_)
     if (contains(wanted, v.label))
-      outputs_.add({v.label, v.material, v.components, v.face_direction >= 0 ? 1 : 0});
+      outputs_.add({v.label, v.material, v.components, v.closing == IntVec3{} ? 0 : 1});
   auto variant = std::make_unique<Variant>();
   SweepKinds kinds;
   kinds.count = diagnostic ? 1 : component_->step_kinds();
@@ -182,15 +182,15 @@ SweepGraph LevelSolver::graph_of(const TaskList& list, Purpose purpose,
 std::vector<AbsentSlot> LevelSolver::absent_slots(const TaskList& list, Purpose purpose, int kind,
                                                   const std::vector<Label>& wanted) const {
   std::vector<AbsentSlot> absent;
-  auto add = [&](Label label, int material, bool output, int face_direction) {
+  auto add = [&](Label label, int material, bool output, IntVec3 closing) {
     if (writes(list, output ? Storage::output : Storage::new_state, label, material)) return;
     if (const auto value = component_->absent_value(label, material, kind))
-      absent.push_back({label, material, *value, output, face_direction});
+      absent.push_back({label, material, *value, output, closing});
   };
   if (purpose == Purpose::step)
-    for (const SlotInfo& s : component_->state_slots()) add(s.label, s.material, false, -1);
+    for (const SlotInfo& s : component_->state_slots()) add(s.label, s.material, false, {});
   for (const Variable& v : step_outputs_)
-    if (contains(wanted, v.label)) add(v.label, v.material, true, v.face_direction);
+    if (contains(wanted, v.label)) add(v.label, v.material, true, v.closing);
   return absent;
 }
 

@@ -17,14 +17,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The cells of a box that a label's piece covers: a face label has one more layer where the domain
-// ends.
+// The cells of a box that a label's piece covers: labels of faces and nodes have one more layer
+// where the domain ends.
 IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
   IndexBox piece = cells;
-  const int d = face_direction(label.info().centring);
-  if (d >= 0 && level.active[static_cast<std::size_t>(d)] &&
-      cells.upper[d] == level.domain.upper[d])
-    piece.upper[d] += 1;
+  const IntVec3 closing = closing_layers(label.info().centring);
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)] && cells.upper[d] == level.domain.upper[d])
+      piece.upper[d] += closing[d];
   return piece;
 }
 

@@ -1,4 +1,5 @@
 // What a run has of each conserved quantity, and what came in through boundaries and from sources.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/run/simulation.hpp"
@@ -41,6 +42,11 @@ Totals Simulation::totals() {
   merge_ranks(t.kinetic_energy, communicator_);
   for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
   for (ConservedTotal& a : t.amounts) merge_ranks(a, communicator_);
+  for (int l = 0; l < hierarchy_.level_count(); ++l) {
+    const std::vector<double>& own = hierarchy_.level(l).attempt_result().sums;
+    t.sweep_sums.resize(std::max(t.sweep_sums.size(), own.size()));
+    for (std::size_t n = 0; n < own.size(); ++n) t.sweep_sums[n] += own[n];
+  }
   return t;
 }
 

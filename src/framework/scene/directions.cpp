@@ -13,12 +13,12 @@ constexpr const char* axis = "xyz";
 
 enum class SideNature { symmetric, zero_gradient, other };
 
-// What a whole side is, for every variable that has a condition there.
+// What a whole side is, for every variable that has a condition there. A side without any counts as
+// symmetric: components that need conditions refuse it anyway.
 SideNature nature_of(const BoundarySide& side) {
   if (side.regions.empty()) return SideNature::other;
   bool symmetric = true, zero_gradient = true;
   for (const BoundaryRegion& region : side.regions) {
-    if (region.conditions.empty()) return SideNature::other;
     for (const Condition& c : region.conditions) {
       // A specific volume from the density follows what the density does.
       if (c.kind == ConditionKind::compute_from_density) continue;

@@ -134,9 +134,10 @@ void read_grid_and_boundary(const DeckNode& root, const SceneOptions& options, S
   const bool good = !any_error(mine) && !scene.grid_settings.levels.empty();
   faults.insert(faults.end(), mine.begin(), mine.end());
   if (!good) return;
+  // Without materials fields belong to "material" 0.
+  const int materials = std::max(1, static_cast<int>(scene.materials.size()));
   scene.boundary = read_boundary_conditions(grid->child("BoundaryConditions"), scene.grid_settings,
-                                            static_cast<int>(scene.materials.size()),
-                                            boundary_needs(scene.materials), faults);
+                                            materials, boundary_needs(scene.materials), faults);
   DirectionFacts facts;
   facts.gravity = scene.constants.gravity;
   facts.force_all = options.force_directions;

@@ -74,7 +74,8 @@ SolveReport CompositeSolver::solve(const CompositeVector& b, CompositeVector& x)
   clear(x);
   r_ = b;
   report.right_side = system_->norm(b, settings_.norm);
-  const double goal = std::max(settings_.tolerance * report.right_side, settings_.absolute_tolerance);
+  const double goal =
+      std::max(settings_.tolerance * report.right_side, settings_.absolute_tolerance);
   double residual = report.right_side, least = residual, rz = 0;
   report.residuals.push_back(residual);
   clear(p_);
@@ -112,9 +113,9 @@ SolveReport CompositeSolver::solve(const CompositeVector& b, CompositeVector& x)
   if (report.converged)
     report.reason.clear();
   else
-    report.reason = fmt::format("residual {:.3g} after {} iterations, {:.3g} wanted: {}", residual,
-                                report.iterations, goal,
-                                report.reason.empty() ? "round-off" : report.reason);
+    report.reason =
+        fmt::format("residual {:.3g} after {} iterations, {:.3g} wanted: {}", residual,
+                    report.iterations, goal, report.reason.empty() ? "round-off" : report.reason);
   report.solve_seconds = seconds_since(start);
   return report;
 }

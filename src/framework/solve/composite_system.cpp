@@ -186,8 +186,8 @@ CompositeSystem::CompositeSystem(std::span<const LevelCoefficients> levels) {
     levels_.push_back(std::move(part));
     if (l == 0) continue;
     for (const InterfaceFace& f : made.faces)
-      levels_[l].interfaces.push_back({levels_[l].rows.place_of(f.fine),
-                                       levels_[l - 1].rows.place_of(f.coarse), f.weight});
+      levels_[l].interfaces.push_back(
+          {levels_[l].rows.place_of(f.fine), levels_[l - 1].rows.place_of(f.coarse), f.weight});
     // Sums over faces have the same bits whatever the order of boxes.
     std::sort(levels_[l].interfaces.begin(), levels_[l].interfaces.end(),
               [](const Interface& a, const Interface& b) {
@@ -264,7 +264,8 @@ void CompositeSystem::apply(CompositeVector& x, CompositeVector& y) const {
   for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].rows.apply(x[l], y[l]);
   for (std::size_t l = 1; l < levels_.size(); ++l)
     for (const Interface& f : levels_[l].interfaces) {
-      const auto fine = static_cast<std::size_t>(f.fine), coarse = static_cast<std::size_t>(f.coarse);
+      const auto fine = static_cast<std::size_t>(f.fine),
+                 coarse = static_cast<std::size_t>(f.coarse);
       y[l][fine] -= f.weight * x[l - 1][coarse];
       y[l - 1][coarse] += f.weight * (x[l - 1][coarse] - x[l][fine]);
     }
@@ -274,8 +275,8 @@ double CompositeSystem::step_share(std::size_t level) const {
   constexpr double most = 1.6;  // 2 is the end
   int ratio = 1;
   for (std::size_t l = level + 1; l < levels_.size(); ++l)
-    ratio = std::max({ratio, levels_[l].level->ratio.x, levels_[l].level->ratio.y,
-                      levels_[l].level->ratio.z});
+    ratio = std::max(
+        {ratio, levels_[l].level->ratio.x, levels_[l].level->ratio.y, levels_[l].level->ratio.z});
   return ratio > most ? most / ratio : 1.0;
 }
 

@@ -118,7 +118,8 @@ TEST_P(CompositeCase, IsSymmetricAndSolvedInFewIterations) {
   EXPECT_LE(report.iterations, k.most_iterations);
   double worst = 0;
   for (std::size_t l = 0; l < x.size(); ++l)
-    for (std::size_t c = 0; c < x[l].size(); ++c) worst = std::max(worst, std::fabs(x[l][c] - a[l][c]));
+    for (std::size_t c = 0; c < x[l].size(); ++c)
+      worst = std::max(worst, std::fabs(x[l][c] - a[l][c]));
   EXPECT_LT(worst, 1e-7);
 }
 

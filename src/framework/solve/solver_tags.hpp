@@ -5,9 +5,9 @@
 //   tag("ImplicitSolver", ...).child(solver_parameters_tag())        // where a solve is described
 //   const SolverSettings s = read_solver_settings(root, block, "implicitPressure", faults);
 //
-// All tags of the format are read, whatever the solver: decks write the parameters of several. Those
-// that the chosen one has no use for change nothing; where a reader could expect more, a warning
-// says so.
+// All tags of the format are read, whatever the solver: decks write the parameters of several.
+// Those that the chosen one has no use for change nothing; where a reader could expect more, a
+// warning says so.
 #pragma once
 #include <string>
 #include <vector>

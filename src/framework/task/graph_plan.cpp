@@ -70,10 +70,8 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
         window.high = max(window.high, wanted.window.high);
         lead = std::max(lead, wanted.lead_high);
       }
-      // The closing face of a block is stored too: whoever owns the cell beyond writes the same.
-      const int face = list[v].face_direction;
-      if (list[v].storage == Storage::output && face >= 0)
-        window.high[face] = std::max(window.high[face], 1);
+      // What closes a block is stored too: whoever owns the cell beyond writes the same.
+      if (list[v].storage == Storage::output) window.high = max(window.high, list[v].closing);
     }
     window.low = only_active(window.low, axes);
     window.high = only_active(window.high, axes);

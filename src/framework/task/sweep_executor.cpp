@@ -218,11 +218,11 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
     const bool remembered = remembers_ && !absent.output;
     if (remembered && new_state_->uniform(slot, number) == absent.value) continue;
     IndexBox cells = block.cells;
-    // The closing face of the box; others are the low faces of another block.
-    const int d = absent.face_direction;
+    // What closes the box; the rest is of another block.
     const IndexBox& box = warehouse.local_boxes()[static_cast<std::size_t>(block.box)].cells;
-    if (d >= 0 && level_->active[static_cast<std::size_t>(d)] && cells.upper[d] == box.upper[d])
-      ++cells.upper[d];
+    for (int d = 0; d < 3; ++d)
+      if (level_->active[static_cast<std::size_t>(d)] && cells.upper[d] == box.upper[d])
+        cells.upper[d] += absent.closing[d];
     for (int c = 0; c < warehouse.info(slot).components; ++c)
       fill_where_other(warehouse.view(slot, c, block.box), cells, absent.value);
     if (remembered) new_state_->set_uniform(slot, number, absent.value);

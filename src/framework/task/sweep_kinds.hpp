@@ -15,7 +15,7 @@ struct AbsentSlot {
   int material = 0;
   double value = 0;
   bool output = false;
-  int face_direction = -1;
+  IntVec3 closing{};
 };
 
 // What blocks of one kind run; the list must outlive the sweep.

@@ -20,7 +20,7 @@ VariableId TaskList::state(Storage storage, const char* when, Label label, int m
         variables_[v].material == place)
       return {static_cast<int>(v)};
   return add({label.name() + when, storage, components, label, place,
-              face_direction(label.info().centring)});
+              closing_layers(label.info().centring)});
 }
 
 VariableId TaskList::old_state(Label label, int material, int components) {
@@ -33,11 +33,13 @@ VariableId TaskList::new_state(Label label, int material, int components) {
 
 VariableId TaskList::output(Label label, int material) {
   return add({label.name(), Storage::output, component_count(label.info().type), label,
-              part_->material_of(material), face_direction(label.info().centring)});
+              part_->material_of(material), closing_layers(label.info().centring)});
 }
 
 VariableId TaskList::temporary(std::string name, int components, int face_direction) {
-  return add({std::move(name), Storage::temporary, components, Label{}, 0, face_direction});
+  IntVec3 closing{};
+  if (face_direction >= 0) closing[face_direction] = 1;
+  return add({std::move(name), Storage::temporary, components, Label{}, 0, closing});
 }
 
 TaskBuilder TaskList::task(std::string name, int effect) {

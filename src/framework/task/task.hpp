@@ -18,7 +18,8 @@
 namespace sluice {
 
 // How far below and above a point a task reads, in cells of each level direction. A face variable
-// of direction d holds at index i the face between cells i-1 and i of that direction.
+// of direction d holds at index i the face between cells i-1 and i of that direction, a node
+// variable the low corner of cell i.
 struct Stencil {
   IntVec3 low{}, high{};
 
@@ -45,7 +46,7 @@ struct Variable {
   int components = 1;
   Label label;  // state and output
   int material = 0;
-  int face_direction = -1;  // level direction of a face variable, -1 for cells
+  IntVec3 closing{};  // layers of values beyond the last cell, of faces and nodes
 };
 
 struct VariableId {

@@ -11,8 +11,9 @@ TagSpec implicit_solver_tag() {
   return tag("ImplicitSolver",
              "the pressure is solved for: steps as long as the flow allows, not its sound")
       .with_children(
-          {tag("max_outer_iterations", "solves in a step, at most; 1: what is left of the volume "
-                                       "of cells is taken up by the next step")
+          {tag("max_outer_iterations",
+               "solves in a step, at most; 1: what is left of the volume "
+               "of cells is taken up by the next step")
                .once()
                .integer()
                .at_least(1),
@@ -46,8 +47,10 @@ void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
   if (const DeckNode* scheme = ice->child("scheme"); scheme != nullptr && scheme->text == "classic")
     add_error(faults, block->where, "<ImplicitSolver> needs <scheme>conservative</scheme>",
               "remove <scheme>, or <ImplicitSolver>");
-  if (const DeckNode* amr = root.child("AMR"); amr != nullptr && !boolean_or(*amr, "useLockStep", false))
-    if (const DeckNode* grid = root.find("Grid"); grid != nullptr && amr->child("Regridder") != nullptr)
+  if (const DeckNode* amr = root.child("AMR");
+      amr != nullptr && !boolean_or(*amr, "useLockStep", false))
+    if (const DeckNode* grid = root.find("Grid");
+        grid != nullptr && amr->child("Regridder") != nullptr)
       add_error(faults, block->where,
                 "<ImplicitSolver> solves for the pressure of all levels at once, which must take "
                 "the same step",

@@ -153,8 +153,7 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
   std::array<In, 3> face_velocity;
   for (int axis = 0; axis < D; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    face_velocity[a] =
-        task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    face_velocity[a] = task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(list.output(labels().right_side, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
@@ -180,7 +179,8 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
 
 }  // namespace
 
-void add_solved_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_solved_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                            int effect) {
   static const char* names[] = {"solved faces of axis 0", "solved faces of axis 1",
                                 "solved faces of axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {

@@ -34,7 +34,7 @@ struct Constants {
   double h, dx_per_dt, l;  // dt/(2 dx), dx/dt, dt/dx
   double g_dx, f_dx;       // weight over a cell: rho g_dx + f_dx
   double half_dt;
-  double ratio[3];         // dx_d/dx_t by axis
+  double ratio[3];  // dx_d/dx_t by axis
 };
 
 Constants constants(const Row& row, const SchemeOptions& o, int axis) {
@@ -121,8 +121,7 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
               0.5 * per_C * (pL - pR) * per_z + k.half_dt * force +
               k.h * (k.g_dx + 2.0 * k.f_dx * per_r);
     jump[i] = smaller(phi * (zL * zR * per_z), 0.25 * smaller(ra, rb) * k.dx_per_dt) * du;
-    slope[i] = w * per_C * (sp.a[i] - sp.b[i]) +
-               0.5 * k.h * (u.a[i] * sp.a[i] + u.b[i] * sp.b[i]);
+    slope[i] = w * per_C * (sp.a[i] - sp.b[i]) + 0.5 * k.h * (u.a[i] * sp.a[i] + u.b[i] * sp.b[i]);
   }
 }
 
@@ -131,8 +130,7 @@ void predict(const Row& row, const Handles& h, int axis, const SchemeOptions& o)
   const Constants k = constants(row, o, axis);
   if (o.mixture)
     prediction_row<D, Viscous>(
-        row, h, axis, k,
-        LawOfCells{Both(row, h.shock_slope, 0, axis), Both(row, h.pi, 0, axis)});
+        row, h, axis, k, LawOfCells{Both(row, h.shock_slope, 0, axis), Both(row, h.pi, 0, axis)});
   else
     prediction_row<D, Viscous>(row, h, axis, k,
                                OneLaw{o.fluid.shock_slope(), -o.fluid.lowest_pressure()});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/error.hpp"
 #include "framework/run/level_solver.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/finer_faces.hpp"
@@ -18,7 +19,7 @@ constexpr int most_without_gain = 3;   // passes
 // Where levels meet the matrix is not that of the flow: so many passes correct it, to this share.
 constexpr int most_corrections = 6;
 constexpr double corrected = 1e-3;
-constexpr double round_off = 1e-9;     // a volume error that passes without gain may end at
+constexpr double round_off = 1e-9;  // a volume error that passes without gain may end at
 
 using BoxesOfLevels = std::vector<std::vector<GridBox>>;
 
@@ -73,7 +74,20 @@ Verdict PressureSolve::start(const StageScope& scope) {
   return Verdict::good;
 }
 
+// What a solver refuses (numbers that are not finite, empty rows) rejects the step with its words;
+// every rank has the whole system, and says the same.
 Verdict PressureSolve::solve(const StageScope& scope) {
+  try {
+    pass(scope);
+  } catch (const PhysicsError& error) {
+    *scope.reason = fmt::format("the pressure cannot be solved for: {}{}{}", error.what(),
+                                passes_.empty() ? "" : ". Passes before: ", history());
+    return Verdict::reject;
+  }
+  return Verdict::good;
+}
+
+void PressureSolve::pass(const StageScope& scope) {
   PressureSystem& system = system_on(scope);
   if (scope.pass == 1) system.set_up(scope.levels);
   const Labels& l = labels();
@@ -82,7 +96,6 @@ Verdict PressureSolve::solve(const StageScope& scope) {
   passes_.push_back({0.0, report.iterations,
                      report.right_side > 0 ? report.residuals.back() / report.right_side : 0.0,
                      report.reason});
-  return Verdict::good;
 }
 
 std::string PressureSolve::history() const {

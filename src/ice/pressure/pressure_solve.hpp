@@ -31,6 +31,7 @@ class PressureSolve {
     double residual = 0;  // of the linear solve, of its right-hand side
     std::string reason;   // why that did not converge
   };
+  void pass(const StageScope& scope);
   PressureSystem& system_on(const StageScope& scope);
   std::string history() const;
   bool stalls() const;
@@ -38,7 +39,7 @@ class PressureSolve {
   ImplicitSettings settings_;
   std::unique_ptr<PressureSystem> system_;
   std::vector<std::vector<GridBox>> boxes_;  // of its levels
-  std::vector<Pass> passes_;  // of the attempt under way
+  std::vector<Pass> passes_;                 // of the attempt under way
 };
 
 }  // namespace sluice::ice::pressure

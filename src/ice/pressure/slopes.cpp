@@ -84,8 +84,8 @@ void transverse_rows(const Row& row, const Handles& h, const Axes& axes) {
     for (int d = 0; d < D; ++d) {
       double carried[D];
       for (int t = 0; t < D; ++t)
-        carried[t] = half_courant[t] * u[t].centre[i] *
-                     central_slope(u[d].before(t, i), u[d].after(t, i));
+        carried[t] =
+            half_courant[t] * u[t].centre[i] * central_slope(u[d].before(t, i), u[d].after(t, i));
       UT[d][i] = others<D>(carried, d);
     }
 }
@@ -112,7 +112,8 @@ void no_slopes(const Row& row, const Handles& h, int D) {
 
 }  // namespace
 
-void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                       int effect) {
   TaskBuilder task = list.task("slopes", effect);
   const Stencil around = o.second_order ? Stencil::box(2) : Stencil::point();
   Handles h;

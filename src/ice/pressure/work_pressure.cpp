@@ -29,9 +29,8 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
       x.finer_pressure[n] = list.old_state(l.finer_face_pressure[d], 0, 1);
     }
   for (int a = 0; a < o.axes.count; ++a)
-    x.prediction[static_cast<std::size_t>(a)] =
-        list.temporary("prediction of axis " + std::to_string(a), prediction_count,
-                       o.axes.direction[a]);
+    x.prediction[static_cast<std::size_t>(a)] = list.temporary(
+        "prediction of axis " + std::to_string(a), prediction_count, o.axes.direction[a]);
 }
 
 void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
@@ -74,14 +73,14 @@ void save_increment(TaskList& list, Label label, VariableId from, int effect) {
 
 void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
-  add_work_pressure(list, v, o, effect);  // p, Y                    X-, ps
-  add_smooth_slopes(list, v, o, effect);         // u, ps                   su, sp, UT
-  add_viscous_force(list, v, o, effect);  // t_f                     Fv
-  add_predictions(list, v, o, effect);    // u, c, slopes, Fv        u*, j, k
-  add_solved_face_states(list, v, o, effect);          // X-, d, predictions      u_f, p_f, matrix, R
+  add_work_pressure(list, v, o, effect);       // p, Y                    X-, ps
+  add_smooth_slopes(list, v, o, effect);       // u, ps                   su, sp, UT
+  add_viscous_force(list, v, o, effect);       // t_f                     Fv
+  add_predictions(list, v, o, effect);         // u, c, slopes, Fv        u*, j, k
+  add_solved_face_states(list, v, o, effect);  // X-, d, predictions      u_f, p_f, matrix, R
   save_increment(list, labels().sum_of_corrections, v.solve.increment, effect);
-  save_increment(list, labels().last_correction,
-                 list.old_state(labels().pressure_correction, 0, 1), effect);
+  save_increment(list, labels().last_correction, list.old_state(labels().pressure_correction, 0, 1),
+                 effect);
 }
 
 }  // namespace sluice::ice::pressure

@@ -1,0 +1,61 @@
+// Tags and boundary values of the Poisson examples.
+#include "examples/poisson_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "examples/plain_component.hpp"
+#include "framework/deck/faults.hpp"
+#include "framework/grid/nodes.hpp"
+
+namespace sluice::examples {
+namespace {
+
+// The value that the deck gives phi on a whole side.
+double side_value(const Scene& scene, Side side, std::vector<Fault>& faults) {
+  const std::vector<BoundaryRegion>& regions = scene.boundary.side(side).regions;
+  const BoundaryRegion& whole = regions.front();
+  if (regions.size() > 1)
+    add_error(faults, regions[1].where,
+              fmt::format("{} takes one value on a whole side", scene.component),
+              fmt::format("write <Face side=\"{}\">", name_of(side)));
+  const Condition* phi = whole.find("Phi", 0);
+  if (phi == nullptr) {
+    add_warning(faults, whole.where.line > 0 ? whole.where : scene.grid_settings.where,
+                fmt::format("side {} has no condition for Phi: 0 is taken", name_of(side)),
+                "write <BCType id=\"0\" label=\"Phi\" var=\"Dirichlet\"><value>0</value></BCType>");
+    return 0;
+  }
+  if (phi->kind != ConditionKind::dirichlet || !phi->has_value || phi->is_vector ||
+      !phi->text.empty())
+    add_error(faults, phi->where, "Phi is given by its value on the side",
+              "write var=\"Dirichlet\" and a number as <value>");
+  return phi->value;
+}
+
+}  // namespace
+
+void add_poisson_tags(Schema& schema) {
+  schema.add(
+      tag("Poisson", "Laplace's equation by sweeps of Jacobi's method, on nodes")
+          .with_children({tag("delt", "length of a step").once().real().above(0).unit("time"),
+                          tag("maxresidual",
+                              "the sum of squared changes at which the sweeps of a step end; "
+                              "poisson1 and benchmark take one sweep a step")
+                              .once()
+                              .real()
+                              .above(0)}));
+}
+
+PoissonScene read_poisson(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
+  PoissonScene read;
+  const DeckNode* block = need_block(deck, scene, "Poisson", faults);
+  if (block == nullptr) return read;
+  read.dt = block->real("delt");
+  read.most_residual = block->real("maxresidual");
+  for (const Side side : all_sides)
+    if (ends_at(scene.grid.levels.front(), side))
+      read.side_value[static_cast<std::size_t>(side)] = side_value(scene, side, faults);
+  return read;
+}
+
+}  // namespace sluice::examples
