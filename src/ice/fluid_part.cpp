@@ -304,6 +304,13 @@ int FluidPart::reduction_sums() const {
 
 void FluidPart::initialise(Warehouse& state) const {
   ice::initialise(state, *scene_, ice_, options_);
+  if (!options_.implicit) return;
+  // The work pressure begins as that of the state.
+  const int offset = state.find(labels().pressure_offset, options_.place(0));
+  for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
+    const RealView v = state.view(offset, 0, box);
+    fill(v, v.box, 0.0);
+  }
 }
 
 // What passes through a control volume's side must be counted in uniform flow as well. Materials

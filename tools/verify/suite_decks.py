@@ -205,7 +205,7 @@ def bad_values(folder):
     """What is wrong with the last output of the archive, or nothing."""
     import numpy as np
 
-    archive = Archive(next(folder.glob("*.uda.000")))
+    archive = Archive(next(folder.glob("*.000")))
     first, last = archive.step("first"), archive.step("last")
     for label in last.names():
         parts = list(values(last, label))

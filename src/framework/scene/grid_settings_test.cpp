@@ -108,7 +108,7 @@ TEST(GridSettings, Faults) {
        "not both"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", resolution("[0,1,1]")) + "</Level>", "0 cells"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", "<spacing>[0.3,1,1]</spacing>") + "</Level>",
-       "not a whole number"},
+       "3.3333333333333335 cells in direction x; it ends with the last whole one, at 0.9"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", "<spacing>[0,1,1]</spacing>") + "</Level>",
        "cells in direction x"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", resolution("[10000,10000,10000]")) + "</Level>",

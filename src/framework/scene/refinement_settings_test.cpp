@@ -155,7 +155,10 @@ TEST(RefinementSettings, Faults) {
            Case{two + tile + ratios("[[1,1,4]]"), "error: level 1 refines no direction"},
            Case{two + ratio + tiles("[[2,8,1]]"),
                 "error: a tile of 2 cells in direction x for level 1; it must have at least 4"},
-           Case{two + ratio + tiles("[[8,9,1]]"), "error: a tile of 9 cells in direction y"},
+           Case{two + ratio + tiles("[[8,9,1]]"),
+                "warning: a tile of 9 cells in direction y for level 1, where the refinement ratio "
+                "is "
+                "2: tiles of whole coarse cells, of 10"},
            Case{two + tile + ratios("[[2,2,1],[4,4,1]]"),
                 "warning: 2 refinement ratios for 1 finer level"},
            Case{two + ratio + tiles("[[8,8,1],[4,4,1]]"),

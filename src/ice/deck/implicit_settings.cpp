@@ -10,22 +10,23 @@ namespace sluice::ice {
 TagSpec implicit_solver_tag() {
   return tag("ImplicitSolver",
              "the pressure is solved for: steps as long as the flow allows, not its sound")
-      .with_children(
-          {tag("max_outer_iterations",
-               "solves in a step, at most; 1: what is left of the volume "
-               "of cells is taken up by the next step")
-               .once()
-               .integer()
-               .at_least(1),
-           tag("outer_iteration_tolerance",
-               "largest relative error of the volume of a cell after the last solve")
-               .once()
-               .real()
-               .at_least(0),
-           tag("iters_before_timestep_restart",
-               "solves after which a step that has not converged is redone with a smaller one")
-               .integer()
-               .at_least(1)})
+      .with_children({tag("max_outer_iterations",
+                          "solves in a step, at most; 1: what is left of the volume "
+                          "of cells is taken up by the next step")
+                          .once()
+                          .integer()
+                          .at_least(1),
+                      tag("outer_iteration_tolerance",
+                          "largest relative error of the volume of a cell after the last solve")
+                          .once()
+                          .real()
+                          .at_least(0),
+                      tag("iters_before_timestep_restart",
+                          "solves after which a step whose error does not fall to a third in a "
+                          "solve is redone "
+                          "with a smaller one")
+                          .integer()
+                          .at_least(1)})
       .child(solve::solver_parameters_tag());
 }
 

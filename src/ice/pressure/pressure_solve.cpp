@@ -15,6 +15,7 @@ namespace sluice::ice::pressure {
 namespace {
 
 constexpr double most_growth = 100.0;  // of the error over its least: the step is too long
+constexpr double falling = 0.3;        // of the error in a pass: it converges
 constexpr int most_without_gain = 3;   // passes
 // Where levels meet the matrix is not that of the flow: so many passes correct it, to this share.
 constexpr int most_corrections = 6;
@@ -64,9 +65,8 @@ Verdict PressureSolve::start(const StageScope& scope) {
   const Labels& l = labels();
   for (LevelSolver* level : scope.levels) {
     fill_slot(*level, l.pressure_increment, 0.0);
-    if (scope.levels.size() == 1) continue;
     for (int d = 0; d < 3; ++d)
-      if (level->level().active[static_cast<std::size_t>(d)]) {
+      if (level->state().find(l.finer_face_velocity[d], 0) >= 0) {
         fill_slot(*level, l.finer_face_velocity[d], not_given);
         fill_slot(*level, l.finer_face_pressure[d], not_given);
       }
@@ -141,7 +141,11 @@ StepShape::Iterate::Answer PressureSolve::judge(const StageScope& scope) {
   if (settings_.max_passes == 1 &&
       (!levels || error <= corrected * passes_.front().error || scope.pass >= most_corrections))
     return Answer::done;
-  const int most = std::min(settings_.max_passes, settings_.most_before_redo);
+  // A step that converges may go on after as many passes as the deck would redo it.
+  const std::size_t done = passes_.size();
+  const bool falls = done > 1 && error < falling * passes_[done - 2].error;
+  const int most =
+      falls ? settings_.max_passes : std::min(settings_.max_passes, settings_.most_before_redo);
   if (scope.pass >= (levels ? std::max(most, most_corrections) : most))
     return reject("no more passes are allowed");
   return Answer::again;
