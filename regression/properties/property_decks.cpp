@@ -89,6 +89,10 @@ std::vector<Entry> own() {
       {"hot_air", "hot_air_shock_tube", {cells("[80,1,1]")}},
       {"held_region", "held_region", {cells("[24,20,1]")}},
       {"held_region_classic", "held_region", {cells("[24,20,1]"), classic}},
+      {"implicit_pulse", "implicit_pulse", {cells("[40,1,1]")}},
+      {"implicit_channel", "implicit_couette_poiseuille", {}},
+      {"implicit_cavity", "implicit_cavity", {cells("[12,14,1]")}},
+      {"implicit_convection", "implicit_natural_convection", {cells("[12,14,1]")}},
       {"cube", "blast_3d", {cells("[14,12,13]")}},
       {"cube_gravity", "blast_3d", {cells("[14,12,13]"), gravity, pressure}},
       {"cube_all", "blast_3d", {cells("[14,12,13]"), gravity, pressure, viscous, conducting}},
@@ -118,6 +122,10 @@ std::vector<Entry> of_materials() {
            "]/velocity=" + u;
   };
   return {
+      {"implicit_water_air", "implicit_water_air", {}},
+      {"implicit_sloshing", "implicit_sloshing", {cells("[16,16,1]")}},
+      {"implicit_dam", "implicit_dam", {cells("[24,12,1]")}},
+      {"implicit_layers_at_rest", "implicit_layers_at_rest", {}},
       {"two_gases", "two_gases_sod", {cells("[80,1,1]")}},
       {"interface_leaving", "interface_leaving", {cells("[60,1,1]")}},
       {"mixture_pulse_leaving", "mixture_pulse_leaving", {cells("[60,1,1]")}},
@@ -267,6 +275,7 @@ std::vector<Entry> on_levels() {
         "MaterialProperties/ICE/material/dynamicViscosityModels/Model/a=2e-3",
         "MaterialProperties/ICE/material/dynamicViscosityModels/Model/b=1"}},
       {"amr_flame_sheet_viscous", "amr_flame_sheet", {cells("[20,16,1]"), viscous}},
+      {"amr_implicit_blob", "amr_implicit_blob", {cells("[20,24,1]")}},
       {"amr_explosion", "amr_explosion", {cells("[22,18,1]")}},
       {"amr_explosion_ratio_4", "amr_explosion", {cells("[10,12,1]"), ratio("[[4,2,1],[2,4,1]]")}},
       {"amr_explosion_lockstep", "amr_explosion", {cells("[20,20,1]"), lockstep}},

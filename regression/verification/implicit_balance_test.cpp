@@ -1,4 +1,5 @@
-// Semi-implicit steps: what must hold whatever the solve leaves. Totals in closed boxes, contacts of
+// Semi-implicit steps: what must hold whatever the solve leaves. Totals in closed boxes, contacts
+// of
 // water and air at uniform pressure and velocity, rest under gravity.
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double allowed_drift = 1e-12;  // of sum |q|, per 1,000 steps; measured at most 3e-16
 constexpr double uniform = 1e-10;        // of p, u; measured 9.5e-11 (C 400), else 1e-11
-// Pressure of the law in a cell that the slug has nearly left, C 400; 1e-14 of the modulus of water.
+// Pressure of the law in a cell that the slug has nearly left, C 400; 1e-14 of water's modulus.
 constexpr double uniform_law = 1e-9;  // of p; measured 2.8e-10, else 1.5e-11
 constexpr double slug_sound = 1625;   // m/s, of water by its stiffened law
 constexpr double least_sound = 374;   // m/s, of the air of density 1

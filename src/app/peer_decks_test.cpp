@@ -31,7 +31,6 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/MPM/Scripts/CylGen/TestCylGen.ups", "included file 'Test2D.xml' does not exist"},
     {"inputs/MPM/Scripts/CylGen/TestMMCylGen.ups", "included file 'Test2D.0.xml' does not exist"},
     {"inputs/MPMICE/NG_nozzle/NG_Nozzle.ups", "'1 0.0' is not a number"},
-    {"inputs/Models/HePlume.ups", "there is no variable 'sum_scalar_f'"},
     {"inputs/UintahRelease/MPM/WSphereIntoSteel.axi.ups", "does not exist"},
 };
 

@@ -179,8 +179,8 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
   o.coverage = variant.coverage;
-  o.meets_finer =
-      o.implicit && variant.level + 1 < static_cast<int>(scene_->grid.levels.size());
+  o.meets_coarser = o.implicit && variant.level > 0;
+  o.meets_finer = o.implicit && variant.level + 1 < static_cast<int>(scene_->grid.levels.size());
   o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
   o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
   o.volumes = variant.volumes;
@@ -238,13 +238,17 @@ void FluidPart::shape_step(StepShape& shape) const {
   if (several) shape.link_levels(pressure::take_finer_faces);
   // On several levels passes also correct the matrix where they meet.
   constexpr int most_corrections = 8;
-  const int most = several ? std::max(ice_.implicit->max_passes, most_corrections)
-                           : ice_.implicit->max_passes;
+  const int most =
+      several ? std::max(ice_.implicit->max_passes, most_corrections) : ice_.implicit->max_passes;
   shape.solve("start", [pressure](const StageScope& scope) { return pressure->start(scope); });
+  if (several) {
+    shape.prepare("work pressure", {l.work_pressure});
+    shape.solve("work pressure where levels meet",
+                [pressure](const StageScope& scope) { return pressure->join(scope); });
+  }
   shape.prepare("pressure system", system);
   shape.iterate(
-      "pressure", most,
-      [pressure](const StageScope& scope) { return pressure->judge(scope); },
+      "pressure", most, [pressure](const StageScope& scope) { return pressure->judge(scope); },
       [&](StepShape& pass) {
         pass.solve("pressure",
                    [pressure](const StageScope& scope) { return pressure->solve(scope); });
@@ -258,6 +262,7 @@ std::vector<SlotInfo> FluidPart::work_slots() const {
   std::vector<SlotInfo> slots{{labels().pressure_increment, options_.place(0), 1, 0},
                               {labels().pressure_correction, options_.place(0), 1, 0}};
   if (scene_->grid.levels.size() == 1) return slots;
+  slots.push_back({labels().interface_pressure, options_.place(0), 1, 0});
   for (int a = 0; a < options_.axes.count; ++a) {
     const int d = options_.axes.direction[a];
     for (const Label label : {labels().finer_face_velocity[d], labels().finer_face_pressure[d]})
@@ -322,7 +327,8 @@ bool FluidPart::quiet_blocks_allowed() const {
     return false;
   for (const models::TransportedScalar& s : ice_.models.scalars)
     if (s.grows()) return false;
-  return !options_.gravity_on && !options_.implicit && sources_.empty() && control_volumes(scene_->analysis).empty();
+  return !options_.gravity_on && !options_.implicit && sources_.empty() &&
+         control_volumes(scene_->analysis).empty();
 }
 
 // Shocks do not leave levels that follow them.

@@ -91,8 +91,8 @@ class StepShape {
     stages_.push_back(
         Iterate{std::move(name), most, std::move(converged), std::move(inner.stages_)});
   }
-  // Sweeps go from the finest level to the coarsest; before a level is swept (or prepared) it is told
-  // what the next finer one has stored.
+  // Sweeps go from the finest level to the coarsest; before a level is swept (or prepared) it is
+  // told what the next finer one has stored.
   using Link = std::function<void(LevelSolver& coarser, LevelSolver& finer)>;
   void link_levels(Link link) { link_ = std::move(link); }
   const Link& link() const { return link_; }

@@ -113,11 +113,12 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
     }
     if (tile[d] % ratio[d] != 0) {
       const int whole = (tile[d] / ratio[d] + 1) * ratio[d];
-      add_warning(faults, where,
-                  fmt::format("a tile of {} cells in direction {} for level {}, where the refinement "
-                              "ratio is {}: tiles of whole coarse cells, of {}, take its place",
-                              tile[d], axis[d], level, ratio[d], whole),
-                  fmt::format("use {}", whole));
+      add_warning(
+          faults, where,
+          fmt::format("a tile of {} cells in direction {} for level {}, where the "
+                      "refinement ratio is {}: tiles of whole coarse cells, of {}, take its place",
+                      tile[d], axis[d], level, ratio[d], whole),
+          fmt::format("use {}", whole));
       tile[d] = whole;
     }
   }

@@ -3,7 +3,7 @@
 // The cycle corrects the levels one after the other, finest to coarsest and back, each by a
 // multigrid cycle on the whole of it for what the corrections before have left (a symmetric
 // multiplicative Schwarz method). The bits of a result do not depend on boxes, ranks or threads.
-// S. F. McCormick, Multilevel Adaptive Methods for Partial Differential Equations (1989), chapter 4.
+// S. F. McCormick, Multilevel Adaptive Methods for Partial Differential Equations (1989), ch. 4.
 #pragma once
 #include <memory>
 #include <vector>

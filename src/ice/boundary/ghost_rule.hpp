@@ -11,7 +11,7 @@ namespace sluice::ice {
 
 constexpr double unfilled = 1e-6;  // of a cell: volumes are given with as many digits
 
-// What a face on the side of the domain makes of a pressure that is solved for (pressure/faces.cpp):
+// What a face on a side of the domain makes of a pressure that is solved for (pressure/faces.cpp):
 // its velocity is 0, given, or that of the cell inside; its pressure is given; waves leave.
 enum class SideKind { wall, velocity, copied, pressure, open };
 

@@ -75,6 +75,11 @@ void declare_solve(Labels& l) {
     l.matrix_face[d] = face(faces[d], d, "1/Pa",
                             "Semi-implicit steps: coupling of two cells in the pressure's system, "
                             "A dt^2/(rho dx^2); 0 on faces whose velocity is given.");
+  l.work_pressure = cell("work_press_CC", "Pa",
+                         "Semi-implicit steps: the pressure that the step before has solved for.");
+  l.interface_pressure = cell("work.interface_pressure", "Pa",
+                              "Semi-implicit steps on levels: the same in ghost cells where a "
+                              "coarser level begins.");
   constexpr const char* finer_u[] = {"work.finer_face_velocity_x", "work.finer_face_velocity_y",
                                      "work.finer_face_velocity_z"};
   constexpr const char* finer_p[] = {"work.finer_face_pressure_x", "work.finer_face_pressure_y",

@@ -16,13 +16,14 @@ struct Labels {
   Label momentum_component[3];  // as checkpoints keep them
   // 1 where slopes are used, 0 in cells whose faces are redone at first order.
   Label mask;
-  // Semi-implicit steps: work pressure less that of the state; what the solve adds to it in the step;
-  // the system of the first pass, and what the last left.
+  // Semi-implicit steps: work pressure less that of the state; what the solve adds to it in the
+  // step; the system of the first pass, and what the last left.
   Label pressure_offset, pressure_increment, pressure_correction;
   Label last_correction, sum_of_corrections;  // as decks save them
   Label matrix_cell, matrix_face[3], right_side, volume_error;
   // Where a finer level begins: means over its faces, in the cell above.
   Label finer_face_velocity[3], finer_face_pressure[3];
+  Label work_pressure, interface_pressure;  // X-; its ghosts where a coarser level begins
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

@@ -6,8 +6,9 @@
 //   g = 8/((r + 1)(r + 3)) c* + 2 (r - 1)/(r + 1) f1 - (r - 1)/(r + 3) f2
 //   c* = c + sum over tangents of  o (c+ - c-)/2 + o^2/2 (c+ - 2 c + c-)
 // o: how far, in coarse cells, the ghost's centre lies aside of c's. The matrix couples two points;
-// what it lacks is found by the sweep that follows, and corrected in the next pass (contraction .2).
+// what it lacks is found by the sweep that follows, and corrected in the next pass.
 #include "framework/grid/cell_map.hpp"
+#include "framework/solve/all_boxes.hpp"
 #include "framework/solve/composite_solver.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/pressure_system.hpp"
@@ -22,20 +23,17 @@ IntVec3 parent_of(IntVec3 c, IntVec3 ratio) {
   return {floor_of(c.x, ratio.x), floor_of(c.y, ratio.y), floor_of(c.z, ratio.z)};
 }
 
-// d of a level and the next coarser one, for ghost cells between them.
+// A number of a level and the next coarser one, for ghost cells between them.
 class InterfaceGhosts {
  public:
-  InterfaceGhosts(const Level& coarse, const Level& fine, const solve::DenseSystem& coarse_places,
-                  const solve::DenseSystem& fine_places, const solve::DenseVector& coarse_d,
-                  const solve::DenseVector& fine_d)
-      : coarse_(coarse),
-        fine_(fine),
+  // The numbers of the cells of both levels, of the boxes of this rank. Collective.
+  InterfaceGhosts(const Level& coarse, const Level& fine, const solve::ConstBoxViews& of_coarse,
+                  const solve::ConstBoxViews& of_fine)
+      : fine_(fine),
         coarse_map_(coarse),
         fine_map_(fine),
-        coarse_places_(coarse_places),
-        fine_places_(fine_places),
-        coarse_d_(coarse_d),
-        fine_d_(fine_d) {}
+        coarse_numbers_(coarse, of_coarse),
+        fine_numbers_(fine, of_fine) {}
 
   void fill(const RealView& d, const IndexBox& cells) const {
     for_each_cell(d.box, [&](IntVec3 ghost) {
@@ -91,18 +89,17 @@ class InterfaceGhosts {
     return coarse_map_.has(cell) ? coarse(cell) : other;
   }
   double coarse(IntVec3 cell) const {
-    if (!coarse_map_.has(cell)) return 0.0;
-    return coarse_d_[static_cast<std::size_t>(coarse_places_.place_of(coarse_map_.image(cell)))];
+    return coarse_map_.has(cell) ? number(coarse_map_, coarse_numbers_, cell) : 0.0;
   }
-  double fine(IntVec3 cell) const {
-    return fine_d_[static_cast<std::size_t>(fine_places_.place_of(fine_map_.image(cell)))];
+  double fine(IntVec3 cell) const { return number(fine_map_, fine_numbers_, cell); }
+  static double number(const CellMap& map, const solve::AllBoxes& numbers, IntVec3 cell) {
+    return numbers.views()[static_cast<std::size_t>(map.box_of(cell))](map.image(cell));
   }
 
   static constexpr int most_layers = 4;
-  const Level &coarse_, &fine_;
+  const Level& fine_;
   CellMap coarse_map_, fine_map_;
-  const solve::DenseSystem &coarse_places_, &fine_places_;
-  const solve::DenseVector &coarse_d_, &fine_d_;
+  solve::AllBoxes coarse_numbers_, fine_numbers_;
 };
 
 class SeveralLevels final : public PressureSystem {
@@ -124,10 +121,17 @@ class SeveralLevels final : public PressureSystem {
     total_ = right_side_;
   }
 
+  void join_work_pressure(std::span<LevelSolver* const> levels) override {
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      take(*levels[l], labels().work_pressure, numbers_[l], 1.0);
+      if (l > 0) fill_interface(levels, labels().interface_pressure, l);
+    }
+  }
+
   solve::SolveReport correct(std::span<LevelSolver* const> levels, Label right_side) override {
     const solve::CompositeSystem& system = solver_.system();
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      take(*levels[l], right_side, numbers_[l]);
+      take(*levels[l], right_side, numbers_[l], levels[l]->level().cell_volume());
       system.load(l, numbers_[l].values(), right_side_);
     }
     const solve::SolveReport report = solver_.solve(right_side_, change_);
@@ -139,16 +143,16 @@ class SeveralLevels final : public PressureSystem {
     for (std::size_t l = 0; l < levels.size(); ++l) {
       put(levels, last, labels().pressure_correction, l);
       put(levels, total_, labels().pressure_increment, l);
-      fill_ghosts(levels, l);
+      levels[l]->fill_work_ghosts(labels().pressure_increment);
+      if (l > 0) fill_interface(levels, labels().pressure_increment, l);
     }
     return report;
   }
 
  private:
-  static void take(LevelSolver& level, Label label, const solve::BoxArrays& to) {
+  static void take(LevelSolver& level, Label label, const solve::BoxArrays& to, double volume) {
     const Warehouse& stored = level.outputs();
     const int slot = stored.find(label, 0);
-    const double volume = level.level().cell_volume();
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const auto from = stored.view(slot, 0, b);
       const RealView& v = to.views()[static_cast<std::size_t>(b)];
@@ -157,9 +161,9 @@ class SeveralLevels final : public PressureSystem {
   }
   static void take_coefficients(LevelSolver& level, solve::LevelCoefficients& to) {
     const Labels& l = labels();
-    take(level, l.matrix_cell, to.own);
-    const Warehouse& stored = level.outputs();
     const double volume = level.level().cell_volume();
+    take(level, l.matrix_cell, to.own, volume);
+    const Warehouse& stored = level.outputs();
     for (int d = 0; d < 3; ++d) {
       const auto n = static_cast<std::size_t>(d);
       if (!level.level().active[n]) continue;
@@ -187,14 +191,12 @@ class SeveralLevels final : public PressureSystem {
       for_each_cell(cells, [&](IntVec3 c) { d(c) = from(c); });
     });
   }
-  void fill_ghosts(std::span<LevelSolver* const> levels, std::size_t l) {
-    const solve::CompositeSystem& system = solver_.system();
+  // Ghosts of a slot where the level meets the coarser one; numbers_ holds the cells of both.
+  void fill_interface(std::span<LevelSolver* const> levels, Label label, std::size_t l) {
     LevelSolver& level = *levels[l];
-    const int slot = level.state().find(labels().pressure_increment, 0);
-    level.fill_work_ghosts(labels().pressure_increment);
-    if (l == 0) return;
-    const InterfaceGhosts ghosts(levels[l - 1]->level(), level.level(), system.whole(l - 1),
-                                 system.whole(l), total_[l - 1], total_[l]);
+    const int slot = level.state().find(label, 0);
+    const InterfaceGhosts ghosts(levels[l - 1]->level(), level.level(), numbers_[l - 1].values(),
+                                 numbers_[l].values());
     for_each_box(level, [&](int b, const IndexBox& cells) {
       ghosts.fill(level.state().view(slot, 0, b), cells);
     });

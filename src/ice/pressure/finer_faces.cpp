@@ -66,6 +66,11 @@ std::vector<FaceMean> of_all_ranks(const std::vector<FaceMean>& own) {
 }  // namespace
 
 void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
+  // Before faces were stored for the first time nothing asks for them.
+  for (int d = 0; d < 3; ++d)
+    if (finer.level().active[static_cast<std::size_t>(d)] &&
+        finer.outputs().find(labels().face_pressure[d], 0) < 0)
+      return;
   const CellMap fine_map(finer.level()), coarse_map(coarser.level());
   std::vector<FaceMean> means;
   const std::vector<GridBox>& boxes = finer.state().local_boxes();

@@ -65,12 +65,19 @@ Verdict PressureSolve::start(const StageScope& scope) {
   const Labels& l = labels();
   for (LevelSolver* level : scope.levels) {
     fill_slot(*level, l.pressure_increment, 0.0);
+    if (level->state().find(l.interface_pressure, 0) >= 0)
+      fill_slot(*level, l.interface_pressure, not_given);
     for (int d = 0; d < 3; ++d)
       if (level->state().find(l.finer_face_velocity[d], 0) >= 0) {
         fill_slot(*level, l.finer_face_velocity[d], not_given);
         fill_slot(*level, l.finer_face_pressure[d], not_given);
       }
   }
+  return Verdict::good;
+}
+
+Verdict PressureSolve::join(const StageScope& scope) {
+  system_on(scope).join_work_pressure(scope.levels);
   return Verdict::good;
 }
 

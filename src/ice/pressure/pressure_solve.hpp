@@ -17,6 +17,8 @@ class PressureSolve {
 
   // d = 0 on all levels.
   Verdict start(const StageScope& scope);
+  // Where levels meet: after X- was stored.
+  Verdict join(const StageScope& scope);
   // d += the solution: of the right-hand side of the step in the first pass, later of what the
   // sweep before left.
   Verdict solve(const StageScope& scope);

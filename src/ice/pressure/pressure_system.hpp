@@ -14,6 +14,9 @@ class PressureSystem {
   virtual ~PressureSystem() = default;
   // Both collective, of levels whose boxes are those at the construction.
   virtual void set_up(std::span<LevelSolver* const> levels) = 0;
+  // Ghosts of X- where levels meet, by the same parabola as those of d: with another the two would
+  // disagree in every step, and the interface grow waves of its own.
+  virtual void join_work_pressure(std::span<LevelSolver* const> /*levels*/) {}
   // d += the solution for the right-hand side under this label of what is stored.
   virtual solve::SolveReport correct(std::span<LevelSolver* const> levels, Label right_side) = 0;
 };

@@ -1,4 +1,4 @@
-// The faces of a row of faces that lie on the sides of the domain, and what each makes of the solve.
+// The faces of a row of faces on the sides of the domain, and what each makes of the solve.
 #pragma once
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/pressure/error_rows.hpp"

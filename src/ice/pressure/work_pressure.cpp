@@ -7,6 +7,7 @@
 
 #include "ice/fluid/labels.hpp"
 #include "ice/fluid/limiters.hpp"
+#include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/variables.hpp"
 
 namespace sluice::ice::pressure {
@@ -21,6 +22,7 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   x.smooth = list.temporary("smooth pressure");
   x.error = list.temporary("relative volume error");
   if (o.viscous) x.force = list.temporary("viscous force", o.axes.count);
+  if (o.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
   if (o.meets_finer)
     for (int a = 0; a < o.axes.count; ++a) {
       const auto n = static_cast<std::size_t>(a);
@@ -38,6 +40,8 @@ void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOpt
   TaskBuilder task = list.task("work pressure", effect);
   const In p_in = task.read(v.pressure), c_in = task.read(v.sound),
            offset = task.read(v.solve.offset);
+  In interface;
+  if (o.meets_coarser) interface = task.read(v.solve.interface);
   const Out work = task.write(v.solve.work), smooth = task.write(v.solve.smooth);
   task.kernel([=, axes = o.axes](const Row& row) {
     double per_dx = 0;
@@ -57,12 +61,19 @@ void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOpt
       X[i] = p[i] + Y[i];
       ps[i] = p[i] + (Y[i] - share * Y[i]);
     }
+    if (interface.index < 0) return;
+    const double* __restrict given = row(interface);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      X[i] = given[i] == not_given ? X[i] : given[i];
+      ps[i] = given[i] == not_given ? ps[i] : given[i];
+    }
   });
 }
 
 namespace {
 
-void save_increment(TaskList& list, Label label, VariableId from, int effect) {
+void save_cells(TaskList& list, Label label, VariableId from, int effect) {
   TaskBuilder task = list.task("save " + label.name(), effect);
   const In in = task.read(from);
   const Out out = task.write(list.output(label, 0));
@@ -78,9 +89,10 @@ void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOpti
   add_viscous_force(list, v, o, effect);       // t_f                     Fv
   add_predictions(list, v, o, effect);         // u, c, slopes, Fv        u*, j, k
   add_solved_face_states(list, v, o, effect);  // X-, d, predictions      u_f, p_f, matrix, R
-  save_increment(list, labels().sum_of_corrections, v.solve.increment, effect);
-  save_increment(list, labels().last_correction, list.old_state(labels().pressure_correction, 0, 1),
-                 effect);
+  save_cells(list, labels().work_pressure, v.solve.work, effect);
+  save_cells(list, labels().sum_of_corrections, v.solve.increment, effect);
+  save_cells(list, labels().last_correction, list.old_state(labels().pressure_correction, 0, 1),
+             effect);
 }
 
 }  // namespace sluice::ice::pressure

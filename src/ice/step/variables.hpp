@@ -51,8 +51,8 @@ struct SchemeOptions {
   PairCoefficients drag;                      // K, kg/(m^3 s)
   std::optional<SlipExchange> slip_exchange;  // at the surface of one material
   std::optional<ConvectiveExchange> convective;
-  int sums = 8;          // exact sums before those of further materials: see StepSlots
-  bool classic = false;  // the classic form, see classic/
+  int sums = 8;           // exact sums before those of further materials: see StepSlots
+  bool classic = false;   // the classic form, see classic/
   bool implicit = false;  // one pressure is solved for, see pressure/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
@@ -86,8 +86,9 @@ struct SchemeOptions {
   // With several levels: which cells count in sums, where fluxes are recorded.
   const LevelCoverage* coverage = nullptr;
   const FluxRecorder* recorder = nullptr;
-  bool meets_finer = false;              // faces may be given by a finer level: pressure/finer_faces.hpp
-  bool shocks_leave = false;             // a level that shocks leave where it ends: recorder->ends
+  bool meets_coarser = false;  // ghosts of the work pressure may be given by a coarser level
+  bool meets_finer = false;    // faces may be given by a finer level: pressure/finer_faces.hpp
+  bool shocks_leave = false;   // a level that shocks leave where it ends: recorder->ends
   const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
   int first_volume_sum = 0;              // of their sums among those of the step
   const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
@@ -134,12 +135,13 @@ struct ScalarVariables {
 
 // Of a semi-implicit step: pressure/variables.hpp.
 struct PressureVariables {
-  VariableId offset, offset_new;  // state: X - p
-  VariableId increment;           // d = X - X-, solved for
-  VariableId work, smooth;        // X-; the pressure whose slopes count
-  VariableId force;               // viscous, by axis
-  std::array<VariableId, 3> prediction;  // by axis: u*, j, k
-  VariableId error;               // R
+  VariableId offset, offset_new;                             // state: X - p
+  VariableId increment;                                      // d = X - X-, solved for
+  VariableId work, smooth;                                   // X-; the pressure whose slopes count
+  VariableId force;                                          // viscous, by axis
+  std::array<VariableId, 3> prediction;                      // by axis: u*, j, k
+  VariableId interface;                                      // X- in ghosts beside a coarser level
+  VariableId error;                                          // R
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
