@@ -95,7 +95,10 @@ std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table) {
 }
 
 TagSpec adiabatic_table_tag() {
-  const TagSpec test = tag("doTableTest", "accepted without effect: the table is checked when it is read").boolean().by_default("false");
+  const TagSpec test =
+      tag("doTableTest", "accepted without effect: the table is checked when it is read")
+          .boolean()
+          .by_default("false");
   const TagSpec constants =
       tag("constants", "of the mixture fraction").with_children(diffusion_tags());
   std::vector<TagSpec> of_mixture = mixture_tags("the mixture fraction", {test, constants});

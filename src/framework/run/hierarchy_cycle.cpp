@@ -1,8 +1,8 @@
 // The schedule of one coarse step: what each level does in it, or all levels together.
 //
 // Levels that step for themselves: exchange, sweep, take over, then the finer level in its
-// substeps, then the matching of both. A component that declares stages (step_shape.hpp) has them carried out
-// on all levels in lockstep, and the levels matched at the end, finest first.
+// substeps, then the matching of both. A component that declares stages (step_shape.hpp) has them
+// carried out on all levels in lockstep, and the levels matched at the end, finest first.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
