@@ -259,8 +259,8 @@ void drop_register_labels(DeckNode& root, std::vector<Fault>& faults) {
     if (save->name != "save" || !(label.ends_with("_FC_flux") || label.ends_with("_FC_corr")))
       return false;
     add_warning(faults, save->where,
-                fmt::format("variable '{}' is not saved: registers match the fluxes where levels "
-                            "meet, and are no fields",
+                fmt::format("variable '{}' is no field here: registers match the fluxes where "
+                            "levels meet; dropped",
                             label),
                 "remove the line");
     return true;
