@@ -1,0 +1,121 @@
+// What a deck says of solids, as plain data.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/base/vec3.hpp"
+#include "framework/geometry/piece.hpp"
+#include "framework/scene/scene.hpp"
+#include "mpm/material/material.hpp"
+
+namespace sluice::mpm {
+
+enum class Basis { linear, gimp, cpgimp, quadratic, cubic, cpdi, fast_cpdi, cpti };
+// How velocities come back to particles: see mpm/transfer.
+enum class Transfer { flip, pic, xpic, apic, affine };
+
+// A <geom_object>: particles that fill a piece of space.
+struct SeedObject {
+  PiecePtr piece;
+  IntVec3 per_cell{2, 2, 2};  // res: particles per cell and direction
+  // Affine map of the seeded places: A x + b. Identity: nothing is mapped.
+  std::array<double, 9> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Vec3 shift{};
+  bool mapped = false;
+  double temperature = 0;
+  Vec3 velocity{};
+  std::optional<double> volume_fraction;  // share of the mass that a particle has
+  int filling_levels = 1;                 // numLevelsParticleFilling
+  double colour = 0;
+  Location where;
+};
+
+struct SolidMaterial {
+  std::string name;
+  int index = 0;  // of the scene's materials
+  MaterialConstants constants;
+  std::shared_ptr<const Material> law;
+  std::vector<SeedObject> objects;
+  bool force_transmitting = false;
+  double activation_time = 0, deactivation_time = 1e300;
+  bool active_at_start = true;
+  Location where;
+};
+
+enum class ContactKind { none, single_velocity, friction, specified, specified_friction };
+
+// One <contact>; several act one after the other.
+struct ContactRule {
+  ContactKind kind = ContactKind::none;
+  std::vector<int> materials;  // local numbers of SolidMaterial; all when the deck names none
+  double friction = 0;         // mu
+  double volume_constraint = 0, separation_factor = 1e300;
+  bool both_hooks = true;      // OneOrTwoStep 2: before and after the integration
+  std::optional<int> exclude;  // ExcludeMaterial
+  // specified
+  int master = 0;
+  std::string profile_file;
+  std::vector<std::array<double, 10>> profile;  // t, v, origin, angular velocity
+  bool rotates = false, normal_only = false;
+  IntVec3 directions{0, 0, 1};
+  std::optional<double> stop_time;
+  Vec3 velocity_after_stop{};
+  Location where;
+};
+
+// A <PhysicalBC>: a load that follows a curve, on the particles of a surface.
+struct LoadCurve {
+  enum class Kind { pressure, torque, heat_flux, force } kind = Kind::pressure;
+  PiecePtr piece;
+  std::string shape;                             // tag of the piece: box, cylinder, sphere
+  std::vector<std::pair<double, double>> points;  // time, load
+  std::optional<int> material;
+  bool whole_face = false, ends = false, axisymmetric_end = false, axisymmetric_side = false;
+  Vec3 outward_normal{};
+  Location where;
+};
+
+// A condition of a face of the domain, of one material or of all (-1).
+struct SolidBoundary {
+  enum class Kind { symmetric, velocity, temperature, temperature_gradient } kind = Kind::symmetric;
+  Side side;
+  int material = -1;  // local number
+  int region = -1;    // of scene.boundary, where the condition covers a part of the face; -1: all
+  Vec3 value{};
+};
+
+struct MpmScene {
+  Basis basis = Basis::linear;
+  Transfer transfer = Transfer::flip;
+  int xpic_order = 2;
+  double affine_damping = 1;  // kappa
+  bool musl = true;           // of the linear basis
+  bool total_lagrangian = false;
+  double cpdi_limit = 1e300;  // cells
+  bool axisymmetric = false;
+  bool gradient_enhanced = false;
+  double damping = 0;  // artificial_damping_coeff, 1/s
+  bool artificial_viscosity = false, viscosity_heats = false;
+  double viscosity_1 = 0.2, viscosity_2 = 2.0;
+  bool use_loads = false, normal_to_surface = false, loads_on_corners = false;
+  bool heat_conduction = true;  // DoExplicitHeatConduction
+  bool thermal_contact = false, friction_heats = false;
+  bool pressure_stabilised = false;
+  int subcycles_of_F = 1;  // minimum_subcycles_for_F; negative: terms of the exponential series
+  double least_particle_mass = 3e-15;
+  bool with_colour = false;
+  bool full_first_kick = false;
+  std::string manufactured;  // RunMMSProblem
+  std::vector<std::string> traction_faces;
+  std::string prescribed_file, insert_file;  // resolved paths; empty: off
+  bool exact_deformation = false;
+  bool refine_particles = false;
+  std::vector<SolidMaterial> materials;
+  std::vector<ContactRule> contacts;
+  std::vector<LoadCurve> loads;
+  std::vector<SolidBoundary> boundaries;
+};
+
+}  // namespace sluice::mpm
