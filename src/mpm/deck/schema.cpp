@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mpm/deck/data_file.hpp"
+#include "mpm/deck/material_law.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -57,6 +58,7 @@ void add_mpm_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);
   schema.rewrites.emplace_back(locate_pieces);
+  schema.rewrites.emplace_back(prepare_laws);
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);
