@@ -10,6 +10,7 @@
 #include "ice/ice.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
+#include "mpm/start/seed_faults.hpp"
 
 namespace sluice {
 namespace {
@@ -24,7 +25,8 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
 // Read and checked; nothing runs yet.
 std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
                                     std::vector<Fault>& faults) {
-  mpm::read_mpm_scene(deck, scene, faults);
+  const mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
+  if (!any_error(faults)) mpm::check_seeds(solids, scene.grid, faults);
   if (!any_error(faults))
     add_not_built(faults, deck.root->child("SimulationComponent")->where, "a run of solids");
   return nullptr;
