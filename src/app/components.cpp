@@ -10,6 +10,7 @@
 #include "ice/ice.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
+#include "mpm/mpm.hpp"
 
 namespace sluice {
 namespace {
@@ -21,13 +22,11 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
   return std::make_unique<ice::Ice>(scene, std::move(fluid));
 }
 
-// Read and checked; nothing runs yet.
 std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
                                     std::vector<Fault>& faults) {
-  mpm::read_mpm_scene(deck, scene, faults);
-  if (!any_error(faults))
-    add_not_built(faults, deck.root->child("SimulationComponent")->where, "a run of solids");
-  return nullptr;
+  mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<mpm::Mpm>(scene, std::move(solids));
 }
 
 constexpr ComponentKind kinds[] = {

@@ -1,0 +1,30 @@
+// The particles of all solids, as the run keeps them: what they carry, how they start.
+#pragma once
+#include "framework/run/particle_method.hpp"
+#include "mpm/step/columns.hpp"
+
+namespace sluice::mpm {
+
+class SolidParticles final : public ParticleMethod {
+ public:
+  SolidParticles(const Scene& scene, const MpmScene& solids);
+
+  const std::vector<ParticleKind>& kinds() const override { return kinds_; }
+  const std::vector<Carried>& carried() const { return carried_; }
+
+  void start(int kind, const Level& level, const IndexBox& cells,
+             ParticleSet& particles) const override;
+  bool reflects(int, int, Side, IntVec3) const override { return false; }
+  bool in_stages() const override { return true; }
+  std::vector<double> rates(const ParticleCloud& cloud, int level) const override;
+
+ private:
+  double rate_of_step(int kind, const Level& level, const ParticleSet& set) const;
+
+  const Scene* scene_;
+  const MpmScene* solids_;
+  std::vector<Carried> carried_;  // by material
+  std::vector<ParticleKind> kinds_;
+};
+
+}  // namespace sluice::mpm
