@@ -26,6 +26,7 @@ void Mpm::shape_step(StepShape& shape) const {
   };
   stage("bounds of the sums", &SolidStep::begin);
   stage("particles to grid", &SolidStep::to_grid);
+  stage("sums of images and ranks", &SolidStep::share_sums);
   stage("nodes: contact, forces, contact, boundary", &SolidStep::move_nodes);
   stage("grid to particles, deformation, stress", &SolidStep::from_grid);
   stage("take over", &SolidStep::take_over);

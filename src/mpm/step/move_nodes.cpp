@@ -27,6 +27,7 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
   const bool side = boundary_->meets(low, shape_.edge);
+  const bool booked = side && exchange_->is_home(body.table, block);
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
@@ -43,8 +44,10 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
         for (int d = 0; d < 3; ++d) {
           if (!given.given[static_cast<std::size_t>(d)]) continue;
           const double impulse = mass * (given.value[d] - after[d]);
-          books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
-          books.sums[StepSums::work].add(impulse * 0.5 * (v[d] + given.value[d]));
+          if (booked) {
+            books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
+            books.sums[StepSums::work].add(impulse * 0.5 * (v[d] + given.value[d]));
+          }
           after[d] = given.value[d];
         }
       }

@@ -47,6 +47,8 @@ Verdict SolidStep::begin(const StageScope& scope) {
       bodies_.back().grid = transfer_grid(level_, (*carried_)[m].half);
     }
   }
+  if (exchange_ == nullptr || !exchange_->fits(level_))
+    exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks);
   const std::vector<double>& maxima = scope.maxima->front();
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& body = bodies_[k];
@@ -122,8 +124,17 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
   });
-  for (std::size_t m = 0; m < bodies_.size(); ++m)
-    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+  return Verdict::good;
+}
+
+// Images across sides join their nodes, then all ranks agree on the sums.
+Verdict SolidStep::share_sums(const StageScope& /*scope*/) {
+  for (std::size_t m = 0; m < bodies_.size(); ++m) {
+    Body& body = bodies_[m];
+    boundary_->fold(static_cast<int>(m), body.table, body.nodes);
+    NodeLanes* const groups[] = {&body.nodes};
+    exchange_->share(body.table, groups);
+  }
   return Verdict::good;
 }
 

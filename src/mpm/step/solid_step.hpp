@@ -13,6 +13,7 @@
 #include "framework/run/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/nodes/node_blocks.hpp"
+#include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/to_grid.hpp"
@@ -68,6 +69,7 @@ class SolidStep {
   // The stages of a step, in order.
   Verdict begin(const StageScope& scope);
   Verdict to_grid(const StageScope& scope);
+  Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
   Verdict take_over(const StageScope& scope);
@@ -88,6 +90,7 @@ class SolidStep {
   Level level_;
   BlockShape shape_;
   std::unique_ptr<NodeBoundary> boundary_;
+  std::unique_ptr<NodeExchange> exchange_;
   std::vector<Body> bodies_;
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
