@@ -46,8 +46,7 @@ class LogNeoHook final : public Material {
       energy[i] =
           volume_0[i] * (0.5 * lambda * logs.ln * logs.ln + G * (0.5 * (trace - 3) - logs.ln));
       // rho_0 c^2 = lambda + G - lambda ln J + G b_max
-      const double modulus =
-          lambda + G - lambda * logs.ln + G * (mean + eigenvalue_reach(b, mean));
+      const double modulus = lambda + G - lambda * logs.ln + G * (mean + eigenvalue_reach(b, mean));
       wave_speed[i] = std::sqrt(std::max(modulus, 0.0) * per_density);
     }
   }

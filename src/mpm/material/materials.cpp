@@ -15,13 +15,8 @@ MaterialModel rigid_model(), comp_neo_hook_model(), comp_neo_hook_plastic_model(
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
-      rigid_model(),
-      comp_neo_hook_model(),
-      comp_neo_hook_plastic_model(),
-      UCNH_model(),
-      cnh_mms_model(),
-      comp_mooney_rivlin_model(),
-      hypo_elastic_model(),
+      rigid_model(),   comp_neo_hook_model(),      comp_neo_hook_plastic_model(), UCNH_model(),
+      cnh_mms_model(), comp_mooney_rivlin_model(), hypo_elastic_model(),
   };
   return table;
 }
@@ -65,10 +60,21 @@ const std::vector<std::string> not_supported = {"ArenaSoil",
                                                 "three_factor_mooney",
                                                 "visco_plastic"};
 // Tags that decks give to models which never read them.
-const std::vector<std::string> never_read = {
-    "strain_limit", "reduction_factor", "yield_stress", "hardening_modulus", "isothermal",
-    "useTaylorSeriesForDefGrad", "num_taylor_terms", "coeff_thermal_expansion", "G", "K",
-    "use_polar_decomposition_RMB", "StrainEnergy", "shear_modulus", "bulk_modulus", "alpha"};
+const std::vector<std::string> never_read = {"strain_limit",
+                                             "reduction_factor",
+                                             "yield_stress",
+                                             "hardening_modulus",
+                                             "isothermal",
+                                             "useTaylorSeriesForDefGrad",
+                                             "num_taylor_terms",
+                                             "coeff_thermal_expansion",
+                                             "G",
+                                             "K",
+                                             "use_polar_decomposition_RMB",
+                                             "StrainEnergy",
+                                             "shear_modulus",
+                                             "bulk_modulus",
+                                             "alpha"};
 
 // Of the attribute `type`.
 AttributeSpec type_attribute() {
@@ -108,7 +114,9 @@ TagSpec constitutive_model_tag() {
   return whole;
 }
 
-std::vector<TagSpec> failure_tags() { return {}; }
+std::vector<TagSpec> failure_tags() {
+  return {};
+}
 
 std::shared_ptr<const Material> make_material(const DeckNode& constitutive_model,
                                               const DeckNode& material,

@@ -13,7 +13,7 @@
 namespace sluice::mpm {
 
 struct ObjectiveStep {
-  std::array<double, 6> strain;    // dt D: xx, yy, zz, yz, xz, xy
+  std::array<double, 6> strain;     // dt D: xx, yy, zz, yz, xz, xy
   std::array<double, 9> half_turn;  // R^(1/2)
 };
 
@@ -32,10 +32,9 @@ inline ObjectiveStep objective_step(const std::array<double, 9>& L, double dt) {
   // Inverse of I + dt/2 L by its cofactors.
   const double A = e * l - f * k, B = f * g - d * l, C = d * k - e * g;
   const double per = 1 / (a * A + b * B + c * C);
-  const std::array<double, 9> inverse = {
-      A * per, (c * k - b * l) * per, (b * f - c * e) * per,
-      B * per, (a * l - c * g) * per, (c * d - a * f) * per,
-      C * per, (b * g - a * k) * per, (a * e - b * d) * per};
+  const std::array<double, 9> inverse = {A * per, (c * k - b * l) * per, (b * f - c * e) * per,
+                                         B * per, (a * l - c * g) * per, (c * d - a * f) * per,
+                                         C * per, (b * g - a * k) * per, (a * e - b * d) * per};
   // dt L_m = 2 (M - I) M^-1 = 2 (I - M^-1),   M = I + dt/2 L
   const double xy = -2 * inverse[1], yx = -2 * inverse[3];
   const double xz = -2 * inverse[2], zx = -2 * inverse[6];

@@ -37,9 +37,8 @@ Matrix rotation(const std::array<double, 3>& axis, double angle) {
   const double size = std::hypot(axis[0], axis[1], axis[2]);
   const double x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
   const double c = std::cos(angle), s = std::sin(angle), v = 1 - c;
-  return {c + v * x * x,     v * x * y - s * z, v * x * z + s * y,
-          v * x * y + s * z, c + v * y * y,     v * y * z - s * x,
-          v * x * z - s * y, v * y * z + s * x, c + v * z * z};
+  return {c + v * x * x,     v * x * y - s * z, v * x * z + s * y, v * x * y + s * z, c + v * y * y,
+          v * y * z - s * x, v * x * z - s * y, v * y * z + s * x, c + v * z * z};
 }
 
 Matrix exponential(const Matrix& a) {
@@ -87,8 +86,7 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
   old_history_.resize(static_cast<std::size_t>(history_columns_));
   history_.resize(static_cast<std::size_t>(history_columns_));
 
-  for (int k = 0; k < 9; ++k)
-    std::fill_n(column(next_, F_at + k), count, k % 4 == 0 ? 1.0 : 0.0);
+  for (int k = 0; k < 9; ++k) std::fill_n(column(next_, F_at + k), count, k % 4 == 0 ? 1.0 : 0.0);
   Batch b = batch();
   b.old_F = {};
   b.old_stress = {};
@@ -166,10 +164,18 @@ double MaterialSample::pressure(int i) const {
 double MaterialSample::equivalent(int i) const {
   return 1.5 * eigenvalue_reach(stress(i), -pressure(i));  // reach = 2 sqrt(J2/3)
 }
-double MaterialSample::energy(int i) const { return value(energy_at, i); }
-double MaterialSample::wave_speed(int i) const { return value(wave_at, i); }
-double MaterialSample::history(int k, int i) const { return value(history_at + k, i); }
-double MaterialSample::volume_ratio(int i) const { return determinant(F(i)); }
+double MaterialSample::energy(int i) const {
+  return value(energy_at, i);
+}
+double MaterialSample::wave_speed(int i) const {
+  return value(wave_at, i);
+}
+double MaterialSample::history(int k, int i) const {
+  return value(history_at + k, i);
+}
+double MaterialSample::volume_ratio(int i) const {
+  return determinant(F(i));
+}
 
 void follow(MaterialSample& sample, const Motion& motion, double end, int steps,
             const std::function<void(const MaterialSample&)>& see) {

@@ -36,7 +36,9 @@ class MaterialSample {
   }
   // Whether heat that the law makes warms the particles (the default).
   void keep_temperature(bool keep) { isothermal_ = keep; }
-  void set_temperature(double temperature) { temperature_.assign(temperature_.size(), temperature); }
+  void set_temperature(double temperature) {
+    temperature_.assign(temperature_.size(), temperature);
+  }
 
   double time() const { return time_; }
   Matrix F(int i = 0) const;
@@ -58,9 +60,7 @@ class MaterialSample {
   double* column(State& state, int k) {
     return state.values.data() + static_cast<std::size_t>(k) * static_cast<std::size_t>(count_);
   }
-  double value(int k, int i) const {
-    return now_.values[static_cast<std::size_t>(k * count_ + i)];
-  }
+  double value(int k, int i) const { return now_.values[static_cast<std::size_t>(k * count_ + i)]; }
   Batch batch();
 
   std::shared_ptr<const Material> material_;
