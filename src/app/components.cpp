@@ -11,6 +11,7 @@
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
 #include "mpm/mpm.hpp"
+#include "mpm/start/seed_faults.hpp"
 
 namespace sluice {
 namespace {
@@ -25,6 +26,8 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
 std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
                                     std::vector<Fault>& faults) {
   mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
   return std::make_unique<mpm::Mpm>(scene, std::move(solids));
 }

@@ -5,7 +5,6 @@
 
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/shape/weights.hpp"
-#include "mpm/start/simple_seed.hpp"
 #include "mpm/step/rates.hpp"
 
 namespace sluice::mpm {
@@ -47,7 +46,7 @@ void fill_batch(ParticleSet& set, const Carried& carried, std::size_t at, int n,
 }  // namespace
 
 SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
-    : scene_(&scene), solids_(&solids) {
+    : scene_(&scene), solids_(&solids), seeder_(solids, scene.grid) {
   for (const SolidMaterial& m : solids.materials) {
     carried_.push_back(carried_by(scene, solids, m));
     ParticleKind& kind = kinds_.emplace_back();
@@ -64,29 +63,28 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
   const Columns& c = carried.columns;
   const std::size_t begin = set.size();
-  {
-    const SeededParticles seeded = seed_simply(material, level, cells);
-    for (std::size_t p = 0; p < seeded.count(); ++p) {
-      set.add({seeded.x[p], seeded.y[p], seeded.z[p]}, seeded.id[p]);
-      const std::size_t n = set.size() - 1;
-      const auto put = [&](int column, double value) {
-        if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
-      };
-      for (int d = 0; d < 3; ++d)
-        put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
-                                ? seeded.velocity[static_cast<std::size_t>(d)][p]
-                                : 0.0);
-      put(c.mass, seeded.mass[p]);
-      put(c.volume_0, seeded.volume[p]);
-      put(c.volume, seeded.volume[p]);
-      for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
-      put(c.temperature, seeded.temperature[p]);
-      put(c.colour, seeded.colour[p]);
-      for (int d = 0; d < 3 && c.half >= 0; ++d)
-        put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
-      for (int e = 0; e < 9 && c.size >= 0; ++e)
-        put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
-    }
+  SeededParticles seeded;
+  seeder_.seed(kind, level, cells, {}, seeded);
+  for (std::size_t p = 0; p < seeded.count(); ++p) {
+    set.add({seeded.x[p], seeded.y[p], seeded.z[p]}, seeded.id[p]);
+    const std::size_t n = set.size() - 1;
+    const auto put = [&](int column, double value) {
+      if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
+    };
+    for (int d = 0; d < 3; ++d)
+      put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
+                              ? seeded.velocity[static_cast<std::size_t>(d)][p]
+                              : 0.0);
+    put(c.mass, seeded.mass[p]);
+    put(c.volume_0, seeded.volume[p]);
+    put(c.volume, seeded.volume[p]);
+    for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
+    put(c.temperature, seeded.temperature[p]);
+    put(c.colour, seeded.colour[p]);
+    for (int d = 0; d < 3 && c.half >= 0; ++d)
+      put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
+    for (int e = 0; e < 9 && c.size >= 0; ++e)
+      put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
   }
   double wave_speed[chunk_size], heating[chunk_size] = {};
   LawColumns columns;

@@ -1,6 +1,7 @@
 // The particles of all solids, as the run keeps them: what they carry, how they start.
 #pragma once
 #include "framework/run/particle_method.hpp"
+#include "mpm/start/seed.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {
@@ -23,6 +24,7 @@ class SolidParticles final : public ParticleMethod {
 
   const Scene* scene_;
   const MpmScene* solids_;
+  Seeder seeder_;
   std::vector<Carried> carried_;  // by material
   std::vector<ParticleKind> kinds_;
 };

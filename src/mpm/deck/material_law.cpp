@@ -1,6 +1,14 @@
 #include "mpm/deck/material_law.hpp"
 
+#include "mpm/material/materials.hpp"
+
 namespace sluice::mpm {
+
+std::vector<TagSpec> law_tags() {
+  std::vector<TagSpec> tags = {constitutive_model_tag()};
+  for (TagSpec& tag : failure_tags()) tags.push_back(std::move(tag));
+  return tags;
+}
 
 std::shared_ptr<const Material> read_law(const DeckNode& material,
                                          const MaterialConstants& constants,

@@ -1,13 +1,16 @@
-// The law of a <material>.
+// What this folder needs of the constitutive models: the tags, and the law that they describe.
 #pragma once
 #include <memory>
 #include <vector>
 
-#include "mpm/material/materials.hpp"
+#include "framework/deck/schema.hpp"
+#include "mpm/material/material.hpp"
 
 namespace sluice::mpm {
 
-// nullptr: a fault says why.
+// <constitutive_model> and what else of a <material> belongs to its law.
+std::vector<TagSpec> law_tags();
+// The law of a <material>; nullptr: a fault says why.
 std::shared_ptr<const Material> read_law(const DeckNode& material,
                                          const MaterialConstants& constants,
                                          std::vector<Fault>& faults);

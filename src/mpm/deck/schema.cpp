@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mpm/deck/data_file.hpp"
+#include "mpm/deck/material_law.hpp"
 
 namespace sluice::mpm {
 namespace {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mpm/start/affine.hpp"
+
 namespace sluice::mpm {
 
 // One material's particles. All columns have as many rows as there are particles, but for the
@@ -27,5 +29,23 @@ struct SeededParticles {
 
   std::size_t count() const { return x.size(); }
 };
+
+// One row.
+struct SeededParticle {
+  Vec3 x{}, velocity{};
+  double mass = 0, volume = 0;
+  Map edges{};
+  double temperature = 0, colour = 0;
+  std::int64_t id = 0;
+  bool surface = false;
+  Vec3 external_force{}, fibre{}, normal{}, load_curve{};
+};
+
+// Which optional columns a material has.
+struct OptionalColumns {
+  bool external_force = false, fibre = false, normal = false, load_curve = false;
+};
+
+void append(SeededParticles& particles, const SeededParticle& row, const OptionalColumns& columns);
 
 }  // namespace sluice::mpm
