@@ -5,6 +5,7 @@
 
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/shape/weights.hpp"
+#include "mpm/saved/node_fields.hpp"
 #include "mpm/step/rates.hpp"
 
 namespace sluice::mpm {
@@ -96,6 +97,16 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     columns.batch.heating = heating;
     material.law->start(columns.batch);
   }
+}
+
+std::vector<Label> SolidParticles::grid_labels() const {
+  return node_labels();
+}
+
+void SolidParticles::store_on_grid(const StageScope& scope,
+                                   std::vector<GridFields>& by_level) const {
+  SolidStep step(*scene_, *solids_, carried_, kinds_);
+  store_node_fields(*scene_, *solids_, step, scope, by_level.front());
 }
 
 // The wave speed is that of a step of no length from what the particles are.

@@ -17,6 +17,8 @@ class SolidParticles final : public ParticleMethod {
              ParticleSet& particles) const override;
   bool reflects(int, int, Side, IntVec3) const override { return false; }
   bool in_stages() const override { return true; }
+  std::vector<Label> grid_labels() const override;
+  void store_on_grid(const StageScope& scope, std::vector<GridFields>& by_level) const override;
   std::vector<double> rates(const ParticleCloud& cloud, int level) const override;
 
  private:

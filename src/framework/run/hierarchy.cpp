@@ -154,6 +154,23 @@ StepLimit Hierarchy::first_step_limit() const {
   return limit;
 }
 
+std::vector<GridFields> Hierarchy::particle_fields(const std::vector<Label>& labels,
+                                                   const ParticleCloud::Wanted& wanted) {
+  const ParticleMethod& method = *component_->particles();
+  std::vector<GridFields> fields;
+  for (int l = 0; l < level_count(); ++l) {
+    GridFields& of_level = fields.emplace_back(level(l).level(), communicator_->rank());
+    for (const Label label : labels)
+      for (const ParticleKind& kind : method.kinds())
+        if (wanted(label, kind.material, l)) of_level.add(label, kind.material);
+  }
+  StepScope step;
+  step.time = time_;
+  step.dt = previous_dt_;
+  method.store_on_grid(stage_scope(step, journal_), fields);
+  return fields;
+}
+
 void Hierarchy::fill_ghosts(double time) {
   for (int l = 0; l < level_count(); ++l) fill(l, time);
 }

@@ -62,7 +62,9 @@ struct ParticleStep {
   std::span<const IndexBox> cells;       // of the box that no finer level covers
 };
 
+class GridFields;
 class ParticleCloud;
+struct StageScope;
 
 class ParticleMethod {
  public:
@@ -83,6 +85,11 @@ class ParticleMethod {
   virtual std::vector<double> rates(const ParticleCloud& /*cloud*/, int /*level*/) const {
     return {};
   }
+  // What particles have on the grid, computed when it is saved, of a state between two steps: into
+  // the labels that the fields of each level have. Collective.
+  virtual std::vector<Label> grid_labels() const { return {}; }
+  virtual void store_on_grid(const StageScope& /*scope*/,
+                             std::vector<GridFields>& /*by_level*/) const {}
   // Does the boundary throw particles back at the face of this cell; else it lets them out.
   virtual bool reflects(int kind, int level, Side side, IntVec3 cell) const = 0;
 };

@@ -132,7 +132,7 @@ NodeExchange::Buffers NodeExchange::swap(const Buffers& out) {
 }
 
 void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) {
-  if (ranks_->size() == 1) return;
+  if (ranks_->size() == 1 || groups.empty()) return;
   const std::size_t entry = 1 + groups.size() * block_lanes;
   Buffers out(neighbours_.size());
   for (int b = 0; b < table.count(); ++b) {

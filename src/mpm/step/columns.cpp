@@ -59,7 +59,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   const bool by_corners = solids.basis == Basis::cpdi || solids.basis == Basis::fast_cpdi ||
                           solids.basis == Basis::cpti;
   if (by_corners || is_saved(scene, "p.size")) c.columns.size = add(l.size, false);
-  if (is_saved(scene, "p.displacement")) c.columns.displacement = add(l.displacement, true);
+  if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement")) c.columns.displacement = add(l.displacement, true);
   if (solids.with_colour) c.columns.colour = add(l.colour, false);
   c.columns.history = next;
   for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);

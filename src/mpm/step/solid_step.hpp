@@ -60,6 +60,12 @@ struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
 };
 
+struct NodeMean {
+  IntVec3 node;
+  double weight = 0;
+  std::array<double, 6> mean{};
+};
+
 class SolidStep {
  public:
   // The kinds of particles are the materials, in their order.
@@ -73,6 +79,12 @@ class SolidStep {
   Verdict move_nodes(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
   Verdict take_over(const StageScope& scope);
+
+  // After share_sums(): the materials on the nodes.
+  const std::vector<Body>& bodies() const { return bodies_; }
+  // Weighted means of up to six columns around nodes, sum w q S / sum w S. Collective.
+  std::vector<NodeMean> mean_on_nodes(const StageScope& scope, int body, int weight, int first,
+                                      int count);
 
  private:
   void list_work(ParticleCloud& cloud);
