@@ -69,10 +69,12 @@ void check_contact(const DeckNode& contact, int count, std::vector<Fault>& fault
     if (const auto indices = parse_integers(list->text)) {
       for (const int index : *indices.value)
         if (index >= count && count > 0)
-          add_error(faults, list->where,
-                    fmt::format("<materials>: there is no material {}: the deck has {}, counted "
-                                "from 0",
-                                index, count));
+          // Public decks list more than they have; it changes nothing.
+          add_warning(faults, list->where,
+                      fmt::format("<materials>: there is no material {}: the deck has {}, counted "
+                                  "from 0",
+                                  index, count),
+                      "remove it from the list");
       if (indices.value->size() < 2 && type != "null" && count > 1)
         add_warning(faults, list->where,
                     fmt::format("<contact> {} names {} material: nothing can touch it", type,

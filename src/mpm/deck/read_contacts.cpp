@@ -77,6 +77,9 @@ std::vector<std::array<double, 10>> read_profile(const std::string& file, bool r
 void read_contacts(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults) {
   for (const DeckNode* node : block.all("contact")) {
     ContactRule rule = read_contact(*node, faults);
+    // The list may name more than there are (a warning tells).
+    std::erase_if(rule.materials,
+                  [&](int m) { return m >= static_cast<int>(s.materials.size()); });
     if (rule.kind != ContactKind::none) s.contacts.push_back(std::move(rule));
   }
   s.thermal_contact = s.thermal_contact || block.child("thermal_contact") != nullptr;
