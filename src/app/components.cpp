@@ -36,6 +36,7 @@ constexpr ComponentKind kinds[] = {
     // type  tags          made by
     {"ice", add_ice_tags, make_ice},
     {"mpm", mpm::add_mpm_tags, make_mpm},
+    {"amrmpm", nullptr, make_mpm},
     // Examples of components: docs/your_own_component.md.
     {"poisson1", examples::add_poisson_tags, examples::make_poisson},
     {"benchmark", nullptr, examples::make_poisson},

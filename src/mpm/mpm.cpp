@@ -5,7 +5,7 @@
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/levels/solid_levels.hpp"
 
 namespace sluice::mpm {
 
@@ -20,16 +20,16 @@ Mpm::Mpm(const Scene& scene, MpmScene solids)
 // The step, as a table.
 void Mpm::shape_step(StepShape& shape) const {
   const auto step =
-      std::make_shared<SolidStep>(scene_, solids_, particles_.carried(), particles_.kinds());
-  const auto stage = [&](const char* name, Verdict (SolidStep::*act)(const StageScope&)) {
+      std::make_shared<SolidLevels>(scene_, solids_, particles_.carried(), particles_.kinds());
+  const auto stage = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
     shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
   };
-  stage("bounds of the sums", &SolidStep::begin);
-  stage("particles to grid", &SolidStep::to_grid);
-  stage("sums of images and ranks", &SolidStep::share_sums);
-  stage("nodes: contact, forces, contact, boundary", &SolidStep::move_nodes);
-  stage("grid to particles, deformation, stress", &SolidStep::from_grid);
-  stage("take over", &SolidStep::take_over);
+  stage("bounds of the sums", &SolidLevels::begin);
+  stage("particles to grid", &SolidLevels::to_grid);
+  stage("sums of images and ranks", &SolidLevels::share_sums);
+  stage("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
+  stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
+  stage("take over", &SolidLevels::take_over);
 }
 
 int Mpm::reduction_maxima() const {

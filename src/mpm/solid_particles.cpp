@@ -105,8 +105,15 @@ std::vector<Label> SolidParticles::grid_labels() const {
 
 void SolidParticles::store_on_grid(const StageScope& scope,
                                    std::vector<GridFields>& by_level) const {
-  SolidStep step(*scene_, *solids_, carried_, kinds_);
-  store_node_fields(*scene_, *solids_, step, scope, by_level.front());
+  for (std::size_t l = 0; l < by_level.size(); ++l) {
+    SolidStep step(*scene_, *solids_, carried_, kinds_);
+    StageScope own = scope;
+    std::vector<std::vector<double>> maxima = {(*scope.maxima)[l]};
+    own.levels = {scope.levels[l]};
+    step.set_spacings(scope.levels[l]->level().spacing, scope.levels[l]->level().spacing);
+    own.maxima = &maxima;
+    store_node_fields(*scene_, *solids_, step, own, by_level[l]);
+  }
 }
 
 // The wave speed is that of a step of no length from what the particles are.

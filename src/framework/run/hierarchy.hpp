@@ -84,6 +84,8 @@ class Hierarchy {
   // Fields that particles have on the grid, by level. Collective.
   std::vector<GridFields> particle_fields(const std::vector<Label>& labels,
                                           const ParticleCloud::Wanted& wanted);
+  // Particles that lag behind in the box they came from go to their own, before they are written.
+  void settle_particles();
   // Null when there are none.
   const ParticleCloud* particles() const { return particles_.get(); }
   std::string regrid_state() const;

@@ -172,6 +172,7 @@ void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
 
 void OutputWriter::write_output(const StepInfo& info, bool initial) {
   const auto start = Clock::now();
+  hierarchy_->settle_particles();
   std::vector<Label> computed = saved_.diagnostic;
   if (!saved_.analysed.empty())
     for (const Label l : analysis_->sources_of(saved_.analysed))
@@ -210,6 +211,7 @@ void OutputWriter::write_output(const StepInfo& info, bool initial) {
 
 void OutputWriter::write_checkpoint(const StepInfo& info) {
   const auto start = Clock::now();
+  hierarchy_->settle_particles();
   std::vector<FieldPiece> pieces;
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_checkpoint_pieces(hierarchy_->level(l), pieces);

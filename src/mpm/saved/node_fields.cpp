@@ -141,6 +141,7 @@ void store_node_fields(const Scene& scene, const MpmScene& /*solids*/, SolidStep
                        const StageScope& scope, GridFields& fields) {
   step.begin(scope);
   step.to_grid(scope);
+  step.fold();
   step.share_sums(scope);
   for (std::size_t b = 0; b < step.bodies().size(); ++b)
     BodyFields(scene, step, scope, static_cast<int>(b), fields).store();

@@ -272,7 +272,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   travel_ = reduction.maximum(travel);
   left_ = reduction.any(left);
   for (std::size_t s = 0; s < sums.size(); ++s)
-    (*scope.sums)[s] = reduction.sum(sums[s]).value();
+    (*scope.sums)[s] += reduction.sum(sums[s]).value();
   return Verdict::good;
 }
 

@@ -83,11 +83,11 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
                     move_block(step, static_cast<int>(m), static_cast<int>(b),
                                books[static_cast<std::size_t>(thread)]);
                   });
-    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
   }
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
       books[0].sums[s].merge(books[n].sums[s]);
+  unfold();
   books_ = std::move(books[0]);
   kick_ = step.kick;
   return Verdict::good;

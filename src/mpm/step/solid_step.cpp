@@ -71,9 +71,9 @@ SumUnits SolidStep::units_of(const Body& body, int kind) const {
   if (!r.any()) return u;
   double slopes = 0, reach = 0;  // sum of 1/h; farthest node of a stencil
   for (int a = 0; a < body.grid.count; ++a) {
-    const double h = level_.spacing[body.grid.active[static_cast<std::size_t>(a)]];
-    slopes += 1 / h;
-    reach += 2 * h;
+    const int d = body.grid.active[static_cast<std::size_t>(a)];
+    slopes += 1 / finest_[d];
+    reach += 2 * coarsest_[d];
   }
   u.reference = r.middle();
   // The images of a mirror have the opposite velocity.
@@ -127,28 +127,22 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
   return Verdict::good;
 }
 
-// Images across sides join their nodes, then all ranks agree on the sums.
+void SolidStep::fold() {
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+}
+
+void SolidStep::unfold() {
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+}
+
+// All ranks agree on the sums.
 Verdict SolidStep::share_sums(const StageScope& /*scope*/) {
-  for (std::size_t m = 0; m < bodies_.size(); ++m) {
-    Body& body = bodies_[m];
-    boundary_->fold(static_cast<int>(m), body.table, body.nodes);
+  for (Body& body : bodies_) {
     NodeLanes* const groups[] = {&body.nodes};
     exchange_->share(body.table, groups);
   }
-  return Verdict::good;
-}
-
-Verdict SolidStep::take_over(const StageScope& scope) {
-  scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                end = scope.step.time + scope.step.dt] {
-    cloud->take_over(end);
-    maxima->front() = new_rates_;
-    strayed_ += travel_;
-    if (strayed_ >= most_stray || left_) {
-      cloud->relocate();
-      strayed_ = 0;
-    }
-  });
   return Verdict::good;
 }
 

@@ -78,7 +78,21 @@ class SolidStep {
   Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
-  Verdict take_over(const StageScope& scope);
+
+  // Spacings of the finest and the coarsest level: bounds of sums are the same on all.
+  void set_spacings(Vec3 finest, Vec3 coarsest) {
+    finest_ = finest;
+    coarsest_ = coarsest;
+  }
+  // Images across sides join their nodes, and get the velocities of these.
+  void fold();
+  void unfold();
+  Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
+  const NodeExchange& exchange() const { return *exchange_; }
+  // After from_grid(): what the next step rests on, and how far particles went.
+  const std::vector<double>& new_rates() const { return new_rates_; }
+  double travel() const { return travel_; }  // cells
+  bool any_left() const { return left_; }    // the domain
 
   // After share_sums(): the materials on the nodes.
   const std::vector<Body>& bodies() const { return bodies_; }
@@ -106,7 +120,7 @@ class SolidStep {
   std::vector<Body> bodies_;
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
-  double strayed_ = 0;  // since the particles were sorted, cells
+  Vec3 finest_{}, coarsest_{};
   bool left_ = false;       // a particle is out of the domain
   double travel_ = 0;       // of this step, cells
   NodeBooks books_;         // of this rank
