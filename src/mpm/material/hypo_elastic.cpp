@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/objective_step.hpp"
 

@@ -79,6 +79,8 @@ class Material {
   // History, stress, energy and wave speed at the start; F is given, old columns are null.
   virtual void start(const Batch& batch) const = 0;
   virtual std::optional<BatchFault> update(const Batch& batch) const = 0;
+  // Which column of the history is not 0 where a particle has failed; -1 where none can.
+  virtual int failed_column() const { return -1; }
   // Moves with prescribed velocity, has no stress and no equation of its own.
   virtual bool rigid() const { return false; }
   // Bulk modulus at rest, Pa: for the artificial viscosity, and as the scale of stresses.

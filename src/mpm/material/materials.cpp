@@ -10,13 +10,15 @@
 namespace sluice::mpm {
 
 // Each in the file of its name.
-MaterialModel rigid_model(), comp_neo_hook_model(), comp_neo_hook_plastic_model(), UCNH_model(),
-    cnh_mms_model(), comp_mooney_rivlin_model(), hypo_elastic_model();
+using Describe = MaterialModel();
+Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_model, cnh_mms_model,
+    comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
-      rigid_model(),   comp_neo_hook_model(),      comp_neo_hook_plastic_model(), UCNH_model(),
-      cnh_mms_model(), comp_mooney_rivlin_model(), hypo_elastic_model(),
+      rigid_model(),        comp_neo_hook_model(),   comp_neo_hook_plastic_model(),
+      UCNH_model(),         cnh_mms_model(),         comp_mooney_rivlin_model(),
+      hypo_elastic_model(), elastic_plastic_model(), elastic_plastic_hp_model(),
   };
   return table;
 }

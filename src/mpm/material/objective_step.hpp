@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 
+#include "mpm/material/tensor.hpp"
+
 namespace sluice::mpm {
 
 struct ObjectiveStep {
@@ -52,11 +54,6 @@ inline ObjectiveStep objective_step(const std::array<double, 9>& L, double dt) {
                     t * x * y + s * z,       1 - t * (x * x + z * z), t * y * z - s * x,
                     t * x * z - s * y,       t * y * z + s * x,       1 - t * (x * x + y * y)};
   return step;
-}
-
-// A : B of symmetric matrices.
-inline double double_dot(const std::array<double, 6>& A, const std::array<double, 6>& B) {
-  return A[0] * B[0] + A[1] * B[1] + A[2] * B[2] + 2 * (A[3] * B[3] + A[4] * B[4] + A[5] * B[5]);
 }
 
 }  // namespace sluice::mpm

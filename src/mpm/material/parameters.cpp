@@ -24,6 +24,9 @@ TagSpec number(std::string name, std::string doc) {
 TagSpec number(std::string name, std::string doc, double default_value) {
   return tag(std::move(name), std::move(doc)).real().by_default(fmt::format("{}", default_value));
 }
+TagSpec positive_or(std::string name, std::string doc, double default_value) {
+  return number(std::move(name), std::move(doc), default_value).above(0);
+}
 TagSpec choice(std::string name, std::string doc, bool default_value) {
   return tag(std::move(name), std::move(doc))
       .boolean()
