@@ -34,7 +34,8 @@ void Mpm::shape_step(StepShape& shape) const {
 }
 
 int Mpm::reduction_maxima() const {
-  return static_cast<int>(rate_count(solids_.materials.size()));
+  // Behind the rates: on how many particles each load acts.
+  return static_cast<int>(rate_count(solids_.materials.size()) + solids_.loads.size());
 }
 
 int Mpm::reduction_sums() const {

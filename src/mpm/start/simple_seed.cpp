@@ -26,7 +26,15 @@ SeededParticles seed_simply(const SolidMaterial& material, const Level& level, c
                 const IntVec3 size = level.domain.size();
                 const IntVec3 l = level.domain.lower;
                 s.id.push_back((((std::int64_t{i - l.x} + size.x * (std::int64_t{j - l.y} + std::int64_t{size.y} * (k - l.z))) * n.x * n.y * n.z + a + n.x * (b + n.y * c)) << 4) + object);
-                s.surface.push_back(0);
+                bool at_surface = false;
+                for (int d = 0; d < 3; ++d)
+                  for (const double sign : {-1.0, 1.0}) {
+                    if (!level.active[d]) continue;
+                    Vec3 beside = x;
+                    beside[d] += sign * level.spacing[d] / n[d];
+                    at_surface |= !o.piece->inside(beside);
+                  }
+                s.surface.push_back(at_surface);
               }
     ++object;
   }
