@@ -13,8 +13,10 @@ Mpm::Mpm(const Scene& scene, MpmScene solids)
     : scene_(scene),
       solids_(std::move(solids)),
       particles_(scene_, solids_),
-      effects_(effects_of(scene_, solids_)) {
+      effects_(effects_of(scene_, solids_)),
+      history_sums_(solids_) {
   declare_histories();
+  need_sums(scene_, history_sums_);
 }
 
 // The step, as a table.
@@ -33,7 +35,8 @@ void Mpm::shape_step(StepShape& shape) const {
 }
 
 int Mpm::reduction_maxima() const {
-  return static_cast<int>(rate_count(solids_.materials.size()));
+  // Behind the rates: on how many particles each load acts.
+  return static_cast<int>(rate_count(solids_.materials.size()) + solids_.loads.size());
 }
 
 int Mpm::reduction_sums() const {
@@ -63,6 +66,7 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
 void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
                      Totals& totals) const {
   totals.mass.resize(solids_.materials.size());
+  totals.amounts.resize(static_cast<std::size_t>(history_sums_.count()));
 }
 
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
@@ -89,14 +93,15 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
         }
       }
   }
+  if (history_sums_.any()) history_sums_.add(cloud, particles_.carried(), totals);
 }
 
 double Mpm::history_value(Label label, const Totals& totals) const {
-  return history_of(label, totals);
+  return history_of(label, totals, history_sums_);
 }
 
 Vec3 Mpm::history_vector(Label label, const Totals& totals) const {
-  return vector_history_of(label, totals);
+  return vector_history_of(label, totals, history_sums_);
 }
 
 void Mpm::declare_diagnostics(TaskList& /*list*/, int /*level*/) const {}

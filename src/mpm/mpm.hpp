@@ -4,6 +4,7 @@
 
 #include "framework/run/component.hpp"
 #include "framework/run/no_transfer.hpp"
+#include "mpm/account/history_sums.hpp"
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/solid_particles.hpp"
 
@@ -52,6 +53,7 @@ class Mpm final : public Component {
   MpmScene solids_;
   SolidParticles particles_;
   EffectList effects_;
+  HistorySums history_sums_;
   NoTransfer no_transfer_;
 };
 

@@ -6,6 +6,7 @@
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/saved/node_fields.hpp"
+#include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 
 namespace sluice::mpm {
@@ -44,10 +45,14 @@ void fill_batch(ParticleSet& set, const Carried& carried, std::size_t at, int n,
   b.old_history = to.old_history;
 }
 
+double optional(const std::vector<double>& column, std::size_t p) {
+  return column.empty() ? 0.0 : column[p];
+}
+
 }  // namespace
 
 SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
-    : scene_(&scene), solids_(&solids), seeder_(solids, scene.grid) {
+    : scene_(&scene), solids_(&solids), seeder_(solids, scene.grid), loads_(solids) {
   for (const SolidMaterial& m : solids.materials) {
     carried_.push_back(carried_by(scene, solids, m));
     ParticleKind& kind = kinds_.emplace_back();
@@ -56,6 +61,23 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.attributes = carried_.back().attributes;
     kind.by_blocks = true;
   }
+}
+
+// The loads that act on the particle just added.
+void SolidParticles::mark(int kind, const Level& level, const SeededParticles& seeded,
+                          std::size_t p, ParticleSet& set) const {
+  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  Vec3 width{};
+  for (int d = 0; d < 3; ++d)
+    width[d] = std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]) * level.spacing[d];
+  std::array<int, most_marks> named{};
+  for (std::size_t n = 0; n < named.size(); ++n)
+    if (!seeded.load_curve[n].empty()) named[n] = seeded.load_curve[n][p];
+  const std::size_t last = set.size() - 1;
+  const auto marks =
+      loads_.marks_of(kind, set.position(last), width, seeded.surface[p] != 0, named);
+  for (std::size_t n = 0; n < marks.size(); ++n)
+    set.attribute(static_cast<std::size_t>(c.marks) + n, last) = marks[n];
 }
 
 void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
@@ -86,7 +108,19 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
       put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
     for (int e = 0; e < 9 && c.size >= 0; ++e)
       put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
+    if (c.marks >= 0) mark(kind, level, seeded, p, set);
+    for (int d = 0; d < 3 && c.given_force >= 0; ++d)
+      put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
+    for (int d = 0; d < 3 && c.normal >= 0; ++d)
+      put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
   }
+  if (const auto motion = manufactured_of(*solids_, material, level))
+    for (std::size_t n = begin; n < set.size(); ++n) {
+      const Vec3 v = motion->velocity(set.position(n), scene_->time.initial_time);
+      for (int d = 0; d < 3; ++d)
+        if (level.active[static_cast<std::size_t>(d)])
+          set.attribute(static_cast<std::size_t>(c.velocity + d), n) = v[d];
+    }
   double wave_speed[chunk_size], heating[chunk_size] = {};
   LawColumns columns;
   for (std::size_t at = begin; at < set.size(); at += chunk_size) {
@@ -118,7 +152,7 @@ void SolidParticles::store_on_grid(const StageScope& scope,
 
 // The wave speed is that of a step of no length from what the particles are.
 std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) const {
-  std::vector<double> all(rate_count(kinds_.size()));
+  std::vector<double> all(rate_count(kinds_.size()) + solids_->loads.size());
   std::vector<KindRates> by_kind(kinds_.size());
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const ParticleStore& store = cloud.store(static_cast<int>(k));

@@ -1,6 +1,7 @@
 // The particles of all solids, as the run keeps them: what they carry, how they start.
 #pragma once
 #include "framework/run/particle_method.hpp"
+#include "mpm/loads/load_curves.hpp"
 #include "mpm/start/seed.hpp"
 #include "mpm/step/columns.hpp"
 
@@ -22,6 +23,8 @@ class SolidParticles final : public ParticleMethod {
   std::vector<double> rates(const ParticleCloud& cloud, int level) const override;
 
  private:
+  void mark(int kind, const Level& level, const SeededParticles& seeded, std::size_t p,
+            ParticleSet& set) const;
   double rate_of_step(int kind, const Level& level, const ParticleSet& set) const;
 
   const Scene* scene_;
@@ -29,6 +32,7 @@ class SolidParticles final : public ParticleMethod {
   Seeder seeder_;
   std::vector<Carried> carried_;  // by material
   std::vector<ParticleKind> kinds_;
+  LoadCurves loads_;
 };
 
 }  // namespace sluice::mpm

@@ -22,6 +22,17 @@ static void to_reals(std::int64_t* node, const SumUnits& units) {
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
 
+// Impulse and work of dk M (g - alpha v).
+static void book_body_force(const NodeStep& step, double mass, Vec3 v, Vec3 after,
+                            NodeBooks& books) {
+  for (int d = 0; d < 3; ++d) {
+    const double impulse = step.kick * mass * (step.gravity[d] - step.damping * v[d]);
+    if (impulse == 0) continue;
+    books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(impulse);
+    books.sums[StepSums::force_work].add(impulse * 0.5 * (v[d] + after[d]));
+  }
+}
+
 // Lanes M, v | f, . become v* - v_ref, M | v* - v, 1.
 void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& books) {
   Body& body = bodies_[static_cast<std::size_t>(m)];
@@ -52,6 +63,7 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
         }
       }
     }
+    if (step.damping != 0 || step.gravity != Vec3{}) book_body_force(step, mass, v, after, books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);

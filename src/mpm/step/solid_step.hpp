@@ -15,7 +15,9 @@
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
+#include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
+#include "mpm/transfer/from_grid.hpp"
 #include "mpm/transfer/to_grid.hpp"
 
 namespace sluice::mpm {
@@ -26,6 +28,7 @@ struct BlockWork {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;
   BlockRun run;
+  int box = 0;  // local number
 };
 
 // One material on the nodes of a level.
@@ -40,6 +43,7 @@ struct Body {
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
+  double most_force = 0;  // from outside on one particle, any component, N
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -102,10 +106,13 @@ class SolidStep {
 
  private:
   void list_work(ParticleCloud& cloud);
+  void find_outside_forces(const StageScope& scope);
   SumUnits units_of(const Body& body, int kind) const;
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   void integrate(const NodeStep& step, int body, int block, NodeBooks& books);
   struct ThreadReport;
+  void take_outside_forces(const BlockWork& work, std::size_t at, int n,
+                           const GridAtParticles& read, NodeBooks& books) const;
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
   Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
 
@@ -117,6 +124,7 @@ class SolidStep {
   BlockShape shape_;
   std::unique_ptr<NodeBoundary> boundary_;
   std::unique_ptr<NodeExchange> exchange_;
+  std::unique_ptr<OutsideForces> outside_;
   std::vector<Body> bodies_;
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
