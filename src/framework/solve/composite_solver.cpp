@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "framework/solve/system_watch.hpp"
+
 namespace sluice::solve {
 namespace {
 
@@ -36,6 +38,7 @@ void clear(CompositeVector& v) {
 void CompositeSolver::set_up(std::span<const LevelCoefficients> levels) {
   const auto start = Clock::now();
   system_ = std::make_unique<CompositeSystem>(levels);
+  if (SystemWatch* watch = SystemWatch::current()) watch->matrix(levels, settings_);
   cycles_.clear();
   for (std::size_t l = 0; l < system_->levels(); ++l) cycles_.emplace_back(system_->whole(l));
   for (CompositeVector* v : {&r_, &z_, &p_, &q_, &rest_, &gathered_, &correction_})
@@ -71,6 +74,7 @@ SolveReport CompositeSolver::solve(const CompositeVector& b, CompositeVector& x)
   const auto start = Clock::now();
   SolveReport report;
   report.set_up_seconds = set_up_seconds_;
+  if (SystemWatch* watch = SystemWatch::current()) watch->right_side(b);
   clear(x);
   r_ = b;
   report.right_side = system_->norm(b, settings_.norm);

@@ -208,6 +208,13 @@ void CompositeSystem::find_parents(std::size_t l) {
     });
 }
 
+std::int64_t CompositeSystem::unknowns() const {
+  std::int64_t count = 0;
+  for (const LevelPart& part : levels_)
+    count += part.rows.unknowns() - static_cast<std::int64_t>(part.covered.size());
+  return count;
+}
+
 CompositeVector CompositeSystem::vector() const {
   CompositeVector v;
   for (const LevelPart& part : levels_) v.push_back(part.rows.vector());

@@ -35,6 +35,7 @@ class CompositeSystem {
   explicit CompositeSystem(std::span<const LevelCoefficients> levels);
 
   std::size_t levels() const { return levels_.size(); }
+  std::int64_t unknowns() const;
   CompositeVector vector() const;
   // Collective: boxes of all ranks into the windows. Covered cells get 0.
   void load(std::size_t level, const ConstBoxViews& boxes, CompositeVector& v) const;
