@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/solve/composite_solver.hpp"
+
 namespace sluice {
 namespace {
 
@@ -97,13 +99,16 @@ std::vector<SolverSettings> solver_candidates(const SolverSettings& deck,
       if (short_name(known) == name) return;
     list.push_back(s);
   };
-  SolverSettings own = deck;
-  own.type = "CGSolver";
-  add(own);
-  if (systems.front()->levels() > 1) return list;
   SolverSettings amg = hypre_settings(deck, {deck.solver.c_str(), deck.preconditioner.c_str()},
                                       tolerance);
   amg.type = "hypreamr";
+  SolverSettings own = deck;
+  own.type = "CGSolver";
+  if (systems.front()->levels() > 1) {
+    add(solve::takes_amg_on_levels(deck) ? own : amg);
+    return list;
+  }
+  add(own);
   for (const Method& m : methods) {
     if (std::string(m.solver) == "pfmg" && m.relax_type == 2) add(amg);  // before the doubtful ones
     add(hypre_settings(deck, m, tolerance));

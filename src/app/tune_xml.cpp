@@ -126,8 +126,10 @@ void XmlEdits::set_text(const XmlElement& element, const std::string& value) {
     return;
   }
   std::size_t from = text_.find_first_not_of(blanks, element.inner_begin);
-  if (from == nowhere || from >= element.inner_end) from = element.inner_begin;
-  std::size_t to = element.inner_end;
+  while (text_.compare(from, 4, "<!--") == 0)
+    from = text_.find_first_not_of(blanks, text_.find("-->", from) + 3);
+  if (from >= element.inner_end) from = element.inner_begin;
+  std::size_t to = std::min(text_.find('<', from), element.inner_end);
   while (to > from && std::string(blanks).find(text_[to - 1]) != nowhere) --to;
   edits_.push_back({from, to, value});
 }

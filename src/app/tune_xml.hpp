@@ -35,7 +35,7 @@ class XmlEdits {
  public:
   explicit XmlEdits(const std::string& text) : text_(text) {}
   void set_attribute(const XmlAttribute& attribute, const std::string& value);
-  // Blanks around the old text stay.
+  // Blanks and comments around the old text stay.
   void set_text(const XmlElement& element, const std::string& value);
   // On a line of its own behind the last child, indented as that is.
   void add_child(const XmlElement& parent, const std::string& xml);

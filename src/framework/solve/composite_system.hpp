@@ -47,6 +47,17 @@ class CompositeSystem {
   double dot(const CompositeVector& a, const CompositeVector& b) const;  // by exact sums
   double norm(const CompositeVector& v, Norm kind) const;
 
+  // What couples unknowns of one level; covered cells have the diagonal 1.
+  const DenseSystem& rows(std::size_t level) const { return levels_[level].rows; }
+  DenseVector unknowns_of(std::size_t level) const;  // 1 where a cell of a level is one, else 0
+  // face(fine level, place there, place on the next coarser level, w): takes w x_coarse from the
+  // fine row, and adds w (x_coarse - x_fine) to the coarse one.
+  template <class F>
+  void for_interfaces(F&& face) const {
+    for (std::size_t l = 1; l < levels_.size(); ++l)
+      for (const Interface& f : levels_[l].interfaces) face(l, f.fine, f.coarse, f.weight);
+  }
+
   // A level for itself, with its covered cells: for preconditioners.
   const DenseSystem& whole(std::size_t level) const { return levels_[level].whole; }
   // Sums over the cells below each covered one, into it, from the finest level down to `level`.
