@@ -32,8 +32,10 @@ constexpr Method methods[] = {
     {"cg", "pfmg", 1, 1, 2},  {"bicgstab", "diagonal"},   {"jacobi", "none"},
 };
 
-bool uses(const SolverSettings& s, const char* name) {
-  return s.type == "hypre" && (s.solver == name || s.preconditioner == name);
+bool takes_preconditioner(const SolverSettings& s) {
+  for (const char* name : {"cg", "pcg", "gmres", "bicgstab", "hybrid"})
+    if (s.solver == name) return true;
+  return false;
 }
 
 // What the method does not ask for stays as the deck has it.
@@ -47,8 +49,8 @@ SolverSettings hypre_settings(const SolverSettings& deck, const Method& method, 
   s.norm = Norm::two;
   s.preconditioner_iterations = 1;
   s.preconditioner_tolerance = 0;
-  if (uses(s, "pfmg") || uses(s, "smg")) s.before = s.after = method.sweeps;
-  if (uses(s, "pfmg")) {
+  if (works_with(s, "pfmg") || works_with(s, "smg")) s.before = s.after = method.sweeps;
+  if (works_with(s, "pfmg")) {
     s.relax_type = method.relax_type;
     s.skip = method.skip;
   }
@@ -61,13 +63,18 @@ bool is_relative(const SolverSettings& s) {
 
 }  // namespace
 
+bool works_with(const SolverSettings& s, const std::string& method) {
+  return s.type == "hypre" &&
+         (s.solver == method || (takes_preconditioner(s) && s.preconditioner == method));
+}
+
 std::string short_name(const SolverSettings& s) {
   if (s.type == "CGSolver") return "CGSolver";
   if (s.type == "hypreamr" || s.solver == "amg") return "hypreamr";
   std::string name = "hypre " + s.solver;
-  if (s.preconditioner != "none" && s.solver != "diagonal") name += "+" + s.preconditioner;
-  if (uses(s, "pfmg")) name += fmt::format(", relax {}, skip {}", s.relax_type, s.skip);
-  if ((uses(s, "pfmg") || uses(s, "smg")) && (s.before != 1 || s.after != 1))
+  if (s.preconditioner != "none" && takes_preconditioner(s)) name += "+" + s.preconditioner;
+  if (works_with(s, "pfmg")) name += fmt::format(", relax {}, skip {}", s.relax_type, s.skip);
+  if ((works_with(s, "pfmg") || works_with(s, "smg")) && (s.before != 1 || s.after != 1))
     name += fmt::format(", sweeps {}+{}", s.before, s.after);
   return name;
 }

@@ -10,6 +10,9 @@ namespace sluice {
 
 using CapturedSystems = std::vector<std::unique_ptr<solve::CapturedSystem>>;
 
+// Is a method of hypre at work, alone or as preconditioner.
+bool works_with(const solve::SolverSettings& settings, const std::string& method);
+
 // As the table of results names it: "hypre cg+pfmg, relax 2, skip 1".
 std::string short_name(const solve::SolverSettings& settings);
 

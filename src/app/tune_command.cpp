@@ -1,5 +1,6 @@
 // sluice tune DECK: which linear solver is fastest on the deck's own systems.
 #include <fmt/format.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -43,6 +44,13 @@ constexpr std::size_t most_curves = 6;
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Of all threads.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 // Where a person looks on: one line that is overwritten.
@@ -108,8 +116,10 @@ CapturedSystems capture(const LoadedScene& loaded, const Options& o, TuneReport&
   options.limits.wall_seconds = share_of_run * o.budget;
   options.limits.tell = false;
   options.progress = ProgressMode::none;
+  const double before = processor_seconds();
   Simulation simulation(loaded.scene, *loaded.component, world(), options);
   const RunReport run = simulation.run();
+  const double spent = processor_seconds() - before;
   CapturedSystems systems = captured.take();
   if (systems.empty())
     throw PhysicsError(run.message.empty()
@@ -119,7 +129,7 @@ CapturedSystems capture(const LoadedScene& loaded, const Options& o, TuneReport&
     fmt::print(stderr, "sluice: warning: the run ended: {}\n", run.message);
   report.own = captured.settings();
   report.steps = run.steps;
-  report.step_seconds = run.steps > 0 ? run.stepping_seconds / run.steps : 0;
+  report.step_seconds = run.steps > 0 && o.threads == 1 ? spent / run.steps : 0;
   for (const auto& system : systems) {
     report.numbers.push_back(system->number());
     report.right_sides.push_back(system->right_sides());

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/tune_candidates.hpp"
 #include "app/tune_xml.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/text.hpp"
@@ -24,10 +25,6 @@ struct Tag {
   std::string name, value;
   bool if_there = false;  // replaced where the deck has it, else left out
 };
-
-bool uses(const SolverSettings& s, const char* name) {
-  return s.type == "hypre" && (s.solver == name || s.preconditioner == name);
-}
 
 // What <Parameters> must say so that a deck which said `deck` says `to`.
 std::vector<Tag> parameters_of(const SolverSettings& to, const SolverSettings& deck) {
@@ -56,9 +53,9 @@ std::vector<Tag> parameters_of(const SolverSettings& to, const SolverSettings& d
   return tags;
 }
 
-const XmlElement* parameters_in(const XmlElement* block) {
+const XmlSpan* parameters_in(const XmlSpan* block) {
   if (block == nullptr) return nullptr;
-  for (const XmlElement& child : block->children)
+  for (const XmlSpan& child : block->children)
     if (child.name == "Parameters") {
       const auto named = child.attribute("variable");
       if (!named || named->value == variable) return &child;
@@ -66,9 +63,9 @@ const XmlElement* parameters_in(const XmlElement* block) {
   return nullptr;
 }
 
-void set_parameters(XmlEdits& edits, const XmlElement& block, const std::vector<Tag>& tags) {
+void set_parameters(XmlEdits& edits, const XmlSpan& block, const std::vector<Tag>& tags) {
   for (const Tag& tag : tags) {
-    const XmlElement* found = block.child(tag.name);
+    const XmlSpan* found = block.child(tag.name);
     if (found != nullptr)
       edits.set_text(*found, tag.value);
     else if (!tag.if_there)
@@ -88,11 +85,11 @@ std::string solver_xml(const SolverSettings& s) {
     line("solver", s.solver);
     line("preconditioner", s.preconditioner);
   }
-  if (uses(s, "pfmg") || uses(s, "smg")) {
+  if (works_with(s, "pfmg") || works_with(s, "smg")) {
     line("npre", std::to_string(s.before));
     line("npost", std::to_string(s.after));
   }
-  if (uses(s, "pfmg")) {
+  if (works_with(s, "pfmg")) {
     line("relax_type", std::to_string(s.relax_type));
     line("skip", std::to_string(s.skip));
   }
@@ -106,8 +103,8 @@ std::string solver_xml(const SolverSettings& s) {
 
 std::string tuned_deck(const std::string& text, const std::string& name,
                        const SolverSettings& deck, const SolverSettings& solver) {
-  const XmlElement root = xml_elements(text);
-  const XmlElement* block = root.find({"CFD", "ICE", "ImplicitSolver"});
+  const XmlSpan root = xml_elements(text);
+  const XmlSpan* block = root.find({"CFD", "ICE", "ImplicitSolver"});
   if (block == nullptr) block = root.find({"SolverTest"});
   if (block == nullptr)
     throw InputError(
@@ -115,7 +112,7 @@ std::string tuned_deck(const std::string& text, const std::string& name,
                     "<include>); paste the tags into the file that has it",
                     name));
   XmlEdits edits(text);
-  const XmlElement* named = root.child("Solver");
+  const XmlSpan* named = root.child("Solver");
   if (named == nullptr) {
     if (solver.type != SolverSettings{}.type)
       edits.add_before(root.children.front(), fmt::format("<Solver type=\"{}\"/>", solver.type));
@@ -125,7 +122,7 @@ std::string tuned_deck(const std::string& text, const std::string& name,
     throw InputError(fmt::format("--apply: the <Solver> of {} has no type", name));
   }
   const std::vector<Tag> tags = parameters_of(solver, deck);
-  const XmlElement* parameters = parameters_in(block);
+  const XmlSpan* parameters = parameters_in(block);
   if (parameters == nullptr) parameters = parameters_in(named);
   if (parameters != nullptr) {
     set_parameters(edits, *parameters, tags);

@@ -146,13 +146,13 @@ TEST(TuneDeck, XmlToPasteReadsBack) {
 TEST(TuneXml, FindsElementsAroundWhatIsNone) {
   const std::string text =
       "\n<!DOCTYPE a>\n<a b='1 > 0' c = \"'\"><!-- <d> --><e/><![CDATA[<d>]]><d >x</d\n></a>";
-  const XmlElement root = xml_elements(text);
+  const XmlSpan root = xml_elements(text);
   EXPECT_EQ(root.name, "a");
   EXPECT_EQ(root.attribute("b")->value, "1 > 0");
   EXPECT_EQ(root.attribute("c")->value, "'");
   ASSERT_EQ(root.children.size(), 2u);
   EXPECT_TRUE(root.child("e")->empty_tag);
-  const XmlElement& d = *root.child("d");
+  const XmlSpan& d = *root.child("d");
   EXPECT_EQ(text.substr(d.inner_begin, d.inner_end - d.inner_begin), "x");
   EXPECT_EQ(root.end, text.size());
   EXPECT_THROW(xml_elements("<a><b>"), InputError);
@@ -165,7 +165,7 @@ TEST(TuneXml, TextBesideACommentIsReplacedAlone) {
         std::pair{"<a><!-- why --> old\n</a>", "<a><!-- why --> new\n</a>"},
         std::pair{"<a></a>", "<a>new</a>"}, std::pair{"<a/>", "<a>new</a>"}}) {
     const std::string text = before;
-    const XmlElement root = xml_elements(text);
+    const XmlSpan root = xml_elements(text);
     XmlEdits edits(text);
     edits.set_text(root, "new");
     EXPECT_EQ(edits.result(), after);

@@ -62,20 +62,24 @@ std::string table_of(const TuneReport& r) {
                    {"state"}});
   const std::string own = short_name(r.own);
   const double own_seconds = r.own_result().seconds();
+  const bool own_ranked = r.own_result().state == TuneState::ranked;
   int place = 0;
   for (const TunedSolver& s : r.ranking) {
-    const bool measured = s.state == TuneState::ranked;
     const std::string name = short_name(s.settings) + (short_name(s.settings) == own ? " *" : "");
-    if (!measured) {
-      table.row({"", name, "", "", "", "", "", "",
-                 s.note.empty() ? state_name(s.state)
-                                : fmt::format("{}: {}", state_name(s.state), shortened(s.note))});
+    const std::string state =
+        s.state == TuneState::ranked ? ""
+        : s.note.empty()             ? state_name(s.state)
+                                     : fmt::format("{}: {}", state_name(s.state), shortened(s.note));
+    if (s.trials.empty() || s.state == TuneState::failed) {
+      table.row({"", name, "", "", "", "", "", "", state});
       continue;
     }
-    table.row({std::to_string(++place), name, std::to_string(s.iterations()),
+    const bool ranked = s.state == TuneState::ranked;
+    table.row({ranked ? std::to_string(++place) : "", name, std::to_string(s.iterations()),
                human_duration(s.set_up_seconds()), human_duration(s.solve_seconds()),
-               human_duration(s.seconds()), fmt::format("{:.2f}", own_seconds / s.seconds()),
-               s.bytes() > 0 ? human_bytes(s.bytes()) : "", ""});
+               human_duration(s.seconds()),
+               ranked && own_ranked ? fmt::format("{:.2f}", own_seconds / s.seconds()) : "",
+               s.bytes() > 0 ? human_bytes(s.bytes()) : "", state});
   }
   return table.text("  ");
 }
@@ -183,7 +187,8 @@ std::string tune_text(const TuneReport& r) {
       numbers_text(r), r.steps, r.steps == 1 ? "" : "s", norm_name(r.own.norm), goal_text(r.own));
   text += table_of(r);
   text += fmt::format(
-      "  * the deck's own. Medians over {} system{} of set-up and all its solves; {} of {}\n\n",
+      "  * the deck's own. Processor time of set-up and all solves of a system, median over {} "
+      "system{}; {} of {} spent\n\n",
       r.ranked_by, r.ranked_by == 1 ? "" : "s", human_duration(r.seconds),
       human_duration(r.budget));
   text += verdict(r);

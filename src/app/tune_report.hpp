@@ -11,7 +11,7 @@ struct TuneReport {
   std::string deck, title;
   solve::SolverSettings own;                  // the deck's
   int steps = 0;                              // of the run that made the systems
-  double step_seconds = 0;                    // of one, with the deck's own solver
+  double step_seconds = 0;                    // of one, with the deck's own solver; 0: not known
   std::vector<int> numbers;                   // of the systems kept, in the order of the run
   std::vector<std::size_t> right_sides;       // of each
   std::int64_t unknowns = 0;                  // of the last system

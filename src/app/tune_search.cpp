@@ -21,6 +21,7 @@ constexpr int least_iterations = 20;   // are always allowed
 constexpr std::size_t finalists = 5;   // that are measured again
 constexpr int most_repeats = 5;        // of each system
 constexpr double curve_step = 0.1;     // from tolerance to tolerance
+constexpr double worth_repeating = 0.02;  // seconds
 
 template <class F>
 double median_of(const std::vector<SolverTrial>& trials, F&& number) {
@@ -58,7 +59,7 @@ TuneSearch::TuneSearch(const CapturedSystems& systems, std::vector<SolverSetting
       clock_(std::move(clock)),
       budget_(budget),
       tell_(std::move(tell)) {
-  for (SolverSettings& s : candidates) solvers_.push_back({std::move(s), {}, {}, {}});
+  for (SolverSettings& s : candidates) solvers_.emplace_back().settings = std::move(s);
 }
 
 void TuneSearch::report(const std::string& doing, int done, int all) {
@@ -79,8 +80,15 @@ std::vector<TunedSolver*> TuneSearch::in_the_race() {
 
 // Trials of a solver lie in the order in which systems are tried: the last one of the run first.
 void TuneSearch::measure(TunedSolver& solver, std::size_t n) {
-  const SolverTrial trial =
-      systems_[systems_.size() - 1 - n]->attempt(solver.settings, goal_);
+  const solve::CapturedSystem& system = *systems_[systems_.size() - 1 - n];
+  SolverTrial trial = system.attempt(solver.settings, goal_);
+  // What takes microseconds is measured often enough that a disturbance does not decide.
+  double spent = trial.seconds();
+  for (int again = 0; again < 4 && spent < worth_repeating && trial.failure.empty(); ++again) {
+    const SolverTrial other = system.attempt(solver.settings, goal_);
+    spent += other.seconds();
+    if (other.failure.empty() && other.seconds() < trial.seconds()) trial = other;
+  }
   if (!trial.failure.empty()) {
     solver.state = TuneState::failed;
     solver.note = trial.failure;
@@ -114,10 +122,9 @@ void TuneSearch::first_trial(TunedSolver& solver, double best) {
   measure(solver, 0);
   const bool bounded = solver.settings.max_iterations < all.max_iterations;
   solver.settings = all;
-  const bool ran_out = solver.note.find("maximum of iterations") != std::string::npos;
-  if (solver.state == TuneState::failed && bounded && ran_out) {
+  if (solver.state == TuneState::failed && bounded && std::isfinite(solver.trials[0].residual)) {
     solver.state = TuneState::slow;
-    solver.note = fmt::format("over {:g} times the fastest on 1 system", leaves_at);
+    solver.note = "stopped there, far behind";
   }
 }
 
@@ -163,8 +170,7 @@ void TuneSearch::leave_behind(double times) {
   for (TunedSolver* s : race) {
     if (s == &solvers_.front() || s->seconds() <= times * race.front()->seconds()) continue;
     s->state = TuneState::slow;
-    s->note = fmt::format("over {:g} times the fastest on {} system{}", times, systems_done_,
-                          systems_done_ == 1 ? "" : "s");
+    s->note = fmt::format("left after {} system{}", systems_done_, systems_done_ == 1 ? "" : "s");
   }
 }
 
@@ -191,7 +197,8 @@ std::vector<TunedSolver> TuneSearch::run() {
   std::vector<TunedSolver> ranking = solvers_;
   std::stable_sort(ranking.begin(), ranking.end(), [](const TunedSolver& a, const TunedSolver& b) {
     if (a.state != b.state) return a.state < b.state;
-    return a.state == TuneState::ranked && a.seconds() < b.seconds();
+    return (a.state == TuneState::ranked || a.state == TuneState::slow) &&
+           a.seconds() < b.seconds();
   });
   return ranking;
 }

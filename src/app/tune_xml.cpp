@@ -15,7 +15,7 @@ class Scanner {
  public:
   explicit Scanner(const std::string& text) : text_(text) {}
 
-  XmlElement root() {
+  XmlSpan root() {
     skip_to_tag();
     return element();
   }
@@ -53,9 +53,9 @@ class Scanner {
   }
   void skip_blanks() { next_ = std::min(text_.find_first_not_of(blanks, next_), text_.size()); }
 
-  void read_attributes(XmlElement& e) {
+  void read_attributes(XmlSpan& e) {
     for (skip_blanks(); next_ < text_.size() && !at(">") && !at("/>"); skip_blanks()) {
-      XmlAttribute a;
+      XmlValueSpan a;
       a.name = word(" \t\r\n=");
       next_ = std::min(text_.find_first_of("\"'", next_), text_.size() - 1);
       a.begin = next_ + 1;
@@ -65,8 +65,8 @@ class Scanner {
       e.attributes.push_back(std::move(a));
     }
   }
-  XmlElement element() {
-    XmlElement e;
+  XmlSpan element() {
+    XmlSpan e;
     e.begin = next_++;
     e.name = word(" \t\r\n/>");
     read_attributes(e);
@@ -92,34 +92,34 @@ class Scanner {
 
 }  // namespace
 
-const XmlElement* XmlElement::child(const std::string& wanted) const {
-  for (const XmlElement& c : children)
+const XmlSpan* XmlSpan::child(const std::string& wanted) const {
+  for (const XmlSpan& c : children)
     if (c.name == wanted) return &c;
   return nullptr;
 }
 
-const XmlElement* XmlElement::find(std::initializer_list<std::string> path) const {
-  const XmlElement* found = this;
+const XmlSpan* XmlSpan::find(std::initializer_list<std::string> path) const {
+  const XmlSpan* found = this;
   for (const std::string& step : path)
     if (found != nullptr) found = found->child(step);
   return found;
 }
 
-std::optional<XmlAttribute> XmlElement::attribute(const std::string& wanted) const {
-  for (const XmlAttribute& a : attributes)
+std::optional<XmlValueSpan> XmlSpan::attribute(const std::string& wanted) const {
+  for (const XmlValueSpan& a : attributes)
     if (a.name == wanted) return a;
   return std::nullopt;
 }
 
-XmlElement xml_elements(const std::string& text) {
+XmlSpan xml_elements(const std::string& text) {
   return Scanner(text).root();
 }
 
-void XmlEdits::set_attribute(const XmlAttribute& attribute, const std::string& value) {
+void XmlEdits::set_attribute(const XmlValueSpan& attribute, const std::string& value) {
   edits_.push_back({attribute.begin, attribute.end, value});
 }
 
-void XmlEdits::set_text(const XmlElement& element, const std::string& value) {
+void XmlEdits::set_text(const XmlSpan& element, const std::string& value) {
   if (element.empty_tag) {
     edits_.push_back({element.begin, element.end,
                       "<" + element.name + ">" + value + "</" + element.name + ">"});
@@ -141,7 +141,7 @@ std::string XmlEdits::indent_of(std::size_t place) const {
   return text_.substr(line, first - line);
 }
 
-void XmlEdits::add_child(const XmlElement& parent, const std::string& xml) {
+void XmlEdits::add_child(const XmlSpan& parent, const std::string& xml) {
   if (parent.empty_tag) {
     const std::size_t slash = text_.rfind('/', parent.end - 1);
     edits_.push_back({slash, parent.end, ">" + xml + "</" + parent.name + ">"});
@@ -151,11 +151,11 @@ void XmlEdits::add_child(const XmlElement& parent, const std::string& xml) {
     edits_.push_back({parent.inner_end, parent.inner_end, xml});
     return;
   }
-  const XmlElement& last = parent.children.back();
+  const XmlSpan& last = parent.children.back();
   edits_.push_back({last.end, last.end, "\n" + indent_of(last.begin) + xml});
 }
 
-void XmlEdits::add_before(const XmlElement& element, const std::string& xml) {
+void XmlEdits::add_before(const XmlSpan& element, const std::string& xml) {
   edits_.push_back({element.begin, element.begin, xml + "\n" + indent_of(element.begin)});
 }
 

@@ -9,38 +9,38 @@
 
 namespace sluice {
 
-struct XmlAttribute {
+struct XmlValueSpan {
   std::string name, value;
   std::size_t begin = 0, end = 0;  // of the value, between its quotes
 };
 
-struct XmlElement {
+struct XmlSpan {
   std::string name;
   std::size_t begin = 0, end = 0;              // from < of the start tag to behind the end tag
   std::size_t inner_begin = 0, inner_end = 0;  // between the tags; equal to `end` if there is one
   bool empty_tag = false;                      // <a/>
-  std::vector<XmlAttribute> attributes;
-  std::vector<XmlElement> children;
+  std::vector<XmlValueSpan> attributes;
+  std::vector<XmlSpan> children;
 
-  const XmlElement* child(const std::string& name) const;
-  const XmlElement* find(std::initializer_list<std::string> path) const;
-  std::optional<XmlAttribute> attribute(const std::string& name) const;
+  const XmlSpan* child(const std::string& name) const;
+  const XmlSpan* find(std::initializer_list<std::string> path) const;
+  std::optional<XmlValueSpan> attribute(const std::string& name) const;
 };
 
 // The root of a well-formed text. Throws InputError where it is none.
-XmlElement xml_elements(const std::string& text);
+XmlSpan xml_elements(const std::string& text);
 
 // Collects edits of one text.
 class XmlEdits {
  public:
   explicit XmlEdits(const std::string& text) : text_(text) {}
-  void set_attribute(const XmlAttribute& attribute, const std::string& value);
+  void set_attribute(const XmlValueSpan& attribute, const std::string& value);
   // Blanks and comments around the old text stay.
-  void set_text(const XmlElement& element, const std::string& value);
+  void set_text(const XmlSpan& element, const std::string& value);
   // On a line of its own behind the last child, indented as that is.
-  void add_child(const XmlElement& parent, const std::string& xml);
+  void add_child(const XmlSpan& parent, const std::string& xml);
   // On a line of its own before it, indented as it is.
-  void add_before(const XmlElement& element, const std::string& xml);
+  void add_before(const XmlSpan& element, const std::string& xml);
   std::string result() const;
 
  private:

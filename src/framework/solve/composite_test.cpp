@@ -93,7 +93,7 @@ double wave(const Level& l, IntVec3 c) {
 struct Case {
   int dimensions, cells, levels, ratio;
   double jump;
-  int most_iterations, most_with_amg;
+  int most_iterations, most_with_amg;  // two more than measured with amg, to 1e-11
 };
 
 class CompositeCase : public testing::TestWithParam<Case> {
@@ -133,15 +133,16 @@ TEST_P(CompositeCase, IsSymmetricAndSolvedInFewIterations) {
 TEST_P(CompositeCase, IsSolvedWithBoomerAmgToo) {
   SolverSettings amg;
   amg.type = "hypreamr";
+  amg.tolerance = 1e-11;
   solve_with(amg, GetParam().most_with_amg);
 }
 
 INSTANTIATE_TEST_SUITE_P(Nested, CompositeCase,
-                         testing::Values(Case{2, 32, 2, 2, 1, 14, 20}, Case{2, 32, 4, 2, 1, 16, 20},
-                                         Case{2, 32, 3, 4, 1, 24, 20}, Case{1, 64, 3, 2, 1, 12, 20},
-                                         Case{3, 16, 2, 2, 1, 16, 20},
-                                         Case{2, 32, 3, 2, 1e-4, 24, 20},
-                                         Case{2, 32, 3, 2, 1e4, 24, 20}));
+                         testing::Values(Case{2, 32, 2, 2, 1, 14, 18}, Case{2, 32, 4, 2, 1, 16, 19},
+                                         Case{2, 32, 3, 4, 1, 24, 20}, Case{1, 64, 3, 2, 1, 12, 17},
+                                         Case{3, 16, 2, 2, 1, 16, 17},
+                                         Case{2, 32, 3, 2, 1e-4, 24, 18},
+                                         Case{2, 32, 3, 2, 1e4, 24, 19}));
 
 }  // namespace
 }  // namespace sluice::solve::composite_test
