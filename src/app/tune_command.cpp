@@ -39,6 +39,8 @@ struct Options {
 
 // Of the budget for the run that makes the systems.
 constexpr double share_of_run = 0.3;
+// Of the budget for the picture, where one is asked for.
+constexpr double share_of_picture = 0.25;
 constexpr std::size_t most_right_sides = 4;  // of a system
 constexpr std::size_t most_curves = 6;
 
@@ -185,7 +187,8 @@ int tune(const Options& o) {
   line.show(fmt::format("running {} steps of the deck, at most {}", o.steps,
                         human_duration(share_of_run * o.budget)));
   const CapturedSystems systems = capture(*loaded, o, report);
-  TuneSearch search(systems, solver_candidates(report.own, systems), clock, o.budget,
+  const double for_search = o.picture.empty() ? o.budget : (1 - share_of_picture) * o.budget;
+  TuneSearch search(systems, solver_candidates(report.own, systems), clock, for_search,
                     [&](const TuneProgress& p) {
                       line.show(fmt::format("[{}/{}] {}; {} spent, about {} left", p.done + 1,
                                             p.all, p.doing, human_duration(p.seconds),
@@ -193,12 +196,12 @@ int tune(const Options& o) {
                     });
   report.ranking = search.run();
   report.ranked_by = search.systems_done();
-  report.seconds = clock();
   if (!o.picture.empty()) {
     line.show("residuals against time, for the picture");
     report.curve_goal = relative_tolerance(report.own, systems);
-    report.curves = search.curves(report.ranking, report.curve_goal, most_curves);
+    report.curves = search.curves(report.ranking, report.curve_goal, most_curves, o.budget);
   }
+  report.seconds = clock();
   line.clear();
   if (!o.json.empty()) {
     TextSink sink(o.json);
@@ -220,7 +223,7 @@ void add_tune_command(CommandLine& line) {
                "the systems that come up, prints a table and the tags to paste");
   auto o = std::make_shared<Options>();
   command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
-  command.option("--budget", o->budget, "Seconds for everything but the picture (60)");
+  command.option("--budget", o->budget, "Seconds that the search may take (60)");
   command.option("--steps", o->steps, "Steps of the deck that are run for their systems (20)");
   command.option("--systems", o->systems,
                  "Systems to keep: the first, the last, and others evenly between (3)");

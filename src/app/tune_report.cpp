@@ -17,7 +17,7 @@ using solve::SolverSettings;
 using solve::SolverTrial;
 
 constexpr double worth_a_change = 1.05;
-constexpr std::size_t widest_note = 60;
+constexpr std::size_t widest_note = 80;
 
 const char* norm_name(Norm n) {
   return n == Norm::two ? "L2" : n == Norm::one ? "L1" : "LInfinity";

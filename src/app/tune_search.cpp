@@ -22,6 +22,7 @@ constexpr std::size_t finalists = 5;   // that are measured again
 constexpr int most_repeats = 5;        // of each system
 constexpr double curve_step = 0.1;     // from tolerance to tolerance
 constexpr double worth_repeating = 0.02;  // seconds
+constexpr double dear_seconds = 0.1;
 
 template <class F>
 double median_of(const std::vector<SolverTrial>& trials, F&& number) {
@@ -203,35 +204,41 @@ std::vector<TunedSolver> TuneSearch::run() {
   return ranking;
 }
 
-std::vector<ResidualCurve> TuneSearch::curves(const std::vector<TunedSolver>& ranking,
-                                              double tolerance, std::size_t most) const {
-  std::vector<const TunedSolver*> drawn;
-  const std::string own = short_name(goal_);
-  for (const TunedSolver& s : ranking)
-    if (s.state == TuneState::ranked &&
-        (drawn.size() + 1 < most || short_name(s.settings) == own))
-      drawn.push_back(&s);
+// Decade by decade; of solves that take long every other decade.
+ResidualCurve TuneSearch::curve(const SolverSettings& solver, double tolerance) const {
   SolverSettings measure;  // share 1 of the right-hand side: what is left is the share itself
   measure.tolerance = 1;
-  std::vector<ResidualCurve> list;
-  for (const TunedSolver* s : drawn) {
-    ResidualCurve curve{short_name(s->settings), {}, {}};
-    SolverSettings to = s->settings;
-    to.norm = solve::Norm::two;
-    to.absolute_tolerance = 0;
-    for (double t = curve_step; t > 0.999 * tolerance * curve_step; t *= curve_step) {
-      to.tolerance = std::max(t, tolerance);
-      const SolverTrial trial = systems_.back()->attempt(to, measure, 1);
-      if (curve.seconds.empty()) {
-        curve.seconds.push_back(trial.set_up_seconds);
-        curve.residuals.push_back(1.0);
-      }
-      curve.seconds.push_back(trial.seconds());
-      curve.residuals.push_back(trial.residual);
-      if (to.tolerance <= tolerance) break;
+  SolverSettings to = solver;
+  to.norm = solve::Norm::two;
+  to.absolute_tolerance = 0;
+  to.tolerance = 1;
+  ResidualCurve curve{short_name(solver), {}, {}};
+  while (to.tolerance > tolerance) {
+    const bool dear = !curve.seconds.empty() && curve.seconds.back() > dear_seconds;
+    to.tolerance = std::max(tolerance, to.tolerance * (dear ? curve_step * curve_step : curve_step));
+    const SolverTrial trial = systems_.back()->attempt(to, measure, 1);
+    if (curve.seconds.empty()) {
+      curve.seconds.push_back(trial.set_up_seconds);
+      curve.residuals.push_back(1.0);
     }
-    list.push_back(std::move(curve));
+    curve.seconds.push_back(trial.seconds());
+    curve.residuals.push_back(trial.residual);
   }
+  return curve;
+}
+
+std::vector<ResidualCurve> TuneSearch::curves(const std::vector<TunedSolver>& ranking,
+                                              double tolerance, std::size_t most,
+                                              double until) const {
+  std::vector<ResidualCurve> list;
+  const std::string own = short_name(goal_);
+  for (const TunedSolver& s : ranking)
+    if (s.state == TuneState::ranked && short_name(s.settings) == own)
+      list.push_back(curve(s.settings, tolerance));
+  for (const TunedSolver& s : ranking)
+    if (s.state == TuneState::ranked && short_name(s.settings) != own && list.size() < most &&
+        clock_() < until)
+      list.push_back(curve(s.settings, tolerance));
   return list;
 }
 

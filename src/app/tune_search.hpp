@@ -54,12 +54,13 @@ class TuneSearch {
   // that left, failed, and were not tried.
   std::vector<TunedSolver> run();
   std::size_t systems_done() const { return systems_done_; }  // by which all are ranked
-  // The deck's own and the fastest, at most `most` in all.
+  // The deck's own, then the fastest, at most `most` in all; none begins after `until` on the clock.
   std::vector<ResidualCurve> curves(const std::vector<TunedSolver>& ranking, double tolerance,
-                                    std::size_t most) const;
+                                    std::size_t most, double until) const;
 
  private:
   bool time_left() const { return clock_() < budget_; }
+  ResidualCurve curve(const solve::SolverSettings& solver, double tolerance) const;
   void report(const std::string& doing, int done, int all);
   void first_round();
   void all_systems();
