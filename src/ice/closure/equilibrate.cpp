@@ -102,15 +102,16 @@ Equilibration::Stiffness Equilibration::stiffness(int m, double M, double V, dou
   return std::visit(
       [rho = M * inverse, rho_e = E * inverse](const auto& law) -> Stiffness {
         const double p = law.pressure(rho, rho_e);
-        return {p, law.bulk_modulus(rho, p)};
+        return {p, eos::modulus_of_state(law, rho, rho_e, p)};
       },
       fluids_[k].law);
 }
 
-double Equilibration::modulus(int m, double rho, double p) const {
+double Equilibration::modulus(int m, double rho, double rho_e, double p) const {
   const auto k = static_cast<std::size_t>(m);
-  return linear_[k].is ? (1.0 + linear_[k].G) * (p + linear_[k].pi)
-                       : fluids_[k].bulk_modulus(rho, p);
+  if (linear_[k].is) return (1.0 + linear_[k].G) * (p + linear_[k].pi);
+  return std::visit(
+      [&](const auto& law) { return eos::modulus_of_state(law, rho, rho_e, p); }, fluids_[k].law);
 }
 
 // All but `rest` go to pressure q; their changes of energy, summed.
@@ -235,7 +236,7 @@ void Equilibration::find_modulus(const Cell& cell, const Present& in, Result& re
   double compliance = 0;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    const double K = modulus(m, cell.M[m] / cell.V[m], result.pressure);
+    const double K = modulus(m, cell.M[m] / cell.V[m], cell.E[m] / cell.V[m], result.pressure);
     if (!(K > 0.0 && cell.V[m] > 0.0)) result.failed = m;
     compliance += cell.V[m] / K;
   }

@@ -14,7 +14,7 @@ void pressure_and_modulus_row(const Fluid& fluid, int n, const double* __restric
 #pragma GCC ivdep
         for (int i = 0; i < n; ++i) {
           p[i] = law.pressure(rho[i], rho_e[i]);
-          K[i] = law.bulk_modulus(rho[i], p[i]);
+          K[i] = eos::modulus_of_state(law, rho[i], rho_e[i], p[i]);
         }
       },
       fluid.law);
