@@ -75,9 +75,10 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "poisson1", "poisson2", "poisson3", "solvertest", "burger",
+                     .words({"ice", "mpm", "poisson1", "poisson2", "poisson3", "solvertest", "burger",
                              "wave", "benchmark"})
                      .spelling("ICE", "ice")
+                     .spelling("MPM", "mpm")
                      .spelling("POISSON1", "poisson1")
                      .spelling("POISSON2", "poisson2")
                      .spelling("POISSON3", "poisson3")
@@ -104,8 +105,6 @@ TagSpec component() {
                                  "IMPM",
                                  "mpmice",
                                  "MPMICE",
-                                 "mpm",
-                                 "MPM",
                                  "mpnp",
                                  "particletest",
                                  "PARTICLETEST",

@@ -108,7 +108,7 @@ std::vector<LevelSolver*> Hierarchy::existing_levels() {
 }
 
 void Hierarchy::advance_particles() {
-  if (particles_ == nullptr) return;
+  if (particles_ == nullptr || component_->particles()->in_stages()) return;
   fill_ghosts(end_);
   particles_->advance(existing_levels(), end_,
                       in_coarse_step_[static_cast<std::size_t>(level_count()) - 1]);
@@ -166,6 +166,7 @@ void Hierarchy::compute_diagnostics(double time, const std::vector<Label>& wante
 void Hierarchy::add_totals(Totals& totals) const {
   for (int l = 0; l < level_count(); ++l)
     component_->add_totals(level(l).state(), level(l).coverage(), totals);
+  if (particles_ != nullptr) component_->add_particle_totals(*particles_, totals);
 }
 
 std::vector<LevelCost> Hierarchy::costs() const {

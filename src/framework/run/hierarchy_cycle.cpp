@@ -39,7 +39,18 @@ Schedule Hierarchy::schedule_of(int l) {
 }
 
 StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) {
-  return {existing_levels(), communicator_, scope, previous_dt_, pass_, &journal, &result_.reason};
+  StageScope s;
+  s.levels = existing_levels();
+  s.ranks = communicator_;
+  s.step = scope;
+  s.dt_before = previous_dt_;
+  s.pass = pass_;
+  s.journal = &journal;
+  s.reason = &result_.reason;
+  s.particles = particles_.get();
+  s.sums = &result_.sums;
+  s.maxima = &maxima_;
+  return s;
 }
 
 // A sweep of all levels, finest first.

@@ -150,6 +150,9 @@ void Hierarchy::measure_rates(int levels_before) {
     if (component_->diffusive()) fill(l, time_);  // coefficients may depend on gradients
     maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
   }
+  if (particles_ == nullptr || !component_->particles()->in_stages()) return;
+  for (int l = 0; l < level_count(); ++l)
+    maxima_[static_cast<std::size_t>(l)] = particles_->rates(l);
 }
 
 void Hierarchy::initialise() {

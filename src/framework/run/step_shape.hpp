@@ -28,6 +28,7 @@ namespace sluice {
 
 class LevelSolver;
 class Communicator;
+class ParticleCloud;
 
 // What a stage between sweeps sees.
 struct StageScope {
@@ -38,6 +39,11 @@ struct StageScope {
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
   std::string* reason = nullptr;  // why it rejects the step, for the message
+  ParticleCloud* particles = nullptr;  // of the run; null: it has none
+  // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and
+  // by level the maxima on which the next step's length rests.
+  std::vector<double>* sums = nullptr;
+  std::vector<std::vector<double>>* maxima = nullptr;
 };
 
 // All ranks must return the same.

@@ -28,6 +28,7 @@ struct SeedObject {
   Vec3 velocity{};
   std::optional<double> volume_fraction;  // share of the mass that a particle has
   int filling_levels = 1;                 // numLevelsParticleFilling
+  bool cut_cells = false;  // particles that the surface cuts have volume and centroid of their part
   double colour = 0;
   Location where;
 };
@@ -39,6 +40,9 @@ struct SolidMaterial {
   std::shared_ptr<const Material> law;
   std::vector<SeedObject> objects;
   bool force_transmitting = false;
+  bool rigid = false;           // is_rigid, or a rigid law
+  bool may_give_normals = true;  // possible_alpha_material
+  double specific_heat_p = 0;   // C_p
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
   Location where;
@@ -54,6 +58,8 @@ struct ContactRule {
   double volume_constraint = 0, separation_factor = 1e300;
   bool both_hooks = true;      // OneOrTwoStep 2: before and after the integration
   std::optional<int> exclude;  // ExcludeMaterial
+  std::string type;            // as the deck says: friction_bard, friction_LR, approach, ...
+  std::vector<std::pair<double, double>> friction_of_colour;  // friction_LRVar: colour, mu
   // specified
   int master = 0;
   std::string profile_file;
@@ -74,7 +80,29 @@ struct LoadCurve {
   std::optional<int> material;
   bool whole_face = false, ends = false, axisymmetric_end = false, axisymmetric_side = false;
   Vec3 outward_normal{};
+  int id = 0;                    // what p.loadCurveID of point files names
+  bool on_points = false;        // pressure_pts: acts on the particles that name it
+  double area = 0;               // pressure_pts: SurfaceArea
+  bool along_outward = false;    // tag outward_normal
+  std::optional<Vec3> spacing;   // res: particles per cell near the surface
+  Vec3 force{};                  // of Kind::force, shared by the particles in the piece
   Location where;
+};
+
+// Points that hold two materials together.
+struct CohesiveZone {
+  std::string file;  // resolved path
+  double sig_max = 0, tau_max = 0, delta_n = 0, delta_t = 0;
+  double delta_n_fail = 0, delta_t_fail = 0;
+  bool rotates = false;
+  Location where;
+};
+
+// Particles that are split, once each.
+struct SplitCriterion {
+  enum class Kind { stress_norm, stretch_ratio } kind = Kind::stress_norm;
+  double value = 0;
+  int material = -1;  // -1: all
 };
 
 // A condition of a face of the domain, of one material or of all (-1).
@@ -116,6 +144,10 @@ struct MpmScene {
   std::vector<ContactRule> contacts;
   std::vector<LoadCurve> loads;
   std::vector<SolidBoundary> boundaries;
+  std::vector<CohesiveZone> cohesive_zones;  // empty where use_cohesive_zones is not true
+  std::vector<SplitCriterion> splits;
+  bool colinear_normals = true;
+  bool xpic2_of_format = false;  // tag XPIC2: places move with the filtered velocity too
 };
 
 }  // namespace sluice::mpm

@@ -1,0 +1,199 @@
+// <MPM>: the method's flags; <AMR><MPM>.
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+TagSpec flag(const std::string& name, const std::string& doc, const std::string& standard) {
+  return tag(name, doc).boolean().by_default(standard);
+}
+
+TagSpec ignored(const std::string& name, const std::string& reason) {
+  return tag(name, "accepted without effect: " + reason);
+}
+
+// How particles and grid exchange.
+std::vector<TagSpec> scheme_tags() {
+  return {
+      tag("time_integrator", "how a step is taken")
+          .words({"explicit"})
+          .not_built({"implicit"})
+          .by_default("explicit"),
+      tag("interpolator",
+          "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
+          "(also cubicBS) the cubic one")
+          .words({"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS",
+                  "4thorderBS"})
+          .spelling("quadraticBS", "3rdorderBS")
+          .spelling("cubicBS", "4thorderBS")
+          .by_default("linear"),
+      tag("cpdi_lcrit", "cpdi: half diagonals of a particle are cut to this length")
+          .real()
+          .above(0)
+          .unit("cells"),
+      tag("transfer",
+          "how velocities come back to particles: flip (changes of the grid are added), pic (the "
+          "grid's velocity is taken), xpic (pic of a higher order), apic (affine; angular "
+          "momentum exact), affine (affine, damped by a rate)")
+          .words({"flip", "pic", "xpic", "apic", "affine"})
+          .by_default("flip"),
+      tag("xpic_order", "order of the transfer xpic; 1 is pic")
+          .integer()
+          .at_least(1)
+          .at_most(20)
+          .by_default("2"),
+      tag("affine_damping",
+          "transfer affine: the share kappa dt c/h of the grid's velocity is taken in a step; 0: "
+          "no damping")
+          .real()
+          .at_least(0)
+          .by_default("1"),
+      flag("XPIC2", "transfer xpic of order 2 as the format has it: it acts on places too",
+           "false"),
+      flag("UseGradientEnhancedVelocityProjection",
+           "particles give the grid velocities that vary within them: transfer affine without "
+           "damping",
+           "false"),
+      flag("musl",
+           "interpolator linear: new particle velocities are mapped back before the velocity "
+           "gradient is taken",
+           "true"),
+      flag("total_lagrangian",
+           "shape functions stay those of the start: for bodies that neither break nor touch",
+           "false"),
+      tag("minimum_subcycles_for_F",
+          "positive: least number of equal parts in which a step deforms a particle; negative: "
+          "terms of the exponential series of the velocity gradient, -2: up to the square")
+          .integer()
+          .at_least(-20)
+          .at_most(10000)
+          .by_default("1"),
+      flag("DoPressureStabilization", "the dilatation of a cell is shared by its particles",
+           "false"),
+      flag("axisymmetric", "x is the radius, y the axis, z the angle, one radian", "false"),
+      tag("minimum_particle_mass", "particles that have become lighter are removed, and counted")
+          .real()
+          .at_least(0)
+          .by_default("3e-15")
+          .unit("mass"),
+      flag("full_first_kick", "the first step changes velocities by a whole step, not by half one",
+           "false"),
+  };
+}
+
+// What acts beside the stress.
+std::vector<TagSpec> physics_tags() {
+  return {
+      tag("artificial_damping_coeff", "acceleration against the velocity, over the velocity")
+          .real()
+          .at_least(0)
+          .by_default("0")
+          .unit("1/time"),
+      flag("artificial_viscosity", "pressure against fast compression", "false"),
+      tag("artificial_viscosity_heating",
+          "the work of the artificial viscosity becomes heat; absent: as artificial_viscosity")
+          .boolean(),
+      tag("artificial_viscosity_coeff1", "its linear coefficient")
+          .real()
+          .at_least(0)
+          .by_default("0.2"),
+      tag("artificial_viscosity_coeff2", "its quadratic coefficient")
+          .real()
+          .at_least(0)
+          .by_default("2.0"),
+      flag("DoExplicitHeatConduction", "heat is conducted on the grid", "true"),
+      flag("do_contact_friction_heating", "the work of friction becomes heat", "false"),
+      flag("computeColinearNormals", "contact: both materials take one normal", "true"),
+      flag("use_load_curves", "the loads of <PhysicalBC> act", "false"),
+      flag("keepPressBCNormalToSurface", "pressures turn with the particles", "false"),
+      flag("use_CBDI_boundary_condition", "pressures act on the corners of particles", "false"),
+      flag("use_cohesive_zones", "the <cohesive_zone> blocks act", "false"),
+      tag("boundary_traction_faces", "faces whose forces are recorded, as [xminus,zplus]").text(),
+      tag("RunMMSProblem", "body force of a manufactured solution")
+          .words({"AxisAligned", "AxisAligned3L", "GeneralizedVortex", "ExpandingRing"}),
+      flag("withColor", "particles carry the colour of their geometry object", "false"),
+      flag("refine_particles",
+           "particles that a criterion of <AMR><MPM> finds are split, once each", "false"),
+  };
+}
+
+// What files prescribe.
+std::vector<TagSpec> file_tags() {
+  return {
+      flag("UsePrescribedDeformation", "the deformation of all particles is read from a file",
+           "false"),
+      tag("PrescribedDeformationFile",
+          "rows of time, deformation gradient (nine numbers), angle in degrees, axis")
+          .text()
+          .by_default("time_defgrad_rotation"),
+      flag("exactDeformation", "steps end at the times of that file, places follow it exactly",
+           "false"),
+      flag("InsertParticles", "particles of a colour are moved at times that a file gives",
+           "false"),
+      tag("InsertParticlesFile", "rows of time, colour, shift, velocity").text(),
+  };
+}
+
+// Flags of the format that change nothing here, or may only have one value.
+std::vector<TagSpec> idle_tags() {
+  return {
+      ignored("minimum_mass_for_acc", "every node that has mass moves by its own mass")
+          .real()
+          .at_least(0),
+      ignored("restartOnLargeNodalVelocity", "steps that go too far are always taken again")
+          .boolean(),
+      ignored("AMR", "the block AMR decides").boolean(),
+      ignored("with_gauss_solver", "no such solver runs beside solids").boolean(),
+      ignored("DeleteGeometryObjects", "geometry is kept").boolean(),
+      ignored("use_particle_normals", "normals of files are used where a load asks for them")
+          .boolean(),
+      ignored("d_ndim", "the grid says it").integer(),
+      tag("do_grid_reset", "the grid goes back to its places after each step; true alone is built")
+          .boolean()
+          .by_default("true"),
+      tag("do_scalar_diffusion", "a concentration diffuses; false alone is built")
+          .boolean()
+          .by_default("false"),
+      tag("DoGranularMPM", "grains join and part; false alone is built")
+          .boolean()
+          .by_default("false"),
+      tag("coupled_flow_analysis", "water flows through pores; false alone is built")
+          .boolean()
+          .by_default("false"),
+  };
+}
+
+}  // namespace
+
+TagSpec flags_tag() {
+  return tag("MPM", "the material point method for solids")
+      .with_children(scheme_tags())
+      .with_children(physics_tags())
+      .with_children(file_tags())
+      .with_children(idle_tags());
+}
+
+TagSpec refinement_tag() {
+  return tag("MPM", "refinement of solids: particles are on the finest level over them")
+      .with_children(
+          {ignored("min_grid_level", "solids are on every level").integer(),
+           ignored("max_grid_level", "solids are on every level").integer(),
+           ignored("manualGrid", "the levels of the deck are kept where no regridder is named")
+               .boolean(),
+           tag("Refinement_Criteria_Thresholds", "which particles refine_particles splits")
+               .child(tag("Variable", "one criterion")
+                          .multiple()
+                          .with_attributes(
+                              {attribute("name",
+                                         "stressNorm: the norm of the stress exceeds the value; "
+                                         "stretchRatio: the longest edge of a particle over the "
+                                         "shortest leaves [1/value, value]")
+                                   .once()
+                                   .words({"stressNorm", "stretchRatio"}),
+                               attribute("value", "the threshold").once().real().above(0),
+                               attribute("matl", "material index or all")
+                                   .text()
+                                   .by_default("all")}))});
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,170 @@
+// What must hold between the materials of a deck of solids, their contacts and loads.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "framework/deck/faults.hpp"
+#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/rule_tools.hpp"
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+// Blocks <MPM> of materials: one, unless a deck repeats <MaterialProperties>.
+std::vector<const DeckNode*> material_blocks(const DeckNode& root) {
+  std::vector<const DeckNode*> blocks;
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* mpm = properties->child("MPM")) blocks.push_back(mpm);
+  return blocks;
+}
+
+void check_names(const std::vector<const DeckNode*>& materials, std::vector<Fault>& faults) {
+  std::map<std::string, const DeckNode*> known;
+  for (const DeckNode* material : materials) {
+    const std::string name = material->attribute("name").value_or("");
+    if (name.empty()) continue;
+    const auto [at, fresh] = known.emplace(name, material);
+    if (!fresh)
+      add_warning(faults, material->where,
+                  fmt::format("a second material '{}'; the first is at {}: names find the first",
+                              name, to_string(at->second->where)),
+                  "give each a name of its own");
+  }
+}
+
+void check_index(const DeckNode& parent, const char* name, int count,
+                 std::vector<Fault>& faults) {
+  const auto index = integer_of(&parent, name);
+  if (!index || *index < count || count == 0) return;
+  add_error(faults, parent.child(name)->where,
+            fmt::format("<{}>: there is no material {}: the deck has {}, counted from 0", name,
+                        *index, count));
+}
+
+void check_object(const DeckNode& object, std::vector<Fault>& faults) {
+  int pieces = 0;
+  const DeckNode* file = nullptr;
+  for (const auto& child : object.children) {
+    if (!is_geometry_piece(child->name)) continue;
+    ++pieces;
+    if (child->name == "file") file = child.get();
+  }
+  if (file != nullptr && pieces > 1)
+    add_error(faults, file->where,
+              "<file> beside other pieces of one <geom_object>: its points are the particles",
+              "give it a <geom_object> of its own");
+  const auto levels = integer_of(&object, "numLevelsParticleFilling");
+  if (is_true(&object, "cut_cells") && levels && (*levels < 0 || *levels > 1))
+    add_error(faults, object.child("cut_cells")->where,
+              "<cut_cells> and <numLevelsParticleFilling> both fill the surface",
+              "remove one of them");
+}
+
+void check_contact(const DeckNode& contact, int count, std::vector<Fault>& faults) {
+  const std::string type =
+      contact.child("type") == nullptr ? "" : contact.child("type")->text;
+  if (const DeckNode* list = contact.child("materials"))
+    if (const auto indices = parse_integers(list->text)) {
+      for (const int index : *indices.value)
+        if (index >= count && count > 0)
+          add_error(faults, list->where,
+                    fmt::format("<materials>: there is no material {}: the deck has {}, counted "
+                                "from 0",
+                                index, count));
+      if (indices.value->size() < 2 && type != "null" && count > 1)
+        add_warning(faults, list->where,
+                    fmt::format("<contact> {} names {} material: nothing can touch it", type,
+                                indices.value->size()),
+                    "name two or more, or remove the block");
+    }
+  for (const char* name : {"master_material", "ExcludeMaterial"})
+    check_index(contact, name, count, faults);
+  const bool rubs = type.rfind("friction", 0) == 0 || type == "approach";
+  if (rubs && type != "friction_LRVar" && contact.child("mu") == nullptr)
+    add_error(faults, contact.where, fmt::format("<contact> {} needs <mu>", type),
+              "write 0 for no friction");
+  if (type == "friction_LRVar" && contact.child("variable_friction") == nullptr)
+    add_error(faults, contact.where, "<contact> friction_LRVar needs <variable_friction>");
+  if (contact.has("velocity_after_stop") && contact.child("stop_time") == nullptr)
+    add_warning(faults, contact.child("velocity_after_stop")->where,
+                "<velocity_after_stop> has no effect without <stop_time>", "give the time");
+}
+
+// Times of a curve rise.
+void check_curve(const DeckNode& curve, int count, std::vector<Fault>& faults) {
+  check_index(curve, "material", count, faults);
+  std::optional<double> before;
+  for (const DeckNode* point : curve.all("time_point")) {
+    const auto time = real_of(point, "time");
+    if (time && before && !(*time > *before))
+      add_error(faults, point->where,
+                fmt::format("<time_point>: time {:g} is not after the one before, {:g}", *time,
+                            *before),
+                "list points by rising time");
+    before = time;
+  }
+}
+
+}  // namespace
+
+void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_solids(root)) return;
+  const auto materials = mpm_materials(root);
+  check_names(materials, faults);
+  bool filled = materials.empty();
+  for (const DeckNode* material : materials) {
+    const auto on = real_of(material, "activation_time"), off =
+                                                              real_of(material, "deactivation_time");
+    if (on && off && *off <= *on)
+      add_error(faults, material->child("deactivation_time")->where,
+                fmt::format("<deactivation_time> {:g} is not after <activation_time> {:g}", *off,
+                            *on));
+    for (const DeckNode* object : material->all("geom_object")) check_object(*object, faults);
+    filled = filled || material->child("geom_object") != nullptr;
+  }
+  if (!filled)
+    add_error(faults, materials.front()->where,
+              "no material has a <geom_object>: there would be no particle");
+}
+
+void check_contacts(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_solids(root)) return;
+  const int count = static_cast<int>(mpm_materials(root).size());
+  for (const DeckNode* block : material_blocks(root))
+    for (const DeckNode* contact : block->all("contact")) check_contact(*contact, count, faults);
+}
+
+void check_loads(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_solids(root)) return;
+  const int count = static_cast<int>(mpm_materials(root).size());
+  const DeckNode* loads = root.find("PhysicalBC/MPM");
+  const bool used = is_true(root.child("MPM"), "use_load_curves");
+  if (loads == nullptr) {
+    if (used)
+      add_warning(faults, root.find("MPM/use_load_curves")->where,
+                  "<use_load_curves> is true, and the deck has no <PhysicalBC><MPM>",
+                  "remove the flag, or give loads");
+    return;
+  }
+  if (!used && !loads->children.empty())
+    add_warning(faults, loads->where, "<PhysicalBC> has no effect: <use_load_curves> is not true",
+                "write <use_load_curves>true</use_load_curves> in <MPM>");
+  std::map<int, const DeckNode*> ids;
+  for (const auto& load : loads->children) {
+    const DeckNode* curve = load->child("load_curve");
+    if (curve == nullptr) continue;
+    check_curve(*curve, count, faults);
+    const auto id = integer_of(curve, "id");
+    if (!id) continue;
+    const auto [first, fresh] = ids.emplace(*id, curve);
+    if (!fresh)
+      add_error(faults, curve->child("id")->where,
+                fmt::format("a second load curve {}; the first is at {}", *id,
+                            to_string(first->second->where)),
+                "number them one by one");
+  }
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,132 @@
+// The <material> of solids with its geometry objects.
+#include "mpm/deck/material_law.hpp"
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+TagSpec ignored(const std::string& name, const std::string& reason) {
+  return tag(name, "accepted without effect: " + reason);
+}
+
+// x -> A x + b of the seeded places.
+std::vector<TagSpec> affine_tags() {
+  return {tag("affineTransformation_A0", "first row of A: particles are seeded at A x + b")
+              .vector()
+              .by_default("[1,0,0]"),
+          tag("affineTransformation_A1", "second row of A").vector().by_default("[0,1,0]"),
+          tag("affineTransformation_A2", "third row of A").vector().by_default("[0,0,1]"),
+          tag("affineTransformation_b", "the shift b")
+              .vector()
+              .by_default("[0,0,0]")
+              .unit("length")};
+}
+
+TagSpec geom_object() {
+  return tag("geom_object",
+             "a region and the particles that fill it; each object fills its own, so that "
+             "objects that overlap fill twice")
+      .multiple()
+      .attribute(attribute("name", "name of the object").text())
+      .group("geometry_piece")
+      .with_children(
+          {tag("res", "particles per cell and direction").once().int_vector().at_least(1),
+           tag("velocity", "velocity").once().vector().unit("velocity"),
+           tag("temperature", "temperature").once().real().at_least(0).unit("temperature"),
+           tag("volumeFraction", "share of the density that particles have; absent: 1")
+               .real()
+               .above(0)
+               .at_most(1),
+           tag("numLevelsParticleFilling",
+               "further sizes of particles, each half the one before, fill gaps at the surface; "
+               "negative: particles that the surface cuts are left out")
+               .integer()
+               .at_least(-8)
+               .at_most(8)
+               .by_default("1"),
+           tag("cut_cells",
+               "particles that the surface cuts have the volume and the centroid of the part "
+               "inside; false: those whose centre is inside are whole")
+               .boolean()
+               .by_default("false"),
+           tag("color", "colour of the particles").real().by_default("0")})
+      .with_children(affine_tags());
+}
+
+std::vector<TagSpec> constants_tags() {
+  return {tag("density", "density of the undeformed material").once().real().above(0).unit(
+              "density"),
+          tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
+          tag("specific_heat", "at constant volume").once().real().above(0).unit(
+              "energy/(mass temperature)"),
+          tag("C_p", "specific heat at constant pressure; absent: specific_heat")
+              .real()
+              .above(0)
+              .unit("energy/(mass temperature)"),
+          tag("linear_thermal_expansion_coef", "relative length gained per temperature above "
+                                               "room_temp")
+              .real()
+              .by_default("0")
+              .unit("1/temperature"),
+          tag("room_temp", "temperature without thermal strain")
+              .real()
+              .at_least(0)
+              .by_default("294")
+              .unit("temperature"),
+          tag("melt_temp", "melting temperature")
+              .real()
+              .above(0)
+              .by_default("295e10")
+              .unit("temperature")};
+}
+
+std::vector<TagSpec> role_tags() {
+  return {
+      tag("is_rigid", "moves as prescribed, and is not deformed").boolean().by_default("false"),
+      tag("is_force_transmitting_material",
+          "moves as a whole, by the force that contacts transmit to it")
+          .boolean()
+          .by_default("false"),
+      tag("is_active", "takes part from the start").boolean().by_default("true"),
+      tag("activation_time", "takes part from this time on")
+          .real()
+          .at_least(0)
+          .by_default("0")
+          .unit("time"),
+      tag("deactivation_time", "takes part until this time")
+          .real()
+          .at_least(0)
+          .by_default("1e8")
+          .unit("time"),
+      tag("possible_alpha_material", "friction_LR: normals may be taken from its surface")
+          .boolean()
+          .by_default("true")};
+}
+
+// Of a method of grains that is not built; without it they say nothing.
+std::vector<TagSpec> grain_tags() {
+  const std::string reason = "read by DoGranularMPM alone";
+  return {ignored("critical_density", reason).real().at_least(0),
+          ignored("stress_free", reason).boolean(),
+          ignored("MatTypeIdx", reason).integer(),
+          ignored("allow_DWIndex_correction", reason).boolean(),
+          ignored("applied_contact_model", reason).boolean()};
+}
+
+}  // namespace
+
+TagSpec material_tag() {
+  return tag("material", "a solid")
+      .at_least_once()
+      .with_attributes({attribute("name", "name of the material").text(),
+                        attribute("index", "accepted without effect: order gives the index")
+                            .integer()
+                            .at_least(0)})
+      .with_children(constants_tags())
+      .with_children({constitutive_model_tag(), damage_model_tag(), erosion_tag()})
+      .with_children(role_tags())
+      .with_children(grain_tags())
+      .child(geom_object());
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,32 @@
+// The blocks of solids, put together.
+#include "mpm/deck/read_mpm_scene.hpp"
+
+#include "framework/scene/deck_values.hpp"
+#include "framework/scene/geometry_reader.hpp"
+#include "mpm/deck/readers.hpp"
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+
+MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
+  MpmScene s;
+  const DeckNode& root = *deck.root;
+  const GeometryReader geometry(root, faults);
+  // Materials of solids come first among those of the scene.
+  for (const DeckNode* node : mpm_materials(root))
+    s.materials.push_back(read_material(*node, static_cast<int>(s.materials.size()),
+                                        scene.constants.reference_pressure, geometry, faults));
+  read_flags(root, s, faults);
+  const bool zones = boolean_or(root.child("MPM") != nullptr ? *root.child("MPM") : root,
+                                "use_cohesive_zones", false);
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* block = properties->child("MPM")) {
+      read_contacts(*block, s, faults);
+      if (zones) read_cohesive_zones(*block, s, faults);
+    }
+  read_loads(root, geometry, s, faults);
+  read_boundaries(scene, s, faults);
+  return s;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,26 @@
+// The parts of read_mpm_scene, one file each.
+#pragma once
+#include <vector>
+
+#include "framework/deck/deck.hpp"
+#include "framework/scene/geometry_reader.hpp"
+#include "framework/scene/scene.hpp"
+#include "mpm/deck/mpm_scene.hpp"
+
+namespace sluice::mpm {
+
+void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
+SolidMaterial read_material(const DeckNode& node, int index, double reference_pressure,
+                            const GeometryReader& geometry, std::vector<Fault>& faults);
+SeedObject read_seed_object(const DeckNode& node, const GeometryReader& geometry,
+                            std::vector<Fault>& faults);
+// `block`: <MaterialProperties><MPM>. Materials are there already.
+void read_contacts(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
+void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
+void read_loads(const DeckNode& root, const GeometryReader& geometry, MpmScene& s,
+                std::vector<Fault>& faults);
+void read_boundaries(const Scene& scene, MpmScene& s, std::vector<Fault>& faults);
+// Rows of numbers of a motion: time, velocity and, where it rotates, origin and angular velocity.
+std::vector<std::array<double, 10>> read_profile(const std::string& file, bool rotates);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,182 @@
+// What must hold between the flags of a deck of solids.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "framework/deck/faults.hpp"
+#include "framework/deck/rule_tools.hpp"
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+std::string text_of(const DeckNode& parent, std::string_view name) {
+  const DeckNode* child = parent.child(name);
+  return child == nullptr ? "" : child->text;
+}
+
+void warn_of_idle(const DeckNode& flags, const char* name, const std::string& needs,
+                  std::vector<Fault>& faults) {
+  if (!flags.has(name)) return;
+  add_warning(faults, flags.child(name)->where,
+              fmt::format("<{}> has no effect without {}", name, needs), "remove it");
+}
+
+// Flags that turn on what is not built.
+void check_not_built(const DeckNode& flags, std::vector<Fault>& faults) {
+  constexpr std::pair<const char*, const char*> refused[] = {
+      {"do_scalar_diffusion", "true"},
+      {"DoGranularMPM", "true"},
+      {"coupled_flow_analysis", "true"},
+      {"do_grid_reset", "false"}};
+  for (const auto& [name, value] : refused)
+    if (text_of(flags, name) == value)
+      add_not_built(faults, flags.child(name)->where, fmt::format("<{}> {}", name, value));
+}
+
+// The axisymmetric form: one cell along the angle, radii from 0 on.
+void check_axisymmetric(const DeckNode& root, const DeckNode& flags, std::vector<Fault>& faults) {
+  if (!is_true(&flags, "axisymmetric")) return;
+  const Location& where = flags.child("axisymmetric")->where;
+  const std::string basis = text_of(flags, "interpolator");
+  if (basis == "3rdorderBS" || basis == "4thorderBS" || basis == "cpti")
+    add_error(faults, where,
+              fmt::format("<axisymmetric> has no form with the interpolator {}", basis),
+              "valid: linear, gimp, cpgimp, cpdi, fast_cpdi");
+  const DeckNode* level = root.find("Grid/Level");
+  if (level == nullptr) return;
+  for (const DeckNode* box : level->all("Box")) {
+    const auto cells = int_vector_of(box, "resolution");
+    if (cells && cells->z != 1)
+      add_error(faults, where,
+                fmt::format("<axisymmetric> needs one cell along z, the angle; the box at {} has "
+                            "{}",
+                            to_string(box->where), cells->z));
+    const auto lower = vector_of(box, "lower");
+    if (lower && lower->x < 0)
+      add_error(faults, where,
+                fmt::format("<axisymmetric>: x is the radius; the box at {} begins at x = {:g}",
+                            to_string(box->where), lower->x),
+                "begin at x = 0 or above");
+  }
+}
+
+void check_files(const DeckNode& flags, std::vector<Fault>& faults) {
+  const bool prescribed = is_true(&flags, "UsePrescribedDeformation");
+  if (!prescribed) {
+    warn_of_idle(flags, "PrescribedDeformationFile", "<UsePrescribedDeformation> true", faults);
+    if (is_true(&flags, "exactDeformation"))
+      warn_of_idle(flags, "exactDeformation", "<UsePrescribedDeformation> true", faults);
+  }
+  const DeckNode* file = flags.child("InsertParticlesFile");
+  if (is_true(&flags, "InsertParticles") && (file == nullptr || file->text.empty()))
+    add_error(faults, flags.child("InsertParticles")->where,
+              "<InsertParticles> needs <InsertParticlesFile>");
+  if (is_true(&flags, "InsertParticles") && !is_true(&flags, "withColor"))
+    add_error(faults, flags.child("InsertParticles")->where,
+              "<InsertParticles> moves particles of a colour, and they carry none",
+              "write <withColor>true</withColor>");
+}
+
+void check_viscosity(const DeckNode& flags, std::vector<Fault>& faults) {
+  if (is_true(&flags, "artificial_viscosity")) return;
+  if (is_true(&flags, "artificial_viscosity_heating"))
+    add_error(faults, flags.child("artificial_viscosity_heating")->where,
+              "<artificial_viscosity_heating> without <artificial_viscosity>",
+              "write <artificial_viscosity>true</artificial_viscosity>, or remove it");
+  for (const char* name : {"artificial_viscosity_coeff1", "artificial_viscosity_coeff2"})
+    warn_of_idle(flags, name, "<artificial_viscosity> true", faults);
+}
+
+}  // namespace
+
+void check_solid_blocks(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* component = root.child("SimulationComponent");
+  const std::string type =
+      component == nullptr ? "" : component->attribute("type").value_or("none");
+  if (!runs_solids(root)) {
+    if (component == nullptr) return;
+    for (const char* name : {"MPM", "PhysicalBC"})
+      if (const DeckNode* block = root.child(name))
+        add_warning(faults, block->where,
+                    fmt::format("<{}> has no effect: the component {} has no solids", name, type),
+                    "remove it, or write <SimulationComponent type=\"mpm\"/>");
+    // Its materials would come first in every list of materials.
+    for (const DeckNode* properties : root.all("MaterialProperties"))
+      if (const DeckNode* block = properties->child("MPM"))
+        add_error(faults, block->where,
+                  fmt::format("materials of solids, and the component {} has none", type),
+                  "remove them, or write <SimulationComponent type=\"mpm\"/>");
+    return;
+  }
+  if (mpm_materials(root).empty())
+    add_error(faults, component->where, "no <MaterialProperties><MPM><material>: nothing to run");
+}
+
+void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* flags = root.child("MPM");
+  if (flags == nullptr || !runs_solids(root)) return;
+  check_not_built(*flags, faults);
+  check_axisymmetric(root, *flags, faults);
+  check_files(*flags, faults);
+  check_viscosity(*flags, faults);
+  const auto subcycles = integer_of(flags, "minimum_subcycles_for_F");
+  if (subcycles && *subcycles == 0)
+    add_error(faults, flags->child("minimum_subcycles_for_F")->where,
+              "<minimum_subcycles_for_F> 0: particles would never be deformed",
+              "1: the first order; -2: up to the square");
+  const std::string basis = text_of(*flags, "interpolator");
+  if (basis != "cpdi" && basis != "fast_cpdi" && basis != "cpti")
+    warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
+}
+
+void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* flags = root.child("MPM");
+  if (flags == nullptr || !runs_solids(root)) return;
+  const std::string transfer = text_of(*flags, "transfer");
+  if (transfer != "xpic") warn_of_idle(*flags, "xpic_order", "<transfer> xpic", faults);
+  if (transfer != "affine") warn_of_idle(*flags, "affine_damping", "<transfer> affine", faults);
+  if (text_of(*flags, "interpolator") != "linear")
+    warn_of_idle(*flags, "musl", "<interpolator> linear", faults);
+  // Tags of the format that choose a transfer too.
+  for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
+    if (is_true(flags, name) && flags->has("transfer"))
+      add_error(faults, flags->child(name)->where,
+                fmt::format("<{}> and <transfer> both choose how velocities come back", name),
+                "remove one of them");
+  if (is_true(flags, "XPIC2") && is_true(flags, "UseGradientEnhancedVelocityProjection"))
+    add_error(faults, flags->child("XPIC2")->where,
+              "<XPIC2> and <UseGradientEnhancedVelocityProjection> exclude each other",
+              "remove one of them");
+}
+
+void check_solid_faces(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* grid = root.child("Grid");
+  if (grid == nullptr || !runs_mpm(root)) return;
+  // A deformation that a file prescribes asks for no face.
+  if (is_true(root.child("MPM"), "UsePrescribedDeformation")) return;
+  const DeckNode* conditions = grid->child("BoundaryConditions");
+  const auto periodic = periodic_directions(*grid);
+  std::array<bool, 6> given{};
+  if (conditions != nullptr)
+    for (const DeckNode* face : conditions->all("Face")) {
+      for (const auto& [name, value] : face->attributes) {
+        const auto side = std::find(std::begin(side_names), std::end(side_names), value);
+        if (side != std::end(side_names))
+          given[static_cast<std::size_t>(side - std::begin(side_names))] = true;
+      }
+      if (face->child("BCType") == nullptr)
+        add_error(faults, face->where, "<Face> without conditions",
+                  "write <BCType id=\"all\" label=\"Symmetric\" var=\"symmetry\"/>, or a velocity");
+    }
+  for (std::size_t side = 0; side < given.size(); ++side)
+    if (!given[side] && !periodic[side / 2])
+      add_error(faults, conditions != nullptr ? conditions->where : grid->where,
+                fmt::format("side {} has no conditions", side_names[side]),
+                fmt::format("write <Face side=\"{}\"> with a condition; one of kind Neumann for "
+                            "the velocity leaves it free",
+                            side_names[side]));
+}
+
+}  // namespace sluice::mpm

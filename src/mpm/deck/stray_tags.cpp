@@ -1,0 +1,130 @@
+// What decks of solids carry and no solid reads: dropped before the deck is checked, each with one
+// warning that names its line.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/deck/faults.hpp"
+#include "mpm/deck/schema.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+struct Stray {
+  const char* name;
+  const char* reason;
+};
+
+constexpr const char* implicit = "the implicit method alone reads it";
+constexpr const char* no_limit = "a velocity has no limit of its own: steps are limited";
+
+constexpr Stray stray_flags[] = {
+    {"dynamic", implicit},
+    {"solver", implicit},
+    {"convergence_criteria_disp", implicit},
+    {"convergence_criteria_energy", implicit},
+    {"DoImplicitHeatConduction", implicit},
+    {"DoTransientImplicitHeatConduction", implicit},
+    {"DoMechanics", implicit},
+    {"temperature_solve", implicit},
+    {"interpolateParticleTempToGridEveryStep", implicit},
+    {"delT_decrease_factor", implicit},
+    {"delT_increase_factor", implicit},
+    {"num_iters_to_decrease_delT", implicit},
+    {"num_iters_to_increase_delT", implicit},
+    {"iters_before_timestep_restart", implicit},
+    {"extra_solver_flushes", implicit},
+    {"maximum_particle_velocity", no_limit},
+    {"do_thermal_expansion", "each material has its linear_thermal_expansion_coef"},
+    {"erosion", "each material has its own <erosion>"},
+    {"GranularMPMVcriy", "no method uses it"},
+    {"GranularMPMVcriz", "no method uses it"},
+    {"DoCapDensity", "no method uses it"},
+    {"DoDefGradAveraging", "no method uses it"},
+    {"computeNodalHeatFlux", "save g.HeatFlux: it is computed where it is saved"},
+    {"use_volume_integral", "no method uses it"},
+};
+// Of fluids with solids, and of methods that are refused by the flag that turns them on.
+constexpr Stray stray_flags_alone[] = {
+    {"testForNegTemps_mpm", "fluid and solid together read it"},
+    {"solid_damping_coef", "coupled_flow_analysis alone reads it"},
+    {"water_damping_coef", "coupled_flow_analysis alone reads it"},
+    {"PorePressureFilter", "coupled_flow_analysis alone reads it"},
+    {"do_auto_cycle_bc", "do_scalar_diffusion alone reads it"},
+    {"auto_cycle_use_minmax", "do_scalar_diffusion alone reads it"},
+    {"auto_cycle_max", "do_scalar_diffusion alone reads it"},
+    {"auto_cycle_min", "do_scalar_diffusion alone reads it"},
+};
+constexpr Stray stray_contact[] = {
+    {"vel_fields", "each material has a velocity of its own"},
+};
+constexpr Stray stray_state[] = {
+    {"density", "a solid's density is that of its material"},
+    {"pressure", "a solid's pressure follows from its law"},
+};
+
+template <class Table>
+void drop(DeckNode& parent, const Table& table, std::vector<Fault>& faults) {
+  std::erase_if(parent.children, [&](const std::unique_ptr<DeckNode>& child) {
+    const auto row = std::find_if(std::begin(table), std::end(table),
+                                  [&](const Stray& s) { return child->name == s.name; });
+    if (row == std::end(table)) return false;
+    add_warning(faults, child->where,
+                fmt::format("<{}> in <{}> has no effect; dropped", child->name, parent.name),
+                row->reason);
+    return true;
+  });
+}
+
+// Calls f for every <MPM> in <MaterialProperties>.
+template <class F>
+void for_blocks_of_materials(DeckNode& root, F&& f) {
+  for (const auto& properties : root.children) {
+    if (properties->name != "MaterialProperties") continue;
+    if (DeckNode* mpm = properties->child("MPM")) f(*mpm);
+  }
+}
+
+}  // namespace
+
+void drop_stray_blocks(DeckNode& root, std::vector<Fault>& faults) {
+  constexpr Stray blocks[] = {{"CFD", "solids alone run here, without a fluid"},
+                              {"Models", "models act on fluids; no fluid runs here"}};
+  constexpr Stray in_materials[] = {{"ICE", "solids alone run here, without a fluid"},
+                                    {"exchange_properties", "no fluid runs here to exchange with"}};
+  constexpr Stray in_refinement[] = {{"ICE", "solids alone run here, without a fluid"}};
+  if (!runs_mpm(root)) return;
+  drop(root, blocks, faults);
+  for (const auto& block : root.children) {
+    if (block->name == "MaterialProperties") drop(*block, in_materials, faults);
+    if (block->name == "AMR") drop(*block, in_refinement, faults);
+  }
+}
+
+void drop_stray_flags(DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_solids(root)) return;
+  if (DeckNode* flags = root.child("MPM")) {
+    drop(*flags, stray_flags, faults);
+    const auto on = [&](const char* name) {
+      const DeckNode* node = flags->child(name);
+      return node != nullptr && node->text == "true";
+    };
+    const bool more = on("coupled_flow_analysis") || on("do_scalar_diffusion");
+    if (runs_mpm(root) && !more) drop(*flags, stray_flags_alone, faults);
+  }
+  for_blocks_of_materials(root, [&](DeckNode& mpm) {
+    for (const auto& child : mpm.children)
+      if (child->name == "contact") drop(*child, stray_contact, faults);
+  });
+}
+
+void drop_stray_state(DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_solids(root)) return;
+  for_blocks_of_materials(root, [&](DeckNode& mpm) {
+    for (const auto& material : mpm.children)
+      for (const auto& object : material->children)
+        if (object->name == "geom_object") drop(*object, stray_state, faults);
+  });
+}
+
+}  // namespace sluice::mpm
