@@ -58,6 +58,11 @@ struct ThomsenHartkaWater {
   double energy_from_temperature(double rho, double T) const {
     return rho * energy(isochore(rho, T), T);
   }
+  // cv T, J/kg: what water may lose. (Its pressure rises with energy on the warm side only.)
+  double thermal_energy(double rho, double rho_e) const {
+    const double T = temperature(rho, rho_e);
+    return slopes(rho, T).cv * T;
+  }
   double energy_from_pressure(double rho, double p) const {
     return rho * energy(p, warm_temperature(rho, p));
   }
