@@ -60,6 +60,7 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.material = m.index;
     kind.attributes = carried_.back().attributes;
     kind.by_blocks = true;
+    if (scene.refinement.adaptive) kind.refine_distance = 0;
   }
 }
 
@@ -131,6 +132,23 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     columns.batch.heating = heating;
     material.law->start(columns.batch);
   }
+}
+
+bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
+                                     int coarse) const {
+  if (level > coarse || solids_->splits.empty()) return true;
+  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  for (const SplitCriterion& s : solids_->splits) {
+    if (s.kind != SplitCriterion::Kind::stress_norm || (s.material >= 0 && s.material != kind))
+      continue;
+    double norm = 0;  // |sigma|: off the diagonal each counts twice
+    for (int e = 0; e < 6; ++e) {
+      const double v = set.attribute_values(static_cast<std::size_t>(c.stress + e))[n];
+      norm += (e < 3 ? 1 : 2) * v * v;
+    }
+    if (norm > s.value * s.value) return true;
+  }
+  return false;
 }
 
 std::vector<Label> SolidParticles::grid_labels() const {

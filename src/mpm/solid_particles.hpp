@@ -18,6 +18,10 @@ class SolidParticles final : public ParticleMethod {
              ParticleSet& particles) const override;
   bool reflects(int, int, Side, IntVec3) const override { return false; }
   bool in_stages() const override { return true; }
+  // Solids on a finer level stay there; else where stress or stretch exceed the deck's thresholds,
+  // or everywhere where it names none.
+  bool asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
+                       int coarse) const override;
   std::vector<Label> grid_labels() const override;
   void store_on_grid(const StageScope& scope, std::vector<GridFields>& by_level) const override;
   std::vector<double> rates(const ParticleCloud& cloud, int level) const override;

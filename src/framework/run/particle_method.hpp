@@ -78,6 +78,11 @@ class ParticleMethod {
   // the ghost layers allow; adds those that appear meanwhile.
   virtual void advance(int /*kind*/, const ParticleStep& /*step*/,
                        ParticleSet& /*particles*/) const {}
+  // Does a particle on `level` ask for a finer one than `coarse`, where its kind asks at all.
+  virtual bool asks_refinement(int /*kind*/, const ParticleSet& /*set*/, std::size_t /*n*/,
+                               int /*level*/, int /*coarse*/) const {
+    return true;
+  }
   // Stages of the step move the particles (Component::shape_step): advance() is not asked.
   virtual bool in_stages() const { return false; }
   // Of particles in stages: what the next step's length and sums rest on, of this rank's particles
