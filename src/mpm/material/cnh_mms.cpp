@@ -21,6 +21,8 @@ class LogNeoHook final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return shear_; }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {

@@ -73,6 +73,7 @@ class Metal final : public Material {
 
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.bulk; }
+  double shear_modulus() const override { return c_.shear.mu_0; }
   int failed_column() const override { return failed_at_; }
 
   void start(const Batch& b) const override {

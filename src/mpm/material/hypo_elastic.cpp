@@ -52,6 +52,7 @@ class HypoElastic final : public Material {
     return fault_of_volume(b);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return shear_; }
 
  private:
   template <bool objective, bool thermal>

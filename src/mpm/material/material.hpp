@@ -81,10 +81,16 @@ class Material {
   virtual std::optional<BatchFault> update(const Batch& batch) const = 0;
   // Which column of the history is not 0 where a particle has failed; -1 where none can.
   virtual int failed_column() const { return -1; }
+  // Such a particle keeps its F: the step gives it L = 0.
+  virtual bool failed_keep_their_shape() const { return false; }
+  // Whether stress is a function of F (and temperature) alone, whatever the old stress.
+  virtual bool stress_of_state() const { return false; }
   // Moves with prescribed velocity, has no stress and no equation of its own.
   virtual bool rigid() const { return false; }
   // Bulk modulus at rest, Pa: for the artificial viscosity, and as the scale of stresses.
   virtual double bulk_modulus() const = 0;
+  // Shear modulus at rest, Pa.
+  virtual double shear_modulus() const { return 0; }
 };
 
 }  // namespace sluice::mpm

@@ -27,6 +27,8 @@ class MooneyRivlin final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return 2 * (C1_ + C2_); }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {

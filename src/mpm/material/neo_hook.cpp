@@ -19,6 +19,8 @@ class NeoHook final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return c_.bulk; }
+  double shear_modulus() const override { return c_.shear; }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {

@@ -60,6 +60,7 @@ class NeoHookPlastic final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return c_.bulk; }
+  double shear_modulus() const override { return c_.shear; }
 
  private:
   template <bool thermal>
