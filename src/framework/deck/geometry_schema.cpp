@@ -104,7 +104,7 @@ std::vector<TagSpec> round_pieces() {
               {tag("discretization_scheme", "how particles are laid").once().text(),
                place("bottom", "centre of one end").once(),
                place("top", "centre of the other end").once(),
-               length("inner_radius", "inner radius").once(), length("outer_radius", "radius"),
+               tag("inner_radius", "inner radius").real().at_least(0).unit("length").once(), length("outer_radius", "radius"),
                count("num_radial", "particles along the radius").once(),
                count("num_axial", "particles along the axis").once(),
                count("num_angular", "particles around"),
@@ -235,7 +235,10 @@ void place_images(DeckNode& root, std::vector<Fault>& /*faults*/) {
     for (const DeckNode* box : level->all("Box")) {
       const auto low = vector_of(box, "lower"), high = vector_of(box, "upper");
       if (!low || !high) continue;
-      if (!lower || !upper) lower = low, upper = high;
+      if (!lower || !upper) {
+        lower = low;
+        upper = high;
+      }
       for (int d = 0; d < 3; ++d) {
         (*lower)[d] = std::min((*lower)[d], (*low)[d]);
         (*upper)[d] = std::max((*upper)[d], (*high)[d]);

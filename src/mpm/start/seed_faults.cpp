@@ -62,27 +62,46 @@ void tell_of_empty(const SeedObject& o, const Level& level, std::vector<Fault>& 
                 "write more particles per cell (res), or finer cells");
 }
 
-// Places of one object that another of the material fills too.
+// Places of one object that an earlier one of the material fills too.
+std::int64_t shared_places(const SeedObject& first, const SeedObject& second, const Level& level) {
+  if (first.mapped || second.mapped) return 0;
+  if (first.piece->points() != nullptr || second.piece->points() != nullptr) return 0;
+  if (!first.piece->bounds().meets(second.piece->bounds())) return 0;
+  const IntersectionPiece both({first.piece, second.piece});
+  return count_places(both, second, level,
+                      intersection(window_of(first, level), window_of(second, level)));
+}
+
+// One warning for each object; of many only the first is shown, with what the others make.
 void check_overlaps(const SolidMaterial& material, const Level& level,
                     std::vector<Fault>& faults) {
-  for (std::size_t b = 1; b < material.objects.size(); ++b)
+  constexpr std::size_t most_shown = 3;
+  std::vector<Fault> found;
+  std::int64_t all = 0;
+  for (std::size_t b = 1; b < material.objects.size(); ++b) {
+    const SeedObject& second = material.objects[b];
+    std::int64_t count = 0;
+    const SeedObject* with = nullptr;
     for (std::size_t a = 0; a < b; ++a) {
-      const SeedObject &first = material.objects[a], &second = material.objects[b];
-      if (first.piece == nullptr || second.piece == nullptr || first.mapped || second.mapped)
-        continue;
-      if (first.piece->points() != nullptr || second.piece->points() != nullptr) continue;
-      if (!first.piece->bounds().meets(second.piece->bounds())) continue;
-      const IntersectionPiece both({first.piece, second.piece});
-      const std::int64_t count =
-          count_places(both, second, level,
-                       intersection(window_of(first, level), window_of(second, level)));
-      if (count == 0) continue;
-      add_warning(faults, second.where,
-                  fmt::format("{} particles of this <geom_object> lie inside the one at {}, of the "
-                              "same material: the space is filled twice",
-                              count, to_string(first.where)),
-                  "cut one out of the other with <difference>");
+      const std::int64_t shared = shared_places(material.objects[a], second, level);
+      if (shared > 0 && with == nullptr) with = &material.objects[a];
+      count += shared;
     }
+    if (with == nullptr) continue;
+    all += count;
+    add_warning(found, second.where,
+                fmt::format("{} particles of this <geom_object> lie inside the one at {}{}, of the "
+                            "same material: the space is filled twice",
+                            count, to_string(with->where), b > 1 ? " or others" : ""),
+                "cut one out of the other with <difference>");
+  }
+  if (found.size() > most_shown) {
+    found.front().message = fmt::format(
+        "{}; in {} objects of this material {} particles fill space twice", found.front().message,
+        found.size(), all);
+    found.resize(1);
+  }
+  faults.insert(faults.end(), found.begin(), found.end());
 }
 
 }  // namespace

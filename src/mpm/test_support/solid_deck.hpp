@@ -92,9 +92,14 @@ inline ReadDeck read_solids(const SolidDeck& deck, const std::string& name = "so
   return read;
 }
 
+// Without what is analysed.
 inline ReadDeck read_solid_file(const std::string& file) {
   ReadDeck read;
-  read.deck = load_deck(file, {}, solid_schema());
+  Schema schema = solid_schema();
+  schema.rewrites.emplace_back([](DeckNode& root, std::vector<Fault>&) {
+    std::erase_if(root.children, [](const auto& block) { return block->name == "DataAnalysis"; });
+  });
+  read.deck = load_deck(file, {}, schema);
   finish_reading(read);
   return read;
 }
