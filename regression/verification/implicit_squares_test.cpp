@@ -85,7 +85,7 @@ double distance_from_ghia(int n, int reynolds, double end) {
 constexpr double allowed = 0.01;
 
 TEST(ImplicitCavity, OfFewCellsIsNearGhia) {
-  EXPECT_LE(distance_from_ghia(16, 100, 10), 0.05);
+  EXPECT_LE(distance_from_ghia(16, 100, 10), 0.03);  // measured 0.023
 }
 TEST(FullImplicitCavity, OfReynoldsNumber100IsGhias) {
   EXPECT_LE(distance_from_ghia(64, 100, 20), allowed);
@@ -139,13 +139,13 @@ double distance_from_benchmark(const Convection& c) {
                    off("v", peak(v.values) / diffusivity, c.v)});
 }
 
-class FullImplicitConvection : public testing::TestWithParam<Convection> {};
+class ImplicitConvectionSquare : public testing::TestWithParam<Convection> {};
 
-TEST_P(FullImplicitConvection, IsTheBenchmark) {
+TEST_P(ImplicitConvectionSquare, IsTheBenchmark) {
   EXPECT_LE(distance_from_benchmark(GetParam()), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(RayleighNumbers, FullImplicitConvection,
+INSTANTIATE_TEST_SUITE_P(Full, ImplicitConvectionSquare,
                          testing::Values(Convection{1e3, 32, 30, 1.118, 3.649, 3.697},
                                          Convection{1e4, 64, 40, 2.243, 16.178, 19.617},
                                          Convection{1e5, 64, 60, 4.519, 34.73, 68.59},
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(RayleighNumbers, FullImplicitConvection,
                          });
 
 TEST(ImplicitConvection, OfFewCellsIsNearTheBenchmark) {
-  EXPECT_LE(distance_from_benchmark({1e3, 10, 20, 1.118, 3.649, 3.697}), 0.06);
+  EXPECT_LE(distance_from_benchmark({1e3, 12, 20, 1.118, 3.649, 3.697}), 0.06);
 }
 
 }  // namespace
