@@ -50,6 +50,22 @@ concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double,
                 { T::takes_any_heat } -> std::convertible_to<bool>;
               };
 
+// Laws of which two temperatures may have one density and pressure: they may be told which side.
+template <class T>
+concept TwoTemperatures = requires(const T& law, double x) {
+  { law.energy_from_pressure(x, x, x) } -> std::same_as<double>;
+};
+
+// rho c^2 (Pa) of a state with energy rho_e and pressure p.
+template <Law T>
+double modulus_of_state(const T& law, double rho, [[maybe_unused]] double rho_e,
+                        [[maybe_unused]] double p) {
+  if constexpr (TwoTemperatures<T>)
+    return rho * law.sound_speed_squared(rho, rho_e);
+  else
+    return law.bulk_modulus(rho, p);
+}
+
 using EquationOfState =
     std::variant<IdealGas, StiffenedGas, HardSphereGas, TstGas, Jwl, Jwlc, Murnaghan,
                  BirchMurnaghan, MieGruneisen, LinearGruneisen, Tillotson, ThomsenHartkaWater,

@@ -7,8 +7,10 @@
 //   c^2 = dp/drho|T + T (dp/dT)^2 v^2 / cv.
 // Units: a K/Pa, b J/(kg K^2), k0 1/Pa, L 1/K^2, v0 m^3/kg. Reference: Thomsen and Hartka, Am. J.
 // Phys. 30 (1962) 26 and 388. Limits: about 0 to 40 C and p up to some 1e8 Pa; the law ends where
-// dv/dp = 0 (x = k0/(2 a L)). At x = 0 pressure does not tell the temperature: energy_from_pressure
-// and bulk_modulus take the warm side (x >= 0), and lose half their digits near it.
+// dv/dp = 0 (x = k0/(2 a L)). Water colder than where it is densest (x < 0) has the density and the
+// pressure of a warmer one: functions of these two take the warm side (x >= 0), unless they are told
+// a temperature, and lose half their digits near x = 0. Of a state that has an energy the modulus
+// is modulus_of_state (eos.hpp).
 // Admissible: rho > 0, T > 0, dv/dp < 0, cv > 0, p > -1/k0. Shock slope 2: water (Us = c + 2 up).
 #pragma once
 #include "eos/density_search.hpp"
@@ -56,8 +58,18 @@ struct ThomsenHartkaWater {
   double energy_from_temperature(double rho, double T) const {
     return rho * energy(isochore(rho, T), T);
   }
+  // cv T, J/kg: what water may lose. (Its pressure rises with energy on the warm side only.)
+  double thermal_energy(double rho, double rho_e) const {
+    const double T = temperature(rho, rho_e);
+    return slopes(rho, T).cv * T;
+  }
   double energy_from_pressure(double rho, double p) const {
     return rho * energy(p, warm_temperature(rho, p));
+  }
+  // On the side of x = 0 on which T is.
+  double energy_from_pressure(double rho, double p, double T) const {
+    const double densest = To - a * p, warmer = warm_temperature(rho, p) - densest;
+    return rho * energy(p, densest + (T < densest ? -warmer : warmer));
   }
   double density(double p, double T) const {
     const double x = a * p + T - To;

@@ -36,6 +36,28 @@ TEST(ThomsenHartkaWater, IsDensestWhereReferenceSays) {  // 4 C at no pressure, 
   }
 }
 
+// At one density and pressure there is cold water (x < 0) and warm: temperature tells which.
+TEST(ThomsenHartkaWater, HasAColdAndAWarmStateAtOneDensity) {
+  for (const double p : {1e5, 1e7})
+    for (const double away : {0.5, 5.0, 9.0}) {
+      const double densest = water.To - water.a * p, cold = densest - away, warm = densest + away;
+      const double rho = water.density(p, cold);
+      EXPECT_NEAR(water.density(p, warm), rho, 1e-12 * rho);
+      for (const double T : {cold, warm}) {
+        const double E = water.energy_from_temperature(rho, T);
+        EXPECT_NEAR(water.energy_from_pressure(rho, p, T), E, 1e-8 * rho * water.co);
+        EXPECT_NEAR(water.pressure(rho, E), p, 1e-4);
+        EXPECT_NEAR(modulus_of_state(water, rho, E, p), rho * water.sound_speed_squared(rho, E), 1);
+        // The slope of the isentrope: K = rho dp/drho at e + p/rho^2 drho.
+        const double step = 1e-6 * rho, e = E / rho, push = p / (rho * rho) * step;
+        const auto at = [&](double r, double de) { return water.pressure(r, r * (e + de)); };
+        const double K = rho * (at(rho + step, push) - at(rho - step, -push)) / (2 * step);
+        EXPECT_NEAR(modulus_of_state(water, rho, E, p), K, 1e-5 * K);
+      }
+      EXPECT_EQ(water.energy_from_pressure(rho, p), water.energy_from_pressure(rho, p, warm));
+    }
+}
+
 TEST(ThomsenHartkaWater, SaysWhereItEnds) {
   const double x_end = 0.5 * water.ko / (water.a * water.L);
   EXPECT_TRUE(std::isnan(water.density((x_end + 1.0) / water.a, water.To)));

@@ -33,6 +33,13 @@ bool covered(const Grid& grid, const std::vector<LoadedField>& fields, const Fie
   return false;
 }
 
+const char* value_columns(ValueType type) {
+  if (type == ValueType::vector) return "value_x,value_y,value_z";
+  if (type == ValueType::tensor)
+    return "value_xx,value_xy,value_xz,value_yx,value_yy,value_yz,value_zx,value_zy,value_zz";
+  return "value";
+}
+
 bool inside(Vec3 p, const ExtractOptions& o) {
   for (int d = 0; d < 3; ++d)
     if ((o.from && p[d] < (*o.from)[d]) || (o.to && p[d] > (*o.to)[d])) return false;
@@ -53,7 +60,7 @@ std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& op
     if (column == nullptr) continue;
     if (!headed)
       fmt::format_to(out, "time,level,material,id,x,y,z,{}\n",
-                     column->components.size() == 3 ? "value_x,value_y,value_z" : "value");
+                     value_columns(column->info.type));
     headed = true;
     for (std::size_t n = 0; n < table.size(); ++n) {
       const Vec3 p = table.position(n);
@@ -88,9 +95,8 @@ std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
   }
   fmt::memory_buffer text;
   auto out = std::back_inserter(text);
-  const bool vector = fields.front().info.type == ValueType::vector;
   fmt::format_to(out, "time,level,material,i,j,k,x,y,z,{}\n",
-                 vector ? "value_x,value_y,value_z" : "value");
+                 value_columns(fields.front().info.type));
   std::int64_t rows = 0;
   for (const LoadedField& f : fields) {
     const Level& level = step.grid().levels[static_cast<std::size_t>(f.info.level)];

@@ -43,7 +43,7 @@ std::string_view name_of(Centring c) {
 }
 
 std::string_view name_of(ValueType t) {
-  constexpr std::string_view names[] = {"real", "vector", "integer", "long integer"};
+  constexpr std::string_view names[] = {"real", "vector", "integer", "long integer", "tensor"};
   return names[static_cast<int>(t)];
 }
 

@@ -15,12 +15,13 @@ namespace sluice {
 
 enum class Centring { cell, node, x_face, y_face, z_face, particle, reduction };
 // vector: three reals, stored as three arrays; long_integer: 64 bits, of which 53 are used.
-enum class ValueType { real, vector, integer, long_integer };
+// tensor: nine reals, row after row.
+enum class ValueType { real, vector, integer, long_integer, tensor };
 
 std::string_view name_of(Centring);
 std::string_view name_of(ValueType);
 constexpr int component_count(ValueType t) {
-  return t == ValueType::vector ? 3 : 1;
+  return t == ValueType::vector ? 3 : t == ValueType::tensor ? 9 : 1;
 }
 // The direction normal to a face-centred label, or -1.
 constexpr int face_direction(Centring c) {

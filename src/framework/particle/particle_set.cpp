@@ -28,6 +28,17 @@ void ParticleSet::add_from(const ParticleSet& other, std::size_t n) {
     attributes_[a].back() = other.attributes_[a][n];
 }
 
+void ParticleSet::make_room(const ParticleSet& present,
+                            const std::vector<std::size_t>& attributes) {
+  for (std::vector<double>& x : positions_) x.resize(present.size());
+  for (const std::size_t a : attributes) attributes_[a].resize(present.size());
+}
+
+void ParticleSet::exchange(ParticleSet& next, const std::vector<std::size_t>& attributes) {
+  positions_.swap(next.positions_);
+  for (const std::size_t a : attributes) attributes_[a].swap(next.attributes_[a]);
+}
+
 void ParticleSet::clear() {
   for (std::vector<double>& x : positions_) x.clear();
   ids_.clear();

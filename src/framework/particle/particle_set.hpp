@@ -38,6 +38,19 @@ class ParticleSet {
   }
   const std::vector<std::int64_t>& ids() const { return ids_; }
   const std::vector<double>& attribute_values(std::size_t a) const { return attributes_[a]; }
+  // Columns of all particles, for loops over them.
+  double* column(std::size_t a) { return attributes_[a].data(); }
+  const double* column(std::size_t a) const { return attributes_[a].data(); }
+  double* coordinate(int direction) {
+    return positions_[static_cast<std::size_t>(direction)].data();
+  }
+  const double* coordinate(int direction) const {
+    return positions_[static_cast<std::size_t>(direction)].data();
+  }
+  // Room for what a step makes of these attributes and of the positions of another set.
+  void make_room(const ParticleSet& present, const std::vector<std::size_t>& attributes);
+  // These attributes and the positions become those of the other, whose own are handed back.
+  void exchange(ParticleSet& next, const std::vector<std::size_t>& attributes);
 
   // With attributes 0; its number is size() - 1.
   void add(Vec3 place, std::int64_t id);

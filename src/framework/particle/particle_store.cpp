@@ -24,7 +24,7 @@ void ParticleStore::lay_out(const ParticleMap& map) {
     auto& locals = locals_.emplace_back();
     for (const GridBox& b : level.boxes) {
       locals.push_back(b.owner == rank_ ? static_cast<int>(sets.size()) : -1);
-      if (b.owner == rank_) sets.push_back({b.id, ParticleSet(attributes_)});
+      if (b.owner == rank_) sets.push_back({b.id, ParticleSet(attributes_), ParticleSet(attributes_), {}});
     }
   }
 }
@@ -114,7 +114,28 @@ std::vector<std::uint32_t> order_of(const ParticleSet& set, const std::vector<st
 }  // namespace
 
 void ParticleStore::sort(int l, Box& box) const {
-  if (box.set.empty()) return;
+  const Level& level = map_->levels()[static_cast<std::size_t>(l)];
+  if (by_blocks_) {
+    box.runs = sort_by_blocks(box.set, level);
+    return;
+  }
+  const std::vector<std::uint32_t> order = by_cell(l, box);
+  if (!order.empty()) box.set.select(order);
+}
+
+std::vector<std::uint32_t> ParticleStore::order_by_cell(int level, int local) const {
+  const Box& box = at(level)[static_cast<std::size_t>(local)];
+  std::vector<std::uint32_t> order = by_cell(level, box);
+  if (order.empty()) {
+    order.resize(box.set.size());
+    std::iota(order.begin(), order.end(), 0U);
+  }
+  return order;
+}
+
+// Empty where the set is in that order.
+std::vector<std::uint32_t> ParticleStore::by_cell(int l, const Box& box) const {
+  if (box.set.empty()) return {};
   const Level& level = map_->levels()[static_cast<std::size_t>(l)];
   const IndexBox& cells = level.boxes[static_cast<std::size_t>(box.id)].cells;
   const IntVec3 size = cells.size();
@@ -128,7 +149,8 @@ void ParticleStore::sort(int l, Box& box) const {
     if (n > 0 && sorted)
       sorted = at[n - 1] != at[n] ? at[n - 1] < at[n] : box.set.id(n - 1) < box.set.id(n);
   }
-  if (!sorted) box.set.select(order_of(box.set, at, static_cast<std::size_t>(cells.volume())));
+  if (sorted) return {};
+  return order_of(box.set, at, static_cast<std::size_t>(cells.volume()));
 }
 
 std::int64_t ParticleStore::count() const {

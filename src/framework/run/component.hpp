@@ -86,6 +86,7 @@ struct FlagSeeds {
 };
 
 class LevelSolver;
+class ParticleCloud;
 class ParticleMethod;
 
 class Component {
@@ -184,6 +185,7 @@ class Component {
   // Over the uncovered cells.
   virtual void add_totals(const Warehouse& state, const LevelCoverage& coverage,
                           Totals& totals) const = 0;
+  virtual void add_particle_totals(const ParticleCloud& /*particles*/, Totals& /*totals*/) const {}
   // From the reduced sums of a step of length dt that began with these totals; `start` is null with
   // several levels: then the sums hold all that forces need.
   virtual StepBalance balance(const std::vector<double>& sums, const StepStart* start,

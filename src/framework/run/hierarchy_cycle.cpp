@@ -39,7 +39,18 @@ Schedule Hierarchy::schedule_of(int l) {
 }
 
 StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) {
-  return {existing_levels(), communicator_, scope, previous_dt_, pass_, &journal, &result_.reason};
+  StageScope s;
+  s.levels = existing_levels();
+  s.ranks = communicator_;
+  s.step = scope;
+  s.dt_before = previous_dt_;
+  s.pass = pass_;
+  s.journal = &journal;
+  s.reason = &result_.reason;
+  s.particles = particles_.get();
+  s.sums = &result_.sums;
+  s.maxima = &maxima_;
+  return s;
 }
 
 // A sweep of all levels, finest first.
@@ -88,7 +99,7 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
                            return this->sweep(l, scope, stored);
                          });
   const auto& solve = std::get<StepShape::Solve>(stage);
-  return {Stage{"solve " + solve.name,
+  return {Stage{solve.name,
                 [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
                   return act(stage_scope(scope, journal));
                 }}};

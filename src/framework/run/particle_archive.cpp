@@ -14,6 +14,16 @@
 namespace sluice {
 namespace {
 
+// Columns of a symmetric tensor that hold its nine components, row after row.
+constexpr std::size_t symmetric_columns[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+
+std::vector<Label> labels_of(const ParticleKind& kind) {
+  std::vector<Label> labels;
+  for (const ParticleAttribute& a : kind.attributes) labels.push_back(a.label);
+  for (const DerivedAttribute& d : kind.derived) labels.push_back(d.label);
+  return labels;
+}
+
 ConstRealView list_view(const std::vector<double>& values) {
   ConstRealView view;
   view.data = values.data();
@@ -46,7 +56,7 @@ const ParticleLabels& particle_labels() {
 std::vector<Label> savable_labels(const ParticleMethod& method) {
   std::vector<Label> all = {particle_labels().position, particle_labels().id};
   for (const ParticleKind& kind : method.kinds())
-    for (const Label label : kind.attributes)
+    for (const Label label : labels_of(kind))
       if (std::find(all.begin(), all.end(), label) == all.end()) all.push_back(label);
   return all;
 }
@@ -55,35 +65,102 @@ std::vector<Label> ParticleCloud::labels() const {
   return savable_labels(*method_);
 }
 
+namespace {
+
+// Columns of the particles of a box as pieces, in the order in which archives list them.
+class BoxPieces {
+ public:
+  BoxPieces(FieldPiece place, const ParticleStore& store, int local, ParticlePieces& to)
+      : place_(std::move(place)), set_(&store.set(place_.level, local)), to_(&to) {
+    if (store.by_blocks()) order_ = store.order_by_cell(place_.level, local);
+  }
+
+  void add(Label label, int component, const std::vector<double>& values) {
+    FieldPiece piece = place_;
+    piece.label = label;
+    piece.component = component;
+    piece.view = list_view(order_.empty() ? values : sorted(values));
+    piece.cells = piece.view.box;
+    to_->pieces.push_back(piece);
+  }
+  void add_own(Label label, int component, std::vector<double> values) {
+    to_->numbers.push_back(std::move(values));
+    add(label, component, to_->numbers.back());
+  }
+  // `column`: the first of the attribute.
+  void add_attribute(const ParticleAttribute& a, std::size_t column) {
+    for (int c = 0; c < component_count(a.label.info().type); ++c) {
+      const auto n = static_cast<std::size_t>(c);
+      add(a.label, c, set_->attribute_values(column + (a.symmetric ? symmetric_columns[n] : n)));
+    }
+  }
+  void add_derived(const DerivedAttribute& d) {
+    const auto components = static_cast<std::size_t>(component_count(d.label.info().type));
+    std::vector<std::vector<double>> columns(components, std::vector<double>(set_->size()));
+    d.compute(*set_, columns);
+    for (std::size_t c = 0; c < components; ++c)
+      add_own(d.label, static_cast<int>(c), std::move(columns[c]));
+  }
+
+ private:
+  const std::vector<double>& sorted(const std::vector<double>& values) {
+    std::vector<double>& to = to_->numbers.emplace_back();
+    to.reserve(values.size());
+    for (const std::uint32_t n : order_) to.push_back(values[n]);
+    return to;
+  }
+
+  FieldPiece place_;
+  const ParticleSet* set_;
+  ParticlePieces* to_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+std::size_t ParticleKind::columns() const {
+  std::size_t n = 0;
+  for (const ParticleAttribute& a : attributes) n += static_cast<std::size_t>(a.columns());
+  return n;
+}
+
+std::vector<std::size_t> ParticleKind::advanced_columns() const {
+  std::vector<std::size_t> all;
+  std::size_t column = 0;
+  for (const ParticleAttribute& a : attributes)
+    for (int c = 0; c < a.columns(); ++c, ++column)
+      if (a.advanced) all.push_back(column);
+  return all;
+}
+
 void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const ParticleKind& kind = method_->kinds()[k];
     const ParticleStore& store = kinds_[k].store;
     for (int l = 0; l < store.level_count(); ++l) {
       const auto asked = [&](Label label) { return wanted(label, kind.material, l); };
-      std::vector<std::size_t> attributes;
-      for (std::size_t a = 0; a < kind.attributes.size(); ++a)
-        if (asked(kind.attributes[a])) attributes.push_back(a);
-      if (attributes.empty() && !asked(particle_labels().position) && !asked(particle_labels().id))
+      const std::vector<Label> labels = labels_of(kind);
+      if (std::none_of(labels.begin(), labels.end(), asked) &&
+          !asked(particle_labels().position) && !asked(particle_labels().id))
         continue;
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
         if (set.empty()) continue;
-        const auto add = [&](Label label, int component, const std::vector<double>& values) {
-          FieldPiece piece;
-          piece.label = label;
-          piece.material = kind.material;
-          piece.level = l;
-          piece.box_id = store.box(l, b).id;
-          piece.component = component;
-          piece.view = list_view(values);
-          piece.cells = piece.view.box;
-          to.pieces.push_back(piece);
-        };
-        for (int d = 0; d < 3; ++d) add(particle_labels().position, d, set.coordinates(d));
-        to.numbers.emplace_back(set.ids().begin(), set.ids().end());
-        add(particle_labels().id, 0, to.numbers.back());
-        for (const std::size_t a : attributes) add(kind.attributes[a], 0, set.attribute_values(a));
+        FieldPiece place;
+        place.material = kind.material;
+        place.level = l;
+        place.box_id = store.box(l, b).id;
+        BoxPieces pieces(place, store, b, to);
+        for (int d = 0; d < 3; ++d)
+          pieces.add(particle_labels().position, d, set.coordinates(d));
+        pieces.add_own(particle_labels().id, 0, {set.ids().begin(), set.ids().end()});
+        std::size_t column = 0;
+        for (const ParticleAttribute& a : kind.attributes) {
+          if (asked(a.label)) pieces.add_attribute(a, column);
+          column += static_cast<std::size_t>(a.columns());
+        }
+        for (const DerivedAttribute& d : kind.derived)
+          if (asked(d.label)) pieces.add_derived(d);
       }
     }
   }
@@ -96,7 +173,7 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
   if (!json.contains("kinds") || json.at("kinds").size() != kinds_.size())
     throw InputError(
         fmt::format("{} was written by a run with other particles: a restart goes on "
-                    "with the same <TracerParticles>",
+                    "with the same materials and <TracerParticles>",
                     checkpoint.folder().string()));
   time_ = json.at("time").get<double>();
   lay_out(levels);
@@ -115,8 +192,14 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
       };
       const auto x = values(particle_labels().position);
       const auto ids = values(particle_labels().id);
-      std::vector<std::vector<double>> attributes;
-      for (const Label label : what.attributes) attributes.push_back(values(label).front());
+      std::vector<std::vector<double>> attributes;  // columns
+      for (const ParticleAttribute& a : what.attributes) {
+        std::vector<std::vector<double>> all = values(a.label);
+        const std::size_t first = attributes.size();
+        attributes.resize(first + static_cast<std::size_t>(a.columns()));
+        for (std::size_t c = 0; c < all.size(); ++c)
+          attributes[first + (a.symmetric ? symmetric_columns[c] : c)] = std::move(all[c]);
+      }
       ParticleSet one = kind.store.empty_set();
       for (std::size_t n = 0; n < ids[0].size(); ++n) {
         one.clear();

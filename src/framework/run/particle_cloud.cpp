@@ -25,7 +25,7 @@ std::vector<IndexBox> own_cells(const LevelSolver& level, int box, int levels) {
 ParticleCloud::ParticleCloud(const ParticleMethod& method, Communicator& communicator)
     : method_(&method), communicator_(&communicator) {
   for (const ParticleKind& kind : method.kinds())
-    kinds_.push_back({ParticleStore(kind.attributes.size(), communicator.rank())});
+    kinds_.push_back({ParticleStore(kind.columns(), communicator.rank(), kind.by_blocks)});
 }
 
 void ParticleCloud::lay_out(const Levels& levels) {
@@ -125,6 +125,41 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
   time_ = end;
 }
 
+void ParticleCloud::take_over(double end) {
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const std::vector<std::size_t> advanced = method_->kinds()[k].advanced_columns();
+    ParticleStore& store = kinds_[k].store;
+    for (int l = 0; l < store.level_count(); ++l)
+      for (int b = 0; b < store.box_count(l); ++b)
+        store.set(l, b).exchange(store.next(l, b), advanced);
+  }
+  time_ = end;
+}
+
+void ParticleCloud::relocate() {
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    ParticleStore& store = kinds_[k].store;
+    for (int l = 0; l < store.level_count(); ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        ParticleSet& set = store.set(l, b);
+        const std::size_t before = set.size();
+        keep_inside(static_cast<int>(k), map_->levels()[static_cast<std::size_t>(l)], set);
+        kinds_[k].left += static_cast<std::int64_t>(before - set.size());
+      }
+  }
+  settle();
+}
+
+std::vector<double> ParticleCloud::rates(int level) const {
+  std::vector<double> all = method_->rates(*this, level);
+  Reduction reduction;
+  std::vector<Reduction::Maximum> slots;
+  for (const double r : all) slots.push_back(reduction.add_maximum(r));
+  communicator_->reduce(reduction);
+  for (std::size_t n = 0; n < all.size(); ++n) all[n] = reduction.maximum(slots[n]);
+  return all;
+}
+
 std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
   std::vector<FlagSeeds> all;
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
@@ -138,7 +173,8 @@ std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
       for (int b = 0; b < store.box_count(f); ++b) {
         const ParticleSet& set = store.set(f, b);
         for (std::size_t n = 0; n < set.size(); ++n)
-          of_kind.cells.push_back(
+          if (method_->asks_refinement(static_cast<int>(k), set, n, f, l))
+            of_kind.cells.push_back(
               cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
       }
   }

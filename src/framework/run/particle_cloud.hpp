@@ -34,11 +34,19 @@ class ParticleCloud {
   void start(const Levels& levels, double time);
   // A coarse step that ends at `end`: states before and after it, ghosts filled. Collective.
   void advance(const Levels& levels, double end, int parts);
+  // Of a method in stages: what was made beside the particles (next) is what they are at `end`.
+  void take_over(double end);
+  // Particles that left the domain go, periodic ones are wrapped, all go to their boxes: needed
+  // when one may have left its domain, or its block by most of a cell. Collective.
+  void relocate();
+  // Collective.
+  std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.
   void follow(const Levels& levels);
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
 
   int level_count() const { return static_cast<int>(box_seconds_.size()); }
+  const Level& level(int l) const { return map_->levels()[static_cast<std::size_t>(l)]; }
   // Labels that can be saved.
   std::vector<Label> labels() const;
   // Of all labels for which `wanted`; position and id come with any of them.
@@ -48,6 +56,8 @@ class ParticleCloud {
   // Cells of a level that hold particles of this rank, for each kind that asks for finer levels.
   std::vector<FlagSeeds> flag_seeds(int level) const;
 
+  int kind_count() const { return static_cast<int>(kinds_.size()); }
+  ParticleStore& store(int kind) { return kinds_[static_cast<std::size_t>(kind)].store; }
   const ParticleStore& store(int kind) const {
     return kinds_[static_cast<std::size_t>(kind)].store;
   }

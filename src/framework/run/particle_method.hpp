@@ -4,6 +4,7 @@
 // writes and restores them. The method says which there are, starts them and takes them through
 // time. A component without particles offers none, and then nothing of this exists.
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,14 +15,41 @@
 
 namespace sluice {
 
+// What each particle carries beside position and id.
+struct ParticleAttribute {
+  Label label;
+  // A step writes it anew, beside what was before it (ParticleCloud::next).
+  bool advanced = false;
+  // Of a symmetric tensor six columns are kept: xx, yy, zz, yz, xz, xy.
+  bool symmetric = false;
+
+  ParticleAttribute(Label of, bool is_advanced = false, bool is_symmetric = false)
+      : label(of), advanced(is_advanced), symmetric(is_symmetric) {}
+  int columns() const {
+    return symmetric ? 6 : component_count(label.info().type);
+  }
+};
+
+// What is saved of particles and follows from what they carry; `columns` are of its components.
+struct DerivedAttribute {
+  Label label;
+  std::function<void(const ParticleSet&, std::vector<std::vector<double>>& columns)> compute;
+};
+
 // The particles of one material. Position and id have the labels of particle_labels().
 struct ParticleKind {
   std::string name;
   int material = 0;
-  std::vector<Label> attributes;  // real numbers, in the order of ParticleSet
+  std::vector<ParticleAttribute> attributes;  // in the order of the columns of ParticleSet
   // Cells with such particles ask for a finer level as far as this around them; below 0: they do
   // not.
   double refine_distance = -1;
+  // Kept in blocks of 64 cells, in any order inside; by cell and id otherwise.
+  bool by_blocks = false;
+  std::vector<DerivedAttribute> derived;
+
+  std::size_t columns() const;
+  std::vector<std::size_t> advanced_columns() const;
 };
 
 // A part of a coarse step, of one local box.
@@ -34,6 +62,10 @@ struct ParticleStep {
   std::span<const IndexBox> cells;       // of the box that no finer level covers
 };
 
+class GridFields;
+class ParticleCloud;
+struct StageScope;
+
 class ParticleMethod {
  public:
   virtual ~ParticleMethod() = default;
@@ -44,7 +76,25 @@ class ParticleMethod {
                      ParticleSet& particles) const = 0;
   // Takes particles from begin to end, to where they may be out of box and domain, by no more than
   // the ghost layers allow; adds those that appear meanwhile.
-  virtual void advance(int kind, const ParticleStep& step, ParticleSet& particles) const = 0;
+  virtual void advance(int /*kind*/, const ParticleStep& /*step*/,
+                       ParticleSet& /*particles*/) const {}
+  // Does a particle on `level` ask for a finer one than `coarse`, where its kind asks at all.
+  virtual bool asks_refinement(int /*kind*/, const ParticleSet& /*set*/, std::size_t /*n*/,
+                               int /*level*/, int /*coarse*/) const {
+    return true;
+  }
+  // Stages of the step move the particles (Component::shape_step): advance() is not asked.
+  virtual bool in_stages() const { return false; }
+  // Of particles in stages: what the next step's length and sums rest on, of this rank's particles
+  // on a level; as many maxima as the component reduces.
+  virtual std::vector<double> rates(const ParticleCloud& /*cloud*/, int /*level*/) const {
+    return {};
+  }
+  // What particles have on the grid, computed when it is saved, of a state between two steps: into
+  // the labels that the fields of each level have. Collective.
+  virtual std::vector<Label> grid_labels() const { return {}; }
+  virtual void store_on_grid(const StageScope& /*scope*/,
+                             std::vector<GridFields>& /*by_level*/) const {}
   // Does the boundary throw particles back at the face of this cell; else it lets them out.
   virtual bool reflects(int kind, int level, Side side, IntVec3 cell) const = 0;
 };

@@ -28,6 +28,7 @@ namespace sluice {
 
 class LevelSolver;
 class Communicator;
+class ParticleCloud;
 
 // What a stage between sweeps sees.
 struct StageScope {
@@ -38,6 +39,11 @@ struct StageScope {
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
   std::string* reason = nullptr;  // why it rejects the step, for the message
+  ParticleCloud* particles = nullptr;  // of the run; null: it has none
+  // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and
+  // by level the maxima on which the next step's length rests.
+  std::vector<double>* sums = nullptr;
+  std::vector<std::vector<double>>* maxima = nullptr;
 };
 
 // All ranks must return the same.
@@ -51,7 +57,7 @@ class StepShape {
     std::vector<Label> stored;
   };
   struct Solve {
-    std::string name;
+    std::string name;  // with what it is: "solve pressure"
     StageAction action;
   };
   struct Sweep {
@@ -77,6 +83,10 @@ class StepShape {
     stages_.push_back(Prepare{std::move(name), std::move(stored)});
   }
   void solve(std::string name, StageAction action) {
+    stages_.push_back(Solve{"solve " + std::move(name), std::move(action)});
+  }
+  // Any other action on all levels, such as one on particles.
+  void stage(std::string name, StageAction action) {
     stages_.push_back(Solve{std::move(name), std::move(action)});
   }
   void sweep(std::string name, std::vector<Label> stored = {}) {

@@ -100,7 +100,7 @@ class CellStates {
 
  private:
   State of_one(std::size_t m, double rho, double E) const {
-    return {rho, fluids_[m].bulk_modulus(rho, fluids_[m].pressure(rho, E))};
+    return {rho, fluids_[m].modulus_of_state(rho, E)};
   }
 
   const Warehouse& state_;

@@ -102,15 +102,16 @@ Equilibration::Stiffness Equilibration::stiffness(int m, double M, double V, dou
   return std::visit(
       [rho = M * inverse, rho_e = E * inverse](const auto& law) -> Stiffness {
         const double p = law.pressure(rho, rho_e);
-        return {p, law.bulk_modulus(rho, p)};
+        return {p, eos::modulus_of_state(law, rho, rho_e, p)};
       },
       fluids_[k].law);
 }
 
-double Equilibration::modulus(int m, double rho, double p) const {
+double Equilibration::modulus(int m, double rho, double rho_e, double p) const {
   const auto k = static_cast<std::size_t>(m);
-  return linear_[k].is ? (1.0 + linear_[k].G) * (p + linear_[k].pi)
-                       : fluids_[k].bulk_modulus(rho, p);
+  if (linear_[k].is) return (1.0 + linear_[k].G) * (p + linear_[k].pi);
+  return std::visit(
+      [&](const auto& law) { return eos::modulus_of_state(law, rho, rho_e, p); }, fluids_[k].law);
 }
 
 // All but `rest` go to pressure q; their changes of energy, summed.
@@ -149,7 +150,8 @@ void Equilibration::fill_cavity(const Cell& cell, const Present& in, double q) c
 }
 
 // Of what is next to nothing the differences of large fluxes may leave an energy that is none of
-// its law's: it takes that of its least pressure, and the heaviest pays. False: nothing was mended.
+// its law's, and the heaviest pays for another: a linear law takes that of its least pressure, any
+// other the pressure and the temperature of the heaviest. False: nothing was mended.
 bool Equilibration::mend(const Cell& cell) const {
   int heaviest = 0;
   double stiffest = 0;
@@ -166,9 +168,20 @@ bool Equilibration::mend(const Cell& cell) const {
   for (int m = 0; m < materials(); ++m) {
     const Linear& l = linear_[static_cast<std::size_t>(m)];
     const double M = cell.M[m], V = cell.V[m];
-    const bool light = M > 0.0 && V > 0.0 && M < next_to_nothing * cell.M[heaviest];
-    if (!light || !l.is || stiffness(m, M, V, cell.E[m]).pressure + l.pi > 0.0) continue;
-    const double E = (least - l.pi + l.gamma_pi) * V / l.G + l.q * M;
+    if (!(M > 0.0 && V > 0.0 && M < next_to_nothing * cell.M[heaviest])) continue;
+    const Stiffness now = stiffness(m, M, V, cell.E[m]);
+    if (l.is ? now.pressure + l.pi > 0.0 : now.modulus > 0.0 && now.modulus < infinity) continue;
+    double E;
+    if (l.is) {
+      E = (least - l.pi + l.gamma_pi) * V / l.G + l.q * M;
+    } else {
+      const double T = fluid(heaviest).temperature(cell.M[heaviest] / cell.V[heaviest],
+                                                   cell.E[heaviest] / cell.V[heaviest]);
+      const double rho = fluid(m).density(p, T);
+      if (!(rho > 0.0)) continue;  // no such state
+      cell.V[m] = M / rho;
+      E = cell.V[m] * fluid(m).energy_from_temperature(rho, T);
+    }
     cell.E[heaviest] -= E - cell.E[m];
     cell.E[m] = E;
     mended = true;
@@ -235,7 +248,7 @@ void Equilibration::find_modulus(const Cell& cell, const Present& in, Result& re
   double compliance = 0;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    const double K = modulus(m, cell.M[m] / cell.V[m], result.pressure);
+    const double K = modulus(m, cell.M[m] / cell.V[m], cell.E[m] / cell.V[m], result.pressure);
     if (!(K > 0.0 && cell.V[m] > 0.0)) result.failed = m;
     compliance += cell.V[m] / K;
   }

@@ -77,7 +77,7 @@ class Equilibration {
   // Who is there, at which mean pressure; true: pressures differ.
   bool survey(const Cell& cell, Present& in, Result& result) const;
   Stiffness stiffness(int m, double M, double V, double E) const;
-  double modulus(int m, double rho, double p) const;
+  double modulus(int m, double rho, double rho_e, double p) const;
   bool mend(const Cell& cell) const;
   bool is_weaker(int m, int n, const Cell& cell) const;
   // Without the materials of which there is a trace; false: there are none, or only one.

@@ -51,7 +51,7 @@ class AnyCell {
     double most = 0;
     for (int m = 0; m < 2; ++m) {
       const double rho = M[m] / V[m], p = fluids_[m].pressure(rho, E[m] / V[m]);
-      most = std::fmax(most, std::fabs(p - q) / fluids_[m].bulk_modulus(rho, p));
+      most = std::fmax(most, std::fabs(p - q) / fluids_[m].modulus_of_state(rho, E[m] / V[m]));
     }
     return most;
   }

@@ -184,5 +184,41 @@ TEST(Equilibration, TheWeakerLiquidOpensUnderTension) {
   EXPECT_DOUBLE_EQ(s.V[0] + s.V[1], 1.0);
 }
 
+// Cold water that fluxes have left with an energy of no state, in air below the temperature at which
+// water is densest: it takes the temperature and the pressure of the air.
+TEST(Equilibration, MendsTracesOfAnyLaw) {
+  const Fluid air = ideal_gas(1.4, 716.5);
+  const Fluid water{eos::ThomsenHartkaWater{}, std::nullopt, 1.000009, 4145};
+  const Equilibration equilibration({air, water});
+  double M[] = {1.28699, 5.44715e-21}, V[] = {1.0, 5.74001e-24}, E[] = {253931.0, -2.45999e-14};
+  const double sum = E[0] + E[1];
+  const auto result = equilibration.equilibrate({M, V, E});
+  EXPECT_LT(result.failed, 0);
+  EXPECT_NEAR(result.pressure, 0.4 * 253931, 1e-6);
+  EXPECT_EQ(E[0] + E[1], sum);
+  EXPECT_NEAR(V[0] + V[1], 1, 1e-15);
+  const double rho = M[1] / V[1], rho_e = E[1] / V[1];
+  EXPECT_NEAR(water.pressure(rho, rho_e), result.pressure, 1e-3);
+  EXPECT_NEAR(water.temperature(rho, rho_e), air.temperature(M[0] / V[0], E[0] / V[0]), 1e-3);
+}
+
+// Water on either side of its greatest density, squeezed with air, stays on its side.
+TEST(Equilibration, KeepsColdWaterCold) {
+  const Fluid air = ideal_gas(1.4, 716.5);
+  const Fluid water{eos::ThomsenHartkaWater{}, std::nullopt, 1.000009, 4145};
+  const Equilibration equilibration({air, water});
+  for (const double T : {270.0, 274.0, 280.0, 284.0})
+    for (const double share : {1e-9, 1e-3, 0.5, 0.99}) {
+      const double rho = water.density(2e5, T);
+      double V[] = {1 - share, share}, M[] = {1.2 * V[0], rho * share};
+      double E[] = {V[0] * 1e5 / 0.4, share * water.energy_from_temperature(rho, T)};
+      const auto result = equilibration.equilibrate({M, V, E});
+      EXPECT_LT(result.failed, 0) << T << " " << share;
+      EXPECT_NEAR(water.temperature(M[1] / V[1], E[1] / V[1]), T, 0.01) << share;
+      EXPECT_NEAR(water.pressure(M[1] / V[1], E[1] / V[1]), result.pressure,
+                  1e-3 + 1e-9 * result.pressure);
+    }
+}
+
 }  // namespace
 }  // namespace sluice::ice::mixture::equilibrate_test

@@ -14,7 +14,7 @@ void pressure_and_modulus_row(const Fluid& fluid, int n, const double* __restric
 #pragma GCC ivdep
         for (int i = 0; i < n; ++i) {
           p[i] = law.pressure(rho[i], rho_e[i]);
-          K[i] = law.bulk_modulus(rho[i], p[i]);
+          K[i] = eos::modulus_of_state(law, rho[i], rho_e[i], p[i]);
         }
       },
       fluid.law);
@@ -66,8 +66,9 @@ void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
                       const double* __restrict rho_e, double* __restrict scale) {
   std::visit(
       [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
         const double pi = -law.lowest_pressure();
-        if constexpr (std::decay_t<decltype(law)>::depends_on_energy) {
+        if constexpr (Law::depends_on_energy && !eos::TwoTemperatures<Law>) {
 #pragma GCC ivdep
           for (int i = 0; i < n; ++i)
             scale[i] = (law.pressure(rho[i], rho_e[i]) + pi) * rho[i] / law.dp_de(rho[i], rho_e[i]);

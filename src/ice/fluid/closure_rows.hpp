@@ -20,7 +20,7 @@ void energy_from_pressure_row(const Fluid& fluid, int n, const double* rho, cons
                               double* rho_e);
 // How far the energy is from where the law ends, in units of energy per volume:
 // (p + pi)/G with G = dp/d(rho e) at constant density and -pi the lowest pressure of the law. The
-// energy itself for an ideal gas.
+// energy itself for an ideal gas; its heat where the pressure does not always rise with the energy.
 void energy_scale_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
                       double* scale);
 // T (K), and the heat capacity at constant volume cv (J/(kg K)).

@@ -43,6 +43,12 @@ double Fluid::bulk_modulus(double rho, double p) const {
   return std::visit([&](const auto& l) { return l.bulk_modulus(rho, p); }, law);
 }
 
+double Fluid::modulus_of_state(double rho, double rho_e) const {
+  return std::visit(
+      [&](const auto& l) { return eos::modulus_of_state(l, rho, rho_e, l.pressure(rho, rho_e)); },
+      law);
+}
+
 double Fluid::sound_speed(double rho, double p) const {
   return std::visit([&](const auto& l) { return l.sound_speed(rho, p); }, law);
 }
@@ -59,7 +65,10 @@ double Fluid::energy_from_temperature(double rho, double T) const {
 double Fluid::energy_from_pressure(double rho, double p, double T) const {
   return std::visit(
       [&](const auto& l) {
-        if constexpr (std::decay_t<decltype(l)>::depends_on_energy)
+        using L = std::decay_t<decltype(l)>;
+        if constexpr (eos::TwoTemperatures<L>)
+          return l.energy_from_pressure(rho, p, T);
+        else if constexpr (L::depends_on_energy)
           return l.energy_from_pressure(rho, p);
         else
           return energy_from_temperature(rho, T);

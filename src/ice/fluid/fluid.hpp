@@ -24,10 +24,11 @@ struct Fluid {
   double pressure(double rho, double rho_e) const;
   double temperature(double rho, double rho_e) const;
   double bulk_modulus(double rho, double p) const;  // rho c^2, Pa
+  double modulus_of_state(double rho, double rho_e) const;  // the same
   double sound_speed(double rho, double p) const;
   double energy_from_temperature(double rho, double T) const;
-  // The energy at which density and pressure are these; laws whose pressure knows the density
-  // alone take that of temperature T.
+  // The energy at which density and pressure are these; where there are two, the one on the side of
+  // temperature T. Laws whose pressure knows the density alone take that of T.
   double energy_from_pressure(double rho, double p, double T) const;
   // Density at pressure and temperature; not a number where the law has no such state.
   double density(double p, double T) const;

@@ -2,6 +2,7 @@
 #include "ice/saved/mixture_quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/variables.hpp"
@@ -212,11 +213,11 @@ class Declarer {
     closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
     const VariableId T = temperature(m);
     law_closure(l.sound_speed, m, [](const Fluid& law, double r, double e) {
-      return law.sound_speed(r, law.pressure(r, e));
+      return std::sqrt(law.modulus_of_state(r, e) / r);
     });
     compressibility_.push_back(
         law_closure(l.compressibility, m, [](const Fluid& law, double r, double e) {
-          return 1.0 / law.bulk_modulus(r, law.pressure(r, e));
+          return 1.0 / law.modulus_of_state(r, e);
         }));
     declare_viscosities(m);
     declare_conductivity(m);

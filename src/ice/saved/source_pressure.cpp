@@ -34,7 +34,7 @@ Answer answer(const Fluid& fluid, const Given& g) {
         return std::pair{law.dp_drho(rho, rho_e), law.dp_de(rho, rho_e)};
       },
       fluid.law);
-  return {fluid.bulk_modulus(rho, fluid.pressure(rho, rho_e)),
+  return {fluid.modulus_of_state(rho, rho_e),
           slopes.first * (g.dM - rho * g.dV) + slopes.second / rho * (g.dE - e * g.dM)};
 }
 

@@ -73,8 +73,11 @@ Tracers::Tracers(const std::vector<models::TracerParticles>& list, const Grid& g
                  const Boundaries& boundaries, FlowStorage flow, double max_time)
     : list_(&list), grid_(&grid), boundaries_(&boundaries), flow_(std::move(flow)) {
   for (const models::TracerParticles& t : list) {
-    ParticleKind kind{t.name, t.material, {}, t.refine_distance};
-    if (t.scalar) kind.attributes.push_back(t.scalar->label());
+    ParticleKind kind;
+    kind.name = t.name;
+    kind.material = t.material;
+    kind.refine_distance = t.refine_distance;
+    if (t.scalar) kind.attributes.emplace_back(t.scalar->label());
     kinds_.push_back(std::move(kind));
     ids_.push_back(number(t));
     check_ids(t, ids_.back(), max_time);

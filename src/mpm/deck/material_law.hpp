@@ -10,9 +10,6 @@ namespace sluice::mpm {
 
 // <constitutive_model> and what else of a <material> belongs to its law.
 std::vector<TagSpec> law_tags();
-// Change of a deck before it is checked.
-void prepare_laws(DeckNode& root, std::vector<Fault>& faults);
-
 // The law of a <material>; nullptr: a fault says why.
 std::shared_ptr<const Material> read_law(const DeckNode& material,
                                          const MaterialConstants& constants,

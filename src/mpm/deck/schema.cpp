@@ -64,7 +64,6 @@ void add_mpm_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);
   schema.rewrites.emplace_back(locate_pieces);
-  schema.rewrites.emplace_back(prepare_laws);
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);

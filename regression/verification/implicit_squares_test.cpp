@@ -1,0 +1,163 @@
+// Semi-implicit steps: two squares with published numbers, a moving lid and natural convection.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/case_run.hpp"
+#include "verification/implicit_case.hpp"
+
+namespace sluice::verification::implicit_squares_test {
+namespace {
+
+// Values at places x (rising), at `at`: the cubic through the nearest four.
+double interpolated(const std::vector<double>& x, const std::vector<double>& values, double at) {
+  const auto above = std::upper_bound(x.begin(), x.end(), at) - x.begin();
+  const auto first = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - 2, 0, static_cast<std::ptrdiff_t>(x.size()) - 4));
+  double sum = 0;
+  for (std::size_t a = first; a < first + 4; ++a) {
+    double term = values[a];
+    for (std::size_t b = first; b < first + 4; ++b)
+      if (b != a) term *= (at - x[b]) / (x[a] - x[b]);
+    sum += term;
+  }
+  return sum;
+}
+
+// A component of the velocity along a centre line of a square with an even number of cells, with
+// what it is at both walls.
+struct Line {
+  std::vector<double> x, values;
+  double at(double place) const { return interpolated(x, values, place); }
+};
+Line centre_line(const CellValues& u, int along, double low, double high) {
+  const int n = u.size.x, half = n / 2;
+  Line line{{0}, {low}};
+  for (int k = 0; k < n; ++k) {
+    line.x.push_back((k + 0.5) / n);
+    line.values.push_back(along == 0 ? 0.5 * (u.at(k, half - 1) + u.at(k, half))
+                                     : 0.5 * (u.at(half - 1, k) + u.at(half, k)));
+  }
+  line.x.push_back(1);
+  line.values.push_back(high);
+  return line;
+}
+
+// U. Ghia, K. N. Ghia, C. T. Shin, J. Comput. Phys. 48 (1982) 387-411, tables I and II, without the
+// walls.
+struct Point {
+  double place, of_100, of_1000;  // Reynolds numbers
+};
+constexpr Point ghia_u[] = {  // along x = 1/2
+    {0.9766, 0.84123, 0.65928},   {0.9688, 0.78871, 0.57492},   {0.9609, 0.73722, 0.51117},
+    {0.9531, 0.68717, 0.46604},   {0.8516, 0.23151, 0.33304},   {0.7344, 0.00332, 0.18719},
+    {0.6172, -0.13641, 0.05702},  {0.5000, -0.20581, -0.06080}, {0.4531, -0.21090, -0.10648},
+    {0.2813, -0.15662, -0.27805}, {0.1719, -0.10150, -0.38289}, {0.1016, -0.06434, -0.29730},
+    {0.0703, -0.04775, -0.22220}, {0.0625, -0.04192, -0.20196}, {0.0547, -0.03717, -0.18109}};
+constexpr Point ghia_v[] = {  // along y = 1/2
+    {0.9688, -0.05906, -0.21388}, {0.9609, -0.07391, -0.27669}, {0.9531, -0.08864, -0.33714},
+    {0.9453, -0.10313, -0.39188}, {0.9063, -0.16914, -0.51550}, {0.8594, -0.22445, -0.42665},
+    {0.8047, -0.24533, -0.31966}, {0.5000, 0.05454, 0.02526},   {0.2344, 0.17527, 0.32235},
+    {0.2266, 0.17507, 0.33075},   {0.1563, 0.16077, 0.37095},   {0.0938, 0.12317, 0.32627},
+    {0.0781, 0.10890, 0.30353},   {0.0703, 0.10091, 0.29012},   {0.0625, 0.09233, 0.27485}};
+
+// The largest |u - Ghia| on both centre lines, in velocities of the lid.
+double distance_from_ghia(int n, int reynolds, double end) {
+  const CaseRun run(
+      "implicit_cavity",
+      until(end) +
+          Overrides{resolution(n, n),
+                    fmt::format("MaterialProperties/ICE/material/dynamic_viscosity={:g}",
+                                1.0 / reynolds)});
+  EXPECT_EQ(run.events(), 0);
+  const Line u = centre_line(run.field("vel_CC", 0), 1, 0, 1);
+  const Line v = centre_line(run.field("vel_CC", 1), 0, 0, 0);
+  double of_u = 0, of_v = 0;
+  const auto wanted = [&](const Point& p) { return reynolds == 100 ? p.of_100 : p.of_1000; };
+  for (const Point& p : ghia_u) of_u = std::max(of_u, std::fabs(u.at(p.place) - wanted(p)));
+  for (const Point& p : ghia_v) of_v = std::max(of_v, std::fabs(v.at(p.place) - wanted(p)));
+  record("u", of_u);
+  record("v", of_v);
+  return std::max(of_u, of_v);
+}
+
+constexpr double allowed = 0.01;
+
+TEST(ImplicitCavity, OfFewCellsIsNearGhia) {
+  EXPECT_LE(distance_from_ghia(16, 100, 10), 0.03);  // measured 0.023
+}
+TEST(FullImplicitCavity, OfReynoldsNumber100IsGhias) {
+  EXPECT_LE(distance_from_ghia(64, 100, 20), allowed);
+}
+TEST(FullImplicitCavity, OfReynoldsNumber1000IsGhias) {
+  EXPECT_LE(distance_from_ghia(128, 1000, 60), allowed);
+}
+
+// G. de Vahl Davis, Int. J. Numer. Methods Fluids 3 (1983) 249-264: in thermal diffusivities over a
+// side, on the centre lines.
+struct Convection {
+  double rayleigh;
+  int cells;
+  double end;  // of the run, in units of sqrt(side over reduced gravity)
+  double nusselt, u, v;
+};
+
+// The largest of a line of cell values: of the parabola through the three around it.
+double peak(const std::vector<double>& values) {
+  const auto top = std::max_element(values.begin() + 1, values.end() - 1);
+  const double low = *(top - 1), here = *top, high = *(top + 1);
+  const double bend = low - 2 * here + high;
+  return bend < 0 ? here - (high - low) * (high - low) / (8 * bend) : here;
+}
+
+// The largest relative distance from the benchmark.
+double distance_from_benchmark(const Convection& c) {
+  constexpr double prandtl = 0.71;
+  const double mu = std::sqrt(prandtl / c.rayleigh), k = 1.4 / std::sqrt(prandtl * c.rayleigh);
+  const std::string gas = "MaterialProperties/ICE/material/";
+  const CaseRun run("implicit_natural_convection",
+                    until(c.end) +
+                        Overrides{resolution(c.cells, c.cells),
+                                  gas + fmt::format("dynamic_viscosity={:.17g}", mu),
+                                  gas + fmt::format("thermal_conductivity={:.17g}", k)});
+  EXPECT_EQ(run.events(), 0);
+  const double diffusivity = k / 1.4;  // cp 1.4, density and side 1
+  const Line u = centre_line(run.field("vel_CC", 0), 1, 0, 0);
+  const Line v = centre_line(run.field("vel_CC", 1), 0, 0, 0);
+  const CellValues T = run.field("temp_CC");
+  // Heat through the hot wall, by the parabola through it and two cells.
+  constexpr double hot = 1794642.857142857, difference = 17857.142857142724;
+  double heat = 0;
+  for (int j = 0; j < c.cells; ++j)
+    heat += (8 * hot - 9 * T.at(0, j) + T.at(1, j)) / 3 / difference;  // times n, over n rows
+  const auto off = [](const char* name, double value, double wanted) {
+    record(name, value);
+    return std::fabs(value / wanted - 1);
+  };
+  return std::max({off("Nu", heat, c.nusselt), off("u", peak(u.values) / diffusivity, c.u),
+                   off("v", peak(v.values) / diffusivity, c.v)});
+}
+
+class ImplicitConvectionSquare : public testing::TestWithParam<Convection> {};
+
+TEST_P(ImplicitConvectionSquare, IsTheBenchmark) {
+  EXPECT_LE(distance_from_benchmark(GetParam()), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Full, ImplicitConvectionSquare,
+                         testing::Values(Convection{1e3, 32, 30, 1.118, 3.649, 3.697},
+                                         Convection{1e4, 64, 40, 2.243, 16.178, 19.617},
+                                         Convection{1e5, 64, 60, 4.519, 34.73, 68.59},
+                                         Convection{1e6, 96, 80, 8.800, 64.63, 219.36}),
+                         [](const auto& test) {
+                           return "of_1e" + std::to_string(
+                                                static_cast<int>(std::log10(test.param.rayleigh)));
+                         });
+
+TEST(ImplicitConvection, OfFewCellsIsNearTheBenchmark) {
+  EXPECT_LE(distance_from_benchmark({1e3, 12, 20, 1.118, 3.649, 3.697}), 0.06);
+}
+
+}  // namespace
+}  // namespace sluice::verification::implicit_squares_test

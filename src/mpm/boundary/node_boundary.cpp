@@ -1,0 +1,153 @@
+#include "mpm/boundary/node_boundary.hpp"
+
+#include "mpm/nodes/node_sums.hpp"
+
+namespace sluice::mpm {
+
+NodeBoundary::NodeBoundary(const Scene& scene, const MpmScene& solids, const Level& level)
+    : scene_(&scene), solids_(&solids), level_(level), mirror_(solids.materials.size()) {
+  for (const SolidBoundary& b : solids.boundaries) {
+    if (b.kind != SolidBoundary::Kind::symmetric || !level.active[static_cast<std::size_t>(
+                                                        direction_of(b.side))])
+      continue;
+    for (std::size_t m = 0; m < mirror_.size(); ++m)
+      if (b.material < 0 || b.material == static_cast<int>(m))
+        mirror_[m][static_cast<std::size_t>(b.side)] = true;
+  }
+}
+
+bool NodeBoundary::meets(IntVec3 lower, IntVec3 edge) const {
+  for (int d = 0; d < 3; ++d)
+    if (level_.active[static_cast<std::size_t>(d)] &&
+        (lower[d] <= level_.domain.lower[d] || lower[d] + edge[d] > level_.domain.upper[d]))
+      return true;
+  return false;
+}
+
+// A Dirichlet value also holds at nodes beyond its side: those that wide shape functions reach.
+GivenVelocity NodeBoundary::at(IntVec3 node, int material) const {
+  GivenVelocity g;
+  for (const SolidBoundary& b : solids_->boundaries) {
+    const int d = direction_of(b.side);
+    if (!level_.active[static_cast<std::size_t>(d)] ||
+        (b.material >= 0 && b.material != material))
+      continue;
+    const bool on = is_plus(b.side) ? node[d] >= level_.domain.upper[d]
+                                    : node[d] <= level_.domain.lower[d];
+    if (!on) continue;
+    if (b.kind == SolidBoundary::Kind::symmetric) {
+      g.given[static_cast<std::size_t>(d)] = true;
+      g.value[d] = 0;
+    } else if (b.kind == SolidBoundary::Kind::velocity) {
+      if (b.region > 0) {
+        Vec3 place = level_.anchor + to_real(node) * level_.spacing;
+        const BoundarySide& side = scene_->boundary.side(b.side);
+        if (!side.regions[static_cast<std::size_t>(b.region)].shape.contains(d, place)) continue;
+      }
+      g.given = {true, true, true};
+      g.value = b.value;
+    }
+  }
+  return g;
+}
+
+bool NodeBoundary::is_image(IntVec3 node, int material) const {
+  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    if (!level_.active[n]) continue;
+    const int low = level_.domain.lower[d], high = level_.domain.upper[d];
+    if (level_.periodic[n] ? node[d] < low || node[d] >= high
+                           : (mirror[2 * n] && node[d] < low) ||
+                                 (mirror[2 * n + 1] && node[d] > high))
+      return true;
+  }
+  return false;
+}
+
+NodeBoundary::Image NodeBoundary::image(IntVec3 node, int material) const {
+  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  Image image{node, {}};
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    if (!level_.active[n]) continue;
+    const int low = level_.domain.lower[d], high = level_.domain.upper[d], cells = high - low;
+    if (level_.periodic[n]) {
+      image.of[d] = low + ((node[d] - low) % cells + cells) % cells;
+    } else if (mirror[2 * n] && node[d] < low) {
+      image.of[d] = 2 * low - node[d];
+      image.flipped[n] = true;
+    } else if (mirror[2 * n + 1] && node[d] > high) {
+      image.of[d] = 2 * high - node[d];
+      image.flipped[n] = true;
+    }
+  }
+  return image;
+}
+
+namespace {
+
+// act(block, node number in it, index of the node) for every node of blocks at sides.
+template <class Act>
+void for_each_side_node(const NodeBoundary& boundary, const BlockTable& table, Act&& act) {
+  const BlockShape& shape = table.shape();
+  for (int b = 0, blocks = table.count(); b < blocks; ++b) {
+    const IntVec3 low = shape.lower(table.block(b));
+    if (!boundary.meets(low, shape.edge)) continue;
+    int n = 0;
+    for (int k = 0; k < shape.edge.z; ++k)
+      for (int j = 0; j < shape.edge.y; ++j)
+        for (int i = 0; i < shape.edge.x; ++i, ++n) act(b, n, low + IntVec3{i, j, k});
+  }
+}
+
+// Lane of a component: of momentum (or v) and of force (or dv).
+constexpr int first_lane[2] = {1, 4};
+
+}  // namespace
+
+void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes) const {
+  fold(material, table, nodes, true);
+}
+
+void NodeBoundary::fold_scalars(int material, BlockTable& table, NodeLanes& nodes) const {
+  fold(material, table, nodes, false);
+}
+
+void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const {
+  for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
+    if (nodes.sums(b)[n * lanes + count_lane] == 0 || !is_image(node, material)) return;
+    const Image to = image(node, material);
+    const int block = table.find_or_add(table.shape().block_of(to.of));
+    nodes.fit(table);
+    const std::int64_t* from = nodes.sums(b) + n * lanes;
+    std::int64_t* sums = nodes.sums(block) + table.shape().place(to.of) * lanes;
+    const std::int64_t count = from[count_lane];
+    for (int l = 0; l < count_lane; ++l) {
+      std::int64_t value = from[l] - count;
+      for (int d = 0; d < 3; ++d)
+        if (vectors && to.flipped[static_cast<std::size_t>(d)] &&
+            (l == first_lane[0] + d || l == first_lane[1] + d))
+          value = -value;
+      sums[l] += value + count;
+    }
+    sums[count_lane] += count;
+  });
+}
+
+void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& nodes) const {
+  for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
+    if (!is_image(node, material)) return;
+    const Image of = image(node, material);
+    const int block = table.find(table.shape().block_of(of.of));
+    if (block < 0) return;
+    const std::int64_t* from = nodes.sums(block) + table.shape().place(of.of) * lanes;
+    std::int64_t* to = nodes.sums(b) + n * lanes;
+    for (int l = 0; l < lanes; ++l) to[l] = from[l];
+    for (int d = 0; d < 3; ++d)
+      if (of.flipped[static_cast<std::size_t>(d)])
+        for (const int first : {0, 4}) to[first + d] = as_bits(-as_real(from[first + d]));
+  });
+}
+
+}  // namespace sluice::mpm

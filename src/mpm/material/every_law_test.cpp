@@ -1,0 +1,213 @@
+// What must hold for every law of the table.
+#include <cmath>
+#include <random>
+
+#include "framework/base/error.hpp"
+#include "mpm/material/batch_math.hpp"
+#include "mpm/material/law_test_support.hpp"
+
+namespace sluice::mpm::every_law {
+namespace {
+
+enum class Kind { stored_energy, rate, fluid };
+
+struct LawCase {
+  const char* type;
+  const char* inside;
+  Kind kind;
+  double K, G;                  // at rest
+  double strain = 0.1;          // size of the deformations that it is tried with
+  double objectivity = 1e-12;   // change of stress by a rotation during deformation, of K strain
+  double work = 2e-4;           // energy against work of the stress, of the path's work
+  const char* named = nullptr;  // of the case; the type where null
+};
+
+const LawCase cases[] = {
+    {"comp_neo_hook", "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>",
+     Kind::stored_energy, 6e4, 3e4},
+    {"comp_neo_hook_plastic",
+     "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>"
+     "<yield_stress>2e3</yield_stress><hardening_modulus>5e3</hardening_modulus>",
+     // sigma_f d alpha is the plastic work but for the square of the elastic strain, 5 % here.
+     Kind::rate, 6e4, 3e4, 0.1, 1e-12, 1e-3},
+    {"UCNH", "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>",
+     Kind::stored_energy, 6e4, 3e4},
+    {"cnh_mms", "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>",
+     Kind::stored_energy, 6e4, 3e4},
+    {"comp_mooney_rivlin",
+     "<he_constant_1>1e5</he_constant_1><he_constant_2>2e4</he_constant_2><he_PR>.49</he_PR>",
+     Kind::stored_energy, 1.192e7, 2.4e5},
+    // Hughes-Winget: exact for a rotation, of second order while the body also stretches.
+    {"hypo_elastic", "<G>3e4</G><K>6e4</K>", Kind::rate, 6e4, 3e4, 0.1, 2e-4},
+};
+
+class EveryLaw : public testing::TestWithParam<LawCase> {
+ protected:
+  MaterialConstants constants() const { return steel_constants(); }
+  std::shared_ptr<const Material> made() const {
+    return law(GetParam().type, GetParam().inside, constants());
+  }
+  MaterialSample sample(int count = 1) const {
+    return {made(), constants(), count, constants().room_temperature};
+  }
+  double modulus() const { return GetParam().K + 4.0 / 3 * GetParam().G; }
+};
+
+// Some deformation without any symmetry.
+Matrix deformation(double size, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  Matrix F = identity;
+  for (double& x : F) x += size * (static_cast<double>(random()) / 2147483648.0 - 1);
+  return F;
+}
+
+TEST_P(EveryLaw, BodyAtRestHasNoStressAndTheWaveSpeedOfItsModuli) {
+  MaterialSample s = sample();
+  ASSERT_EQ(s.step(identity, 1e-6), std::nullopt);
+  for (const double x : s.stress()) EXPECT_NEAR(x, 0, 1e-13 * modulus());
+  EXPECT_NEAR(s.energy(), 0, 1e-13 * modulus());
+  const double c = std::sqrt(modulus() / constants().density);
+  EXPECT_NEAR(s.wave_speed() / c, 1, 1e-3);  // K and G of a case are rounded
+  EXPECT_NEAR(made()->bulk_modulus() / GetParam().K, 1, 2e-3);
+}
+
+// The table's law of infinitesimal strain: K and G, by a small shear and a small change of volume.
+TEST_P(EveryLaw, SmallStrainsSeeTheModuli) {
+  const double e = 1e-6;
+  MaterialSample shear = sample();
+  ASSERT_EQ(shear.step({1, e, 0, 0, 1, 0, 0, 0, 1}, 1e-3), std::nullopt);
+  EXPECT_NEAR(shear.stress()[5], GetParam().G * e, 1e-3 * modulus() * e);
+  MaterialSample volume = sample();
+  ASSERT_EQ(volume.step({1 + e, 0, 0, 0, 1 + e, 0, 0, 0, 1 + e}, 1e-3), std::nullopt);
+  EXPECT_NEAR(-volume.pressure() / (3 * GetParam().K * e), 1, 2e-3);
+}
+
+// Turning the deformed body turns its stress and does nothing else.
+TEST_P(EveryLaw, RotationAfterDeformationTurnsTheStress) {
+  MaterialSample s = sample();
+  const Matrix F = deformation(GetParam().strain);
+  follow(
+      s,
+      [&](double t) {
+        Matrix now = identity;
+        for (std::size_t k = 0; k < 9; ++k) now[k] += t * (F[k] - identity[k]);
+        return now;
+      },
+      1, 10);
+  const std::array<double, 6> before = s.stress();
+  const double energy = s.energy();
+  const std::array<double, 3> axis = {0.3, -1, 0.6};
+  const double quick = 1e-9;  // no time for creep
+  for (int n = 1; n <= 8; ++n)
+    ASSERT_EQ(s.step(product(rotation(axis, 0.4 * n), F), quick), std::nullopt);
+  const std::array<double, 6> turned = pushed(before, rotation(axis, 3.2));
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(s.stress()[k], turned[k], 1e-12 * modulus()) << k;
+  EXPECT_NEAR(s.energy(), energy, 1e-12 * modulus());
+}
+
+// A body that is turned while it deforms: the stress is the turned one of the body that is not.
+TEST_P(EveryLaw, RotationDuringDeformationTurnsTheStress) {
+  const Matrix F = deformation(GetParam().strain, 2);
+  const auto path = [&](double t) {
+    Matrix now = identity;
+    for (std::size_t k = 0; k < 9; ++k) now[k] += std::sin(t) * (F[k] - identity[k]);
+    return now;
+  };
+  const std::array<double, 3> axis = {-0.2, 0.5, 1};
+  MaterialSample plain = sample(), turned = sample();
+  follow(plain, path, 2, 40);
+  follow(
+      turned, [&](double t) { return product(rotation(axis, 0.8 * t), path(t)); }, 2, 40);
+  const std::array<double, 6> expected = pushed(plain.stress(), rotation(axis, 1.6));
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_NEAR(turned.stress()[k], expected[k],
+                GetParam().objectivity * GetParam().strain * modulus())
+        << k;
+}
+
+// sigma = (1/J) dW/dF F^T, by differences of fourth order of the energy column.
+TEST_P(EveryLaw, StressIsTheDerivativeOfTheStoredEnergy) {
+  if (GetParam().kind != Kind::stored_energy) GTEST_SKIP() << "its energy is no function of F";
+  const Matrix F = deformation(2 * GetParam().strain, 3);
+  MaterialSample s = sample();
+  ASSERT_EQ(s.step(F, 1), std::nullopt);
+  const auto energy = [&](std::size_t k, double h) {
+    Matrix moved = F;
+    moved[k] += h;
+    MaterialSample other = sample();
+    EXPECT_EQ(other.step(moved, 1), std::nullopt);
+    return other.energy();
+  };
+  const double h = 1e-3;
+  Matrix P{};
+  for (std::size_t k = 0; k < 9; ++k)
+    P[k] = (8 * (energy(k, h) - energy(k, -h)) - (energy(k, 2 * h) - energy(k, -2 * h))) / (12 * h);
+  const Matrix tau = product(P, transposed(F)), sigma = full(s.stress());
+  for (std::size_t k = 0; k < 9; ++k)
+    EXPECT_NEAR(tau[k] / determinant(F), sigma[k], 1e-7 * modulus()) << k;
+}
+
+// The energy is the work of the stress: its sum along a path, by the trapezoidal rule.
+TEST_P(EveryLaw, EnergyIsTheWorkOfTheStress) {
+  const Matrix F = deformation(GetParam().strain, 4);
+  const auto path = [&](double t) {
+    Matrix now = identity;
+    for (std::size_t k = 0; k < 9; ++k) now[k] += t * (F[k] - identity[k]);
+    return now;
+  };
+  MaterialSample s = sample();
+  const int steps = 400;
+  double work = 0, size = 0;
+  Matrix old_P{};
+  follow(s, path, 1, steps, [&](const MaterialSample& now) {
+    // P = J sigma F^-T; dW = P : dF
+    Matrix P = product(full(now.stress()), transposed(inverse(now.F())));
+    for (double& x : P) x *= now.volume_ratio();
+    for (std::size_t k = 0; k < 9; ++k) {
+      if (now.time() > 0) work += 0.5 * (P[k] + old_P[k]) * (F[k] - identity[k]) / steps;
+      size += std::abs(P[k] * (F[k] - identity[k])) / steps;
+    }
+    old_P = P;
+  });
+  EXPECT_NEAR(s.energy(), work, GetParam().work * size);
+}
+
+// What a batch gives for a particle does not depend on who is beside it.
+TEST_P(EveryLaw, ParticlesOfABatchAreAsAlone) {
+  const int count = 7;
+  MaterialSample together = sample(count);
+  std::vector<MaterialSample> alone(count, sample());
+  for (int n = 1; n <= 3; ++n) {
+    std::vector<Matrix> F;
+    for (int i = 0; i < count; ++i)
+      F.push_back(deformation(GetParam().strain * 0.3 * n, 10u + static_cast<unsigned>(i)));
+    ASSERT_EQ(together.step(F, 1e-5), std::nullopt);
+    for (int i = 0; i < count; ++i) {
+      ASSERT_EQ(alone[static_cast<std::size_t>(i)].step(F[static_cast<std::size_t>(i)], 1e-5),
+                std::nullopt);
+      for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_EQ(together.stress(i)[k], alone[static_cast<std::size_t>(i)].stress()[k]);
+      EXPECT_EQ(together.energy(i), alone[static_cast<std::size_t>(i)].energy());
+      EXPECT_EQ(together.wave_speed(i), alone[static_cast<std::size_t>(i)].wave_speed());
+    }
+  }
+}
+
+TEST_P(EveryLaw, RefusesAnInvertedParticle) {
+  MaterialSample s = sample(3);
+  std::vector<Matrix> F(3, identity);
+  F[1][0] = -0.2;
+  const auto fault = s.step(F, 1e-3);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->particle, 1);
+  EXPECT_STREQ(fault->reason, "det F <= 0");
+  EXPECT_DOUBLE_EQ(fault->value, -0.2);
+}
+
+std::string name_of_case(const testing::TestParamInfo<LawCase>& info) {
+  return info.param.named != nullptr ? info.param.named : info.param.type;
+}
+INSTANTIATE_TEST_SUITE_P(Table, EveryLaw, testing::ValuesIn(cases), name_of_case);
+
+}  // namespace
+}  // namespace sluice::mpm::every_law

@@ -1,0 +1,69 @@
+// Sums on nodes as exact integers: the same bits in any order of particles, threads and ranks.
+//
+// A contribution c to a field enters as the integer round(c 2^k), with one k for each field, from a
+// proven bound of |c| (mpm_scheme, section 4). Rounding is done by adding 1.5 2^52 and taking the
+// bits: the last lane of a node adds the bits of that number alone, as often as anything is added,
+// and is subtracted at the end.
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "mpm/nodes/node_blocks.hpp"
+
+namespace sluice::mpm {
+
+// Half of a node: four lanes.
+using Four = double __attribute__((vector_size(32)));
+using FourBits = std::int64_t __attribute__((vector_size(32)));
+using FourAtNode = double __attribute__((vector_size(32), may_alias));
+using FourBitsAtNode = std::int64_t __attribute__((vector_size(32), may_alias));
+
+inline constexpr double rounding_number = 0x1.8p52;  // 1.5 2^52
+inline constexpr std::int64_t rounding_bits = std::bit_cast<std::int64_t>(rounding_number);
+inline constexpr int count_lane = lanes - 1;
+// Contributions that the lanes of a node take without overflow.
+inline constexpr std::int64_t most_contributions = 4096;
+
+inline void add_rounded(std::int64_t* node, Four value) {
+  const Four rounded = value + rounding_number;
+  auto* to = reinterpret_cast<FourBitsAtNode*>(node);
+  *to += reinterpret_cast<FourBits>(rounded);
+}
+
+// 2^k for contributions of at most `bound`; 1 where all are zero.
+inline double scale_for(double bound) {
+  if (!(bound > 0)) return 1;
+  int exponent = 0;
+  std::frexp(bound, &exponent);  // bound < 2^exponent
+  return std::ldexp(1.0, 50 - exponent);
+}
+
+// Number of contributions to a node.
+inline std::int64_t contributions(const std::int64_t* node) {
+  // rounding_bits = 0x867 2^51 and 2^13 = 0: the inverse of its odd part, modulo 2^13.
+  constexpr std::uint64_t odd = static_cast<std::uint64_t>(rounding_bits) >> 51;
+  constexpr std::uint64_t mask = 0x1fff;
+  constexpr auto inverse = [] {
+    std::uint64_t x = odd;
+    for (int i = 0; i < 5; ++i) x *= 2 - odd * x;
+    return x & mask;
+  }();
+  return static_cast<std::int64_t>(
+      ((static_cast<std::uint64_t>(node[count_lane]) >> 51) * inverse) & mask);
+}
+
+// The sum in a lane, in units of 2^-k.
+inline double sum_in(const std::int64_t* node, int lane) {
+  return static_cast<double>(static_cast<std::int64_t>(
+      static_cast<std::uint64_t>(node[lane]) - static_cast<std::uint64_t>(node[count_lane])));
+}
+
+inline double as_real(std::int64_t bits) {
+  return std::bit_cast<double>(bits);
+}
+inline std::int64_t as_bits(double x) {
+  return std::bit_cast<std::int64_t>(x);
+}
+
+}  // namespace sluice::mpm

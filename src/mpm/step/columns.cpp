@@ -1,0 +1,87 @@
+#include "mpm/step/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/geometry/point_file.hpp"
+#include "mpm/step/labels.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+bool is_saved(const Scene& scene, const char* name) {
+  return std::any_of(scene.output.saves.begin(), scene.output.saves.end(),
+                     [&](const SaveRequest& s) { return s.label == name; });
+}
+
+// Do the point files of a material have a column.
+bool file_gives(const SolidMaterial& material, const char* name) {
+  return std::any_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
+    const auto* points = dynamic_cast<const PointFilePiece*>(o.piece.get());
+    return points != nullptr && points->file().vectors.contains(name);
+  });
+}
+
+// Half widths of the particles of an object in cells.
+std::array<double, 3> half_of(const SeedObject& o) {
+  std::array<double, 3> half{};
+  for (int d = 0; d < 3; ++d)
+    half[static_cast<std::size_t>(d)] =
+        0.5 * std::fabs(o.map[static_cast<std::size_t>(4 * d)]) / o.per_cell[d];
+  return half;
+}
+
+// Do all particles have the widths of the first object's.
+bool alike(const SolidMaterial& material) {
+  return std::all_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
+    return o.filling_levels == 1 && half_of(o) == half_of(material.objects.front());
+  });
+}
+
+}  // namespace
+
+Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material) {
+  Carried c;
+  int next = 0;
+  const auto add = [&](Label label, bool advanced, bool symmetric = false) {
+    const int first = next;
+    c.attributes.emplace_back(label, advanced, symmetric);
+    next += c.attributes.back().columns();
+    return first;
+  };
+  const SolidLabels& l = solid_labels();
+  c.columns.velocity = add(l.velocity, true);
+  c.columns.mass = add(l.mass, false);
+  c.columns.volume_0 = add(l.volume_0, false);
+  c.columns.volume = add(l.volume, true);
+  c.columns.F = add(l.F, true);
+  c.columns.stress = add(l.stress, true, true);
+  c.columns.energy = add(l.energy, true);
+  c.columns.temperature = add(l.temperature, true);
+  if (solids.transfer == Transfer::apic || solids.transfer == Transfer::affine ||
+      solids.gradient_enhanced)
+    c.columns.affine = add(l.affine, true);
+  if (!material.objects.empty()) c.half = c.half_at_rest = half_of(material.objects.front());
+  const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
+  if (by_width && !alike(material)) c.columns.half = add(l.half, false);
+  if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
+  const bool by_corners = solids.basis == Basis::cpdi || solids.basis == Basis::fast_cpdi ||
+                          solids.basis == Basis::cpti;
+  if (by_corners || is_saved(scene, "p.size")) c.columns.size = add(l.size, false);
+  if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
+      !solids.manufactured.empty())
+    c.columns.displacement = add(l.displacement, true);
+  if (solids.with_colour) c.columns.colour = add(l.colour, false);
+  const bool loaded = solids.use_loads && !solids.loads.empty();
+  if (loaded) c.columns.marks = add(l.marks, false);
+  if (file_gives(material, "p.externalforce")) c.columns.given_force = add(l.given_force, false);
+  if (loaded && file_gives(material, "p.normal")) c.columns.normal = add(l.normal, false);
+  if (is_saved(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
+  if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
+  c.columns.history = next;
+  for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);
+  c.history_columns = next - c.columns.history;
+  return c;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,49 @@
+#include "mpm/step/labels.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+Label declare(const char* name, ValueType type, const char* unit, const char* definition) {
+  return declare_label({name, type, Centring::particle, unit, definition});
+}
+
+SolidLabels declare_all() {
+  using enum ValueType;
+  SolidLabels l;
+  l.velocity = declare("p.velocity", vector, "m/s",
+                       "Velocity of a particle, half a step before its position.");
+  l.mass = declare("p.mass", real, "kg", "Mass of a particle.");
+  l.volume_0 = declare("p.volume_0", real, "m^3", "Volume of a particle in the reference state.");
+  l.volume = declare("p.volume", real, "m^3", "Volume of a particle.");
+  l.F = declare("p.deformationMeasure", tensor, "1", "Deformation gradient of a particle.");
+  l.stress = declare("p.stress", tensor, "Pa", "Cauchy stress of a particle, tension positive.");
+  l.energy = declare("p.deformationEnergy", real, "J",
+                     "Work that deforming a particle has taken: stored, and turned into heat.");
+  l.temperature = declare("p.temperature", real, "K", "Temperature of a particle.");
+  l.affine = declare("p.affineVelocity", tensor, "1/s",
+                     "Velocity gradient that an affine transfer carries.");
+  l.half = declare("p.halfWidths", vector, "1", "Half widths of a particle, in cells.");
+  l.size = declare("p.size", tensor, "1",
+                   "Edges of a particle in the reference state, in cells (columns).");
+  l.displacement = declare("p.displacement", vector, "m",
+                           "Way of a particle from where it was at the start.");
+  l.colour = declare("p.color", real, "1", "Colour that the deck gave to a particle.");
+  l.marks = declare("p.loadCurveID", vector, "1",
+                    "Loads on a particle, up to three: number in the deck, counted from 1; 0: none.");
+  l.given_force = declare("p.givenForce", vector, "N", "Force that a point file gives a particle.");
+  l.normal = declare("p.normal", vector, "1", "Normal of a particle's surface, from a point file.");
+  l.outside_force = declare("p.externalforce", vector, "N",
+                            "Force on a particle from outside in the step just taken: load curves, "
+                            "point files, manufactured body forces.");
+  l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
+  return l;
+}
+
+}  // namespace
+
+const SolidLabels& solid_labels() {
+  static const SolidLabels labels = declare_all();
+  return labels;
+}
+
+}  // namespace sluice::mpm

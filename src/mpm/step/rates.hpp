@@ -1,0 +1,40 @@
+// What a step must know of all particles before it begins: its length and the bounds of its sums.
+//
+// Maxima, so that no number of ranks or boxes changes a bit; the run keeps them in checkpoints.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "framework/run/particle_cloud.hpp"
+#include "mpm/step/columns.hpp"
+
+namespace sluice::mpm {
+
+// The maxima of one kind of particles, in the order in which they are kept.
+struct KindRates {
+  static constexpr int count = 9;
+  double mass = 0;        // kg
+  Vec3 up = none(), down = none();  // of v and of -v
+  double tension = 0;     // of |V sigma|, any component, and V q, J
+  double affine = 0;      // of |C|, any component, 1/s
+
+  static constexpr Vec3 none() { return {-1e300, -1e300, -1e300}; }
+  bool any() const { return mass > 0; }
+  // v_ref: the middle of all velocities; and how far any lies from it.
+  Vec3 middle() const { return 0.5 * (up - down); }
+  double spread() const;
+  void add(const KindRates& other);
+  void to(std::span<double> kept) const;
+  static KindRates from(std::span<const double> kept);
+};
+
+// All of a level: first the rate of the time step, max over p and d of (c_p + |v_p,d|)/h_d, 1/s.
+inline std::size_t rate_count(std::size_t kinds) {
+  return 1 + kinds * static_cast<std::size_t>(KindRates::count);
+}
+
+// Of particles begin to end: what a step writes anew stands in `now`, the rest in `set`.
+KindRates rates_of(const ParticleSet& set, const ParticleSet& now, const Columns& columns,
+                   std::size_t begin, std::size_t end);
+
+}  // namespace sluice::mpm

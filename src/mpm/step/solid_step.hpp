@@ -1,0 +1,142 @@
+// One step of all solids of a level, stage by stage: mpm_scheme, section 2.
+//
+// An attempt writes beside what there is: new columns of the particles, nodes. Only the journal
+// makes them the present state.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/base/exact_sum.hpp"
+#include "framework/run/level_solver.hpp"
+#include "framework/run/particle_cloud.hpp"
+#include "framework/run/step_shape.hpp"
+#include "mpm/boundary/node_boundary.hpp"
+#include "mpm/nodes/node_blocks.hpp"
+#include "mpm/nodes/node_exchange.hpp"
+#include "mpm/step/columns.hpp"
+#include "mpm/step/outside_forces.hpp"
+#include "mpm/step/rates.hpp"
+#include "mpm/transfer/from_grid.hpp"
+#include "mpm/transfer/to_grid.hpp"
+
+namespace sluice::mpm {
+
+// The particles of one block of a box, as threads take them.
+struct BlockWork {
+  int kind = 0;
+  const ParticleSet* set = nullptr;
+  ParticleSet* next = nullptr;
+  BlockRun run;
+  int box = 0;  // local number
+};
+
+// One material on the nodes of a level.
+struct Body {
+  Body(const SolidMaterial& of, const Carried& what, const BlockShape& shape)
+      : material(&of), carried(&what), table(shape) {}
+
+  const SolidMaterial* material;
+  const Carried* carried;
+  BlockTable table;
+  NodeLanes nodes;
+  TransferGrid grid;
+  KindRates rates;
+  SumUnits units;
+  double most_force = 0;  // from outside on one particle, any component, N
+};
+
+// What a step sums for the books of a run, beside what its particles tell.
+struct StepSums {
+  // Impulse of boundary values; of body forces; work of both.
+  enum { impulse_x, impulse_y, impulse_z, force_x, force_y, force_z, work, force_work, count };
+};
+
+// A step as nodes take it.
+struct NodeStep {
+  double kick = 0;  // from the middle of the step before to the middle of this one
+  double dt = 0;
+  Vec3 gravity{};
+  double damping = 0;  // 1/s
+};
+// Exact sums over nodes.
+struct NodeBooks {
+  std::array<ExactSum, StepSums::count> sums;
+};
+
+struct NodeMean {
+  IntVec3 node;
+  double weight = 0;
+  std::array<double, 6> mean{};
+};
+
+class SolidStep {
+ public:
+  // The kinds of particles are the materials, in their order.
+  SolidStep(const Scene& scene, const MpmScene& solids, const std::vector<Carried>& carried,
+            const std::vector<ParticleKind>& kinds);
+
+  // The stages of a step, in order.
+  Verdict begin(const StageScope& scope);
+  Verdict to_grid(const StageScope& scope);
+  Verdict share_sums(const StageScope& scope);
+  Verdict move_nodes(const StageScope& scope);
+  Verdict from_grid(const StageScope& scope);
+
+  // Spacings of the finest and the coarsest level: bounds of sums are the same on all.
+  void set_spacings(Vec3 finest, Vec3 coarsest) {
+    finest_ = finest;
+    coarsest_ = coarsest;
+  }
+  // Images across sides join their nodes, and get the velocities of these.
+  void fold();
+  void unfold();
+  Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
+  const NodeExchange& exchange() const { return *exchange_; }
+  // After from_grid(): what the next step rests on, and how far particles went.
+  const std::vector<double>& new_rates() const { return new_rates_; }
+  double travel() const { return travel_; }  // cells
+  bool any_left() const { return left_; }    // the domain
+
+  // After share_sums(): the materials on the nodes.
+  const std::vector<Body>& bodies() const { return bodies_; }
+  // Weighted means of up to six columns around nodes, sum w q S / sum w S. Collective.
+  std::vector<NodeMean> mean_on_nodes(const StageScope& scope, int body, int weight, int first,
+                                      int count);
+
+ private:
+  void list_work(ParticleCloud& cloud);
+  void find_outside_forces(const StageScope& scope);
+  SumUnits units_of(const Body& body, int kind) const;
+  void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
+  void integrate(const NodeStep& step, int body, int block, NodeBooks& books);
+  struct ThreadReport;
+  void take_outside_forces(const BlockWork& work, std::size_t at, int n,
+                           const GridAtParticles& read, NodeBooks& books) const;
+  void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
+  Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
+
+  const Scene* scene_;
+  const MpmScene* solids_;
+  const std::vector<Carried>* carried_;
+  const std::vector<ParticleKind>* kinds_;
+  Level level_;
+  BlockShape shape_;
+  std::unique_ptr<NodeBoundary> boundary_;
+  std::unique_ptr<NodeExchange> exchange_;
+  std::unique_ptr<OutsideForces> outside_;
+  std::vector<Body> bodies_;
+  std::vector<BlockWork> work_;
+  std::vector<double> new_rates_;
+  Vec3 finest_{}, coarsest_{};
+  bool left_ = false;       // a particle is out of the domain
+  double travel_ = 0;       // of this step, cells
+  NodeBooks books_;         // of this rank
+  double kick_ = 0;
+  double affine_beta_ = 0;  // share of u in the velocities of an affine transfer
+};
+
+// Axes and active directions of a level, widths of particles.
+TransferGrid transfer_grid(const Level& level, const std::array<double, 3>& half);
+
+}  // namespace sluice::mpm

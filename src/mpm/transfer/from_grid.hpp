@@ -1,0 +1,23 @@
+// Grid to particles: velocities, their change and their gradient at the places of particles.
+//
+//   u = sum S v*,  dv = sum S (v* - v),  L = sum v* (x) grad S
+//   C = [sum S v* (x) (x_i - x_p)] / (second moment of S): APIC alone
+#pragma once
+#include "mpm/shape/weights.hpp"
+#include "mpm/transfer/to_grid.hpp"
+
+namespace sluice::mpm {
+
+// Results for the particles of a chunk.
+struct GridAtParticles {
+  alignas(64) double u[3][chunk_size];
+  alignas(64) double dv[3][chunk_size];
+  alignas(64) double L[9][chunk_size];
+  alignas(64) double moment[9][chunk_size];  // sum S v* (x) (x_i - x_p), where it is asked for
+};
+
+// Particles at, ..., at + n - 1 (n <= chunk_size) of one block; node lanes v*, - | v* - v, -.
+void read_window(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                 int at, int n, bool moments, const Window& window, GridAtParticles& to);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,47 @@
+// Particles to grid: mass, momentum and force of every node, as exact integer sums.
+//
+//   M = sum m S,  P = sum m S (v - v_ref + C (x_i - x_p)),  f = sum (f_p S - tau grad S)
+//
+// tau = V sigma; C only with affine transfers (mpm_scheme, sections 2, 4 and 12).
+#pragma once
+#include <array>
+
+#include "mpm/deck/mpm_scene.hpp"
+#include "mpm/material/material.hpp"
+#include "mpm/shape/axis.hpp"
+#include "mpm/transfer/window.hpp"
+
+namespace sluice::mpm {
+
+// The columns that go to the grid.
+struct ParticlesToGrid {
+  std::array<const double*, 3> x{}, v{};
+  const double* mass = nullptr;
+  const double* volume = nullptr;
+  Six<const double> stress{};
+  const double* extra_pressure = nullptr;      // of the artificial viscosity; may be null
+  Nine<const double> affine{};                 // C, 1/s; null unless the transfer is affine
+  std::array<const double*, 3> load{};         // f_p, N; null: none
+};
+
+// Units of the integers (2^k by field), and the velocity from which momentum is counted.
+struct SumUnits {
+  double mass = 1, momentum = 1, force = 1;
+  Vec3 reference{};  // v_ref
+};
+
+// What a level's transfers need to know.
+struct TransferGrid {
+  std::array<Axis, 3> axes;
+  std::array<int, 3> active{};  // directions, rising; `count` of them
+  int count = 3;
+  std::array<double, 3> half{0.5, 0.5, 0.5};  // half width of particles in cells (GIMP)
+};
+
+int reach_of(Basis basis);  // of a Window, in nodes
+
+// Particles begin to end (of one block) into the window.
+void add_to_window(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
+                   int end, const SumUnits& units, Window& window);
+
+}  // namespace sluice::mpm

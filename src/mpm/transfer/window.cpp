@@ -1,0 +1,78 @@
+#include "mpm/transfer/window.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+#include "mpm/nodes/node_sums.hpp"
+
+namespace sluice::mpm {
+
+Window::Window(const BlockShape& shape, int reach) : shape_(shape), reach_(reach) {
+  for (int d = 0; d < 3; ++d) size_[d] = shape.edge[d] == 1 ? 1 : shape.edge[d] + 1 + 2 * reach;
+  lanes_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                static_cast<std::size_t>(size_.z) * lanes);
+}
+
+void Window::begin(IntVec3 block) {
+  lower_ = shape_.lower(block);
+  for (int d = 0; d < 3; ++d)
+    if (shape_.edge[d] > 1) lower_[d] -= reach_;
+  std::fill(lanes_.begin(), lanes_.end(), 0);
+}
+
+// act(block number, row within the block, row within the window, nodes of the row).
+template <class Act>
+void Window::for_each_part(const BlockTable& table, Act&& act) const {
+  const IntVec3 last{lower_.x + size_.x - 1, lower_.y + size_.y - 1, lower_.z + size_.z - 1};
+  const IntVec3 first_block = shape_.block_of(lower_), last_block = shape_.block_of(last);
+  for (int bz = first_block.z; bz <= last_block.z; ++bz)
+    for (int by = first_block.y; by <= last_block.y; ++by)
+      for (int bx = first_block.x; bx <= last_block.x; ++bx) {
+        const int n = table.find({bx, by, bz});
+        if (n < 0) continue;
+        const IntVec3 low = shape_.lower({bx, by, bz});
+        const IntVec3 from = max(low, lower_);
+        const IntVec3 to = min(low + shape_.edge, last + IntVec3{1, 1, 1});
+        for (int k = from.z; k < to.z; ++k)
+          for (int j = from.y; j < to.y; ++j) {
+            const std::ptrdiff_t own =
+                (from.x - lower_.x) +
+                static_cast<std::ptrdiff_t>(size_.x) *
+                    ((j - lower_.y) + static_cast<std::ptrdiff_t>(size_.y) * (k - lower_.z));
+            act(n, shape_.place({from.x, j, k}), own, to.x - from.x);
+          }
+      }
+}
+
+void Window::load(IntVec3 block, const BlockTable& table, const NodeLanes& from) {
+  begin(block);
+  for_each_part(table, [&](int n, int row, std::ptrdiff_t own, int count) {
+    std::memcpy(lanes_.data() + own * lanes, from.sums(n) + row * lanes,
+                static_cast<std::size_t>(count) * lanes * sizeof(std::int64_t));
+  });
+}
+
+void Window::add_to(const BlockTable& table, NodeLanes& to, bool shared) const {
+  for_each_part(table, [&](int n, int row, std::ptrdiff_t own, int count) {
+    const std::int64_t* from = lanes_.data() + own * lanes;
+    std::int64_t* sums = to.sums(n) + row * lanes;
+    for (int i = 0; i < count; ++i, from += lanes, sums += lanes) {
+      if (from[count_lane] == 0) continue;
+      if (shared)
+        for (int l = 0; l < lanes; ++l)
+          std::atomic_ref(sums[l]).fetch_add(from[l], std::memory_order_relaxed);
+      else
+        for (int l = 0; l < lanes; ++l) sums[l] += from[l];
+    }
+  });
+}
+
+void add_blocks(BlockTable& table, IntVec3 lowest, IntVec3 highest) {
+  const IntVec3 first = table.shape().block_of(lowest), last = table.shape().block_of(highest);
+  for (int bz = first.z; bz <= last.z; ++bz)
+    for (int by = first.y; by <= last.y; ++by)
+      for (int bx = first.x; bx <= last.x; ++bx) table.find_or_add({bx, by, bz});
+}
+
+}  // namespace sluice::mpm
