@@ -141,10 +141,12 @@ INSTANTIATE_TEST_SUITE_P(Of, BadDecks,
                                            "output", "solids", "not_built", "xml"),
                          [](const auto& set) { return std::string(set.param); });
 
-TEST(BadDeckChecks, TheGoodOneIsGood) {
-  const Outcome outcome = check((corpus / "good.ups").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_THAT(outcome.text, HasSubstr("good, 0 errors, 0 warnings"));
+TEST(BadDeckChecks, TheGoodOnesAreGood) {
+  for (const char* deck : {"good.ups", "good_solid.ups"}) {
+    const Outcome outcome = check((corpus / deck).string());
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("good, 0 errors, 0 warnings"));
+  }
 }
 
 // Bombs and giants, made here because they are large.
