@@ -28,9 +28,10 @@ ImagePiece::ImagePiece(std::string voxels, IntVec3 res, int least, int most, con
     throw InputError(fmt::format("image: {} bytes; res [{}, {}, {}] asks for {}, one a voxel",
                                  voxels_.size(), res.x, res.y, res.z, wanted));
   if (least > most || least > 255 || most < 0)
-    throw InputError(fmt::format("image: no grey value lies in the threshold [{}, {}]; values are "
-                                 "0 to 255",
-                                 least, most));
+    throw InputError(
+        fmt::format("image: no grey value lies in the threshold [{}, {}]; values are "
+                    "0 to 255",
+                    least, most));
   for (int d = 0; d < 3; ++d)
     if (!(box.lower[d] < box.upper[d]))
       throw InputError(fmt::format("image: its box is empty in {}: {} to {}", "xyz"[d],
@@ -43,10 +44,10 @@ int ImagePiece::voxel(int d, double x) const {
 }
 
 bool ImagePiece::in_range(int i, int j, int k) const {
-  const std::size_t n =
-      static_cast<std::size_t>(i) +
-      static_cast<std::size_t>(res_.x) *
-          (static_cast<std::size_t>(j) + static_cast<std::size_t>(res_.y) * static_cast<std::size_t>(k));
+  const std::size_t n = static_cast<std::size_t>(i) +
+                        static_cast<std::size_t>(res_.x) *
+                            (static_cast<std::size_t>(j) +
+                             static_cast<std::size_t>(res_.y) * static_cast<std::size_t>(k));
   const int value = static_cast<unsigned char>(voxels_[n]);
   return value >= least_ && value <= most_;
 }

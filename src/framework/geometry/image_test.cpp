@@ -37,15 +37,22 @@ TEST(ImagePiece, FillsCellsAsItsVoxelsDo) {
   const ImagePiece piece(voxels, {16, 16, 16}, 1, 255, {{0, 0, 0}, {1, 1, 1}});
   const CellLattice lattice{{0, 0, 0}, {0.25, 0.25, 0.25}};
   int counted = 0;
-  for (const auto n : count_inside(piece, lattice, {-1, -1, -1}, {5, 5, 5}, {4, 4, 4})) counted += n;
+  for (const auto n : count_inside(piece, lattice, {-1, -1, -1}, {5, 5, 5}, {4, 4, 4}))
+    counted += n;
   EXPECT_EQ(counted, filled);
 }
 
 TEST(ImagePiece, RefusesWhatDoesNotFit) {
-  EXPECT_THAT([] { ImagePiece("abc", {2, 2, 1}, 0, 255, box); },
-              ThrowsMessage<InputError>(HasSubstr("3 bytes; res [2, 2, 1] asks for 4")));
-  EXPECT_THAT([] { ImagePiece("abcd", {2, 2, 1}, 9, 3, box); },
-              ThrowsMessage<InputError>(HasSubstr("no grey value lies in the threshold [9, 3]")));
+  EXPECT_THAT(
+      [] {
+        ImagePiece("abc", {2, 2, 1}, 0, 255, box);
+      },
+      ThrowsMessage<InputError>(HasSubstr("3 bytes; res [2, 2, 1] asks for 4")));
+  EXPECT_THAT(
+      [] {
+        ImagePiece("abcd", {2, 2, 1}, 9, 3, box);
+      },
+      ThrowsMessage<InputError>(HasSubstr("no grey value lies in the threshold [9, 3]")));
 }
 
 }  // namespace

@@ -36,8 +36,9 @@ std::vector<TagSpec> specified_tags() {
 }  // namespace
 
 TagSpec contact_tag() {
-  return tag("contact", "how velocities of several materials at a node act on each other; several "
-                        "blocks act in deck order")
+  return tag("contact",
+             "how velocities of several materials at a node act on each other; several "
+             "blocks act in deck order")
       .multiple()
       .with_children(
           {tag("type",

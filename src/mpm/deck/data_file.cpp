@@ -45,10 +45,10 @@ std::string find_data_file(const std::string& name, const std::string& extension
     for (const char* packed : {"", ".gz"}) {
       const std::string path = place.string() + packed;
       if (!is_file(path + extension)) continue;
-      add_warning(faults, where,
-                  fmt::format("'{}' is not there; '{}' is taken", name + extension,
-                              path + extension),
-                  "correct the name");
+      add_warning(
+          faults, where,
+          fmt::format("'{}' is not there; '{}' is taken", name + extension, path + extension),
+          "correct the name");
       return path;
     }
   return {};

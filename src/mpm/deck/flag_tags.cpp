@@ -22,8 +22,8 @@ std::vector<TagSpec> scheme_tags() {
       tag("interpolator",
           "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
           "(also cubicBS) the cubic one")
-          .words({"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS",
-                  "4thorderBS"})
+          .words(
+              {"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS", "4thorderBS"})
           .spelling("quadraticBS", "3rdorderBS")
           .spelling("cubicBS", "4thorderBS")
           .by_default("linear"),
@@ -148,16 +148,17 @@ std::vector<TagSpec> idle_tags() {
       ignored("use_particle_normals", "normals of files are used where a load asks for them")
           .boolean(),
       ignored("d_ndim", "the grid says it").integer(),
-      tag("do_grid_reset", "the grid goes back to its places after each step; true alone is built")
+      tag("do_grid_reset",
+          "the grid goes back to its places after each step; true alone is supported")
           .boolean()
           .by_default("true"),
-      tag("do_scalar_diffusion", "a concentration diffuses; false alone is built")
+      tag("do_scalar_diffusion", "a concentration diffuses; false alone is supported")
           .boolean()
           .by_default("false"),
-      tag("DoGranularMPM", "grains join and part; false alone is built")
+      tag("DoGranularMPM", "grains join and part; false alone is supported")
           .boolean()
           .by_default("false"),
-      tag("coupled_flow_analysis", "water flows through pores; false alone is built")
+      tag("coupled_flow_analysis", "water flows through pores; false alone is supported")
           .boolean()
           .by_default("false"),
   };

@@ -7,14 +7,13 @@ namespace {
 TagSpec load_curve(const std::string& unit) {
   return tag("load_curve", "the load by time: straight between points, the last one from there on")
       .once()
-      .with_children({tag("id", "number that point files name it by").once().integer().at_least(0),
-                      tag("material", "index of the material it acts on; absent: all")
-                          .integer()
-                          .at_least(-99),
-                      tag("time_point", "one point of the curve")
-                          .at_least_once()
-                          .with_children({tag("time", "time").once().real().unit("time"),
-                                          tag("load", "load").once().real().unit(unit)})});
+      .with_children(
+          {tag("id", "number that point files name it by").once().integer().at_least(0),
+           tag("material", "index of the material it acts on; absent: all").integer().at_least(-99),
+           tag("time_point", "one point of the curve")
+               .at_least_once()
+               .with_children({tag("time", "time").once().real().unit("time"),
+                               tag("load", "load").once().real().unit(unit)})});
 }
 
 TagSpec surface() {
@@ -40,8 +39,11 @@ TagSpec loads_tag() {
           .multiple()
           .with_children(
               {load_curve("pressure"),
-               tag("SurfaceArea", "area that the pressure acts on").once().real().above(0).unit(
-                   "length^2"),
+               tag("SurfaceArea", "area that the pressure acts on")
+                   .once()
+                   .real()
+                   .above(0)
+                   .unit("length^2"),
                tag("res", "accepted without effect: the file gives the particles").vector()});
   const TagSpec force =
       tag("force", "a constant force on all particles of a box")
@@ -54,13 +56,10 @@ TagSpec loads_tag() {
                               .unit("force")});
   return tag("PhysicalBC", "loads on solids")
       .child(tag("MPM", "loads; they act where use_load_curves is true")
-                 .with_children({on_surface("pressure", "pressure on a surface", "pressure"),
-                                 on_points,
-                                 on_surface("torque", "torque about the axis of a cylinder",
-                                            "force length"),
-                                 on_surface("heat_flux", "heat through a surface",
-                                            "power/length^2"),
-                                 force}));
+                 .with_children(
+                     {on_surface("pressure", "pressure on a surface", "pressure"), on_points,
+                      on_surface("torque", "torque about the axis of a cylinder", "force length"),
+                      on_surface("heat_flux", "heat through a surface", "power/length^2"), force}));
 }
 
 }  // namespace sluice::mpm

@@ -34,8 +34,7 @@ void check_names(const std::vector<const DeckNode*>& materials, std::vector<Faul
                   "give each a name of its own");
 }
 
-void check_index(const DeckNode& parent, const char* name, int count,
-                 std::vector<Fault>& faults) {
+void check_index(const DeckNode& parent, const char* name, int count, std::vector<Fault>& faults) {
   const auto index = integer_of(&parent, name);
   if (!index || *index < count || count == 0) return;
   add_error(faults, parent.child(name)->where,
@@ -84,8 +83,7 @@ void check_list(const DeckNode& list, const std::string& type, int count,
 }
 
 void check_contact(const DeckNode& contact, int count, std::vector<Fault>& faults) {
-  const std::string type =
-      contact.child("type") == nullptr ? "" : contact.child("type")->text;
+  const std::string type = contact.child("type") == nullptr ? "" : contact.child("type")->text;
   if (const DeckNode* list = contact.child("materials")) check_list(*list, type, count, faults);
   for (const char* name : {"master_material", "ExcludeMaterial"})
     check_index(contact, name, count, faults);
@@ -107,10 +105,10 @@ void check_curve(const DeckNode& curve, int count, std::vector<Fault>& faults) {
   for (const DeckNode* point : curve.all("time_point")) {
     const auto time = real_of(point, "time");
     if (time && before && !(*time > *before))
-      add_error(faults, point->where,
-                fmt::format("<time_point>: time {:g} is not after the one before, {:g}", *time,
-                            *before),
-                "list points by rising time");
+      add_error(
+          faults, point->where,
+          fmt::format("<time_point>: time {:g} is not after the one before, {:g}", *time, *before),
+          "list points by rising time");
     before = time;
   }
 }
@@ -123,12 +121,12 @@ void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
   check_names(materials, faults);
   bool filled = materials.empty();
   for (const DeckNode* material : materials) {
-    const auto on = real_of(material, "activation_time"), off =
-                                                              real_of(material, "deactivation_time");
+    const auto on = real_of(material, "activation_time"),
+               off = real_of(material, "deactivation_time");
     if (on && off && *off <= *on)
-      add_error(faults, material->child("deactivation_time")->where,
-                fmt::format("<deactivation_time> {:g} is not after <activation_time> {:g}", *off,
-                            *on));
+      add_error(
+          faults, material->child("deactivation_time")->where,
+          fmt::format("<deactivation_time> {:g} is not after <activation_time> {:g}", *off, *on));
     for (const DeckNode* object : material->all("geom_object")) check_object(*object, faults);
     filled = filled || material->child("geom_object") != nullptr;
   }

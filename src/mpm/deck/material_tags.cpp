@@ -11,15 +11,13 @@ TagSpec ignored(const std::string& name, const std::string& reason) {
 
 // x -> A x + b of the seeded places.
 std::vector<TagSpec> affine_tags() {
-  return {tag("affineTransformation_A0", "first row of A: particles are seeded at A x + b")
-              .vector()
-              .by_default("[1,0,0]"),
-          tag("affineTransformation_A1", "second row of A").vector().by_default("[0,1,0]"),
-          tag("affineTransformation_A2", "third row of A").vector().by_default("[0,0,1]"),
-          tag("affineTransformation_b", "the shift b")
-              .vector()
-              .by_default("[0,0,0]")
-              .unit("length")};
+  return {
+      tag("affineTransformation_A0", "first row of A: particles are seeded at A x + b")
+          .vector()
+          .by_default("[1,0,0]"),
+      tag("affineTransformation_A1", "second row of A").vector().by_default("[0,1,0]"),
+      tag("affineTransformation_A2", "third row of A").vector().by_default("[0,0,1]"),
+      tag("affineTransformation_b", "the shift b").vector().by_default("[0,0,0]").unit("length")};
 }
 
 TagSpec geom_object() {
@@ -54,61 +52,63 @@ TagSpec geom_object() {
 }
 
 std::vector<TagSpec> constants_tags() {
-  return {tag("density", "density of the undeformed material").once().real().above(0).unit(
-              "density"),
-          tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
-          tag("specific_heat", "at constant volume").once().real().above(0).unit(
-              "energy/(mass temperature)"),
-          tag("C_p", "specific heat at constant pressure; absent: specific_heat")
-              .real()
-              .above(0)
-              .unit("energy/(mass temperature)"),
-          tag("linear_thermal_expansion_coef", "relative length gained per temperature above "
-                                               "room_temp")
-              .real()
-              .by_default("0")
-              .unit("1/temperature"),
-          tag("room_temp", "temperature without thermal strain")
-              .real()
-              .at_least(0)
-              .by_default("294")
-              .unit("temperature"),
-          tag("melt_temp", "melting temperature")
-              .real()
-              .above(0)
-              .by_default("295e10")
-              .unit("temperature")};
+  return {
+      tag("density", "density of the undeformed material").once().real().above(0).unit("density"),
+      tag("thermal_conductivity", "thermal conductivity").once().real().at_least(0),
+      tag("specific_heat", "at constant volume")
+          .once()
+          .real()
+          .above(0)
+          .unit("energy/(mass temperature)"),
+      tag("C_p", "specific heat at constant pressure; absent: specific_heat")
+          .real()
+          .above(0)
+          .unit("energy/(mass temperature)"),
+      tag("linear_thermal_expansion_coef",
+          "relative length gained per temperature above "
+          "room_temp")
+          .real()
+          .by_default("0")
+          .unit("1/temperature"),
+      tag("room_temp", "temperature without thermal strain")
+          .real()
+          .at_least(0)
+          .by_default("294")
+          .unit("temperature"),
+      tag("melt_temp", "melting temperature")
+          .real()
+          .above(0)
+          .by_default("295e10")
+          .unit("temperature")};
 }
 
 std::vector<TagSpec> role_tags() {
-  return {
-      tag("is_rigid", "moves as prescribed, and is not deformed").boolean().by_default("false"),
-      tag("is_force_transmitting_material",
-          "moves as a whole, by the force that contacts transmit to it")
-          .boolean()
-          .by_default("false"),
-      tag("is_active", "takes part from the start").boolean().by_default("true"),
-      tag("activation_time", "takes part from this time on")
-          .real()
-          .at_least(0)
-          .by_default("0")
-          .unit("time"),
-      tag("deactivation_time", "takes part until this time")
-          .real()
-          .at_least(0)
-          .by_default("1e8")
-          .unit("time"),
-      tag("possible_alpha_material", "friction_LR: normals may be taken from its surface")
-          .boolean()
-          .by_default("true")};
+  return {tag("is_rigid", "moves as prescribed, and is not deformed").boolean().by_default("false"),
+          tag("is_force_transmitting_material",
+              "moves as a whole, by the force that contacts transmit to it")
+              .boolean()
+              .by_default("false"),
+          tag("is_active", "takes part from the start").boolean().by_default("true"),
+          tag("activation_time", "takes part from this time on")
+              .real()
+              .at_least(0)
+              .by_default("0")
+              .unit("time"),
+          tag("deactivation_time", "takes part until this time")
+              .real()
+              .at_least(0)
+              .by_default("1e8")
+              .unit("time"),
+          tag("possible_alpha_material", "friction_LR: normals may be taken from its surface")
+              .boolean()
+              .by_default("true")};
 }
 
 // Of a method of grains that is not built; without it they say nothing.
 std::vector<TagSpec> grain_tags() {
   const std::string reason = "read by DoGranularMPM alone";
   return {ignored("critical_density", reason).real().at_least(0),
-          ignored("stress_free", reason).boolean(),
-          ignored("MatTypeIdx", reason).integer(),
+          ignored("stress_free", reason).boolean(), ignored("MatTypeIdx", reason).integer(),
           ignored("allow_DWIndex_correction", reason).boolean(),
           ignored("applied_contact_model", reason).boolean()};
 }

@@ -40,9 +40,9 @@ struct SolidMaterial {
   std::shared_ptr<const Material> law;
   std::vector<SeedObject> objects;
   bool force_transmitting = false;
-  bool rigid = false;           // is_rigid, or a rigid law
+  bool rigid = false;            // is_rigid, or a rigid law
   bool may_give_normals = true;  // possible_alpha_material
-  double specific_heat_p = 0;   // C_p
+  double specific_heat_p = 0;    // C_p
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
   Location where;
@@ -75,17 +75,17 @@ struct ContactRule {
 struct LoadCurve {
   enum class Kind { pressure, torque, heat_flux, force } kind = Kind::pressure;
   PiecePtr piece;
-  std::string shape;                             // tag of the piece: box, cylinder, sphere
+  std::string shape;                              // tag of the piece: box, cylinder, sphere
   std::vector<std::pair<double, double>> points;  // time, load
   std::optional<int> material;
   bool whole_face = false, ends = false, axisymmetric_end = false, axisymmetric_side = false;
   Vec3 outward_normal{};
-  int id = 0;                    // what p.loadCurveID of point files names
-  bool on_points = false;        // pressure_pts: acts on the particles that name it
-  double area = 0;               // pressure_pts: SurfaceArea
-  bool along_outward = false;    // tag outward_normal
-  std::optional<Vec3> spacing;   // res: particles per cell near the surface
-  Vec3 force{};                  // of Kind::force, shared by the particles in the piece
+  int id = 0;                   // what p.loadCurveID of point files names
+  bool on_points = false;       // pressure_pts: acts on the particles that name it
+  double area = 0;              // pressure_pts: SurfaceArea
+  bool along_outward = false;   // tag outward_normal
+  std::optional<Vec3> spacing;  // res: particles per cell near the surface
+  Vec3 force{};                 // of Kind::force, shared by the particles in the piece
   Location where;
 };
 
@@ -135,7 +135,7 @@ struct MpmScene {
   double least_particle_mass = 3e-15;
   bool with_colour = false;
   bool full_first_kick = false;
-  std::string manufactured;  // RunMMSProblem
+  std::string manufactured;           // RunMMSProblem
   double manufactured_amplitude = 0;  // 0: that of the problem
   std::vector<std::string> traction_faces;
   std::string prescribed_file, insert_file;  // resolved paths; empty: off

@@ -49,8 +49,7 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
               "valid: Dirichlet, Neumann (free), or Symmetric");
   if (c.variable == "Velocity" && !c.zero_gradient())
     add_warning(faults, c.where,
-                "a gradient of the velocity has no effect on solids: the face is free",
-                "write 0");
+                "a gradient of the velocity has no effect on solids: the face is free", "write 0");
   return false;
 }
 

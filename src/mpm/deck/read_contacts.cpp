@@ -68,8 +68,8 @@ std::vector<std::array<double, 10>> read_profile(const std::string& file, bool r
     std::array<double, 10> row{};
     std::copy_n(numbers, columns, row.begin());
     if (!rows.empty() && !(row[0] > rows.back()[0]))
-      throw InputError(fmt::format("{}:{}: time {:g} is not after the one before, {:g}", file,
-                                   line, row[0], rows.back()[0]));
+      throw InputError(fmt::format("{}:{}: time {:g} is not after the one before, {:g}", file, line,
+                                   row[0], rows.back()[0]));
     rows.push_back(row);
   });
   return rows;

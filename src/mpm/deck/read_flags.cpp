@@ -19,10 +19,10 @@ struct Word {
   T value;
 };
 
-constexpr Word<Basis> bases[] = {
-    {"linear", Basis::linear},        {"gimp", Basis::gimp},      {"cpgimp", Basis::cpgimp},
-    {"3rdorderBS", Basis::quadratic}, {"4thorderBS", Basis::cubic}, {"cpdi", Basis::cpdi},
-    {"fast_cpdi", Basis::fast_cpdi},  {"cpti", Basis::cpti}};
+constexpr Word<Basis> bases[] = {{"linear", Basis::linear},       {"gimp", Basis::gimp},
+                                 {"cpgimp", Basis::cpgimp},       {"3rdorderBS", Basis::quadratic},
+                                 {"4thorderBS", Basis::cubic},    {"cpdi", Basis::cpdi},
+                                 {"fast_cpdi", Basis::fast_cpdi}, {"cpti", Basis::cpti}};
 constexpr Word<Transfer> transfers[] = {{"flip", Transfer::flip},
                                         {"pic", Transfer::pic},
                                         {"xpic", Transfer::xpic},
@@ -90,8 +90,7 @@ void read_files(const DeckNode& flags, MpmScene& s, std::vector<Fault>& faults) 
 void read_traction_faces(const DeckNode& flags, MpmScene& s, std::vector<Fault>& faults) {
   const DeckNode* node = flags.child("boundary_traction_faces");
   if (node == nullptr) return;
-  const std::vector<std::string> valid = {"xminus", "xplus",  "yminus",
-                                          "yplus",  "zminus", "zplus"};
+  const std::vector<std::string> valid = {"xminus", "xplus", "yminus", "yplus", "zminus", "zplus"};
   std::string words = node->text;
   std::replace_if(
       words.begin(), words.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');

@@ -27,8 +27,8 @@ void read_surface(const DeckNode& load, const GeometryReader& geometry, LoadCurv
   }
   curve.shape = piece->name;
   const bool torque = load.name == "torque";
-  const bool known = curve.shape == "cylinder" ||
-                     (!torque && (curve.shape == "box" || curve.shape == "sphere"));
+  const bool known =
+      curve.shape == "cylinder" || (!torque && (curve.shape == "box" || curve.shape == "sphere"));
   if (!known)
     add_error(faults, piece->where,
               fmt::format("<{}> acts on a surface of <{}>, not of <{}>", load.name,

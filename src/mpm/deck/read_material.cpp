@@ -32,8 +32,8 @@ void read_map(const DeckNode& node, SeedObject& o, std::vector<Fault>& faults) {
                                   "affineTransformation_A2"};
   for (std::size_t r = 0; r < 3; ++r) {
     o.mapped = o.mapped || node.has(rows[r]);
-    const Vec3 row = vector_or(node, rows[r], {r == 0 ? 1.0 : 0, r == 1 ? 1.0 : 0,
-                                               r == 2 ? 1.0 : 0});
+    const Vec3 row =
+        vector_or(node, rows[r], {r == 0 ? 1.0 : 0, r == 1 ? 1.0 : 0, r == 2 ? 1.0 : 0});
     o.map[3 * r] = row.x;
     o.map[3 * r + 1] = row.y;
     o.map[3 * r + 2] = row.z;

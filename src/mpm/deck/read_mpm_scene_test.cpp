@@ -75,10 +75,9 @@ TEST(Flags, NameBasesAndTransfers) {
   const MpmScene xpic = read_solids(with_flags("<XPIC2>true</XPIC2>")).solids;
   EXPECT_EQ(xpic.transfer, Transfer::xpic);
   EXPECT_TRUE(xpic.xpic2_of_format);
-  const MpmScene enhanced =
-      read_solids(with_flags("<UseGradientEnhancedVelocityProjection>true"
-                             "</UseGradientEnhancedVelocityProjection>"))
-          .solids;
+  const MpmScene enhanced = read_solids(with_flags("<UseGradientEnhancedVelocityProjection>true"
+                                                   "</UseGradientEnhancedVelocityProjection>"))
+                                .solids;
   EXPECT_EQ(enhanced.transfer, Transfer::affine);
   EXPECT_EQ(enhanced.affine_damping, 0);
 }
@@ -103,7 +102,8 @@ TEST(Flags, OfOtherMethodsAreRefusedByName) {
               HasSubstr("'implicit' is known to the format, but not supported yet"));
   EXPECT_THAT(flag_faults("<coupled_flow_analysis>true</coupled_flow_analysis>"),
               HasSubstr("<coupled_flow_analysis> true is known to the format"));
-  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"), HasSubstr("<DoGranularMPM> true"));
+  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"),
+              HasSubstr("<DoGranularMPM> true"));
   EXPECT_EQ(flag_faults("<DoGranularMPM>false</DoGranularMPM>"), "");
 }
 
@@ -125,10 +125,10 @@ TEST(Flags, ThatContradictEachOtherAreFaults) {
 TEST(Blocks, OfFluidsAreDroppedWithTheirLine) {
   SolidDeck deck;
   deck.blocks = "<CFD><cfl>0.4</cfl><nonsense/></CFD>";
-  EXPECT_THAT(read_solids(deck).text,
-              AllOf(HasSubstr("solids.ups:8:"), HasSubstr("<CFD> in <Uintah_specification> has no "
-                                                          "effect; dropped"),
-                    Not(HasSubstr("error"))));
+  EXPECT_THAT(read_solids(deck).text, AllOf(HasSubstr("solids.ups:8:"),
+                                            HasSubstr("<CFD> in <Uintah_specification> has no "
+                                                      "effect; dropped"),
+                                            Not(HasSubstr("error"))));
 }
 
 TEST(Materials, BadOnesAreErrorsWithTheirLine) {
@@ -177,8 +177,8 @@ TEST(Contacts, HaveTheFormatsNames) {
       {"specified_velocity", ContactKind::specified},
       {"specified_friction", ContactKind::specified_friction}};
   for (const auto& [name, kind] : kinds) {
-    const ReadDeck read = read_solids(with_contact(
-        fmt::format("<type>{}</type><materials>[0,1]</materials><mu>0.3</mu>", name)));
+    const ReadDeck read = read_solids(
+        with_contact(fmt::format("<type>{}</type><materials>[0,1]</materials><mu>0.3</mu>", name)));
     ASSERT_EQ(read.solids.contacts.size(), 1u) << name << read.text;
     const ContactRule& rule = read.solids.contacts[0];
     EXPECT_EQ(rule.kind, kind) << name;
@@ -212,10 +212,10 @@ TEST(Contacts, ProfilesAreReadBesideTheDeck) {
   std::ofstream(folder / "profile.txt") << "0 1 0 0\n0.5 2 0 0\n";
   std::ofstream(folder / "back.txt") << "0 1 0 0\n0 2 0 0\n";
   const std::string deck = (folder / "deck.ups").string();
-  const ReadDeck read = read_solids(
-      with_contact("<type>specified</type><filename>inputs/MPM/profile.txt</filename>"
-                   "<stop_time>0.7</stop_time><direction>[1,1,0]</direction>"),
-      deck);
+  const ReadDeck read =
+      read_solids(with_contact("<type>specified</type><filename>inputs/MPM/profile.txt</filename>"
+                               "<stop_time>0.7</stop_time><direction>[1,1,0]</direction>"),
+                  deck);
   EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' is not there"),
                                Not(HasSubstr("error"))));
   ASSERT_EQ(read.solids.contacts.size(), 1u);
@@ -262,9 +262,10 @@ std::string faces_but(const std::string& side, const std::string& conditions) {
   std::string faces;
   for (const char* other : {"x-", "x+", "y-", "y+", "z-", "z+"})
     if (side != other)
-      faces += fmt::format("<Face side='{}'><BCType id='all' label='Symmetric' var='symmetry'/>"
-                           "</Face>\n",
-                           other);
+      faces += fmt::format(
+          "<Face side='{}'><BCType id='all' label='Symmetric' var='symmetry'/>"
+          "</Face>\n",
+          other);
   return faces + conditions;
 }
 

@@ -16,9 +16,8 @@ std::string component_of(const DeckNode& root) {
   return component == nullptr ? "" : component->attribute("type").value_or("");
 }
 
-constexpr std::string_view solids_alone[] = {"mpm",     "amrmpm",   "rmpm",
-                                             "rigidmpm", "sfmpm",    "smpm",
-                                             "shellmpm", "impm",     "shmpm",  "switcher"};
+constexpr std::string_view solids_alone[] = {"mpm",  "amrmpm",   "rmpm", "rigidmpm", "sfmpm",
+                                             "smpm", "shellmpm", "impm", "shmpm",    "switcher"};
 constexpr std::string_view with_fluid[] = {"mpmice", "rmpmice", "rigidmpmice", "smpmice",
                                            "shellmpmice"};
 

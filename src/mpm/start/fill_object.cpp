@@ -93,9 +93,8 @@ class Filler {
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 p = x;
       for (int d = 0; d < 3; ++d) {
-        const double quarter = wide_[static_cast<std::size_t>(d)]
-                                   ? 0.25 * level_.spacing[d] / res[d]
-                                   : 0.0;
+        const double quarter =
+            wide_[static_cast<std::size_t>(d)] ? 0.25 * level_.spacing[d] / res[d] : 0.0;
         p[d] += ((corner >> d) & 1) != 0 ? quarter : -quarter;
       }
       if (!piece.inside(p)) return false;
@@ -165,7 +164,8 @@ class Filler {
   double volume_of(Vec3 x, IntVec3 res) const {
     const Map& a = object_.map;
     const Vec3 h = level_.spacing;
-    if (what_.axisymmetric) return x.x * (a[0] * a[4] - a[1] * a[3]) * (h.x * h.y) / (res.x * res.y);
+    if (what_.axisymmetric)
+      return x.x * (a[0] * a[4] - a[1] * a[3]) * (h.x * h.y) / (res.x * res.y);
     return determinant(a) * level_.cell_volume() / (static_cast<double>(res.x) * res.y * res.z);
   }
 

@@ -55,8 +55,8 @@ std::vector<Ring> rings_of(const SmoothCylinder& c) {
     ring.outer = c.inner_radius + (k + 1) * width;
     ring.parts = c.num_angular;
     if (equal)
-      ring.parts = std::max(1, static_cast<int>(std::lround(
-                                   c.num_angular * 0.5 * (ring.inner + ring.outer) / last)));
+      ring.parts = std::max(
+          1, static_cast<int>(std::lround(c.num_angular * 0.5 * (ring.inner + ring.outer) / last)));
     all += ring.parts;
   }
   if (!equal) return rings;
@@ -94,8 +94,7 @@ void add_ring(const Ring& ring, double angle_0, double arc, double height, doubl
     const Vec3 round = std::cos(angle) * axes.e2 - std::sin(angle) * axes.e1;
     list.place.push_back(axes.bottom + height * axes.n + r * radial);
     // Their product is the volume of the part: (r_o^2 - r_i^2)/2 dtheta dz = r dr dtheta dz.
-    list.edges.push_back(
-        {(ring.outer - ring.inner) * radial, (r * part) * round, layer * axes.n});
+    list.edges.push_back({(ring.outer - ring.inner) * radial, (r * part) * round, layer * axes.n});
     list.volume.push_back(r * (ring.outer - ring.inner) * part * layer);
   }
 }

@@ -11,10 +11,10 @@ namespace sluice::mpm {
 
 struct PointList {
   std::vector<Vec3> place;
-  std::vector<double> volume;                // empty: as the edges say
-  std::vector<std::array<Vec3, 3>> edges;    // m; empty: res of the object
-  std::vector<double> temperature, colour;   // empty: the object's
-  std::vector<Vec3> velocity;                // empty: the object's
+  std::vector<double> volume;                                   // empty: as the edges say
+  std::vector<std::array<Vec3, 3>> edges;                       // m; empty: res of the object
+  std::vector<double> temperature, colour;                      // empty: the object's
+  std::vector<Vec3> velocity;                                   // empty: the object's
   std::vector<Vec3> external_force, fibre, normal, load_curve;  // empty: none
 };
 

@@ -128,8 +128,7 @@ IndexBox taken_back(const SeedObject& object, const Level& level, const IndexBox
 
 }  // namespace
 
-ObjectOnLevel Seeder::object_of(int material, const SeedObject& object,
-                                const Level& level) const {
+ObjectOnLevel Seeder::object_of(int material, const SeedObject& object, const Level& level) const {
   const auto m = static_cast<std::size_t>(material);
   return {object,
           level,
@@ -151,8 +150,7 @@ void Seeder::seed_object(int material, int object, const Level& level, const Ind
     return seed_list(object_of(material, o, level), *p.list, p.bases.front().front(), target,
                      covered, particles);
   const IndexBox own = p.windows[static_cast<std::size_t>(level.index)];
-  const IndexBox cells =
-      intersection(own, o.mapped ? taken_back(o, level, target) : target);
+  const IndexBox cells = intersection(own, o.mapped ? taken_back(o, level, target) : target);
   if (cells.empty()) return;
   const auto l = static_cast<std::size_t>(level.index);
   fill_object(object_of(material, o, level), {own, p.bases[l]}, cells, target, covered, particles);

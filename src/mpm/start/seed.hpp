@@ -62,7 +62,7 @@ class Seeder {
 
   const MpmScene& scene_;
   std::vector<std::vector<Prepared>> prepared_;  // by material and object
-  std::vector<OptionalColumns> optional_;  // by material
+  std::vector<OptionalColumns> optional_;        // by material
   std::int64_t next_ = 0;
 };
 

@@ -73,8 +73,7 @@ std::int64_t shared_places(const SeedObject& first, const SeedObject& second, co
 }
 
 // One warning for each object; of many only the first is shown, with what the others make.
-void check_overlaps(const SolidMaterial& material, const Level& level,
-                    std::vector<Fault>& faults) {
+void check_overlaps(const SolidMaterial& material, const Level& level, std::vector<Fault>& faults) {
   constexpr std::size_t most_shown = 3;
   std::vector<Fault> found;
   std::int64_t all = 0;
@@ -96,9 +95,9 @@ void check_overlaps(const SolidMaterial& material, const Level& level,
                 "cut one out of the other with <difference>");
   }
   if (found.size() > most_shown) {
-    found.front().message = fmt::format(
-        "{}; in {} objects of this material {} particles fill space twice", found.front().message,
-        found.size(), all);
+    found.front().message =
+        fmt::format("{}; in {} objects of this material {} particles fill space twice",
+                    found.front().message, found.size(), all);
     found.resize(1);
   }
   faults.insert(faults.end(), found.begin(), found.end());
@@ -115,8 +114,7 @@ void check_seeds(const MpmScene& scene, const Grid& grid, std::vector<Fault>& fa
     for (std::size_t n = 0; n < material.objects.size(); ++n) {
       const SeedObject& o = material.objects[n];
       if (o.piece == nullptr) return;  // a fault already
-      const Count count =
-          count_of(seeder, static_cast<int>(m), static_cast<int>(n), o, grid);
+      const Count count = count_of(seeder, static_cast<int>(m), static_cast<int>(n), o, grid);
       all += count.inside;
       if (count.inside == 0)
         tell_of_empty(o, coarsest, faults);

@@ -60,10 +60,17 @@ using Rows = std::map<std::int64_t, std::vector<double>>;
 Rows rows_of(const SeededParticles& p) {
   Rows rows;
   for (std::size_t n = 0; n < p.count(); ++n) {
-    std::vector<double> row = {p.x[n],           p.y[n],           p.z[n],
-                               p.velocity[0][n], p.velocity[1][n], p.velocity[2][n],
-                               p.mass[n],        p.volume[n],      p.temperature[n],
-                               p.colour[n],      1.0 * p.surface[n]};
+    std::vector<double> row = {p.x[n],
+                               p.y[n],
+                               p.z[n],
+                               p.velocity[0][n],
+                               p.velocity[1][n],
+                               p.velocity[2][n],
+                               p.mass[n],
+                               p.volume[n],
+                               p.temperature[n],
+                               p.colour[n],
+                               1.0 * p.surface[n]};
     for (const auto& edge : p.edges) row.push_back(edge[n]);
     EXPECT_TRUE(rows.emplace(p.id[n], row).second) << "id " << p.id[n] << " twice";
   }
@@ -127,8 +134,7 @@ TEST_P(Windows, GiveTheSameParticles) {
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i)
-        windows.push_back(
-            {{cuts[i], cuts[j], cuts[k]}, {cuts[i + 1], cuts[j + 1], cuts[k + 1]}});
+        windows.push_back({{cuts[i], cuts[j], cuts[k]}, {cuts[i + 1], cuts[j + 1], cuts[k + 1]}});
   EXPECT_EQ(rows_of(seed_in(read, windows)), once);
 }
 
@@ -145,11 +151,11 @@ TEST(Seed, CellsUnderFinerOnesStayEmpty) {
 
 // A turn by atan(3/4) and a stretch: det A = 2.
 TEST(Seed, AMapTurnsPlacesEdgesAndVolumes) {
-  const ReadDeck read = read_solids(deck_of(
-      object("<box><min>[0.2,0.2,0.2]</min><max>[0.4,0.4,0.4]</max></box>", "[2,2,2]",
-             "<affineTransformation_A0>[1.6,-0.6,0]</affineTransformation_A0>"
-             "<affineTransformation_A1>[1.2,0.8,0]</affineTransformation_A1>"
-             "<affineTransformation_b>[0.1,0,0]</affineTransformation_b>")));
+  const ReadDeck read = read_solids(
+      deck_of(object("<box><min>[0.2,0.2,0.2]</min><max>[0.4,0.4,0.4]</max></box>", "[2,2,2]",
+                     "<affineTransformation_A0>[1.6,-0.6,0]</affineTransformation_A0>"
+                     "<affineTransformation_A1>[1.2,0.8,0]</affineTransformation_A1>"
+                     "<affineTransformation_b>[0.1,0,0]</affineTransformation_b>")));
   const SeededParticles p = seeded(read);
   ASSERT_EQ(p.count(), 64u);
   EXPECT_NEAR(sum(p.volume), 2 * 0.008, 1e-15);
@@ -161,8 +167,8 @@ TEST(Seed, AMapTurnsPlacesEdgesAndVolumes) {
 
 // One radian of a tube: (b^2 - a^2)/2 l.
 TEST(Seed, AxisymmetricVolumesAreThoseOfARadian) {
-  SolidDeck deck = deck_of(
-      object("<box><min>[0.2,0.2,0]</min><max>[0.6,0.7,1]</max></box>", "[2,2,1]"));
+  SolidDeck deck =
+      deck_of(object("<box><min>[0.2,0.2,0]</min><max>[0.6,0.7,1]</max></box>", "[2,2,1]"));
   deck.cells = "[10,10,1]";
   deck.flags = "<axisymmetric>true</axisymmetric>";
   const SeededParticles p = seeded(read_solids(deck));
@@ -173,8 +179,8 @@ TEST(Seed, AxisymmetricVolumesAreThoseOfARadian) {
 // Volume and centroid of a half ball by cut cells: 2/3 pi r^3, 3/8 r from its plane.
 TEST(CutCells, GiveVolumeAndCentroid) {
   const double r = 0.31;
-  const std::string half = "<intersection>" + ball +
-                           "<box><min>[0.5,0,0]</min><max>[1,1,1]</max></box></intersection>";
+  const std::string half =
+      "<intersection>" + ball + "<box><min>[0.5,0,0]</min><max>[1,1,1]</max></box></intersection>";
   const SeededParticles whole = seeded(read_solids(deck_of(object(half))));
   const SeededParticles p =
       seeded(read_solids(deck_of(object(half, "[2,2,2]", "<cut_cells>true</cut_cells>"))));
@@ -207,9 +213,9 @@ TEST(FillingLevels, ComeNearerToTheVolume) {
   const double exact = 4.0 / 3 * std::numbers::pi * 0.31 * 0.31 * 0.31;
   double before = 1;
   for (const int levels : {-1, -2, -3, -4}) {
-    const SeededParticles p = seeded(read_solids(deck_of(object(
-        ball, "[2,2,2]",
-        fmt::format("<numLevelsParticleFilling>{}</numLevelsParticleFilling>", levels)))));
+    const SeededParticles p = seeded(read_solids(deck_of(
+        object(ball, "[2,2,2]",
+               fmt::format("<numLevelsParticleFilling>{}</numLevelsParticleFilling>", levels)))));
     const double missing = 1 - sum(p.volume) / exact;
     EXPECT_LT(std::abs(missing), before) << levels;
     before = std::abs(missing);
@@ -263,8 +269,8 @@ const std::string two_points = "0.25 0.25 0.25 1e-4 7\n0.75 0.3 0.2 2e-4 8\n";
 const std::string two_variables = "<var>p.volume</var><var>p.color</var>";
 
 TEST_F(Files, GiveTheirParticlesOneByOne) {
-  const SeededParticles p = seeded(
-      read_solids(deck_of(object(piece(write("a.pts", two_points), two_variables)))));
+  const SeededParticles p =
+      seeded(read_solids(deck_of(object(piece(write("a.pts", two_points), two_variables)))));
   EXPECT_THAT(p.x, testing::ElementsAre(0.25, 0.75));
   EXPECT_THAT(p.volume, testing::ElementsAre(1e-4, 2e-4));
   EXPECT_THAT(p.colour, testing::ElementsAre(7, 8));

@@ -14,8 +14,7 @@ void add(std::array<SeededParticles::Column, 3>& columns, Vec3 v) {
 
 }  // namespace
 
-void append(SeededParticles& particles, const SeededParticle& row,
-            const OptionalColumns& columns) {
+void append(SeededParticles& particles, const SeededParticle& row, const OptionalColumns& columns) {
   particles.x.push_back(row.x.x);
   particles.y.push_back(row.x.y);
   particles.z.push_back(row.x.z);

@@ -14,13 +14,13 @@ namespace sluice::mpm {
 struct SeededParticles {
   using Column = std::vector<double>;
 
-  Column x, y, z;        // m
+  Column x, y, z;                  // m
   std::array<Column, 3> velocity;  // m/s
-  Column mass, volume;   // kg, m^3; axisymmetric: of one radian
+  Column mass, volume;             // kg, m^3; axisymmetric: of one radian
   // Edge vectors in cells, row after row: edge c has the components edges[c], edges[3 + c],
   // edges[6 + c] times the spacing of their direction.
   std::array<Column, 9> edges;
-  Column temperature, colour;      // K, -
+  Column temperature, colour;  // K, -
   std::vector<std::int64_t> id;
   std::vector<unsigned char> surface;  // 1: a neighbouring place lies outside of the piece
 

@@ -17,10 +17,11 @@ namespace sluice::mpm {
 // Each part may be replaced; the rest is a block of 1000 kg/m^3 in a box of ten cells a direction.
 struct SolidDeck {
   std::string lower = "[0,0,0]", upper = "[1,1,1]", cells = "[10,10,10]";
-  std::string flags;    // in <MPM>
-  std::string objects = "<geom_object><box><min>[0.2,0.2,0.2]</min><max>[0.6,0.6,0.6]</max></box>"
-                        "<res>[2,2,2]</res><velocity>[1,2,3]</velocity>"
-                        "<temperature>300</temperature></geom_object>";
+  std::string flags;  // in <MPM>
+  std::string objects =
+      "<geom_object><box><min>[0.2,0.2,0.2]</min><max>[0.6,0.6,0.6]</max></box>"
+      "<res>[2,2,2]</res><velocity>[1,2,3]</velocity>"
+      "<temperature>300</temperature></geom_object>";
   std::string material;  // further tags of the first material
   std::string further;   // further materials
   std::string contacts;  // in <MaterialProperties><MPM>
@@ -33,7 +34,8 @@ inline std::string solid_material(const std::string& name, const std::string& in
   return fmt::format(
       "<material name='{}'><density>1000</density><constitutive_model type='comp_neo_hook'>"
       "<bulk_modulus>1e6</bulk_modulus><shear_modulus>5e5</shear_modulus></constitutive_model>"
-      "<thermal_conductivity>1</thermal_conductivity><specific_heat>5</specific_heat>{}</material>\n",
+      "<thermal_conductivity>1</thermal_conductivity><specific_heat>5</specific_heat>{}</"
+      "material>\n",
       name, inside);
 }
 
