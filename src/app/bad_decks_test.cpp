@@ -4,7 +4,8 @@
 //
 // The edits stand in src/framework/deck/bad_decks/*.rows, one paragraph each:
 //   name: what is bad
-//   from: text of good.ups (of solids.rows: good_solid.ups), of which the first occurrence is replaced (\n: line end, \xff: byte)
+//   from: text of good.ups (of solids.rows: good_solid.ups), of which the first occurrence is
+//     replaced (\n: line end, \xff: byte)
 //   to: the text in its place
 //   line: where the message must point; 0: not checked
 //   says: a piece of the message; {file}: the edited deck
