@@ -226,6 +226,9 @@ ResidualCurve TuneSearch::curve(const SolverSettings& solver, double tolerance) 
     curve.seconds.push_back(trial.solve_seconds);
     curve.residuals.push_back(trial.residual);
   }
+  // A solve to less does all that a solve to more does: what took longer was disturbed.
+  for (std::size_t n = curve.seconds.size() - 1; n-- > 0;)
+    curve.seconds[n] = std::min(curve.seconds[n], curve.seconds[n + 1]);
   for (double& s : curve.seconds) s += set_up;
   return curve;
 }
@@ -238,9 +241,10 @@ std::vector<ResidualCurve> TuneSearch::curves(const std::vector<TunedSolver>& ra
   for (const TunedSolver& s : ranking)
     if (s.state == TuneState::ranked && short_name(s.settings) == own)
       list.push_back(curve(s.settings, tolerance));
+  const std::size_t always = list.size() + 1;  // the fastest beside it
   for (const TunedSolver& s : ranking)
     if (s.state == TuneState::ranked && short_name(s.settings) != own && list.size() < most &&
-        clock_() < until)
+        (list.size() < always || clock_() < until))
       list.push_back(curve(s.settings, tolerance));
   return list;
 }

@@ -2,7 +2,7 @@
 
     python3 -m sluice_tools residuals RESULTS -o PICTURE
 
-RESULTS is the JSON of `sluice tune --json`: "curves", each with a name, of_deck (the solver that the
+RESULTS is the JSON of `sluice tune --json`: "curves", each with a name, of_deck (the one that the
 deck itself names), seconds (set-up, then set-up and solve to smaller and smaller tolerances) and
 residuals (as shares of the right-hand side); "curve_goal", the tolerance that the deck asks for.
 """
