@@ -22,14 +22,30 @@ struct Method {
 // red-black points under conjugate gradients leads, sweeps of planes (smg) win where cells are
 // stretched and densities jump, plain preconditioners on small systems that are nearly diagonal.
 constexpr Method methods[] = {
-    {"cg", "pfmg", 2, 1},     {"cg", "pfmg", 2, 0},       {"cg", "pfmg", 1, 1},
-    {"cg", "pfmg", 1, 0},     {"cg", "smg"},              {"cg", "diagonal"},
-    {"cg", "jacobi"},         {"bicgstab", "pfmg", 2, 1}, {"pfmg", "none", 2, 1},
-    {"smg", "none"},          {"cg", "pfmg", 2, 1, 2},    {"hybrid", "pfmg", 2, 1},
-    {"gmres", "pfmg", 2, 1},  {"pfmg", "none", 3, 1},     {"pfmg", "none", 1, 1},
-    {"bicgstab", "pfmg", 3},  {"gmres", "smg"},           {"bicgstab", "smg"},
-    {"hybrid", "diagonal"},   {"cg", "none"},             {"cg", "smg", 2, 1, 2},
-    {"cg", "pfmg", 1, 1, 2},  {"bicgstab", "diagonal"},   {"jacobi", "none"},
+    {"cg", "pfmg", 2, 1},
+    {"cg", "pfmg", 2, 0},
+    {"cg", "pfmg", 1, 1},
+    {"cg", "pfmg", 1, 0},
+    {"cg", "smg"},
+    {"cg", "diagonal"},
+    {"cg", "jacobi"},
+    {"bicgstab", "pfmg", 2, 1},
+    {"pfmg", "none", 2, 1},
+    {"smg", "none"},
+    {"cg", "pfmg", 2, 1, 2},
+    {"hybrid", "pfmg", 2, 1},
+    {"gmres", "pfmg", 2, 1},
+    {"pfmg", "none", 3, 1},
+    {"pfmg", "none", 1, 1},
+    {"bicgstab", "pfmg", 3},
+    {"gmres", "smg"},
+    {"bicgstab", "smg"},
+    {"hybrid", "diagonal"},
+    {"cg", "none"},
+    {"cg", "smg", 2, 1, 2},
+    {"cg", "pfmg", 1, 1, 2},
+    {"bicgstab", "diagonal"},
+    {"jacobi", "none"},
 };
 
 bool takes_preconditioner(const SolverSettings& s) {
@@ -106,8 +122,8 @@ std::vector<SolverSettings> solver_candidates(const SolverSettings& deck,
       if (short_name(known) == name) return;
     list.push_back(s);
   };
-  SolverSettings amg = hypre_settings(deck, {deck.solver.c_str(), deck.preconditioner.c_str()},
-                                      tolerance);
+  SolverSettings amg =
+      hypre_settings(deck, {deck.solver.c_str(), deck.preconditioner.c_str()}, tolerance);
   amg.type = "hypreamr";
   SolverSettings own = deck;
   own.type = "CGSolver";

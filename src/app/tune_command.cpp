@@ -149,8 +149,7 @@ std::string bytes_of(const std::string& file) {
 // The copy is loaded, as a run of it would.
 void write_copy(const Options& o, const TuneReport& report) {
   std::string text = bytes_of(o.deck);
-  if (report.worth_it())
-    text = tuned_deck(text, o.deck, report.own, report.best()->settings);
+  if (report.worth_it()) text = tuned_deck(text, o.deck, report.own, report.best()->settings);
   TextSink sink(o.apply);
   sink.write(text);
   sink.close();
@@ -188,12 +187,12 @@ int tune(const Options& o) {
                         human_duration(share_of_run * o.budget)));
   const CapturedSystems systems = capture(*loaded, o, report);
   const double for_search = o.picture.empty() ? o.budget : (1 - share_of_picture) * o.budget;
-  TuneSearch search(systems, solver_candidates(report.own, systems), clock, for_search,
-                    [&](const TuneProgress& p) {
-                      line.show(fmt::format("[{}/{}] {}; {} spent, about {} left", p.done + 1,
-                                            p.all, p.doing, human_duration(p.seconds),
-                                            human_duration(p.left)));
-                    });
+  TuneSearch search(
+      systems, solver_candidates(report.own, systems), clock, for_search,
+      [&](const TuneProgress& p) {
+        line.show(fmt::format("[{}/{}] {}; {} spent, about {} left", p.done + 1, p.all, p.doing,
+                              human_duration(p.seconds), human_duration(p.left)));
+      });
   report.ranking = search.run();
   report.ranked_by = search.systems_done();
   if (!o.picture.empty()) {

@@ -76,8 +76,8 @@ void set_parameters(XmlEdits& edits, const XmlSpan& block, const std::vector<Tag
 }  // namespace
 
 std::string solver_xml(const SolverSettings& s) {
-  std::string text = fmt::format("<Solver type=\"{}\"/>\n<Parameters variable=\"{}\">\n", s.type,
-                                 variable);
+  std::string text =
+      fmt::format("<Solver type=\"{}\"/>\n<Parameters variable=\"{}\">\n", s.type, variable);
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  <{0}>{1}</{0}>\n", name, value);
   };
@@ -101,8 +101,8 @@ std::string solver_xml(const SolverSettings& s) {
   return text + "</Parameters>\n";
 }
 
-std::string tuned_deck(const std::string& text, const std::string& name,
-                       const SolverSettings& deck, const SolverSettings& solver) {
+std::string tuned_deck(const std::string& text, const std::string& name, const SolverSettings& deck,
+                       const SolverSettings& solver) {
   const XmlSpan root = xml_elements(text);
   const XmlSpan* block = root.find({"CFD", "ICE", "ImplicitSolver"});
   if (block == nullptr) block = root.find({"SolverTest"});

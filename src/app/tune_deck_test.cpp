@@ -60,11 +60,11 @@ void expect_same(const SolverSettings& a, const SolverSettings& b) {
 }
 
 TEST(TuneDeck, ReplacesValuesAndAddsTagsAndKeepsEveryOtherByte) {
-  const std::string before = deck_with(
-      "  <Solver type = 'hypre' />\n",
-      "      <Parameters variable=\"implicitPressure\">\n"
-      "        <tolerance>  1.e-8 </tolerance>   <!-- kept -->\n"
-      "        <solver>   smg   </solver>\n\t<skip/>\n      </Parameters>\n");
+  const std::string before =
+      deck_with("  <Solver type = 'hypre' />\n",
+                "      <Parameters variable=\"implicitPressure\">\n"
+                "        <tolerance>  1.e-8 </tolerance>   <!-- kept -->\n"
+                "        <solver>   smg   </solver>\n\t<skip/>\n      </Parameters>\n");
   SolverSettings own = pfmg();
   own.solver = "smg";
   own.relax_type = 1;

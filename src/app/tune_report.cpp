@@ -24,17 +24,20 @@ const char* norm_name(Norm n) {
 }
 
 std::string goal_text(const SolverSettings& s) {
-  return s.absolute_tolerance > 0
-             ? fmt::format("at most {:g}", s.absolute_tolerance)
-             : fmt::format("at most {:g} of the right-hand side", s.tolerance);
+  return s.absolute_tolerance > 0 ? fmt::format("at most {:g}", s.absolute_tolerance)
+                                  : fmt::format("at most {:g} of the right-hand side", s.tolerance);
 }
 
 const char* state_name(TuneState s) {
   switch (s) {
-    case TuneState::ranked: return "ranked";
-    case TuneState::slow: return "slow";
-    case TuneState::failed: return "failed";
-    case TuneState::not_tried: return "not tried";
+    case TuneState::ranked:
+      return "ranked";
+    case TuneState::slow:
+      return "slow";
+    case TuneState::failed:
+      return "failed";
+    case TuneState::not_tried:
+      return "not tried";
   }
   return "";
 }
@@ -66,10 +69,10 @@ std::string table_of(const TuneReport& r) {
   int place = 0;
   for (const TunedSolver& s : r.ranking) {
     const std::string name = short_name(s.settings) + (short_name(s.settings) == own ? " *" : "");
-    const std::string state =
-        s.state == TuneState::ranked ? ""
-        : s.note.empty()             ? state_name(s.state)
-                                     : fmt::format("{}: {}", state_name(s.state), shortened(s.note));
+    const std::string state = s.state == TuneState::ranked ? ""
+                              : s.note.empty()
+                                  ? state_name(s.state)
+                                  : fmt::format("{}: {}", state_name(s.state), shortened(s.note));
     if (s.trials.empty() || s.state == TuneState::failed) {
       table.row({"", name, "", "", "", "", "", "", state});
       continue;
@@ -161,9 +164,8 @@ Json curves_json(const TuneReport& r) {
 
 const TunedSolver& TuneReport::own_result() const {
   const std::string name = short_name(own);
-  return *std::find_if(ranking.begin(), ranking.end(), [&](const TunedSolver& s) {
-    return short_name(s.settings) == name;
-  });
+  return *std::find_if(ranking.begin(), ranking.end(),
+                       [&](const TunedSolver& s) { return short_name(s.settings) == name; });
 }
 
 const TunedSolver* TuneReport::best() const {

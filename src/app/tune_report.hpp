@@ -9,16 +9,16 @@ namespace sluice {
 
 struct TuneReport {
   std::string deck, title;
-  solve::SolverSettings own;                  // the deck's
-  int steps = 0;                              // of the run that made the systems
-  double step_seconds = 0;                    // of one, with the deck's own solver; 0: not known
-  std::vector<int> numbers;                   // of the systems kept, in the order of the run
-  std::vector<std::size_t> right_sides;       // of each
-  std::int64_t unknowns = 0;                  // of the last system
+  solve::SolverSettings own;             // the deck's
+  int steps = 0;                         // of the run that made the systems
+  double step_seconds = 0;               // of one, with the deck's own solver; 0: not known
+  std::vector<int> numbers;              // of the systems kept, in the order of the run
+  std::vector<std::size_t> right_sides;  // of each
+  std::int64_t unknowns = 0;             // of the last system
   int levels = 1;
-  std::size_t ranked_by = 1;                  // systems, counted from the last
+  std::size_t ranked_by = 1;  // systems, counted from the last
   double seconds = 0, budget = 0;
-  std::vector<TunedSolver> ranking;           // as TuneSearch::run gives it
+  std::vector<TunedSolver> ranking;  // as TuneSearch::run gives it
   std::vector<ResidualCurve> curves;
   double curve_goal = 0;
 

@@ -14,13 +14,13 @@ namespace {
 using solve::SolverSettings;
 using solve::SolverTrial;
 
-constexpr double leaves_at = 2.5;      // times the fastest on the first system
-constexpr double stays_until = 1.6;    // times the fastest on several
-constexpr int probe_iterations = 5;    // that tell what an iteration costs
-constexpr int least_iterations = 20;   // are always allowed
-constexpr std::size_t finalists = 5;   // that are measured again
-constexpr int most_repeats = 5;        // of each system
-constexpr double curve_step = 0.1;     // from tolerance to tolerance
+constexpr double leaves_at = 2.5;         // times the fastest on the first system
+constexpr double stays_until = 1.6;       // times the fastest on several
+constexpr int probe_iterations = 5;       // that tell what an iteration costs
+constexpr int least_iterations = 20;      // are always allowed
+constexpr std::size_t finalists = 5;      // that are measured again
+constexpr int most_repeats = 5;           // of each system
+constexpr double curve_step = 0.1;        // from tolerance to tolerance
 constexpr double worth_repeating = 0.02;  // seconds
 constexpr double dear_seconds = 0.1;
 
@@ -117,9 +117,8 @@ void TuneSearch::first_trial(TunedSolver& solver, double best) {
   }
   const double each = probe.solve_seconds / std::max(1, probe.iterations);
   const double allowed = (leaves_at * best - probe.set_up_seconds) / std::max(each, 1e-12);
-  solver.settings.max_iterations = static_cast<int>(
-      std::clamp<double>(allowed, std::min(least_iterations, all.max_iterations),
-                         all.max_iterations));
+  solver.settings.max_iterations = static_cast<int>(std::clamp<double>(
+      allowed, std::min(least_iterations, all.max_iterations), all.max_iterations));
   measure(solver, 0);
   const bool bounded = solver.settings.max_iterations < all.max_iterations;
   solver.settings = all;
@@ -212,18 +211,25 @@ ResidualCurve TuneSearch::curve(const SolverSettings& solver, double tolerance) 
   to.norm = solve::Norm::two;
   to.absolute_tolerance = 0;
   to.tolerance = 1;
-  ResidualCurve curve{short_name(solver), {}, {}};
-  while (to.tolerance > tolerance) {
-    const bool dear = !curve.seconds.empty() && curve.seconds.back() > dear_seconds;
-    to.tolerance = std::max(tolerance, to.tolerance * (dear ? curve_step * curve_step : curve_step));
-    const SolverTrial trial = systems_.back()->attempt(to, measure, 1);
-    if (curve.seconds.empty()) {
-      curve.seconds.push_back(trial.set_up_seconds);
-      curve.residuals.push_back(1.0);
-    }
-    curve.seconds.push_back(trial.seconds());
+  ResidualCurve curve{short_name(solver), {0.0}, {1.0}};
+  double set_up = HUGE_VAL;
+  while (to.tolerance > 1.001 * tolerance) {
+    const bool dear = curve.seconds.back() > dear_seconds;
+    to.tolerance =
+        std::max(tolerance, to.tolerance * (dear ? curve_step * curve_step : curve_step));
+    SolverTrial trial = systems_.back()->attempt(to, measure, 1);
+    for (int again = 0; again < 2 && trial.seconds() < worth_repeating; ++again)
+      trial.solve_seconds =
+          std::min(trial.solve_seconds, systems_.back()->attempt(to, measure, 1).solve_seconds);
+    set_up = std::min(set_up, trial.set_up_seconds);
+    if (trial.residual == curve.residuals.back()) continue;  // no further iteration
+    curve.seconds.push_back(trial.solve_seconds);
     curve.residuals.push_back(trial.residual);
   }
+  // A solve to less does all that a solve to more does: what took longer was disturbed.
+  for (std::size_t n = curve.seconds.size() - 1; n-- > 0;)
+    curve.seconds[n] = std::min(curve.seconds[n], curve.seconds[n + 1]);
+  for (double& s : curve.seconds) s += set_up;
   return curve;
 }
 
@@ -235,9 +241,10 @@ std::vector<ResidualCurve> TuneSearch::curves(const std::vector<TunedSolver>& ra
   for (const TunedSolver& s : ranking)
     if (s.state == TuneState::ranked && short_name(s.settings) == own)
       list.push_back(curve(s.settings, tolerance));
+  const std::size_t always = list.size() + 1;  // the fastest beside it
   for (const TunedSolver& s : ranking)
     if (s.state == TuneState::ranked && short_name(s.settings) != own && list.size() < most &&
-        clock_() < until)
+        (list.size() < always || clock_() < until))
       list.push_back(curve(s.settings, tolerance));
   return list;
 }

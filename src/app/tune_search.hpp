@@ -54,7 +54,8 @@ class TuneSearch {
   // that left, failed, and were not tried.
   std::vector<TunedSolver> run();
   std::size_t systems_done() const { return systems_done_; }  // by which all are ranked
-  // The deck's own, then the fastest, at most `most` in all; none begins after `until` on the clock.
+  // The deck's own and the fastest, then others, at most `most` in all; of these none begins after
+  // `until` on the clock.
   std::vector<ResidualCurve> curves(const std::vector<TunedSolver>& ranking, double tolerance,
                                     std::size_t most, double until) const;
 

@@ -121,8 +121,8 @@ void XmlEdits::set_attribute(const XmlValueSpan& attribute, const std::string& v
 
 void XmlEdits::set_text(const XmlSpan& element, const std::string& value) {
   if (element.empty_tag) {
-    edits_.push_back({element.begin, element.end,
-                      "<" + element.name + ">" + value + "</" + element.name + ">"});
+    edits_.push_back(
+        {element.begin, element.end, "<" + element.name + ">" + value + "</" + element.name + ">"});
     return;
   }
   std::size_t from = text_.find_first_not_of(blanks, element.inner_begin);

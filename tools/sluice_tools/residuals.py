@@ -2,7 +2,7 @@
 
     python3 -m sluice_tools residuals RESULTS -o PICTURE
 
-RESULTS is the JSON of `sluice tune --json`: "curves", each with a name, of_deck (the solver that the
+RESULTS is the JSON of `sluice tune --json`: "curves", each with a name, of_deck (the one that the
 deck itself names), seconds (set-up, then set-up and solve to smaller and smaller tolerances) and
 residuals (as shares of the right-hand side); "curve_goal", the tolerance that the deck asks for.
 """
@@ -56,10 +56,10 @@ def draw(results, plt):
     ax.set_xlim(left=0)
     if results["goal"] > 0:
         ax.axhline(results["goal"], color="#888888", linewidth=0.9, linestyle=(0, (1, 2)))
-        ax.annotate("goal of the deck", (0.995, results["goal"]),
+        ax.annotate("goal of the deck", (0.005, results["goal"]),
                     xycoords=("axes fraction", "data"), textcoords="offset points", xytext=(0, 3),
-                    ha="right", fontsize=7, color="#444444")
-    ax.set_xlabel(f"set-up and solve  ({unit})")
+                    fontsize=7, color="#444444")
+    ax.set_xlabel(f"set-up and solve, processor time  ({unit})")
     ax.set_ylabel("residual, as a share of the right-hand side")
     ax.set_title(f"{results['title']}: {results['unknowns']:,} unknowns", loc="left")
     ax.legend(loc="upper center", bbox_to_anchor=(0.45, -0.13), ncols=2)

@@ -43,9 +43,8 @@ void judge(SolverTrial& trial, double left, double goal, const SolveReport& repo
   const double share = goal > 0 ? left / goal : left > 0 ? HUGE_VAL : 0.0;
   if (!(share <= trial.residual)) trial.residual = share;  // NaN too
   if (share <= 1.0 + rounding || !trial.failure.empty()) return;
-  trial.failure = report.reason.empty()
-                      ? fmt::format("residual {:.3g}, {:.3g} wanted", left, goal)
-                      : report.reason;
+  trial.failure = report.reason.empty() ? fmt::format("residual {:.3g}, {:.3g} wanted", left, goal)
+                                        : report.reason;
 }
 
 // Of this thread: what else runs on the machine is no part of a solver's time.
@@ -181,8 +180,7 @@ class SystemCapture::OnLevels final : public CapturedSystem {
       timed(trial.set_up_seconds, [&] { linear.set_up(coefficients_); });
       for (std::size_t n = 0; n < std::min(most, right_sides_.size()); ++n) {
         const CompositeVector& b = right_sides_[n];
-        const SolveReport report =
-            timed(trial.solve_seconds, [&] { return linear.solve(b, x); });
+        const SolveReport report = timed(trial.solve_seconds, [&] { return linear.solve(b, x); });
         trial.iterations += report.iterations;
         if (n == 0) trial.bytes = std::max(0.0, allocated_bytes() - before);
         system.apply(x, left);
@@ -191,8 +189,8 @@ class SystemCapture::OnLevels final : public CapturedSystem {
         system.clear_covered(left);
         // The solver's own recurrence may drift from this by a factor of 2 (composite_solver).
         const double goal_here = goal_of(goal, system.norm(b, goal.norm));
-        judge(trial, system.norm(left, goal.norm),
-              report.converged ? 2.0 * goal_here : goal_here, report);
+        judge(trial, system.norm(left, goal.norm), report.converged ? 2.0 * goal_here : goal_here,
+              report);
       }
     });
   }
@@ -239,8 +237,7 @@ void SystemCapture::right_side(const ConstBoxViews& right_side, const ConstBoxVi
 }
 
 void SystemCapture::right_side(const CompositeVector& right_side) {
-  if (several_ != nullptr && several_->right_sides() < most_right_sides_)
-    several_->add(right_side);
+  if (several_ != nullptr && several_->right_sides() < most_right_sides_) several_->add(right_side);
 }
 
 std::vector<std::unique_ptr<CapturedSystem>> SystemCapture::take() {

@@ -15,7 +15,7 @@ struct SolverTrial {
   std::string failure;  // why a solve missed its goal, or was refused; empty: all met it
   int iterations = 0;   // of all solves
   double set_up_seconds = 0, solve_seconds = 0;  // of the processor
-  double bytes = 0;     // that solver and matrix hold in memory
+  double bytes = 0;                              // that solver and matrix hold in memory
   double residual = 0;  // the largest over its goal, recomputed here; at most 1 when all is well
   double seconds() const { return set_up_seconds + solve_seconds; }
 };

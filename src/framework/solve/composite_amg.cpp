@@ -123,15 +123,15 @@ void CompositeAmg::fill(const CompositeSystem& system) {
     for_cells(system.rows(l).shape(), [&](std::ptrdiff_t c, const std::array<int, 3>& cell) {
       add_row(system.rows(l), number_[l], c, cell);
     });
-  system.for_interfaces([&](std::size_t level, std::ptrdiff_t fine, std::ptrdiff_t coarse,
-                            double weight) {
-    const HYPRE_BigInt f = number_[level][static_cast<std::size_t>(fine)];
-    const HYPRE_BigInt c = number_[level - 1][static_cast<std::size_t>(coarse)];
-    const std::array<HYPRE_BigInt, 2> columns{c, f};
-    const std::array<double, 2> values{weight, -weight};
-    if (f != no_unknown) add(f, 1, &c, &values[1]);
-    add(c, f == no_unknown ? 1 : 2, columns.data(), values.data());
-  });
+  system.for_interfaces(
+      [&](std::size_t level, std::ptrdiff_t fine, std::ptrdiff_t coarse, double weight) {
+        const HYPRE_BigInt f = number_[level][static_cast<std::size_t>(fine)];
+        const HYPRE_BigInt c = number_[level - 1][static_cast<std::size_t>(coarse)];
+        const std::array<HYPRE_BigInt, 2> columns{c, f};
+        const std::array<double, 2> values{weight, -weight};
+        if (f != no_unknown) add(f, 1, &c, &values[1]);
+        add(c, f == no_unknown ? 1 : 2, columns.data(), values.data());
+      });
   check_hypre(HYPRE_IJMatrixAssemble(matrix_.get()), "IJMatrixAssemble");
 }
 

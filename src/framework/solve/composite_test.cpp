@@ -107,8 +107,9 @@ class CompositeCase : public testing::TestWithParam<Case> {
     auto& system = const_cast<CompositeSystem&>(solver.system());
     CompositeVector a = system.vector(), b = a, Aa = a, Ab = a;
     fill(levels, system, a, wave);
-    fill(levels, system, b,
-         [](const Level& l, IntVec3 c) { return wave(l, c + IntVec3{3, 5, 1}); });
+    fill(levels, system, b, [](const Level& l, IntVec3 c) {
+      return wave(l, c + IntVec3{3, 5, 1});
+    });
     system.apply(a, Aa);
     system.apply(b, Ab);
     const double scale = std::sqrt(system.dot(Aa, Aa) * system.dot(b, b));
