@@ -4,7 +4,7 @@
 //
 // The edits stand in src/framework/deck/bad_decks/*.rows, one paragraph each:
 //   name: what is bad
-//   from: text of good.ups, of which the first occurrence is replaced (\n: line end, \xff: byte)
+//   from: text of good.ups (of solids.rows: good_solid.ups), of which the first occurrence is replaced (\n: line end, \xff: byte)
 //   to: the text in its place
 //   line: where the message must point; 0: not checked
 //   says: a piece of the message; {file}: the edited deck
@@ -125,7 +125,8 @@ class BadDecks : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadDecks, AreRefused) {
   const Folder folder;
-  const std::string good = text_of(corpus / "good.ups");
+  const bool solid = std::string(GetParam()) == "solids";
+  const std::string good = text_of(corpus / (solid ? "good_solid.ups" : "good.ups"));
   const auto rows = read_rows(corpus / (std::string(GetParam()) + ".rows"));
   ASSERT_GE(rows.size(), 10u);
   for (const BadDeck& bad : rows) {
@@ -137,7 +138,7 @@ TEST_P(BadDecks, AreRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Of, BadDecks,
                          ::testing::Values("values", "grids", "boundaries", "materials", "models",
-                                           "output", "not_built", "xml"),
+                                           "output", "solids", "not_built", "xml"),
                          [](const auto& set) { return std::string(set.param); });
 
 TEST(BadDeckChecks, TheGoodOneIsGood) {

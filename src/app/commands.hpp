@@ -26,5 +26,6 @@ void add_norms_command(CommandLine& line);
 void add_plan_command(CommandLine& line);
 void add_plot_command(CommandLine& line);
 void add_regress_command(CommandLine& line);
+void add_tune_command(CommandLine& line);
 
 }  // namespace sluice

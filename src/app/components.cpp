@@ -10,6 +10,8 @@
 #include "ice/ice.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
+#include "mpm/mpm.hpp"
+#include "mpm/start/seed_faults.hpp"
 
 namespace sluice {
 namespace {
@@ -21,19 +23,20 @@ std::unique_ptr<Component> make_ice(const Deck& deck, const Scene& scene,
   return std::make_unique<ice::Ice>(scene, std::move(fluid));
 }
 
-// Read and checked; nothing runs yet.
 std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
                                     std::vector<Fault>& faults) {
-  mpm::read_mpm_scene(deck, scene, faults);
-  if (!any_error(faults))
-    add_not_built(faults, deck.root->child("SimulationComponent")->where, "a run of solids");
-  return nullptr;
+  mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  mpm::check_seeds(solids, scene.grid, faults);
+  if (any_error(faults)) return nullptr;
+  return std::make_unique<mpm::Mpm>(scene, std::move(solids));
 }
 
 constexpr ComponentKind kinds[] = {
     // type  tags          made by
     {"ice", add_ice_tags, make_ice},
     {"mpm", mpm::add_mpm_tags, make_mpm},
+    {"amrmpm", nullptr, make_mpm},
     // Examples of components: docs/your_own_component.md.
     {"poisson1", examples::add_poisson_tags, examples::make_poisson},
     {"benchmark", nullptr, examples::make_poisson},

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "framework/base/error.hpp"
-#include "models/packed_text.hpp"
+#include "framework/base/packed_text.hpp"
 #include "models/table_expression.hpp"
 
 namespace sluice::models {

@@ -104,7 +104,7 @@ std::vector<TagSpec> round_pieces() {
               {tag("discretization_scheme", "how particles are laid").once().text(),
                place("bottom", "centre of one end").once(),
                place("top", "centre of the other end").once(),
-               length("inner_radius", "inner radius").once(), length("outer_radius", "radius"),
+               tag("inner_radius", "inner radius").real().at_least(0).unit("length").once(), length("outer_radius", "radius"),
                count("num_radial", "particles along the radius").once(),
                count("num_axial", "particles along the axis").once(),
                count("num_angular", "particles around"),
@@ -154,6 +154,18 @@ std::vector<TagSpec> listed_pieces() {
                               .words({"text", "bin", "lsb", "msb"})
                               .by_default("text"),
                           tag("usePFS", "one file per patch").boolean().by_default("true")}),
+      tag("image", "voxels of a file whose grey value lies between thresholds")
+          .multiple()
+          .attribute(attribute("label", "name of the piece").text())
+          .with_children({tag("name", "file of one byte a voxel, x fastest").once().text(),
+                          tag("res", "voxels per direction").once().int_vector().at_least(1),
+                          tag("threshold", "least and greatest grey value, 0 to 255")
+                              .once()
+                              .integers()
+                              .at_least(0)
+                              .at_most(255),
+                          place("lower", "low corner of the image; absent: of the domain"),
+                          place("upper", "high corner of the image; absent: of the domain")}),
       piece("null", "all of space"),
   };
 }
@@ -191,6 +203,19 @@ void check_pieces_below(const DeckNode& node, std::vector<Fault>& faults) {
   for (const auto& child : node.children) check_pieces_below(*child, faults);
 }
 
+void place_images_below(DeckNode& node, Vec3 lower, Vec3 upper) {
+  for (const auto& child : node.children) place_images_below(*child, lower, upper);
+  if (node.name != "image" || node.children.empty()) return;
+  for (const auto& [name, place] : {std::pair("lower", lower), std::pair("upper", upper)}) {
+    if (node.child(name) != nullptr) continue;
+    auto corner = std::make_unique<DeckNode>();
+    corner->name = name;
+    corner->text = fmt::format("[{},{},{}]", place.x, place.y, place.z);
+    corner->where = node.where;
+    node.children.push_back(std::move(corner));
+  }
+}
+
 std::vector<TagSpec> all_pieces() {
   std::vector<TagSpec> pieces;
   for (const auto& set : {flat_pieces(), round_pieces(), thin_pieces(), listed_pieces()}) {
@@ -200,6 +225,26 @@ std::vector<TagSpec> all_pieces() {
   pieces.push_back(joined("intersection", "points in all of the pieces"));
   pieces.push_back(joined("difference", "points in the first piece and not in the second"));
   return pieces;
+}
+
+// Images without corners fill the domain: the corners are written into the tree.
+void place_images(DeckNode& root, std::vector<Fault>& /*faults*/) {
+  const DeckNode* level = root.find("Grid/Level");
+  std::optional<Vec3> lower, upper;
+  if (level != nullptr)
+    for (const DeckNode* box : level->all("Box")) {
+      const auto low = vector_of(box, "lower"), high = vector_of(box, "upper");
+      if (!low || !high) continue;
+      if (!lower || !upper) {
+        lower = low;
+        upper = high;
+      }
+      for (int d = 0; d < 3; ++d) {
+        (*lower)[d] = std::min((*lower)[d], (*low)[d]);
+        (*upper)[d] = std::max((*upper)[d], (*high)[d]);
+      }
+    }
+  if (lower && upper) place_images_below(root, *lower, *upper);
 }
 
 }  // namespace
@@ -212,11 +257,12 @@ bool is_geometry_piece(std::string_view name) {
 
 void add_geometry_tags(Schema& schema) {
   schema.groups["geometry_piece"] = all_pieces();
+  schema.rewrites.emplace_back(place_images);
   schema.rules.emplace_back(check_pieces);
 }
 
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults) {
-  for (const char* path : {"MaterialProperties/ICE", "AMR"})
+  for (const char* path : {"MaterialProperties/ICE", "MaterialProperties/MPM", "PhysicalBC", "AMR"})
     if (const DeckNode* block = root.find(path)) check_pieces_below(*block, faults);
 }
 

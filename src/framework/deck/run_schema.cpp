@@ -75,10 +75,12 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "poisson1", "poisson2", "poisson3", "solvertest", "burger",
+                     .words({"ice", "mpm", "amrmpm", "poisson1", "poisson2", "poisson3", "solvertest", "burger",
                              "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
+                     .spelling("AMRMPM", "amrmpm")
+                     .spelling("AMRmpm", "amrmpm")
                      .spelling("POISSON1", "poisson1")
                      .spelling("POISSON2", "poisson2")
                      .spelling("POISSON3", "poisson3")
@@ -86,10 +88,7 @@ TagSpec component() {
                      .spelling("BENCHMARK", "benchmark")
                      .spelling("BURGER", "burger")
                      .spelling("WAVE", "wave")
-                     .not_built({"amrmpm",
-                                 "AMRmpm",
-                                 "AMRMPM",
-                                 "arches",
+                     .not_built({"arches",
                                  "ARCHES",
                                  "dosweep",
                                  "DOSWEEP",

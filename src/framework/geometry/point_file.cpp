@@ -9,8 +9,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "framework/base/error.hpp"
+#include "framework/base/packed_text.hpp"
 #include "framework/geometry/point_table.hpp"
 
 namespace sluice {
@@ -28,10 +30,10 @@ double decode(const char* bytes, bool swap) {
 // Calls row(numbers, row number) for every record of `columns` doubles.
 template <class F>
 void read_binary(const std::string& name, int columns, PointFormat format, F&& row) {
-  std::ifstream in(name, std::ios::binary);
-  if (!in)
+  if (!std::ifstream(name))
     throw InputError(
         fmt::format("geometry file '{}' cannot be opened ({})", name, std::strerror(errno)));
+  std::istringstream in(unpacked_text(name, "geometry file"));
   const bool little = std::endian::native == std::endian::little;
   const bool swap = (format == PointFormat::binary_little_endian && !little) ||
                     (format == PointFormat::binary_big_endian && little);

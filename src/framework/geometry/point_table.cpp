@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "framework/base/error.hpp"
+#include "framework/base/packed_text.hpp"
 
 namespace sluice {
 
@@ -25,12 +27,12 @@ const char* skip_separators(const char* c) {
 
 void read_table(const std::string& file, int columns,
                 const std::function<void(const double* numbers, int line)>& row) {
-  std::ifstream in(file);
-  if (!in)
+  if (!std::ifstream(file))
     throw InputError(fmt::format(
         "geometry file '{}' cannot be opened ({}); names are relative to the folder of the run, "
         "without quotation marks",
         file, std::strerror(errno)));
+  std::istringstream in(unpacked_text(file, "geometry file"));
   std::vector<double> numbers(static_cast<std::size_t>(columns));
   std::string text;
   int line = 0, rows = 0;

@@ -1,4 +1,5 @@
-// Text files with a fixed number of numbers a line, as points and triangles come.
+// Text files with a fixed number of numbers a line, as points and triangles come; gzipped
+// or not.
 #pragma once
 #include <functional>
 #include <string>

@@ -20,6 +20,8 @@ class SpherePiece final : public GeometryPiece {
     return with_margin({origin_ - Vec3::all(radius_), origin_ + Vec3::all(radius_)});
   }
   Cover cover(const Bounds& box) const override { return convex_cover(*this, box, true); }
+  Vec3 origin() const { return origin_; }
+  double radius() const { return radius_; }
 
  private:
   Vec3 origin_;
@@ -47,6 +49,9 @@ class ConePiece final : public GeometryPiece {
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }
   Cover cover(const Bounds& box) const override { return convex_cover(*this, box, false); }
+  Vec3 bottom() const { return middle_ - half_; }
+  Vec3 top() const { return middle_ + half_; }
+  double middle_radius() const { return radius_; }  // of a cylinder everywhere
 
  private:
   Vec3 middle_, half_;  // centre of the axis, vector from there to the top

@@ -25,8 +25,12 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   o.joined = levels.size() > 1;
   o.substeps = 1;
   if (o.team == nullptr) o.team = std::make_shared<const ThreadTeam>(options.threads);
+  // Levels that take stages together take the same step.
+  StepShape shape;
+  component.shape_step(shape);
+  const bool lock_step = scene.refinement.lock_step || !shape.plain();
   for (const Level& level : levels) {
-    substeps_.push_back(level.index == 0 ? 1 : substeps_of(level, scene.refinement.lock_step));
+    substeps_.push_back(level.index == 0 ? 1 : substeps_of(level, lock_step));
     o.substeps *= substeps_.back();
     in_coarse_step_.push_back(o.substeps);
     solvers_.push_back(std::make_unique<LevelSolver>(component, level, communicator, o));
@@ -152,6 +156,27 @@ StepLimit Hierarchy::first_step_limit() const {
   limit.dt /= finest;
   limit.reason = "first step: one of the finest level";
   return limit;
+}
+
+void Hierarchy::settle_particles() {
+  if (particles_ != nullptr && component_->particles()->in_stages()) particles_->relocate();
+}
+
+std::vector<GridFields> Hierarchy::particle_fields(const std::vector<Label>& labels,
+                                                   const ParticleCloud::Wanted& wanted) {
+  const ParticleMethod& method = *component_->particles();
+  std::vector<GridFields> fields;
+  for (int l = 0; l < level_count(); ++l) {
+    GridFields& of_level = fields.emplace_back(level(l).level(), communicator_->rank());
+    for (const Label label : labels)
+      for (const ParticleKind& kind : method.kinds())
+        if (wanted(label, kind.material, l)) of_level.add(label, kind.material);
+  }
+  StepScope step;
+  step.time = time_;
+  step.dt = previous_dt_;
+  method.store_on_grid(stage_scope(step, journal_), fields);
+  return fields;
 }
 
 void Hierarchy::fill_ghosts(double time) {

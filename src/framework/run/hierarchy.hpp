@@ -12,6 +12,7 @@
 #include "framework/refine/level_transfer.hpp"
 #include "framework/refine/regridder.hpp"
 #include "framework/run/event_ledger.hpp"
+#include "framework/run/grid_fields.hpp"
 #include "framework/run/level_solver.hpp"
 #include "framework/run/particle_cloud.hpp"
 #include "framework/run/refinement_flags.hpp"
@@ -80,6 +81,11 @@ class Hierarchy {
   void compute_diagnostics(double time, const std::vector<Label>& wanted);
   void add_totals(Totals& totals) const;
 
+  // Fields that particles have on the grid, by level. Collective.
+  std::vector<GridFields> particle_fields(const std::vector<Label>& labels,
+                                          const ParticleCloud::Wanted& wanted);
+  // Particles that lag behind in the box they came from go to their own, before they are written.
+  void settle_particles();
   // Null when there are none.
   const ParticleCloud* particles() const { return particles_.get(); }
   std::string regrid_state() const;

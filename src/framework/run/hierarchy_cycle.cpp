@@ -99,7 +99,7 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
                            return this->sweep(l, scope, stored);
                          });
   const auto& solve = std::get<StepShape::Solve>(stage);
-  return {Stage{"solve " + solve.name,
+  return {Stage{solve.name,
                 [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
                   return act(stage_scope(scope, journal));
                 }}};

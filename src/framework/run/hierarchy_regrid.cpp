@@ -18,6 +18,16 @@ bool same_boxes(const std::vector<GridBox>& a, const std::vector<GridBox>& b) {
   });
 }
 
+// The cells that the deck's own finer levels cover.
+void add_start_boxes(const RefinementSettings& settings, std::vector<FlagField>& flags) {
+  for (std::size_t l = 0; l < std::min(flags.size(), settings.start_boxes.size()); ++l)
+    for (const IndexBox& fine : settings.start_boxes[l].boxes) {
+      const IndexBox cells = intersection(coarsen(fine, settings.start_boxes[l].ratio),
+                                          flags[l].domain());
+      for_each_cell(cells, [&](IntVec3 c) { flags[l].set(c); });
+    }
+}
+
 }  // namespace
 
 void Hierarchy::make_joint(int coarser) {
@@ -164,7 +174,9 @@ void Hierarchy::initialise() {
   start_particles();
   // Each pass may add one level; one more for every level finds that nothing changes.
   for (int pass = 0; regridder_ && pass < 2 * possible_levels(); ++pass) {
-    if (!regridder_->regrid_at_start(flags())) break;
+    std::vector<FlagField> wanted = flags();
+    add_start_boxes(scene_->refinement, wanted);
+    if (!regridder_->regrid_at_start(wanted)) break;
     lay_out(true);
     start_particles();
   }

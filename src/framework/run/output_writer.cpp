@@ -17,17 +17,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The cells of a box that a label's piece covers: labels of faces and nodes have one more layer
-// where the domain ends.
-IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
-  IndexBox piece = cells;
-  const IntVec3 closing = closing_layers(label.info().centring);
-  for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)] && cells.upper[d] == level.domain.upper[d])
-      piece.upper[d] += closing[d];
-  return piece;
-}
-
 }  // namespace
 
 SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
@@ -37,6 +26,12 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
   if (hierarchy.particles() != nullptr) of_particles = hierarchy.particles()->labels();
   const auto is_of_particles = [&](Label l) {
     return std::find(of_particles.begin(), of_particles.end(), l) != of_particles.end();
+  };
+  std::vector<Label> on_grid;
+  if (const ParticleMethod* method = hierarchy.component().particles())
+    on_grid = method->grid_labels();
+  const auto is_on_grid = [&](Label l) {
+    return std::find(on_grid.begin(), on_grid.end(), l) != on_grid.end();
   };
   const auto is_analysed = [&](Label l) {
     return std::find(analysed.begin(), analysed.end(), l) != analysed.end();
@@ -51,6 +46,8 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
       add(saved.histories);
     } else if (label && is_of_particles(*label)) {
       add(saved.particles);
+    } else if (label && is_on_grid(*label)) {
+      add(saved.on_grid);
     } else if (label && is_analysed(*label)) {
       add(saved.analysed);
     } else if (label && solver.is_step_label(*label)) {
@@ -61,7 +58,7 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
       std::vector<std::string> names;
       for (Label l : all_labels())
         if (solver.is_step_label(l) || solver.is_diagnostic_label(l) || is_analysed(l) ||
-            is_of_particles(l) || l.info().centring == Centring::reduction)
+            is_of_particles(l) || is_on_grid(l) || l.info().centring == Centring::reduction)
           names.push_back(l.name());
       refuse_label(request.where, LabelUse::save, request.label, names);
     }
@@ -175,6 +172,7 @@ void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
 
 void OutputWriter::write_output(const StepInfo& info, bool initial) {
   const auto start = Clock::now();
+  hierarchy_->settle_particles();
   std::vector<Label> computed = saved_.diagnostic;
   if (!saved_.analysed.empty())
     for (const Label l : analysis_->sources_of(saved_.analysed))
@@ -196,12 +194,24 @@ void OutputWriter::write_output(const StepInfo& info, bool initial) {
         particles);
     pieces.insert(pieces.end(), particles.pieces.begin(), particles.pieces.end());
   }
+  std::vector<GridFields> on_grid;
+  if (!saved_.on_grid.empty()) {
+    const SaveRequest* request = nullptr;
+    on_grid = hierarchy_->particle_fields(saved_.on_grid, [&](Label label, int material, int level) {
+      return wants(label, material, level, request);
+    });
+    for (const GridFields& of_level : on_grid) {
+      const std::vector<FieldPiece> more = of_level.pieces();
+      pieces.insert(pieces.end(), more.begin(), more.end());
+    }
+  }
   archive_.write_output(info, hierarchy_->grid(), pieces);
   seconds_ += seconds_since(start);
 }
 
 void OutputWriter::write_checkpoint(const StepInfo& info) {
   const auto start = Clock::now();
+  hierarchy_->settle_particles();
   std::vector<FieldPiece> pieces;
   for (int l = 0; l < hierarchy_->level_count(); ++l)
     add_checkpoint_pieces(hierarchy_->level(l), pieces);

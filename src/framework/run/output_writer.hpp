@@ -19,6 +19,7 @@ struct SavedLabels {
   std::vector<Label> analysed;    // fields that analyses keep
   std::vector<Label> histories;   // reductions
   std::vector<Label> particles;
+  std::vector<Label> on_grid;  // what particles have on the grid
 };
 
 // Throws InputError naming entry and nearest label when a label is unknown. `analysed`: labels of

@@ -173,7 +173,8 @@ std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
       for (int b = 0; b < store.box_count(f); ++b) {
         const ParticleSet& set = store.set(f, b);
         for (std::size_t n = 0; n < set.size(); ++n)
-          of_kind.cells.push_back(
+          if (method_->asks_refinement(static_cast<int>(k), set, n, f, l))
+            of_kind.cells.push_back(
               cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
       }
   }

@@ -46,6 +46,7 @@ class ParticleCloud {
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
 
   int level_count() const { return static_cast<int>(box_seconds_.size()); }
+  const Level& level(int l) const { return map_->levels()[static_cast<std::size_t>(l)]; }
   // Labels that can be saved.
   std::vector<Label> labels() const;
   // Of all labels for which `wanted`; position and id come with any of them.

@@ -62,7 +62,9 @@ struct ParticleStep {
   std::span<const IndexBox> cells;       // of the box that no finer level covers
 };
 
+class GridFields;
 class ParticleCloud;
+struct StageScope;
 
 class ParticleMethod {
  public:
@@ -76,6 +78,11 @@ class ParticleMethod {
   // the ghost layers allow; adds those that appear meanwhile.
   virtual void advance(int /*kind*/, const ParticleStep& /*step*/,
                        ParticleSet& /*particles*/) const {}
+  // Does a particle on `level` ask for a finer one than `coarse`, where its kind asks at all.
+  virtual bool asks_refinement(int /*kind*/, const ParticleSet& /*set*/, std::size_t /*n*/,
+                               int /*level*/, int /*coarse*/) const {
+    return true;
+  }
   // Stages of the step move the particles (Component::shape_step): advance() is not asked.
   virtual bool in_stages() const { return false; }
   // Of particles in stages: what the next step's length and sums rest on, of this rank's particles
@@ -83,6 +90,11 @@ class ParticleMethod {
   virtual std::vector<double> rates(const ParticleCloud& /*cloud*/, int /*level*/) const {
     return {};
   }
+  // What particles have on the grid, computed when it is saved, of a state between two steps: into
+  // the labels that the fields of each level have. Collective.
+  virtual std::vector<Label> grid_labels() const { return {}; }
+  virtual void store_on_grid(const StageScope& /*scope*/,
+                             std::vector<GridFields>& /*by_level*/) const {}
   // Does the boundary throw particles back at the face of this cell; else it lets them out.
   virtual bool reflects(int kind, int level, Side side, IntVec3 cell) const = 0;
 };

@@ -63,6 +63,7 @@ void for_each_row(const Warehouse& outputs, int slot, int component, F&& f) {
 void add_flagged(const Warehouse& outputs, Label label, int material, double most,
                  FlagField& flags) {
   const IndexBox& domain = flags.domain();
+  if (outputs.find(label, material) < 0) return;  // a component without such a field
   for_each_row(outputs, outputs.find(label, material), 0,
                [&](const double* values, int count, IntVec3 first) {
                  const IntVec3 at = first - domain.lower;

@@ -57,7 +57,7 @@ class StepShape {
     std::vector<Label> stored;
   };
   struct Solve {
-    std::string name;
+    std::string name;  // with what it is: "solve pressure"
     StageAction action;
   };
   struct Sweep {
@@ -83,6 +83,10 @@ class StepShape {
     stages_.push_back(Prepare{std::move(name), std::move(stored)});
   }
   void solve(std::string name, StageAction action) {
+    stages_.push_back(Solve{"solve " + std::move(name), std::move(action)});
+  }
+  // Any other action on all levels, such as one on particles.
+  void stage(std::string name, StageAction action) {
     stages_.push_back(Solve{std::move(name), std::move(action)});
   }
   void sweep(std::string name, std::vector<Label> stored = {}) {

@@ -21,9 +21,10 @@ bool good_ratio(int ratio) {
   return ratio == 1 || ratio == 2 || ratio == 4;
 }
 
-// The ratio between a level and the next finer one; false when a fault was found.
+// The ratio between a level and the next finer one; false when a fault was found. A level that a
+// deck lays out itself may be no finer.
 bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& active,
-                 const Location& where, std::vector<Fault>& faults) {
+                 bool by_hand, const Location& where, std::vector<Fault>& faults) {
   bool refines = false;
   for (int d = 0; d < 3; ++d) {
     if (!active[static_cast<std::size_t>(d)]) {
@@ -46,13 +47,13 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
     refines = refines || ratio[d] > 1;
   }
   if (!refines)
-    add_error(
+    (by_hand ? add_warning : add_error)(
         faults, where,
         fmt::format("level {} refines no direction of this run: its ratio to level {} is 1 in "
                     "each of them",
                     fine, fine - 1),
         "use 2 or 4 in at least one direction");
-  return refines;
+  return refines || by_hand;
 }
 
 // A region of a periodic level reaches around it: the parts as they lie inside `domain`.
@@ -172,7 +173,7 @@ void check_static_levels(const GridSettings& grid, const std::array<bool, 3>& ac
                          std::vector<Fault>& faults) {
   for (std::size_t l = 1; l < grid.levels.size(); ++l) {
     IntVec3 ratio = grid.levels[l].ratio;
-    if (!check_ratio(ratio, l, active, grid.levels[l].where, faults) ||
+    if (!check_ratio(ratio, l, active, true, grid.levels[l].where, faults) ||
         !check_extent(domain_of(grid, l - 1).size(), ratio, grid.levels[l].where, faults))
       return;
     // All cells of the coarsest level exist, so nothing can be missing around the next.
@@ -193,7 +194,7 @@ std::vector<IntVec3> add_adaptive_levels(const AdaptiveLevels& levels,
   std::vector<Fault> mine;
   for (std::size_t l = 1; l <= static_cast<std::size_t>(finer); ++l) {
     IntVec3 ratio = entry(levels.ratios, l), tile = entry(levels.tiles, l);
-    if (!check_ratio(ratio, l, active, levels.ratio_where, mine) ||
+    if (!check_ratio(ratio, l, active, false, levels.ratio_where, mine) ||
         !check_extent(domain.size(), ratio, levels.ratio_where, mine) ||
         !check_flags(domain.size(), levels.ratio_where, mine))
       break;

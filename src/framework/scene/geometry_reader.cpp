@@ -20,7 +20,7 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
-constexpr std::array<std::string_view, 21> piece_tags = {"box",
+constexpr std::array<std::string_view, 22> piece_tags = {"box",
                                                          "sphere",
                                                          "cylinder",
                                                          "cone",
@@ -32,6 +32,7 @@ constexpr std::array<std::string_view, 21> piece_tags = {"box",
                                                          "polyhedron",
                                                          "smoothcyl",
                                                          "file",
+                                                         "image",
                                                          "plane_shell",
                                                          "sphere_shell",
                                                          "cylinder_shell",

@@ -7,6 +7,7 @@
 
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/corrugated.hpp"
+#include "framework/geometry/image.hpp"
 #include "framework/geometry/point_file.hpp"
 #include "framework/geometry/polygon.hpp"
 #include "framework/geometry/round.hpp"
@@ -130,6 +131,16 @@ PiecePtr make_point_file(const DeckNode& node) {
   return std::make_shared<PointFilePiece>(read_point_file(find_file(node, ""), f, variables));
 }
 
+PiecePtr make_image(const DeckNode& node) {
+  const std::vector<double> range = node.need("threshold").as_reals();
+  if (range.size() != 2)
+    throw InputError(fmt::format("image: threshold has {} numbers; expected the least and the "
+                                 "greatest grey value, as [0,255]",
+                                 range.size()));
+  return read_image(find_file(node, ""), node.int_vector("res"), static_cast<int>(range[0]),
+                    static_cast<int>(range[1]), {node.vector("lower"), node.vector("upper")});
+}
+
 }  // namespace
 
 PiecePtr make_piece(const DeckNode& node) {
@@ -153,6 +164,7 @@ PiecePtr make_piece(const DeckNode& node) {
     return std::make_shared<PolygonPiece>(read_polygon(find_file(node, "")));
   if (tag == "smoothcyl") return make_smooth_cylinder(node);
   if (tag == "file") return make_point_file(node);
+  if (tag == "image") return make_image(node);
   if (tag == "plane_shell")
     return make_plane_shell(node.vector("center"), node.vector("normal"), node.real("radius"),
                             node.real("thickness"));

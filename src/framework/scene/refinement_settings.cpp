@@ -129,8 +129,7 @@ bool read_lists(const DeckNode& node, const Active& active, bool tiled, Adaptive
 }
 
 // The <Regridder> that makes levels; nullptr when those of <Grid> stay as they are.
-const DeckNode* working_regridder(const DeckNode& amr, const GridSettings& grid,
-                                  std::vector<Fault>& faults) {
+const DeckNode* working_regridder(const DeckNode& amr, std::vector<Fault>& faults) {
   const DeckNode* node = amr.child("Regridder");
   const std::string type = amr.attribute("type").value_or("");
   if (node == nullptr) {
@@ -157,18 +156,22 @@ const DeckNode* working_regridder(const DeckNode& amr, const GridSettings& grid,
                 "<adaptive> is false: no finer level is made, whatever max_levels says");
     return nullptr;
   }
-  if (grid.levels.size() > 1) {
-    add_not_built(faults, node->where,
-                  fmt::format("a regridder that starts from {} <Level>s", grid.levels.size()),
-                  "keep the coarsest <Level>, or write <AMR type=\"StaticGridML\">");
-    return nullptr;
-  }
   return node;
+}
+
+// Finer <Level>s of the deck say where a regridder refines at the start, beside what flags ask for.
+void take_start_boxes(GridSettings& grid, RefinementSettings& s) {
+  for (std::size_t l = 1; l < grid.levels.size(); ++l) {
+    StartBoxes& of_level = s.start_boxes.emplace_back();
+    of_level.ratio = grid.levels[l].ratio;
+    for (const BoxSettings& b : grid.levels[l].boxes) of_level.boxes.push_back(b.cells);
+  }
+  grid.levels.resize(1);
 }
 
 void read_regridder(const DeckNode& amr, const Active& active, GridSettings& grid,
                     RefinementSettings& s, std::vector<Fault>& faults) {
-  const DeckNode* node = working_regridder(amr, grid, faults);
+  const DeckNode* node = working_regridder(amr, faults);
   if (node == nullptr) return;
   const std::string type = node->attribute("type").value_or("Tiled");
   if (type != "Tiled")
@@ -177,6 +180,7 @@ void read_regridder(const DeckNode& amr, const Active& active, GridSettings& gri
         fmt::format("the {} regridder is done by the Tiled one: flagged tiles are refined", type));
   collect(faults, node->where, [&] {
     read_intervals(*node, active, s, faults);
+    take_start_boxes(grid, s);
     AdaptiveLevels levels;
     levels.max_levels = node->integer("max_levels");
     if (!read_lists(*node, active, type == "Tiled", levels, faults)) return;

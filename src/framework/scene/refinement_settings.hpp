@@ -34,6 +34,12 @@ struct InterfaceCriterion {
   Location where;
 };
 
+// What a deck's own finer <Level> covers, in its cells.
+struct StartBoxes {
+  IntVec3 ratio{1, 1, 1};  // to the next coarser level
+  std::vector<IndexBox> boxes;
+};
+
 struct RefinementSettings {
   bool adaptive = false;      // a regridder works
   bool lock_step = false;     // all levels take the same step
@@ -47,6 +53,7 @@ struct RefinementSettings {
   int interpolation_order = 1;  // of new cells
   int interface_order = 1;      // of ghost cells where levels meet
   bool reflux = true;           // honoured by the classic scheme only
+  std::vector<StartBoxes> start_boxes;  // with a regridder: of level 1 and finer
   std::vector<RefinedRegion> regions;
   std::vector<ErrorCriterion> errors;
   std::vector<InterfaceCriterion> interfaces;

@@ -5,6 +5,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "framework/solve/composite_amg.hpp"
+#include "framework/solve/system_watch.hpp"
+
 namespace sluice::solve {
 namespace {
 
@@ -33,11 +36,23 @@ void clear(CompositeVector& v) {
 
 }  // namespace
 
+bool takes_amg_on_levels(const SolverSettings& s) {
+  return s.type == "hypreamr" || (s.type == "hypre" && s.solver == "amg");
+}
+
+CompositeSolver::CompositeSolver(const SolverSettings& settings) : settings_(settings) {}
+CompositeSolver::~CompositeSolver() = default;
+
 void CompositeSolver::set_up(std::span<const LevelCoefficients> levels) {
   const auto start = Clock::now();
   system_ = std::make_unique<CompositeSystem>(levels);
+  if (SystemWatch* watch = SystemWatch::current()) watch->matrix(levels, settings_);
   cycles_.clear();
-  for (std::size_t l = 0; l < system_->levels(); ++l) cycles_.emplace_back(system_->whole(l));
+  amg_.reset();
+  if (takes_amg_on_levels(settings_))
+    amg_ = std::make_unique<CompositeAmg>(*system_);
+  else
+    for (std::size_t l = 0; l < system_->levels(); ++l) cycles_.emplace_back(system_->whole(l));
   for (CompositeVector* v : {&r_, &z_, &p_, &q_, &rest_, &gathered_, &correction_})
     *v = system_->vector();
   set_up_seconds_ = seconds_since(start);
@@ -61,6 +76,7 @@ void CompositeSolver::correct_level(std::size_t level, CompositeVector& rest, Co
 }
 
 void CompositeSolver::precondition(const CompositeVector& r, CompositeVector& z) {
+  if (amg_ != nullptr) return amg_->apply(r, z);
   clear(z);
   rest_ = r;
   for (std::size_t l = system_->levels(); l-- > 0;) correct_level(l, rest_, z);
@@ -71,6 +87,7 @@ SolveReport CompositeSolver::solve(const CompositeVector& b, CompositeVector& x)
   const auto start = Clock::now();
   SolveReport report;
   report.set_up_seconds = set_up_seconds_;
+  if (SystemWatch* watch = SystemWatch::current()) watch->right_side(b);
   clear(x);
   r_ = b;
   report.right_side = system_->norm(b, settings_.norm);

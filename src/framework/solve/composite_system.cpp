@@ -208,6 +208,19 @@ void CompositeSystem::find_parents(std::size_t l) {
     });
 }
 
+std::int64_t CompositeSystem::unknowns() const {
+  std::int64_t count = 0;
+  for (const LevelPart& part : levels_)
+    count += part.rows.unknowns() - static_cast<std::int64_t>(part.covered.size());
+  return count;
+}
+
+DenseVector CompositeSystem::unknowns_of(std::size_t level) const {
+  DenseVector found = levels_[level].rows.ones();
+  for (const std::ptrdiff_t c : levels_[level].covered) found[static_cast<std::size_t>(c)] = 0;
+  return found;
+}
+
 CompositeVector CompositeSystem::vector() const {
   CompositeVector v;
   for (const LevelPart& part : levels_) v.push_back(part.rows.vector());

@@ -35,6 +35,7 @@ class CompositeSystem {
   explicit CompositeSystem(std::span<const LevelCoefficients> levels);
 
   std::size_t levels() const { return levels_.size(); }
+  std::int64_t unknowns() const;
   CompositeVector vector() const;
   // Collective: boxes of all ranks into the windows. Covered cells get 0.
   void load(std::size_t level, const ConstBoxViews& boxes, CompositeVector& v) const;
@@ -45,6 +46,17 @@ class CompositeSystem {
   void apply(CompositeVector& x, CompositeVector& y) const;
   double dot(const CompositeVector& a, const CompositeVector& b) const;  // by exact sums
   double norm(const CompositeVector& v, Norm kind) const;
+
+  // What couples unknowns of one level; covered cells have the diagonal 1.
+  const DenseSystem& rows(std::size_t level) const { return levels_[level].rows; }
+  DenseVector unknowns_of(std::size_t level) const;  // 1 where a cell of a level is one, else 0
+  // face(fine level, place there, place on the next coarser level, w): takes w x_coarse from the
+  // fine row, and adds w (x_coarse - x_fine) to the coarse one.
+  template <class F>
+  void for_interfaces(F&& face) const {
+    for (std::size_t l = 1; l < levels_.size(); ++l)
+      for (const Interface& f : levels_[l].interfaces) face(l, f.fine, f.coarse, f.weight);
+  }
 
   // A level for itself, with its covered cells: for preconditioners.
   const DenseSystem& whole(std::size_t level) const { return levels_[level].whole; }

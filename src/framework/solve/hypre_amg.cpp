@@ -12,16 +12,6 @@
 namespace sluice::solve {
 namespace {
 
-// BoomerAMG as measured best on pressures with jumps of density: HMIS, extended interpolation of
-// at most four cells, l1-Gauss-Seidel, one level of aggressive coarsening.
-constexpr int hmis = 10, extended = 6, most_terms = 4, l1_gauss_seidel = 8;
-
-HYPRE_ParVector vector_of(HYPRE_IJVector from) {
-  void* object = nullptr;
-  check_hypre(HYPRE_IJVectorGetObject(from, &object), "IJVectorGetObject");
-  return static_cast<HYPRE_ParVector>(object);
-}
-
 // hypre's own sums of vectors over all ranks.
 const mv_InterfaceInterpreter& vector_functions() {
   static const mv_InterfaceInterpreter functions = [] {
@@ -32,13 +22,30 @@ const mv_InterfaceInterpreter& vector_functions() {
   return functions;
 }
 
+// HMIS, extended interpolation of at most four cells, l1-Gauss-Seidel.
+constexpr int hmis = 10, extended = 6, most_terms = 4, l1_gauss_seidel = 8;
+
+}  // namespace
+
 HYPRE_ParCSRMatrix rows_of(HYPRE_IJMatrix from) {
   void* object = nullptr;
   check_hypre(HYPRE_IJMatrixGetObject(from, &object), "IJMatrixGetObject");
   return static_cast<HYPRE_ParCSRMatrix>(object);
 }
 
-}  // namespace
+HYPRE_ParVector vector_of(HYPRE_IJVector from) {
+  void* object = nullptr;
+  check_hypre(HYPRE_IJVectorGetObject(from, &object), "IJVectorGetObject");
+  return static_cast<HYPRE_ParVector>(object);
+}
+
+void choose_amg_methods(HYPRE_Solver amg) {
+  HYPRE_BoomerAMGSetCoarsenType(amg, hmis);
+  HYPRE_BoomerAMGSetInterpType(amg, extended);
+  HYPRE_BoomerAMGSetPMaxElmts(amg, most_terms);
+  HYPRE_BoomerAMGSetRelaxType(amg, l1_gauss_seidel);
+  HYPRE_BoomerAMGSetAggNumLevels(amg, 1);
+}
 
 void HypreAmgSolver::prepare(const DenseSystem& system) {
   if (system.shape().cells() > std::numeric_limits<HYPRE_Int>::max() / 8) {
@@ -131,11 +138,7 @@ void HypreAmgSolver::make_solvers() {
   check_hypre(HYPRE_BoomerAMGCreate(cycle_.out()), "BoomerAMGCreate");
   HYPRE_BoomerAMGSetTol(cycle_.get(), settings().preconditioner_tolerance);
   HYPRE_BoomerAMGSetMaxIter(cycle_.get(), settings().preconditioner_iterations);
-  HYPRE_BoomerAMGSetCoarsenType(cycle_.get(), hmis);
-  HYPRE_BoomerAMGSetInterpType(cycle_.get(), extended);
-  HYPRE_BoomerAMGSetPMaxElmts(cycle_.get(), most_terms);
-  HYPRE_BoomerAMGSetRelaxType(cycle_.get(), l1_gauss_seidel);
-  HYPRE_BoomerAMGSetAggNumLevels(cycle_.get(), 1);
+  choose_amg_methods(cycle_.get());
   check_hypre(HYPRE_ParCSRPCGCreate(MPI_COMM_WORLD, gradients_.out()), "ParCSRPCGCreate");
   HYPRE_PCGSetTwoNorm(gradients_.get(), 1);
   HYPRE_PCGSetMaxIter(gradients_.get(), settings().max_iterations);

@@ -10,6 +10,13 @@
 
 namespace sluice::solve {
 
+// BoomerAMG as measured best on pressures with jumps of density, with one level of aggressive
+// coarsening; all else is hypre's default.
+void choose_amg_methods(HYPRE_Solver amg);
+// Assembled objects as the solvers take them.
+HYPRE_ParCSRMatrix rows_of(HYPRE_IJMatrix from);
+HYPRE_ParVector vector_of(HYPRE_IJVector from);
+
 class HypreAmgSolver : public LinearSolver {
  public:
   explicit HypreAmgSolver(const SolverSettings& settings) : LinearSolver(settings) {}

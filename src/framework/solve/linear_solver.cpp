@@ -11,6 +11,7 @@
 #include "framework/solve/gradient_solver.hpp"
 #include "framework/solve/hypre_amg.hpp"
 #include "framework/solve/hypre_struct.hpp"
+#include "framework/solve/system_watch.hpp"
 
 namespace sluice::solve {
 namespace {
@@ -30,6 +31,7 @@ void LinearSolver::set_up(const CellMatrix& matrix) {
   const auto start = Clock::now();
   system_.reset();  // none, if this one fails
   DenseSystem system(matrix);
+  if (SystemWatch* watch = SystemWatch::current()) watch->matrix(matrix, settings_);
   prepare(system);
   b_ = system.vector();
   x_ = b_;
@@ -76,6 +78,8 @@ SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews&
   system_->need_finite(b_, "right-hand side");
   system_->load({x.begin(), x.end()}, x_);
   system_->need_finite(x_, "start");
+  if (SystemWatch* watch = SystemWatch::current())
+    watch->right_side(right_side, {x.begin(), x.end()});
   if (system_->singular()) system_->remove_mean(b_);
   report.right_side = system_->norm(b_, settings_.norm);
   const Goal goal{std::max(settings_.tolerance * report.right_side, settings_.absolute_tolerance),

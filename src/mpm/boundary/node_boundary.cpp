@@ -107,6 +107,14 @@ constexpr int first_lane[2] = {1, 4};
 }  // namespace
 
 void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes) const {
+  fold(material, table, nodes, true);
+}
+
+void NodeBoundary::fold_scalars(int material, BlockTable& table, NodeLanes& nodes) const {
+  fold(material, table, nodes, false);
+}
+
+void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const {
   for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
     if (nodes.sums(b)[n * lanes + count_lane] == 0 || !is_image(node, material)) return;
     const Image to = image(node, material);
@@ -118,7 +126,7 @@ void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes) const
     for (int l = 0; l < count_lane; ++l) {
       std::int64_t value = from[l] - count;
       for (int d = 0; d < 3; ++d)
-        if (to.flipped[static_cast<std::size_t>(d)] &&
+        if (vectors && to.flipped[static_cast<std::size_t>(d)] &&
             (l == first_lane[0] + d || l == first_lane[1] + d))
           value = -value;
       sums[l] += value + count;

@@ -41,9 +41,13 @@ class NodeBoundary {
   // The sums of images are added to those of their nodes, and nodes' velocities copied to them
   // (lanes v, - | dv, -, counted from a velocity without component along mirrored directions).
   void fold(int material, BlockTable& table, NodeLanes& nodes) const;
+  // The same for lanes of which none changes its sign across a mirror.
+  void fold_scalars(int material, BlockTable& table, NodeLanes& nodes) const;
   void unfold(int material, const BlockTable& table, NodeLanes& nodes) const;
 
  private:
+  void fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const;
+
   const Scene* scene_;
   const MpmScene* solids_;
   Level level_;

@@ -37,17 +37,21 @@ void locate_below(DeckNode& node, std::vector<Fault>& faults) {
 std::string find_data_file(const std::string& name, const std::string& extension,
                            const Location& where, std::vector<Fault>& faults) {
   if (name.empty()) return {};
-  if (is_file(name + extension)) return name;
   const fs::path folder = fs::path(where.file).parent_path();
-  const fs::path beside = folder / name;
-  if (is_file(beside.string() + extension)) return beside.string();
+  for (const fs::path& place : {fs::path(name), folder / name})
+    if (is_file(place.string() + extension)) return place.string();
   const fs::path bare = folder / fs::path(name).filename();
-  if (!is_file(bare.string() + extension)) return {};
-  add_warning(faults, where,
-              fmt::format("'{}' is not there; '{}', beside the deck, is taken", name + extension,
-                          bare.string() + extension),
-              "correct the path");
-  return bare.string();
+  for (const fs::path& place : {fs::path(name), folder / name, bare})
+    for (const char* packed : {"", ".gz"}) {
+      const std::string path = place.string() + packed;
+      if (!is_file(path + extension)) continue;
+      add_warning(faults, where,
+                  fmt::format("'{}' is not there; '{}' is taken", name + extension,
+                              path + extension),
+                  "correct the name");
+      return path;
+    }
+  return {};
 }
 
 std::string data_file(const DeckNode& node, std::vector<Fault>& faults) {

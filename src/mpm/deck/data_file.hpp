@@ -1,5 +1,5 @@
-// Where a deck's data file lies: in the working directory, beside the deck, or, with a warning,
-// beside the deck without the folders that its name gives.
+// Where a deck's data file lies: in the working directory or beside the deck; with a warning, beside
+// the deck without the folders that its name gives, and at all three places gzipped (NAME.gz).
 #pragma once
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// What this folder needs of the constitutive models: the tag, and the law that it describes.
+// What this folder needs of the constitutive models: the tags, and the law that they describe.
 #pragma once
 #include <memory>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace sluice::mpm {
 
-TagSpec constitutive_model_tag();
-
+// <constitutive_model> and what else of a <material> belongs to its law.
+std::vector<TagSpec> law_tags();
 // The law of a <material>; nullptr: a fault says why.
 std::shared_ptr<const Material> read_law(const DeckNode& material,
                                          const MaterialConstants& constants,

@@ -123,7 +123,7 @@ TagSpec material_tag() {
                             .integer()
                             .at_least(0)})
       .with_children(constants_tags())
-      .with_children({constitutive_model_tag(), damage_model_tag(), erosion_tag()})
+      .with_children(law_tags())
       .with_children(role_tags())
       .with_children(grain_tags())
       .child(geom_object());

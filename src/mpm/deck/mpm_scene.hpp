@@ -136,6 +136,7 @@ struct MpmScene {
   bool with_colour = false;
   bool full_first_kick = false;
   std::string manufactured;  // RunMMSProblem
+  double manufactured_amplitude = 0;  // 0: that of the problem
   std::vector<std::string> traction_faces;
   std::string prescribed_file, insert_file;  // resolved paths; empty: off
   bool exact_deformation = false;

@@ -27,7 +27,10 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
   }
   if (c.variable == "Velocity" && c.kind == ConditionKind::dirichlet) {
     b.kind = Kind::velocity;
-    if (!c.is_vector)
+    if (!c.has_value)
+      add_warning(faults, c.where, "a velocity without <value>: [0,0,0] is taken",
+                  "write <value>[0.0,0.0,0.0]</value>");
+    else if (!c.is_vector)
       add_error(faults, c.where, "the velocity at a face is a vector", "write [0.0,0.0,0.0]");
     return true;
   }

@@ -41,13 +41,14 @@ void read_master(const DeckNode& node, ContactRule& rule, std::vector<Fault>& fa
           [&] { rule.profile = read_profile(rule.profile_file, rule.rotates); });
 }
 
-ContactRule read_contact(const DeckNode& node, std::vector<Fault>& faults) {
+ContactRule read_contact(const DeckNode& node, int materials, std::vector<Fault>& faults) {
   ContactRule rule;
   rule.where = node.where;
   rule.type = node.string("type");
   rule.kind = kind_of(rule.type);
   if (const DeckNode* list = node.child("materials"))
-    for (const double index : list->as_reals()) rule.materials.push_back(static_cast<int>(index));
+    for (const double index : list->as_reals())
+      if (index < materials) rule.materials.push_back(static_cast<int>(index));
   const bool by_master =
       rule.kind == ContactKind::specified || rule.kind == ContactKind::specified_friction;
   rule.both_hooks = integer_or(node, "OneOrTwoStep", by_master ? 1 : 2) == 2;
@@ -76,8 +77,11 @@ std::vector<std::array<double, 10>> read_profile(const std::string& file, bool r
 
 void read_contacts(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults) {
   for (const DeckNode* node : block.all("contact")) {
-    ContactRule rule = read_contact(*node, faults);
-    if (rule.kind != ContactKind::none) s.contacts.push_back(std::move(rule));
+    ContactRule rule = read_contact(*node, static_cast<int>(s.materials.size()), faults);
+    const bool listed = node->child("materials") != nullptr;
+    // What acts on nothing is left out; an empty list would mean all.
+    if (rule.kind == ContactKind::none || (listed && rule.materials.empty())) continue;
+    s.contacts.push_back(std::move(rule));
   }
   s.thermal_contact = s.thermal_contact || block.child("thermal_contact") != nullptr;
 }

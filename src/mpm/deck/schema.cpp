@@ -2,10 +2,11 @@
 #include "mpm/deck/schema.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <string_view>
 
 #include "mpm/deck/data_file.hpp"
+#include "mpm/deck/material_law.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -15,15 +16,19 @@ std::string component_of(const DeckNode& root) {
   return component == nullptr ? "" : component->attribute("type").value_or("");
 }
 
-template <std::size_t n>
-bool is_one_of(std::string_view type, const std::array<std::string_view, n>& list) {
-  return std::find(list.begin(), list.end(), type) != list.end();
-}
+constexpr std::string_view solids_alone[] = {"mpm",     "amrmpm",   "rmpm",
+                                             "rigidmpm", "sfmpm",    "smpm",
+                                             "shellmpm", "impm",     "shmpm",  "switcher"};
+constexpr std::string_view with_fluid[] = {"mpmice", "rmpmice", "rigidmpmice", "smpmice",
+                                           "shellmpmice"};
 
-constexpr std::array<std::string_view, 9> solids_alone = {
-    "mpm", "MPM", "amrmpm", "AMRmpm", "AMRMPM", "rmpm", "rigidmpm", "sfmpm", "SFMPM"};
-constexpr std::array<std::string_view, 4> with_fluid = {"mpmice", "MPMICE", "rmpmice",
-                                                        "rigidmpmice"};
+// In any spelling.
+template <std::size_t n>
+bool is_one_of(std::string type, const std::string_view (&list)[n]) {
+  std::transform(type.begin(), type.end(), type.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(std::begin(list), std::end(list), type) != std::end(list);
+}
 
 }  // namespace
 
@@ -53,6 +58,8 @@ void add_mpm_tags(Schema& schema) {
                             .with_children({material_tag(), contact_tag(), thermal_contact_tag(),
                                             cohesive_zone_tag()})));
   schema.add(loads_tag());
+  schema.add(tag("InitialConditions", "accepted without effect: empty blocks of old decks")
+                 .child(tag("MPM", "accepted without effect")));
   schema.rewrites.emplace_back(drop_stray_blocks);
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);

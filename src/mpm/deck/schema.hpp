@@ -20,8 +20,6 @@ std::vector<const DeckNode*> mpm_materials(const DeckNode& root);
 TagSpec flags_tag();       // <MPM>
 TagSpec refinement_tag();  // <AMR><MPM>
 TagSpec material_tag();
-TagSpec damage_model_tag();
-TagSpec erosion_tag();
 TagSpec contact_tag();
 TagSpec thermal_contact_tag();
 TagSpec cohesive_zone_tag();

@@ -19,10 +19,10 @@ inline double inverse_cube_root(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const double scaled =
       std::bit_cast<double>((bits >> 12) | 0x4330000000000000ull) - two_52;  // bits / 2^12
-  constexpr double middle = 4.0 / 3 * 1099511627776.0 * (1023 - 0.045);  // .045: mean error
+  constexpr double middle = 4.0 / 3 * 1099511627776.0 * (1023 - 0.045);      // .045: mean error
   const double third = (middle - scaled * (1.0 / 3.0)) + two_52;
-  double y = std::bit_cast<double>((std::bit_cast<std::uint64_t>(third) & 0xfffffffffffffull)
-                                   << 12);
+  double y =
+      std::bit_cast<double>((std::bit_cast<std::uint64_t>(third) & 0xfffffffffffffull) << 12);
   // Two steps of order four: the error .05 becomes 1e-6, then none.
   for (int k = 0; k < 2; ++k) {
     const double r = 1 - x * y * y * y;

@@ -21,6 +21,8 @@ class LogNeoHook final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return shear_; }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {
@@ -46,8 +48,7 @@ class LogNeoHook final : public Material {
       energy[i] =
           volume_0[i] * (0.5 * lambda * logs.ln * logs.ln + G * (0.5 * (trace - 3) - logs.ln));
       // rho_0 c^2 = lambda + G - lambda ln J + G b_max
-      const double modulus =
-          lambda + G - lambda * logs.ln + G * (mean + eigenvalue_reach(b, mean));
+      const double modulus = lambda + G - lambda * logs.ln + G * (mean + eigenvalue_reach(b, mean));
       wave_speed[i] = std::sqrt(std::max(modulus, 0.0) * per_density);
     }
   }

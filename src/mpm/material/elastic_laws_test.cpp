@@ -24,9 +24,9 @@ TEST(LogNeoHook, UniaxialStrainAndShear) {
 
 // C1 = 1e5, C2 = 2e4, nu = .49: G = 2.4e5, K = 1.192e7 (the disks of the public decks).
 TEST(MooneyRivlin, UniaxialStrainByItsEnergy) {
-  const auto made = law(
-      "comp_mooney_rivlin",
-      "<he_constant_1>1e5</he_constant_1><he_constant_2>2e4</he_constant_2><he_PR>.49</he_PR>");
+  const auto made =
+      law("comp_mooney_rivlin",
+          "<he_constant_1>1e5</he_constant_1><he_constant_2>2e4</he_constant_2><he_PR>.49</he_PR>");
   EXPECT_NEAR(made->bulk_modulus(), 1.192e7, 1);
   const double C1 = 1e5, C2 = 2e4, C3 = 7e4, nu = 0.49;
   const double C4 = 0.5 * (C1 * (5 * nu - 2) + C2 * (11 * nu - 5)) / (1 - 2 * nu);
@@ -47,7 +47,8 @@ TEST(MooneyRivlin, UniaxialStrainByItsEnergy) {
 TEST(HypoElastic, UniaxialStrainIsLogarithmic) {
   const auto made = law("hypo_elastic", "<G>3e4</G><K>6e4</K>");
   MaterialSample s(made, steel_constants(), 1, 298);
-  follow(s, [](double t) { return Matrix{std::exp(0.3 * t), 0, 0, 0, 1, 0, 0, 0, 1}; }, 1, 100);
+  follow(
+      s, [](double t) { return Matrix{std::exp(0.3 * t), 0, 0, 0, 1, 0, 0, 0, 1}; }, 1, 100);
   EXPECT_NEAR(s.stress()[0] / ((K + 4 * G / 3) * 0.3), 1, 1e-6);  // measured 7.5e-7
 }
 
@@ -56,7 +57,8 @@ TEST(HypoElastic, SimpleShearOscillatesAsJaumannsRateDoes) {
   const auto made = law("hypo_elastic", "<G>3e4</G><K>6e4</K>");
   MaterialSample s(made, steel_constants(), 1, 298);
   const double g = 4;
-  follow(s, [&](double t) { return Matrix{1, g * t, 0, 0, 1, 0, 0, 0, 1}; }, 1, 1000);
+  follow(
+      s, [&](double t) { return Matrix{1, g * t, 0, 0, 1, 0, 0, 0, 1}; }, 1, 1000);
   EXPECT_NEAR(s.stress()[5] / G, std::sin(g), 1e-5);  // measured 5e-6
   EXPECT_NEAR(s.stress()[0] / G, 1 - std::cos(g), 1e-5);
 }
@@ -65,7 +67,8 @@ TEST(HypoElastic, SimpleShearOscillatesAsJaumannsRateDoes) {
 TEST(HypoElastic, PlainFormDoesNotTurn) {
   const auto made = law("hypo_elastic", "<G>3e4</G><K>6e4</K><objective>false</objective>");
   MaterialSample s(made, steel_constants(), 1, 298);
-  follow(s, [](double t) { return Matrix{1, 4 * t, 0, 0, 1, 0, 0, 0, 1}; }, 1, 10);
+  follow(
+      s, [](double t) { return Matrix{1, 4 * t, 0, 0, 1, 0, 0, 0, 1}; }, 1, 10);
   EXPECT_NEAR(s.stress()[5], G * 4, 1e-10 * K);
   EXPECT_NEAR(s.stress()[0], 0, 1e-10 * K);
 }

@@ -57,8 +57,7 @@ class EveryLaw : public testing::TestWithParam<LawCase> {
 Matrix deformation(double size, unsigned seed = 1) {
   std::mt19937 random(seed);
   Matrix F = identity;
-  for (double& x : F)
-    x += size * (static_cast<double>(random()) / 2147483648.0 - 1);
+  for (double& x : F) x += size * (static_cast<double>(random()) / 2147483648.0 - 1);
   return F;
 }
 
@@ -87,11 +86,14 @@ TEST_P(EveryLaw, SmallStrainsSeeTheModuli) {
 TEST_P(EveryLaw, RotationAfterDeformationTurnsTheStress) {
   MaterialSample s = sample();
   const Matrix F = deformation(GetParam().strain);
-  follow(s, [&](double t) {
-    Matrix now = identity;
-    for (std::size_t k = 0; k < 9; ++k) now[k] += t * (F[k] - identity[k]);
-    return now;
-  }, 1, 10);
+  follow(
+      s,
+      [&](double t) {
+        Matrix now = identity;
+        for (std::size_t k = 0; k < 9; ++k) now[k] += t * (F[k] - identity[k]);
+        return now;
+      },
+      1, 10);
   const std::array<double, 6> before = s.stress();
   const double energy = s.energy();
   const std::array<double, 3> axis = {0.3, -1, 0.6};
@@ -99,8 +101,7 @@ TEST_P(EveryLaw, RotationAfterDeformationTurnsTheStress) {
   for (int n = 1; n <= 8; ++n)
     ASSERT_EQ(s.step(product(rotation(axis, 0.4 * n), F), quick), std::nullopt);
   const std::array<double, 6> turned = pushed(before, rotation(axis, 3.2));
-  for (std::size_t k = 0; k < 6; ++k)
-    EXPECT_NEAR(s.stress()[k], turned[k], 1e-12 * modulus()) << k;
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(s.stress()[k], turned[k], 1e-12 * modulus()) << k;
   EXPECT_NEAR(s.energy(), energy, 1e-12 * modulus());
 }
 
@@ -115,7 +116,8 @@ TEST_P(EveryLaw, RotationDuringDeformationTurnsTheStress) {
   const std::array<double, 3> axis = {-0.2, 0.5, 1};
   MaterialSample plain = sample(), turned = sample();
   follow(plain, path, 2, 40);
-  follow(turned, [&](double t) { return product(rotation(axis, 0.8 * t), path(t)); }, 2, 40);
+  follow(
+      turned, [&](double t) { return product(rotation(axis, 0.8 * t), path(t)); }, 2, 40);
   const std::array<double, 6> expected = pushed(plain.stress(), rotation(axis, 1.6));
   for (std::size_t k = 0; k < 6; ++k)
     EXPECT_NEAR(turned.stress()[k], expected[k],

@@ -13,6 +13,11 @@ inline Label plastic_strain_label() {
 inline Label plastic_strain_rate_label() {
   return particle_label("p.plasticStrainRate", "1/s", "rate of the equivalent plastic strain");
 }
+inline Label strain_temperature_label() {
+  return particle_label(
+      "p.strainTemperature", "K",
+      "temperature to which the thermal strain of a rate-form law has been taken");
+}
 inline Label yield_stress_label() {
   return particle_label("p.yieldStress", "Pa", "yield stress drawn for the particle");
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/objective_step.hpp"
 
@@ -16,14 +17,17 @@ namespace {
 class HypoElastic final : public Material {
  public:
   HypoElastic(double bulk, double shear, double density, double expansion, bool objective)
-      : bulk_(bulk), shear_(shear), density_(density), expansion_(expansion),
+      : bulk_(bulk),
+        shear_(shear),
+        density_(density),
+        expansion_(expansion),
         objective_(objective) {
     if (expansion != 0)
-      history_.push_back({declare_label({"p.strainTemperature", ValueType::real,
-                                         Centring::particle, "K",
-                                         "temperature to which the thermal strain of a "
-                                         "rate-form law has been taken"}),
-                          1});
+      history_.push_back(
+          {declare_label({"p.strainTemperature", ValueType::real, Centring::particle, "K",
+                          "temperature to which the thermal strain of a "
+                          "rate-form law has been taken"}),
+           1});
   }
 
   std::span<const HistoryColumn> history() const override { return history_; }
@@ -48,6 +52,7 @@ class HypoElastic final : public Material {
     return fault_of_volume(b);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return shear_; }
 
  private:
   template <bool objective, bool thermal>
@@ -74,18 +79,15 @@ class HypoElastic final : public Material {
         volume -= 3 * bulk_ * expansion * (temperature[i] - taken_to[i]);
         now_taken_to[i] = temperature[i];
       }
-      const std::array<double, 6> middle = {old[0] + G2 * d[0] + volume,
-                                       old[1] + G2 * d[1] + volume,
-                                       old[2] + G2 * d[2] + volume,
-                                       old[3] + G2 * d[3],
-                                       old[4] + G2 * d[4],
-                                       old[5] + G2 * d[5]};
+      const std::array<double, 6> middle = {
+          old[0] + G2 * d[0] + volume, old[1] + G2 * d[1] + volume, old[2] + G2 * d[2] + volume,
+          old[3] + G2 * d[3],          old[4] + G2 * d[4],          old[5] + G2 * d[5]};
       const std::array<double, 6> s = objective ? pushed(middle, move.half_turn) : middle;
       const double J = determinant(at(F, i));
       // (sigma_n J_n + sigma_n+1 J_n+1)/2 : dt D
-      energy[i] = old_energy[i] + 0.5 * volume_0[i] *
-                                      (determinant(at(F_old, i)) * double_dot(old, d) +
-                                       J * double_dot(middle, d));
+      energy[i] = old_energy[i] +
+                  0.5 * volume_0[i] *
+                      (determinant(at(F_old, i)) * double_dot(old, d) + J * double_dot(middle, d));
       wave_speed[i] = std::sqrt(J * per_density);
       stress[0][i] = s[0];
       stress[1][i] = s[1];
@@ -113,9 +115,9 @@ MaterialModel hypo_elastic_model() {
                   "beside a fluid: the pressure of a stretched cell stays positive", false),
            objective_tag()},
           [](const Parameters& p) -> std::shared_ptr<const Material> {
-            return std::make_shared<HypoElastic>(
-                p.real("K"), p.real("G"), p.constants().density,
-                p.real("alpha") + p.constants().thermal_expansion, p.flag("objective"));
+            return std::make_shared<HypoElastic>(p.real("K"), p.real("G"), p.constants().density,
+                                                 p.real("alpha") + p.constants().thermal_expansion,
+                                                 p.flag("objective"));
           }};
 }
 

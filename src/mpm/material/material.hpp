@@ -25,10 +25,10 @@ using Nine = std::array<T*, 9>;
 
 // What a material is beside its law.
 struct MaterialConstants {
-  double density = 0;            // rho_0, kg/m^3
-  double conductivity = 0;       // k, W/m/K
-  double specific_heat = 0;      // c_v, J/kg/K
-  double thermal_expansion = 0;  // alpha_t, 1/K
+  double density = 0;                                        // rho_0, kg/m^3
+  double conductivity = 0;                                   // k, W/m/K
+  double specific_heat = 0;                                  // c_v, J/kg/K
+  double thermal_expansion = 0;                              // alpha_t, 1/K
   double room_temperature = 294, melt_temperature = 295e10;  // K
   double reference_pressure = 0;                             // p_ref of <PhysicalConstants>, Pa
 };
@@ -44,22 +44,23 @@ struct HistoryColumn {
 struct Batch {
   int count = 0;
   double time = 0, dt = 0;
-  Nine<const double> old_F{}, F{};  // deformation gradient at both ends of the step
-  Nine<const double> L{};           // velocity gradient of the step: F = (I + dt L) old_F
+  Nine<const double> old_F{}, F{};      // deformation gradient at both ends of the step
+  Nine<const double> L{};               // velocity gradient of the step: F = (I + dt L) old_F
   const double* temperature = nullptr;  // at the start, K
   const double* mass = nullptr;         // kg
   const double* volume_0 = nullptr;     // in the reference state: volume is J volume_0, m^3
   const double* spacing = nullptr;      // null, or length of a cell for laws that need one
   const std::int64_t* id = nullptr;
   Six<const double> old_stress{};
-  Six<double> stress{};                     // Cauchy
+  Six<double> stress{};                        // Cauchy
   std::span<const double* const> old_history;  // columns, component after component
   std::span<double* const> history;
   // What deforming the particle has stored and turned into heat until now, J: work of the stress.
   const double* old_energy = nullptr;
   double* energy = nullptr;
-  double* wave_speed = nullptr;  // c_p of the new state, longitudinal, with F and stress as they are
-  double* heating = nullptr;     // dT/dt by the law itself, K/s; zero when the law is called
+  double* wave_speed =
+      nullptr;                // c_p of the new state, longitudinal, with F and stress as they are
+  double* heating = nullptr;  // dT/dt by the law itself, K/s; zero when the law is called
 };
 
 // A particle that cannot take the step: det F <= 0, out of the law's range, not finite. The step is
@@ -78,10 +79,18 @@ class Material {
   // History, stress, energy and wave speed at the start; F is given, old columns are null.
   virtual void start(const Batch& batch) const = 0;
   virtual std::optional<BatchFault> update(const Batch& batch) const = 0;
+  // Which column of the history is not 0 where a particle has failed; -1 where none can.
+  virtual int failed_column() const { return -1; }
+  // Such a particle keeps its F: the step gives it L = 0.
+  virtual bool failed_keep_their_shape() const { return false; }
+  // Whether stress is a function of F (and temperature) alone, whatever the old stress.
+  virtual bool stress_of_state() const { return false; }
   // Moves with prescribed velocity, has no stress and no equation of its own.
   virtual bool rigid() const { return false; }
   // Bulk modulus at rest, Pa: for the artificial viscosity, and as the scale of stresses.
   virtual double bulk_modulus() const = 0;
+  // Shear modulus at rest, Pa.
+  virtual double shear_modulus() const { return 0; }
 };
 
 }  // namespace sluice::mpm

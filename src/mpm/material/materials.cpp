@@ -3,25 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema_check.hpp"
+#include "mpm/material/failure.hpp"
 
 namespace sluice::mpm {
 
 // Each in the file of its name.
-MaterialModel rigid_model(), comp_neo_hook_model(), comp_neo_hook_plastic_model(), UCNH_model(),
-    cnh_mms_model(), comp_mooney_rivlin_model(), hypo_elastic_model();
+using Describe = MaterialModel();
+Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_model, cnh_mms_model,
+    comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model,
+    water_model, murnaghanMPM_model, ideal_gas_model, jwlpp_mpm_model, MohrCoulomb_model,
+    trans_iso_hyper_model, visco_trans_iso_hyper_model, visco_scram_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
-      rigid_model(),
-      comp_neo_hook_model(),
-      comp_neo_hook_plastic_model(),
-      UCNH_model(),
-      cnh_mms_model(),
-      comp_mooney_rivlin_model(),
-      hypo_elastic_model(),
+      rigid_model(),        comp_neo_hook_model(),   comp_neo_hook_plastic_model(),
+      UCNH_model(),         cnh_mms_model(),         comp_mooney_rivlin_model(),
+      hypo_elastic_model(), elastic_plastic_model(), elastic_plastic_hp_model(),
   };
   return table;
 }
@@ -65,10 +67,21 @@ const std::vector<std::string> not_supported = {"ArenaSoil",
                                                 "three_factor_mooney",
                                                 "visco_plastic"};
 // Tags that decks give to models which never read them.
-const std::vector<std::string> never_read = {
-    "strain_limit", "reduction_factor", "yield_stress", "hardening_modulus", "isothermal",
-    "useTaylorSeriesForDefGrad", "num_taylor_terms", "coeff_thermal_expansion", "G", "K",
-    "use_polar_decomposition_RMB", "StrainEnergy", "shear_modulus", "bulk_modulus", "alpha"};
+const std::vector<std::string> never_read = {"strain_limit",
+                                             "reduction_factor",
+                                             "yield_stress",
+                                             "hardening_modulus",
+                                             "isothermal",
+                                             "useTaylorSeriesForDefGrad",
+                                             "num_taylor_terms",
+                                             "coeff_thermal_expansion",
+                                             "G",
+                                             "K",
+                                             "use_polar_decomposition_RMB",
+                                             "StrainEnergy",
+                                             "shear_modulus",
+                                             "bulk_modulus",
+                                             "alpha"};
 
 // Of the attribute `type`.
 AttributeSpec type_attribute() {
@@ -108,18 +121,25 @@ TagSpec constitutive_model_tag() {
   return whole;
 }
 
-std::vector<TagSpec> failure_tags() { return {}; }
+std::vector<TagSpec> failure_tags() {
+  return {};
+}
 
 std::shared_ptr<const Material> make_material(const DeckNode& constitutive_model,
                                               const DeckNode& material,
                                               const MaterialConstants& constants,
                                               std::vector<Fault>& faults) {
-  static_cast<void>(material);
   const MaterialModel* model = find_model(constitutive_model, faults);
   if (model == nullptr) return nullptr;
-  const Parameters parameters(constitutive_model, model->name, model->tags, {constants, false},
-                              faults);
-  return parameters.good() ? model->make(parameters) : nullptr;
+  const Parameters parameters(constitutive_model, model->name, model->tags,
+                              {constants, erodes(material)}, faults);
+  if (!parameters.good()) return nullptr;
+  const std::size_t before = faults.size();
+  auto law = model->make(parameters);
+  const bool bad = std::any_of(faults.begin() + static_cast<std::ptrdiff_t>(before), faults.end(),
+                               [](const Fault& f) { return f.severity == Severity::error; });
+  if (law == nullptr || bad) return nullptr;
+  return with_failure(std::move(law), material, constants, faults);
 }
 
 }  // namespace sluice::mpm

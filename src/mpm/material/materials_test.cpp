@@ -14,9 +14,8 @@ std::string told_of(const std::string& type, const std::string& inside,
                     const std::string& beside = "") {
   std::vector<Fault> faults;
   const auto made = law_of_text(type, inside, steel_constants(), faults, beside);
-  const bool error = std::any_of(faults.begin(), faults.end(), [](const Fault& f) {
-    return f.severity == Severity::error;
-  });
+  const bool error = std::any_of(faults.begin(), faults.end(),
+                                 [](const Fault& f) { return f.severity == Severity::error; });
   EXPECT_EQ(made == nullptr, error) << told(faults);
   return told(faults);
 }
@@ -50,7 +49,8 @@ TEST(Materials, BadNumbersAreToldWithTheirLine) {
 }
 
 TEST(Materials, TagsThatAModelNeverReadsAreWarnings) {
-  const std::string text = told_of("hypo_elastic", "<G>1</G><K>1</K>\n<strain_limit>3</strain_limit>");
+  const std::string text =
+      told_of("hypo_elastic", "<G>1</G><K>1</K>\n<strain_limit>3</strain_limit>");
   EXPECT_THAT(text, HasSubstr("law.ups:4"));
   EXPECT_THAT(text, HasSubstr("warning"));
   EXPECT_THAT(text, HasSubstr("hypo_elastic never reads <strain_limit>"));

@@ -27,6 +27,8 @@ class MooneyRivlin final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return bulk_; }
+  double shear_modulus() const override { return 2 * (C1_ + C2_); }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {
@@ -39,12 +41,10 @@ class MooneyRivlin final : public Material {
     for (int i = 0; i < batch.count; ++i) {
       const std::array<double, 9> F = at(F_columns, i);
       const std::array<double, 6> b = left_cauchy_green(F);
-      const std::array<double, 6> b2 = {b[0] * b[0] + b[5] * b[5] + b[4] * b[4],
-                                        b[5] * b[5] + b[1] * b[1] + b[3] * b[3],
-                                        b[4] * b[4] + b[3] * b[3] + b[2] * b[2],
-                                        b[5] * b[4] + b[1] * b[3] + b[3] * b[2],
-                                        b[0] * b[4] + b[5] * b[3] + b[4] * b[2],
-                                        b[0] * b[5] + b[5] * b[1] + b[4] * b[3]};
+      const std::array<double, 6> b2 = {
+          b[0] * b[0] + b[5] * b[5] + b[4] * b[4], b[5] * b[5] + b[1] * b[1] + b[3] * b[3],
+          b[4] * b[4] + b[3] * b[3] + b[2] * b[2], b[5] * b[4] + b[1] * b[3] + b[3] * b[2],
+          b[0] * b[4] + b[5] * b[3] + b[4] * b[2], b[0] * b[5] + b[5] * b[1] + b[4] * b[3]};
       const double J = determinant(F), I3 = J * J, per_I3_2 = 1 / (I3 * I3);
       const double I1 = b[0] + b[1] + b[2], mean = I1 * (1.0 / 3);
       const double I2 = 0.5 * (I1 * I1 - (b2[0] + b2[1] + b2[2]));
@@ -58,8 +58,7 @@ class MooneyRivlin final : public Material {
       stress[4][i] = scale * (of_b * b[4] - C2 * b2[4]);
       stress[5][i] = scale * (of_b * b[5] - C2 * b2[5]);
       const double d = I3 - 1;
-      energy[i] = volume_0[i] *
-                  (C1 * (I1 - 3) + C2 * (I2 - 3) + C3 * (per_I3_2 - 1) + C4 * d * d);
+      energy[i] = volume_0[i] * (C1 * (I1 - 3) + C2 * (I2 - 3) + C3 * (per_I3_2 - 1) + C4 * d * d);
       // Along a principal direction rho_0 c^2 = b^(1/2) d^2 W/d lambda^2 b^(1/2)
       //   = 2 b [C1 + C2 (I1 - b)] + 20 C3/I3^2 + 4 C4 I3 (3 I3 - 1);   b(I1 - b) grows to I1/2.
       const double b_max = mean + eigenvalue_reach(b, mean), b_half = std::min(b_max, 0.5 * I1);

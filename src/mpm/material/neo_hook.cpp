@@ -19,6 +19,8 @@ class NeoHook final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return c_.bulk; }
+  double shear_modulus() const override { return c_.shear; }
+  bool stress_of_state() const override { return true; }
 
  private:
   void evaluate(const Batch& batch) const {
@@ -74,25 +76,25 @@ class NeoHook final : public Material {
 Tags elastic_tags() {
   return {positive("bulk_modulus", "K, Pa"),
           tag("shear_modulus", "G, Pa").once().real().at_least(0),
-          choice("useModifiedEOS", "beside a fluid: the pressure of a stretched cell stays positive",
-                 false),
+          choice("useModifiedEOS",
+                 "beside a fluid: the pressure of a stretched cell stays positive", false),
           choice("useInitialStress", "whether the body starts under <initial_pressure>", false),
           number("initial_pressure", "p, Pa", 0)};
 }
 
 Tags plastic_tags(bool plastic) {
   Tags tags = elastic_tags();
-  const Tags further = {
-      choice("usePlasticity", "whether the body yields", plastic),
-      tag("yield_stress", "sigma_Y, Pa").real().at_least(0),
-      number("hardening_modulus", "H, Pa", 0),
-      number("alpha", "equivalent plastic strain at the start", 0),
-      tag("yield_distrib", "strength of the particles: one for all, or drawn evenly from "
-                           "sigma_Y -/+ yield_range")
-          .words({"constant", "uniform"})
-          .by_default("constant"),
-      number("yield_range", "half width of the drawn strengths, Pa", 0),
-      number("yield_seed", "number that draws other strengths", 0)};
+  const Tags further = {choice("usePlasticity", "whether the body yields", plastic),
+                        tag("yield_stress", "sigma_Y, Pa").real().at_least(0),
+                        number("hardening_modulus", "H, Pa", 0),
+                        number("alpha", "equivalent plastic strain at the start", 0),
+                        tag("yield_distrib",
+                            "strength of the particles: one for all, or drawn evenly from "
+                            "sigma_Y -/+ yield_range")
+                            .words({"constant", "uniform"})
+                            .by_default("constant"),
+                        number("yield_range", "half width of the drawn strengths, Pa", 0),
+                        number("yield_seed", "number that draws other strengths", 0)};
   tags.insert(tags.end(), further.begin(), further.end());
   return tags;
 }
@@ -137,8 +139,11 @@ MaterialModel comp_neo_hook_plastic_model() {
           make};
 }
 MaterialModel UCNH_model() {
-  return {"UCNH", {"ucnh"}, "the same solid; <usePlasticity> says whether it yields",
-          plastic_tags(false), make};
+  return {"UCNH",
+          {"ucnh"},
+          "the same solid; <usePlasticity> says whether it yields",
+          plastic_tags(false),
+          make};
 }
 
 }  // namespace sluice::mpm

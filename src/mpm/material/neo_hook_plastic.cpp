@@ -43,14 +43,12 @@ class NeoHookPlastic final : public Material {
       for (int k = 0; k < 6; ++k) b.history[k][i] = k < 3 ? 1 : 0;
       b.history[alpha_column][i] = alpha_;
       b.history[yield_column][i] =
-          range_ == 0 ? yield_
-                      : yield_ + range_ * (2 * particle_random(b.id[i], seed_, 0) - 1);
+          range_ == 0 ? yield_ : yield_ + range_ * (2 * particle_random(b.id[i], seed_, 0) - 1);
       const double J = determinant(at(b.F, i)) * c_.J0;
       const double pressure = 0.5 * c_.bulk * (J - 1 / J);
       for (int k = 0; k < 6; ++k) b.stress[k][i] = k < 3 ? pressure : 0;
       b.energy[i] = b.volume_0[i] * 0.5 * c_.bulk * volume_logs(J).energy;
-      b.wave_speed[i] =
-          std::sqrt((0.5 * c_.bulk * (J * J + 1) + 4.0 / 3 * c_.shear) / c_.density);
+      b.wave_speed[i] = std::sqrt((0.5 * c_.bulk * (J * J + 1) + 4.0 / 3 * c_.shear) / c_.density);
     }
   }
 
@@ -62,6 +60,7 @@ class NeoHookPlastic final : public Material {
     return fault_of_volume(batch);
   }
   double bulk_modulus() const override { return c_.bulk; }
+  double shear_modulus() const override { return c_.shear; }
 
  private:
   template <bool thermal>
@@ -132,11 +131,9 @@ class NeoHookPlastic final : public Material {
       stress[4][i] = per_J * s[4];
       stress[5][i] = per_J * s[5];
       // What is stored, and the plastic work until now: the integral of sigma_Y + H alpha.
-      const double plastic =
-          (a - alpha_0) * (old_yield[i] + 0.5 * H * (a + alpha_0));
+      const double plastic = (a - alpha_0) * (old_yield[i] + 0.5 * H * (a + alpha_0));
       energy[i] = volume_0[i] * (stored + 1.5 * G * (m - 1) + plastic);
-      const double modulus =
-          0.5 * K * (J * J + 1) + G * (4.0 / 3 * m + eigenvalue_reach(b, m));
+      const double modulus = 0.5 * K * (J * J + 1) + G * (4.0 / 3 * m + eigenvalue_reach(b, m));
       wave_speed[i] = std::sqrt(modulus * per_density);
       b_e[0][i] = b[0];
       b_e[1][i] = b[1];

@@ -8,8 +8,7 @@ namespace sluice::mpm::neo_hook {
 namespace {
 
 constexpr double K = 6e4, G = 3e4;
-const std::string moduli =
-    "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>";
+const std::string moduli = "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>";
 
 // F = diag(lambda, 1, 1): sigma_11 = K/2 (l - 1/l) + 2 G/3 l^(-5/3) (l^2 - 1).
 TEST(NeoHook, UniaxialStrain) {
@@ -63,7 +62,7 @@ TEST(NeoHook, ThermalExpansion) {
 
 TEST(NeoHook, StartsUnderItsInitialPressure) {
   const MaterialSample s(law("comp_neo_hook", moduli + "<useInitialStress>true</useInitialStress>"
-                                              "<initial_pressure>500</initial_pressure>"),
+                                                       "<initial_pressure>500</initial_pressure>"),
                          steel_constants(), 1, 298);
   EXPECT_NEAR(s.pressure(), 500, 1e-9);
 }
@@ -80,8 +79,12 @@ const std::string yields = moduli +
 TEST(NeoHookPlastic, PureShearHardensLinearly) {
   MaterialSample s(law("comp_neo_hook_plastic", yields), steel_constants(), 1, 298);
   const double g = 0.2;
-  follow(s, [&](double t) { return exponential({0, g * t / 2, 0, g * t / 2, 0, 0, 0, 0, 0}); }, 1,
-         50);
+  follow(
+      s,
+      [&](double t) {
+        return exponential({0, g * t / 2, 0, g * t / 2, 0, 0, 0, 0, 0});
+      },
+      1, 50);
   const double tau = (3000 / std::sqrt(3.0) + 6000 * g / 3) / (1 + 6000 / (3 * G));
   EXPECT_NEAR(s.stress()[5] / tau, 1, 3e-3);  // measured 2e-3: squares of the elastic strain
   const double alpha = (g - tau / G) / std::sqrt(3.0);
@@ -95,7 +98,9 @@ TEST(NeoHookPlastic, PureShearHardensLinearly) {
 TEST(NeoHookPlastic, IsElasticBelowItsYieldStress) {
   MaterialSample plastic(law("comp_neo_hook_plastic", yields), steel_constants(), 1, 298);
   MaterialSample elastic(law("comp_neo_hook", moduli), steel_constants(), 1, 298);
-  const auto path = [](double t) { return Matrix{1, 0.05 * t, 0, 0, 1 + 0.2 * t, 0, 0, 0.02 * t, 1 + 0.2 * t}; };
+  const auto path = [](double t) {
+    return Matrix{1, 0.05 * t, 0, 0, 1 + 0.2 * t, 0, 0, 0.02 * t, 1 + 0.2 * t};
+  };
   follow(plastic, path, 0.2, 20);
   follow(elastic, path, 0.2, 20);
   ASSERT_EQ(plastic.history(6), 0);
@@ -105,9 +110,10 @@ TEST(NeoHookPlastic, IsElasticBelowItsYieldStress) {
 }
 
 TEST(NeoHookPlastic, DrawsTheSameStrengthForTheSameParticle) {
-  const auto drawn = law("comp_neo_hook_plastic",
-                         yields + "<yield_distrib>uniform</yield_distrib>"
-                                  "<yield_range>1000</yield_range><yield_seed>3</yield_seed>");
+  const auto drawn =
+      law("comp_neo_hook_plastic", yields +
+                                       "<yield_distrib>uniform</yield_distrib>"
+                                       "<yield_range>1000</yield_range><yield_seed>3</yield_seed>");
   const int n = 2000;
   const MaterialSample a(drawn, steel_constants(), n, 298), b(drawn, steel_constants(), 10, 298);
   double mean = 0, low = 1e300, high = 0;

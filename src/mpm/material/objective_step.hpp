@@ -10,10 +10,12 @@
 #include <array>
 #include <cmath>
 
+#include "mpm/material/tensor.hpp"
+
 namespace sluice::mpm {
 
 struct ObjectiveStep {
-  std::array<double, 6> strain;    // dt D: xx, yy, zz, yz, xz, xy
+  std::array<double, 6> strain;     // dt D: xx, yy, zz, yz, xz, xy
   std::array<double, 9> half_turn;  // R^(1/2)
 };
 
@@ -32,10 +34,9 @@ inline ObjectiveStep objective_step(const std::array<double, 9>& L, double dt) {
   // Inverse of I + dt/2 L by its cofactors.
   const double A = e * l - f * k, B = f * g - d * l, C = d * k - e * g;
   const double per = 1 / (a * A + b * B + c * C);
-  const std::array<double, 9> inverse = {
-      A * per, (c * k - b * l) * per, (b * f - c * e) * per,
-      B * per, (a * l - c * g) * per, (c * d - a * f) * per,
-      C * per, (b * g - a * k) * per, (a * e - b * d) * per};
+  const std::array<double, 9> inverse = {A * per, (c * k - b * l) * per, (b * f - c * e) * per,
+                                         B * per, (a * l - c * g) * per, (c * d - a * f) * per,
+                                         C * per, (b * g - a * k) * per, (a * e - b * d) * per};
   // dt L_m = 2 (M - I) M^-1 = 2 (I - M^-1),   M = I + dt/2 L
   const double xy = -2 * inverse[1], yx = -2 * inverse[3];
   const double xz = -2 * inverse[2], zx = -2 * inverse[6];
@@ -53,11 +54,6 @@ inline ObjectiveStep objective_step(const std::array<double, 9>& L, double dt) {
                     t * x * y + s * z,       1 - t * (x * x + z * z), t * y * z - s * x,
                     t * x * z - s * y,       t * y * z + s * x,       1 - t * (x * x + y * y)};
   return step;
-}
-
-// A : B of symmetric matrices.
-inline double double_dot(const std::array<double, 6>& A, const std::array<double, 6>& B) {
-  return A[0] * B[0] + A[1] * B[1] + A[2] * B[2] + 2 * (A[3] * B[3] + A[4] * B[4] + A[5] * B[5]);
 }
 
 }  // namespace sluice::mpm

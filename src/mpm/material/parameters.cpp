@@ -24,6 +24,9 @@ TagSpec number(std::string name, std::string doc) {
 TagSpec number(std::string name, std::string doc, double default_value) {
   return tag(std::move(name), std::move(doc)).real().by_default(fmt::format("{}", default_value));
 }
+TagSpec positive_or(std::string name, std::string doc, double default_value) {
+  return number(std::move(name), std::move(doc), default_value).above(0);
+}
 TagSpec choice(std::string name, std::string doc, bool default_value) {
   return tag(std::move(name), std::move(doc))
       .boolean()
@@ -46,11 +49,7 @@ bool error_at(const std::vector<Fault>& faults, const Location& where) {
 
 Parameters::Parameters(const DeckNode& node, std::string owner, const Tags& tags,
                        MaterialContext context, std::vector<Fault>& faults)
-    : node_(&node),
-      owner_(std::move(owner)),
-      tags_(&tags),
-      context_(context),
-      faults_(&faults) {
+    : node_(&node), owner_(std::move(owner)), tags_(&tags), context_(context), faults_(&faults) {
   for (const auto& child : node.children) {
     const auto spec = std::find_if(tags.begin(), tags.end(),
                                    [&](const TagSpec& t) { return t.called(child->name); });
@@ -77,8 +76,8 @@ void Parameters::check(const DeckNode& child, const TagSpec& spec) {
   if (verdict.problem.empty()) return;
   good_ = false;
   if (!error_at(*faults_, child.where))
-    add_error(*faults_, child.where, fmt::format("{}: <{}>: {}", owner_, child.name, verdict.problem),
-              verdict.suggestion);
+    add_error(*faults_, child.where,
+              fmt::format("{}: <{}>: {}", owner_, child.name, verdict.problem), verdict.suggestion);
 }
 
 const TagSpec& Parameters::described(std::string_view name) const {
@@ -98,8 +97,12 @@ std::string Parameters::text(std::string_view name) const {
 double Parameters::real(std::string_view name) const {
   return parse_real(text(name)).value.value();
 }
-bool Parameters::flag(std::string_view name) const { return text(name) == "true"; }
-std::string Parameters::word(std::string_view name) const { return text(name); }
+bool Parameters::flag(std::string_view name) const {
+  return text(name) == "true";
+}
+std::string Parameters::word(std::string_view name) const {
+  return text(name);
+}
 Vec3 Parameters::vector(std::string_view name) const {
   return parse_vector(text(name)).value.value();
 }

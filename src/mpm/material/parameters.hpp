@@ -22,6 +22,7 @@ using Tags = std::vector<TagSpec>;
 TagSpec positive(std::string name, std::string doc);
 TagSpec number(std::string name, std::string doc);
 TagSpec number(std::string name, std::string doc, double default_value);
+TagSpec positive_or(std::string name, std::string doc, double default_value);
 TagSpec choice(std::string name, std::string doc, bool default_value);
 // <objective>, default true: whether stress turns with the particle in laws of rate form.
 TagSpec objective_tag();

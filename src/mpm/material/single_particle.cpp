@@ -10,59 +10,6 @@
 
 namespace sluice::mpm {
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) c[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-  return c;
-}
-
-Matrix transposed(const Matrix& a) {
-  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
-}
-
-Matrix inverse(const Matrix& a) {
-  const double per = 1 / determinant(a);
-  Matrix c{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const int r = (j + 1) % 3, s = (j + 2) % 3, p = (i + 1) % 3, q = (i + 2) % 3;
-      c[3 * i + j] = per * (a[3 * r + p] * a[3 * s + q] - a[3 * r + q] * a[3 * s + p]);
-    }
-  return c;
-}
-
-Matrix rotation(const std::array<double, 3>& axis, double angle) {
-  const double size = std::hypot(axis[0], axis[1], axis[2]);
-  const double x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
-  const double c = std::cos(angle), s = std::sin(angle), v = 1 - c;
-  return {c + v * x * x,     v * x * y - s * z, v * x * z + s * y,
-          v * x * y + s * z, c + v * y * y,     v * y * z - s * x,
-          v * x * z - s * y, v * y * z + s * x, c + v * z * z};
-}
-
-Matrix exponential(const Matrix& a) {
-  double size = 0;
-  for (double x : a) size = std::max(size, std::abs(x));
-  int halvings = 0;
-  for (; size > 0.1; size /= 2) ++halvings;
-  Matrix scaled = a;
-  for (double& x : scaled) x = std::ldexp(x, -halvings);
-  Matrix sum = identity, term = identity;
-  for (int k = 1; k < 16; ++k) {
-    term = product(term, scaled);
-    for (double& x : term) x /= k;
-    for (std::size_t m = 0; m < 9; ++m) sum[m] += term[m];
-  }
-  for (int k = 0; k < halvings; ++k) sum = product(sum, sum);
-  return sum;
-}
-
-Matrix full(const std::array<double, 6>& S) {
-  return {S[0], S[5], S[4], S[5], S[1], S[3], S[4], S[3], S[2]};
-}
-
 namespace {
 
 // Columns of a state.
@@ -87,8 +34,7 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
   old_history_.resize(static_cast<std::size_t>(history_columns_));
   history_.resize(static_cast<std::size_t>(history_columns_));
 
-  for (int k = 0; k < 9; ++k)
-    std::fill_n(column(next_, F_at + k), count, k % 4 == 0 ? 1.0 : 0.0);
+  for (int k = 0; k < 9; ++k) std::fill_n(column(next_, F_at + k), count, k % 4 == 0 ? 1.0 : 0.0);
   Batch b = batch();
   b.old_F = {};
   b.old_stress = {};
@@ -166,10 +112,18 @@ double MaterialSample::pressure(int i) const {
 double MaterialSample::equivalent(int i) const {
   return 1.5 * eigenvalue_reach(stress(i), -pressure(i));  // reach = 2 sqrt(J2/3)
 }
-double MaterialSample::energy(int i) const { return value(energy_at, i); }
-double MaterialSample::wave_speed(int i) const { return value(wave_at, i); }
-double MaterialSample::history(int k, int i) const { return value(history_at + k, i); }
-double MaterialSample::volume_ratio(int i) const { return determinant(F(i)); }
+double MaterialSample::energy(int i) const {
+  return value(energy_at, i);
+}
+double MaterialSample::wave_speed(int i) const {
+  return value(wave_at, i);
+}
+double MaterialSample::history(int k, int i) const {
+  return value(history_at + k, i);
+}
+double MaterialSample::volume_ratio(int i) const {
+  return determinant(F(i));
+}
 
 void follow(MaterialSample& sample, const Motion& motion, double end, int steps,
             const std::function<void(const MaterialSample&)>& see) {

@@ -6,21 +6,9 @@
 #include <vector>
 
 #include "mpm/material/material.hpp"
+#include "mpm/material/tensor.hpp"
 
 namespace sluice::mpm {
-
-using Matrix = std::array<double, 9>;  // row after row
-inline constexpr Matrix identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-Matrix product(const Matrix& a, const Matrix& b);
-Matrix transposed(const Matrix& a);
-Matrix inverse(const Matrix& a);
-// Turned about an axis through the origin, right-handed; the axis need not have length 1.
-Matrix rotation(const std::array<double, 3>& axis, double angle);
-// exp(a): the deformation after a velocity gradient L over t is exp(t L).
-Matrix exponential(const Matrix& a);
-// S as a full matrix.
-Matrix full(const std::array<double, 6>& S);
 
 // Columns of some particles of one material, at the start and at the end of a step.
 class MaterialSample {
@@ -36,7 +24,9 @@ class MaterialSample {
   }
   // Whether heat that the law makes warms the particles (the default).
   void keep_temperature(bool keep) { isothermal_ = keep; }
-  void set_temperature(double temperature) { temperature_.assign(temperature_.size(), temperature); }
+  void set_temperature(double temperature) {
+    temperature_.assign(temperature_.size(), temperature);
+  }
 
   double time() const { return time_; }
   Matrix F(int i = 0) const;
@@ -58,9 +48,7 @@ class MaterialSample {
   double* column(State& state, int k) {
     return state.values.data() + static_cast<std::size_t>(k) * static_cast<std::size_t>(count_);
   }
-  double value(int k, int i) const {
-    return now_.values[static_cast<std::size_t>(k * count_ + i)];
-  }
+  double value(int k, int i) const { return now_.values[static_cast<std::size_t>(k * count_ + i)]; }
   Batch batch();
 
   std::shared_ptr<const Material> material_;

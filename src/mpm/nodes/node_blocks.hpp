@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "framework/base/aligned_vector.hpp"
 #include "framework/base/vec3.hpp"
 #include "framework/grid/block_shape.hpp"
 
@@ -55,7 +56,7 @@ class NodeLanes {
   std::size_t bytes() const { return values_.capacity() * sizeof(std::int64_t); }
 
  private:
-  std::vector<std::int64_t> values_;
+  AlignedVector<std::int64_t> values_;
 };
 
 }  // namespace sluice::mpm

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/geometry/point_file.hpp"
 #include "mpm/step/labels.hpp"
 
 namespace sluice::mpm {
@@ -11,6 +12,14 @@ namespace {
 bool is_saved(const Scene& scene, const char* name) {
   return std::any_of(scene.output.saves.begin(), scene.output.saves.end(),
                      [&](const SaveRequest& s) { return s.label == name; });
+}
+
+// Do the point files of a material have a column.
+bool file_gives(const SolidMaterial& material, const char* name) {
+  return std::any_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
+    const auto* points = dynamic_cast<const PointFilePiece*>(o.piece.get());
+    return points != nullptr && points->file().vectors.contains(name);
+  });
 }
 
 // Half widths of the particles of an object in cells.
@@ -52,15 +61,23 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (solids.transfer == Transfer::apic || solids.transfer == Transfer::affine ||
       solids.gradient_enhanced)
     c.columns.affine = add(l.affine, true);
-  if (!material.objects.empty()) c.half = half_of(material.objects.front());
+  if (!material.objects.empty()) c.half = c.half_at_rest = half_of(material.objects.front());
   const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
   if (by_width && !alike(material)) c.columns.half = add(l.half, false);
   if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
   const bool by_corners = solids.basis == Basis::cpdi || solids.basis == Basis::fast_cpdi ||
                           solids.basis == Basis::cpti;
   if (by_corners || is_saved(scene, "p.size")) c.columns.size = add(l.size, false);
-  if (is_saved(scene, "p.displacement")) c.columns.displacement = add(l.displacement, true);
+  if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
+      !solids.manufactured.empty())
+    c.columns.displacement = add(l.displacement, true);
   if (solids.with_colour) c.columns.colour = add(l.colour, false);
+  const bool loaded = solids.use_loads && !solids.loads.empty();
+  if (loaded) c.columns.marks = add(l.marks, false);
+  if (file_gives(material, "p.externalforce")) c.columns.given_force = add(l.given_force, false);
+  if (loaded && file_gives(material, "p.normal")) c.columns.normal = add(l.normal, false);
+  if (is_saved(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
+  if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   c.columns.history = next;
   for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);
   c.history_columns = next - c.columns.history;

@@ -22,6 +22,11 @@ struct Columns {
   int size = -1;          // 9, edges in the reference state, in cells
   int displacement = -1;  // 3
   int colour = -1;
+  int marks = -1;         // 3, loads on the particle: number in the deck plus one; 0: none
+  int given_force = -1;   // 3, that a point file gives, N
+  int normal = -1;        // 3, of the surface, from a point file
+  int outside_force = -1;  // 3, of the last step, where it is saved, N
+  int viscous = -1;       // artificial pressure, Pa
   int history = -1;       // of the constitutive model
 };
 
@@ -30,6 +35,7 @@ struct Carried {
   std::vector<ParticleAttribute> attributes;
   int history_columns = 0;
   std::array<double, 3> half{0.5, 0.5, 0.5};  // where the particles do not differ
+  std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };
 
 Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material);

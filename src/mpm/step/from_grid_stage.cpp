@@ -24,6 +24,7 @@ struct SolidStep::ThreadReport {
   double travel = 0;  // farthest way of a particle, cells
   bool left = false;
   std::vector<KindRates> rates;
+  NodeBooks books;  // of loads
   std::vector<const double*> old_history;
   std::vector<double*> history;
   std::string fault;  // of the particle with the lowest id; empty: none
@@ -170,7 +171,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
     read_window(solids_->basis, body.grid, x, static_cast<int>(at), n,
                 solids_->transfer == Transfer::apic, report.window, report.read);
+    if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, at, n, report.read);
     move(*solids_, body, w, at, n, dt, report.read);
+    take_outside_forces(w, at, n, report.read, report.books);
     carry_affine(*solids_, body, w, at, n, affine_beta_, level_.spacing, report.read);
     Batch b = batch_of(body, w, at, n, scope, report.read);
     old_history.clear();
@@ -241,9 +244,12 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     all.travel = std::max(all.travel, r.travel);
     all.left |= r.left;
     for (std::size_t k = 0; k < r.rates.size(); ++k) all.rates[k].add(r.rates[k]);
+    for (std::size_t s = 0; s < r.books.sums.size(); ++s)
+      all.books.sums[s].merge(r.books.sums[s]);
     if (!r.fault.empty()) all.keep_fault(r.fault_id, r.fault);
   }
   std::vector<double> maxima(rate_count(bodies_.size()));
+  maxima.insert(maxima.end(), outside_->counts().begin(), outside_->counts().end());
   maxima[0] = all.rate;
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     all.rates[k].to(std::span(maxima).subspan(1 + k * static_cast<std::size_t>(KindRates::count),
@@ -259,7 +265,10 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   const auto left = reduction.add_any(all.left);
   const auto fault = reduction.add_any(!all.fault.empty());
   std::vector<Reduction::Sum> sums;
-  for (const ExactSum& s : books_.sums) sums.push_back(reduction.add_sum(s));
+  for (std::size_t s = 0; s < books_.sums.size(); ++s) {
+    books_.sums[s].merge(all.books.sums[s]);
+    sums.push_back(reduction.add_sum(books_.sums[s]));
+  }
   scope.ranks->reduce(reduction);
   if (reduction.any(fault)) {
     *scope.reason = all.fault;
@@ -272,7 +281,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   travel_ = reduction.maximum(travel);
   left_ = reduction.any(left);
   for (std::size_t s = 0; s < sums.size(); ++s)
-    (*scope.sums)[s] = reduction.sum(sums[s]).value();
+    (*scope.sums)[s] += reduction.sum(sums[s]).value();
   return Verdict::good;
 }
 

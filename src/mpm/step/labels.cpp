@@ -28,6 +28,14 @@ SolidLabels declare_all() {
   l.displacement = declare("p.displacement", vector, "m",
                            "Way of a particle from where it was at the start.");
   l.colour = declare("p.color", real, "1", "Colour that the deck gave to a particle.");
+  l.marks = declare("p.loadCurveID", vector, "1",
+                    "Loads on a particle, up to three: number in the deck, counted from 1; 0: none.");
+  l.given_force = declare("p.givenForce", vector, "N", "Force that a point file gives a particle.");
+  l.normal = declare("p.normal", vector, "1", "Normal of a particle's surface, from a point file.");
+  l.outside_force = declare("p.externalforce", vector, "N",
+                            "Force on a particle from outside in the step just taken: load curves, "
+                            "point files, manufactured body forces.");
+  l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
   return l;
 }
 

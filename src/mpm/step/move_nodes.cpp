@@ -22,11 +22,23 @@ static void to_reals(std::int64_t* node, const SumUnits& units) {
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
 
+// Impulse and work of dk M (g - alpha v).
+static void book_body_force(const NodeStep& step, double mass, Vec3 v, Vec3 after,
+                            NodeBooks& books) {
+  for (int d = 0; d < 3; ++d) {
+    const double impulse = step.kick * mass * (step.gravity[d] - step.damping * v[d]);
+    if (impulse == 0) continue;
+    books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(impulse);
+    books.sums[StepSums::force_work].add(impulse * 0.5 * (v[d] + after[d]));
+  }
+}
+
 // Lanes M, v | f, . become v* - v_ref, M | v* - v, 1.
 void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& books) {
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
   const bool side = boundary_->meets(low, shape_.edge);
+  const bool booked = side && exchange_->is_home(body.table, block);
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
@@ -43,12 +55,15 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
         for (int d = 0; d < 3; ++d) {
           if (!given.given[static_cast<std::size_t>(d)]) continue;
           const double impulse = mass * (given.value[d] - after[d]);
-          books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
-          books.sums[StepSums::work].add(impulse * 0.5 * (v[d] + given.value[d]));
+          if (booked) {
+            books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
+            books.sums[StepSums::work].add(impulse * 0.5 * (v[d] + given.value[d]));
+          }
           after[d] = given.value[d];
         }
       }
     }
+    if (step.damping != 0 || step.gravity != Vec3{}) book_body_force(step, mass, v, after, books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);
@@ -80,11 +95,11 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
                     move_block(step, static_cast<int>(m), static_cast<int>(b),
                                books[static_cast<std::size_t>(thread)]);
                   });
-    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
   }
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
       books[0].sums[s].merge(books[n].sums[s]);
+  unfold();
   books_ = std::move(books[0]);
   kick_ = step.kick;
   return Verdict::good;

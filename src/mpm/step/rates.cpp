@@ -72,6 +72,10 @@ KindRates rates_of(const ParticleSet& set, const ParticleSet& now, const Columns
     r.tension = largest(begin, end, r.tension,
                         [&](std::size_t i) { return std::fabs(volume[i] * s[i]); });
   }
+  if (c.viscous >= 0) {
+    const double* q = column(c.viscous, 0);
+    r.tension += largest(begin, end, 0, [&](std::size_t i) { return volume[i] * q[i]; });
+  }
   for (int n = 0; n < 9 && c.affine >= 0; ++n) {
     const double* a = column(c.affine, n);
     r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(a[i]); });

@@ -15,7 +15,7 @@ struct KindRates {
   static constexpr int count = 9;
   double mass = 0;        // kg
   Vec3 up = none(), down = none();  // of v and of -v
-  double tension = 0;     // of |V sigma|, any component, J
+  double tension = 0;     // of |V sigma|, any component, and V q, J
   double affine = 0;      // of |C|, any component, 1/s
 
   static constexpr Vec3 none() { return {-1e300, -1e300, -1e300}; }

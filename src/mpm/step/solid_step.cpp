@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/shape/weights.hpp"
 
@@ -30,7 +31,7 @@ void SolidStep::list_work(ParticleCloud& cloud) {
     ParticleStore& store = cloud.store(k);
     for (int b = 0; b < store.box_count(level_.index); ++b)
       for (const BlockRun& run : store.runs(level_.index, b))
-        work_.push_back({k, &store.set(level_.index, b), &store.next(level_.index, b), run});
+        work_.push_back({k, &store.set(level_.index, b), &store.next(level_.index, b), run, b});
   }
 }
 
@@ -46,20 +47,54 @@ Verdict SolidStep::begin(const StageScope& scope) {
       bodies_.emplace_back(solids_->materials[m], (*carried_)[m], shape_);
       bodies_.back().grid = transfer_grid(level_, (*carried_)[m].half);
     }
+    outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
   }
+  if (exchange_ == nullptr || !exchange_->fits(level_))
+    exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks);
   const std::vector<double>& maxima = scope.maxima->front();
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& body = bodies_[k];
     body.rates = KindRates::from(
         std::span(maxima).subspan(1 + k * static_cast<std::size_t>(KindRates::count)));
-    body.units = units_of(body, static_cast<int>(k));
     ParticleStore& store = cloud.store(static_cast<int>(k));
     const std::vector<std::size_t> advanced = (*kinds_)[k].advanced_columns();
     for (int b = 0; b < store.box_count(level_.index); ++b)
       store.next(level_.index, b).make_room(store.set(level_.index, b), advanced);
   }
   list_work(cloud);
+  find_outside_forces(scope);
+  for (std::size_t k = 0; k < bodies_.size(); ++k)
+    bodies_[k].units = units_of(bodies_[k], static_cast<int>(k));
   return Verdict::good;
+}
+
+// Forces from outside at the time of the positions, and the largest on any particle of all ranks.
+void SolidStep::find_outside_forces(const StageScope& scope) {
+  if (!outside_->any()) return;
+  const ParticleCloud& cloud = *scope.particles;
+  const std::vector<double>& maxima = scope.maxima->front();
+  outside_->count(cloud, level_.index, *scope.ranks,
+                  std::span(maxima).subspan(rate_count(bodies_.size())));
+  outside_->make_room(cloud, level_.index);
+  const ThreadTeam& team = *scope.levels.front()->team();
+  std::vector<std::vector<double>> most(static_cast<std::size_t>(team.size()),
+                                        std::vector<double>(bodies_.size()));
+  team.for_each(work_.size(), [&](std::size_t n, int thread) {
+    const BlockWork& w = work_[n];
+    if (!outside_->acts(w.kind)) return;
+    double& m = most[static_cast<std::size_t>(thread)][static_cast<std::size_t>(w.kind)];
+    m = std::max(m, outside_->fill(w.kind, w.box, *w.set, w.run.begin, w.run.end,
+                                   scope.step.time));
+  });
+  Reduction all;
+  std::vector<Reduction::Maximum> slots;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    double m = 0;
+    for (const std::vector<double>& of : most) m = std::max(m, of[k]);
+    slots.push_back(all.add_maximum(m));
+  }
+  scope.ranks->reduce(all);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].most_force = all.maximum(slots[k]);
 }
 
 // Bounds of what one particle gives to a node (mpm_scheme, section 4).
@@ -69,9 +104,9 @@ SumUnits SolidStep::units_of(const Body& body, int kind) const {
   if (!r.any()) return u;
   double slopes = 0, reach = 0;  // sum of 1/h; farthest node of a stencil
   for (int a = 0; a < body.grid.count; ++a) {
-    const double h = level_.spacing[body.grid.active[static_cast<std::size_t>(a)]];
-    slopes += 1 / h;
-    reach += 2 * h;
+    const int d = body.grid.active[static_cast<std::size_t>(a)];
+    slopes += 1 / finest_[d];
+    reach += 2 * coarsest_[d];
   }
   u.reference = r.middle();
   // The images of a mirror have the opposite velocity.
@@ -82,7 +117,7 @@ SumUnits SolidStep::units_of(const Body& body, int kind) const {
     if (u.reference[d] == 0) spread = std::max({spread, std::fabs(r.up[d]), std::fabs(r.down[d])});
   u.mass = scale_for(r.mass);
   u.momentum = scale_for(r.mass * (spread + r.affine * reach));
-  u.force = scale_for(r.tension * slopes);
+  u.force = scale_for(r.tension * slopes + body.most_force);
   return u;
 }
 
@@ -116,28 +151,33 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.volume = w.set->column(static_cast<std::size_t>(c.volume));
     p.stress = read_columns<6>(*w.set, c.stress);
     p.affine = read_columns<9>(*w.set, c.affine);
+    p.load = outside_->forces(w.kind, w.box);
+    if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.run.block);
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
   });
-  for (std::size_t m = 0; m < bodies_.size(); ++m)
-    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
   return Verdict::good;
 }
 
-Verdict SolidStep::take_over(const StageScope& scope) {
-  scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                end = scope.step.time + scope.step.dt] {
-    cloud->take_over(end);
-    maxima->front() = new_rates_;
-    strayed_ += travel_;
-    if (strayed_ >= most_stray || left_) {
-      cloud->relocate();
-      strayed_ = 0;
-    }
-  });
+void SolidStep::fold() {
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+}
+
+void SolidStep::unfold() {
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+}
+
+// All ranks agree on the sums.
+Verdict SolidStep::share_sums(const StageScope& /*scope*/) {
+  for (Body& body : bodies_) {
+    NodeLanes* const groups[] = {&body.nodes};
+    exchange_->share(body.table, groups);
+  }
   return Verdict::good;
 }
 

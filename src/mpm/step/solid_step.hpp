@@ -13,8 +13,11 @@
 #include "framework/run/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/nodes/node_blocks.hpp"
+#include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
+#include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
+#include "mpm/transfer/from_grid.hpp"
 #include "mpm/transfer/to_grid.hpp"
 
 namespace sluice::mpm {
@@ -25,6 +28,7 @@ struct BlockWork {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;
   BlockRun run;
+  int box = 0;  // local number
 };
 
 // One material on the nodes of a level.
@@ -39,6 +43,7 @@ struct Body {
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
+  double most_force = 0;  // from outside on one particle, any component, N
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -59,6 +64,12 @@ struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
 };
 
+struct NodeMean {
+  IntVec3 node;
+  double weight = 0;
+  std::array<double, 6> mean{};
+};
+
 class SolidStep {
  public:
   // The kinds of particles are the materials, in their order.
@@ -68,16 +79,40 @@ class SolidStep {
   // The stages of a step, in order.
   Verdict begin(const StageScope& scope);
   Verdict to_grid(const StageScope& scope);
+  Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
-  Verdict take_over(const StageScope& scope);
+
+  // Spacings of the finest and the coarsest level: bounds of sums are the same on all.
+  void set_spacings(Vec3 finest, Vec3 coarsest) {
+    finest_ = finest;
+    coarsest_ = coarsest;
+  }
+  // Images across sides join their nodes, and get the velocities of these.
+  void fold();
+  void unfold();
+  Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
+  const NodeExchange& exchange() const { return *exchange_; }
+  // After from_grid(): what the next step rests on, and how far particles went.
+  const std::vector<double>& new_rates() const { return new_rates_; }
+  double travel() const { return travel_; }  // cells
+  bool any_left() const { return left_; }    // the domain
+
+  // After share_sums(): the materials on the nodes.
+  const std::vector<Body>& bodies() const { return bodies_; }
+  // Weighted means of up to six columns around nodes, sum w q S / sum w S. Collective.
+  std::vector<NodeMean> mean_on_nodes(const StageScope& scope, int body, int weight, int first,
+                                      int count);
 
  private:
   void list_work(ParticleCloud& cloud);
+  void find_outside_forces(const StageScope& scope);
   SumUnits units_of(const Body& body, int kind) const;
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   void integrate(const NodeStep& step, int body, int block, NodeBooks& books);
   struct ThreadReport;
+  void take_outside_forces(const BlockWork& work, std::size_t at, int n,
+                           const GridAtParticles& read, NodeBooks& books) const;
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
   Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
 
@@ -88,10 +123,12 @@ class SolidStep {
   Level level_;
   BlockShape shape_;
   std::unique_ptr<NodeBoundary> boundary_;
+  std::unique_ptr<NodeExchange> exchange_;
+  std::unique_ptr<OutsideForces> outside_;
   std::vector<Body> bodies_;
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
-  double strayed_ = 0;  // since the particles were sorted, cells
+  Vec3 finest_{}, coarsest_{};
   bool left_ = false;       // a particle is out of the domain
   double travel_ = 0;       // of this step, cells
   NodeBooks books_;         // of this rank

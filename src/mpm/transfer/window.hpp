@@ -38,7 +38,7 @@ class Window {
   BlockShape shape_;
   int reach_;
   IntVec3 lower_{}, size_{};
-  std::vector<std::int64_t> lanes_;
+  AlignedVector<std::int64_t> lanes_;
 };
 
 // Adds the blocks that a stencil reaches from places between two corners (nodes, inclusive).

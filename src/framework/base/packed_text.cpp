@@ -1,5 +1,5 @@
 // Reading through zlib, which hands on what is not packed.
-#include "models/packed_text.hpp"
+#include "framework/base/packed_text.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -8,7 +8,7 @@
 
 #include "framework/base/error.hpp"
 
-namespace sluice::models {
+namespace sluice {
 
 std::string unpacked_text(const std::string& file, const std::string& what) {
   const auto fail = [&](const std::string& why) {
@@ -29,4 +29,4 @@ std::string unpacked_text(const std::string& file, const std::string& what) {
   return text;
 }
 
-}  // namespace sluice::models
+}  // namespace sluice

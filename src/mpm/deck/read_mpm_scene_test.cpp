@@ -1,0 +1,310 @@
+// What a deck says of solids: defaults, aliases, files, stray tags and faults with their lines.
+#include "mpm/deck/read_mpm_scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "framework/base/temporary_folder.hpp"
+#include "mpm/test_support/solid_deck.hpp"
+
+namespace sluice::mpm::read_mpm_scene_test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+SolidDeck with_flags(const std::string& flags) {
+  SolidDeck deck;
+  deck.flags = flags;
+  return deck;
+}
+
+std::string flag_faults(const std::string& flags) {
+  return read_solids(with_flags(flags)).text;
+}
+
+SolidDeck with_contact(const std::string& contact) {
+  SolidDeck deck;
+  deck.further = solid_material("other", deck.objects);
+  deck.contacts = "<contact>" + contact + "</contact>\n";
+  return deck;
+}
+
+TEST(Flags, HaveTheDefaultsOfTheFormat) {
+  const ReadDeck read = read_solids({});
+  ASSERT_EQ(read.text, "");
+  const MpmScene& s = read.solids;
+  EXPECT_EQ(s.basis, Basis::linear);
+  EXPECT_EQ(s.transfer, Transfer::flip);
+  EXPECT_TRUE(s.musl);
+  EXPECT_TRUE(s.heat_conduction);
+  EXPECT_FALSE(s.artificial_viscosity);
+  EXPECT_FALSE(s.viscosity_heats);
+  EXPECT_EQ(s.viscosity_1, 0.2);
+  EXPECT_EQ(s.viscosity_2, 2.0);
+  EXPECT_EQ(s.subcycles_of_F, 1);
+  EXPECT_EQ(s.least_particle_mass, 3e-15);
+  EXPECT_TRUE(s.contacts.empty());
+  ASSERT_EQ(s.materials.size(), 1u);
+  EXPECT_EQ(s.materials[0].name, "block");
+  EXPECT_EQ(s.materials[0].constants.density, 1000);
+  EXPECT_EQ(s.materials[0].constants.room_temperature, 294);
+  EXPECT_EQ(s.materials[0].specific_heat_p, 5);
+  EXPECT_EQ(s.materials[0].deactivation_time, 1e8);
+}
+
+TEST(Flags, NameBasesAndTransfers) {
+  const std::pair<const char*, Basis> bases[] = {
+      {"linear", Basis::linear},        {"gimp", Basis::gimp},
+      {"cpgimp", Basis::cpgimp},        {"cpdi", Basis::cpdi},
+      {"fast_cpdi", Basis::fast_cpdi},  {"cpti", Basis::cpti},
+      {"3rdorderBS", Basis::quadratic}, {"quadraticBS", Basis::quadratic},
+      {"4thorderBS", Basis::cubic},     {"cubicBS", Basis::cubic}};
+  for (const auto& [name, basis] : bases) {
+    const ReadDeck read =
+        read_solids(with_flags(fmt::format("<interpolator>{}</interpolator>", name)));
+    EXPECT_EQ(read.text, "") << name;
+    EXPECT_EQ(read.solids.basis, basis) << name;
+  }
+  EXPECT_EQ(read_solids(with_flags("<transfer>apic</transfer>")).solids.transfer, Transfer::apic);
+  const MpmScene xpic = read_solids(with_flags("<XPIC2>true</XPIC2>")).solids;
+  EXPECT_EQ(xpic.transfer, Transfer::xpic);
+  EXPECT_TRUE(xpic.xpic2_of_format);
+  const MpmScene enhanced =
+      read_solids(with_flags("<UseGradientEnhancedVelocityProjection>true"
+                             "</UseGradientEnhancedVelocityProjection>"))
+          .solids;
+  EXPECT_EQ(enhanced.transfer, Transfer::affine);
+  EXPECT_EQ(enhanced.affine_damping, 0);
+}
+
+TEST(Flags, MisspeltOrObsoleteOnesAreToldAndRead) {
+  const ReadDeck read = read_solids(
+      with_flags("<UseMomentumForm>false</UseMomentumForm><interpolator>cpid</interpolator>"
+                 "<maximum_particle_velocity>1e5</maximum_particle_velocity>"
+                 "<dynamic>true</dynamic>"));
+  EXPECT_FALSE(any_error(read.faults)) << read.text;
+  EXPECT_EQ(read.solids.basis, Basis::cpdi);
+  for (const char* told : {"<UseMomentumForm> is obsolete", "'cpid' is obsolete",
+                           "<maximum_particle_velocity> in <MPM> has no effect; dropped",
+                           "<dynamic> in <MPM> has no effect; dropped"})
+    EXPECT_THAT(read.text, HasSubstr(told));
+  EXPECT_THAT(flag_faults("<interpolater>gimp</interpolater>"),
+              HasSubstr("did you mean 'interpolator'?"));
+}
+
+TEST(Flags, OfOtherMethodsAreRefusedByName) {
+  EXPECT_THAT(flag_faults("<time_integrator>implicit</time_integrator>"),
+              HasSubstr("'implicit' is known to the format, but not supported yet"));
+  EXPECT_THAT(flag_faults("<coupled_flow_analysis>true</coupled_flow_analysis>"),
+              HasSubstr("<coupled_flow_analysis> true is known to the format"));
+  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"), HasSubstr("<DoGranularMPM> true"));
+  EXPECT_EQ(flag_faults("<DoGranularMPM>false</DoGranularMPM>"), "");
+}
+
+TEST(Flags, ThatContradictEachOtherAreFaults) {
+  EXPECT_THAT(flag_faults("<XPIC2>true</XPIC2><transfer>flip</transfer>"),
+              HasSubstr("both choose how velocities come back"));
+  EXPECT_THAT(flag_faults("<artificial_viscosity_heating>true</artificial_viscosity_heating>"),
+              HasSubstr("<artificial_viscosity_heating> without <artificial_viscosity>"));
+  EXPECT_THAT(flag_faults("<minimum_subcycles_for_F>0</minimum_subcycles_for_F>"),
+              HasSubstr("particles would never be deformed"));
+  EXPECT_THAT(flag_faults("<axisymmetric>true</axisymmetric>"),
+              HasSubstr("needs one cell along z, the angle; the box at solids.ups:"));
+  EXPECT_THAT(flag_faults("<affine_damping>0.5</affine_damping>"),
+              AllOf(HasSubstr("warning"), HasSubstr("no effect without <transfer> affine")));
+  EXPECT_THAT(flag_faults("<boundary_traction_faces>[xminus,zplas]</boundary_traction_faces>"),
+              HasSubstr("'zplas' is no face (did you mean 'zplus'?)"));
+}
+
+TEST(Blocks, OfFluidsAreDroppedWithTheirLine) {
+  SolidDeck deck;
+  deck.blocks = "<CFD><cfl>0.4</cfl><nonsense/></CFD>";
+  EXPECT_THAT(read_solids(deck).text,
+              AllOf(HasSubstr("solids.ups:8:"), HasSubstr("<CFD> in <Uintah_specification> has no "
+                                                          "effect; dropped"),
+                    Not(HasSubstr("error"))));
+}
+
+TEST(Materials, BadOnesAreErrorsWithTheirLine) {
+  const auto faults = [](const std::string& from, const std::string& to) {
+    std::string text = text_of({});
+    text.replace(text.find(from), from.size(), to);
+    ReadDeck read;
+    read.deck = load_deck_text(text, "solids.ups", {}, solid_schema());
+    finish_reading(read);
+    return read.text;
+  };
+  EXPECT_THAT(faults("<density>1000", "<density>-1"),
+              AllOf(HasSubstr("solids.ups:10:"), HasSubstr("'-1' is out of range")));
+  EXPECT_THAT(faults("<specific_heat>5</specific_heat>", ""), HasSubstr("needs <specific_heat>"));
+  EXPECT_THAT(faults("[2,2,2]", "[2,0,2]"), HasSubstr("'[2,0,2]' is out of range"));
+  EXPECT_THAT(faults("<temperature>300</temperature>", "<temprature>300</temprature>"),
+              HasSubstr("did you mean 'temperature'?"));
+  SolidDeck deck;
+  deck.material = "<activation_time>2</activation_time><deactivation_time>1</deactivation_time>";
+  EXPECT_THAT(read_solids(deck).text, HasSubstr("is not after <activation_time> 2"));
+  deck.material = "";
+  deck.objects = "";
+  EXPECT_THAT(read_solids(deck).text, HasSubstr("no material has a <geom_object>"));
+}
+
+TEST(Materials, StrayStateAndConstantsAreToldAndDropped) {
+  SolidDeck deck;
+  deck.material = "<D1>0.1</D1><gamma>1.4</gamma>";
+  deck.objects.insert(deck.objects.find("<res>"), "<density>5</density><pressure>1</pressure>");
+  const ReadDeck read = read_solids(deck);
+  EXPECT_FALSE(any_error(read.faults)) << read.text;
+  for (const char* told : {"<D1> is obsolete", "<gamma> is obsolete",
+                           "<density> in <geom_object> has no effect", "<pressure> in"})
+    EXPECT_THAT(read.text, HasSubstr(told));
+}
+
+TEST(Contacts, HaveTheFormatsNames) {
+  const std::pair<const char*, ContactKind> kinds[] = {
+      {"single_velocity", ContactKind::single_velocity},
+      {"friction", ContactKind::friction},
+      {"friction_bard", ContactKind::friction},
+      {"friction_LR", ContactKind::friction},
+      {"approach", ContactKind::friction},
+      {"specified", ContactKind::specified},
+      {"rigid", ContactKind::specified},
+      {"specified_velocity", ContactKind::specified},
+      {"specified_friction", ContactKind::specified_friction}};
+  for (const auto& [name, kind] : kinds) {
+    const ReadDeck read = read_solids(with_contact(
+        fmt::format("<type>{}</type><materials>[0,1]</materials><mu>0.3</mu>", name)));
+    ASSERT_EQ(read.solids.contacts.size(), 1u) << name << read.text;
+    const ContactRule& rule = read.solids.contacts[0];
+    EXPECT_EQ(rule.kind, kind) << name;
+    EXPECT_THAT(rule.materials, ElementsAre(0, 1));
+    EXPECT_EQ(rule.friction, 0.3);
+    const bool by_master =
+        kind == ContactKind::specified || kind == ContactKind::specified_friction;
+    EXPECT_EQ(rule.both_hooks, !by_master) << name;
+  }
+  EXPECT_TRUE(read_solids(with_contact("<type>null</type>")).solids.contacts.empty());
+}
+
+TEST(Contacts, BadOnesAreErrors) {
+  EXPECT_THAT(read_solids(with_contact("<type>friction_bard</type>")).text,
+              HasSubstr("<contact> friction_bard needs <mu>"));
+  const ReadDeck unknown =
+      read_solids(with_contact("<type>single_velocity</type><materials>[0,1,2]</materials>"));
+  EXPECT_THAT(unknown.text,
+              HasSubstr("warning: <materials>: there is no material 2: the deck has 2, counted"));
+  EXPECT_THAT(unknown.solids.contacts.at(0).materials, ElementsAre(0, 1));
+  EXPECT_THAT(read_solids(with_contact("<type>frction_bard</type>")).text,
+              HasSubstr("did you mean 'friction_bard'?"));
+  EXPECT_THAT(read_solids(with_contact("<type>fluid</type>")).text,
+              HasSubstr("'fluid' is known to the format, but not supported yet"));
+  EXPECT_THAT(read_solids(with_contact("<type>rigid</type><filename>none.txt</filename>")).text,
+              HasSubstr("there is no file 'none.txt'"));
+}
+
+TEST(Contacts, ProfilesAreReadBesideTheDeck) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "profile.txt") << "0 1 0 0\n0.5 2 0 0\n";
+  std::ofstream(folder / "back.txt") << "0 1 0 0\n0 2 0 0\n";
+  const std::string deck = (folder / "deck.ups").string();
+  const ReadDeck read = read_solids(
+      with_contact("<type>specified</type><filename>inputs/MPM/profile.txt</filename>"
+                   "<stop_time>0.7</stop_time><direction>[1,1,0]</direction>"),
+      deck);
+  EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' is not there"),
+                               Not(HasSubstr("error"))));
+  ASSERT_EQ(read.solids.contacts.size(), 1u);
+  const ContactRule& rule = read.solids.contacts[0];
+  ASSERT_EQ(rule.profile.size(), 2u);
+  EXPECT_EQ(rule.profile[1][1], 2);
+  EXPECT_EQ(rule.stop_time, 0.7);
+  EXPECT_EQ(rule.directions, (IntVec3{1, 1, 0}));
+  EXPECT_THAT(
+      read_solids(with_contact("<type>specified</type><filename>back.txt</filename>"), deck).text,
+      HasSubstr("back.txt:2: time 0 is not after the one before, 0"));
+}
+
+SolidDeck with_load(const std::string& load, const std::string& piece) {
+  SolidDeck deck = with_flags("<use_load_curves>true</use_load_curves>");
+  deck.blocks = fmt::format(
+      "<PhysicalBC><MPM><{0}><geom_object>{1}</geom_object><load_curve><id>1</id>"
+      "<time_point><time>0</time><load>0</load></time_point>"
+      "<time_point><time>1</time><load>5</load></time_point></load_curve></{0}></MPM></PhysicalBC>",
+      load, piece);
+  return deck;
+}
+
+TEST(Loads, FollowTheirCurves) {
+  const std::string box = "<box><min>[0.2,0.2,0.2]</min><max>[0.21,0.6,0.6]</max></box>";
+  const ReadDeck read = read_solids(with_load("pressure", box));
+  ASSERT_EQ(read.text, "");
+  ASSERT_EQ(read.solids.loads.size(), 1u);
+  EXPECT_EQ(read.solids.loads[0].shape, "box");
+  EXPECT_EQ(read.solids.loads[0].points.back(), std::pair(1.0, 5.0));
+  EXPECT_FALSE(read.solids.loads[0].material);
+  EXPECT_THAT(read_solids(with_load("torque", box)).text,
+              HasSubstr("<torque> acts on a surface of <cylinder>, not of <box>"));
+  SolidDeck unused = with_load("pressure", box);
+  unused.flags = "";
+  EXPECT_THAT(read_solids(unused).text, HasSubstr("<PhysicalBC> has no effect"));
+  EXPECT_TRUE(read_solids(unused).solids.loads.empty());
+  SolidDeck backwards = with_load("pressure", box);
+  backwards.blocks.replace(backwards.blocks.find("<time>1"), 7, "<time>0");
+  EXPECT_THAT(read_solids(backwards).text, HasSubstr("time 0 is not after the one before, 0"));
+}
+
+std::string faces_but(const std::string& side, const std::string& conditions) {
+  std::string faces;
+  for (const char* other : {"x-", "x+", "y-", "y+", "z-", "z+"})
+    if (side != other)
+      faces += fmt::format("<Face side='{}'><BCType id='all' label='Symmetric' var='symmetry'/>"
+                           "</Face>\n",
+                           other);
+  return faces + conditions;
+}
+
+TEST(Faces, WithoutConditionsAreErrors) {
+  SolidDeck deck;
+  deck.faces = faces_but("x+", "");
+  EXPECT_THAT(read_solids(deck).text, HasSubstr("error: side x+ has no conditions"));
+  deck.faces = faces_but("x+", "<Face side='x+'/>");
+  EXPECT_THAT(read_solids(deck).text, HasSubstr("error: <Face> without conditions"));
+  deck.level = "<periodic>[1,0,0]</periodic>";
+  deck.faces = faces_but("x+", "");
+  EXPECT_THAT(read_solids(deck).text, Not(HasSubstr("error")));
+}
+
+TEST(Faces, GiveSolidsTheirConditions) {
+  SolidDeck deck;
+  deck.faces = faces_but(
+      "x+",
+      "<Face side='x+'><BCType id='0' label='Velocity' var='Dirichlet'><value>[1,0,0]</value>"
+      "</BCType><BCType id='all' label='Temperature' var='Dirichlet'><value>5</value></BCType>"
+      "</Face>");
+  const ReadDeck read = read_solids(deck);
+  ASSERT_EQ(read.text, "");
+  ASSERT_EQ(read.solids.boundaries.size(), 7u);
+  std::vector<SolidBoundary> of_side;
+  for (const SolidBoundary& b : read.solids.boundaries)
+    if (b.side == Side::x_plus) of_side.push_back(b);
+  ASSERT_EQ(of_side.size(), 2u);
+  EXPECT_EQ(of_side[0].kind, SolidBoundary::Kind::velocity);
+  EXPECT_EQ(of_side[0].material, 0);
+  EXPECT_EQ(of_side[0].value, (Vec3{1, 0, 0}));
+  EXPECT_EQ(of_side[1].kind, SolidBoundary::Kind::temperature);
+  EXPECT_EQ(of_side[1].material, -1);
+  EXPECT_EQ(of_side[1].value.x, 5);
+}
+
+TEST(Splitting, NeedsACriterion) {
+  EXPECT_THAT(flag_faults("<refine_particles>true</refine_particles>"),
+              HasSubstr("<refine_particles> needs a criterion"));
+}
+
+}  // namespace
+}  // namespace sluice::mpm::read_mpm_scene_test

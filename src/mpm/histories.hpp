@@ -1,0 +1,15 @@
+// Histories of solids: sums over all particles, a number a step.
+#pragma once
+#include "framework/run/component.hpp"
+#include "mpm/account/history_sums.hpp"
+
+namespace sluice::mpm {
+
+void declare_histories();
+// Tells which sums the saved histories are made of.
+void need_sums(const Scene& scene, HistorySums& sums);
+// std::logic_error where the label is none of these.
+double history_of(Label label, const Totals& totals, const HistorySums& sums);
+Vec3 vector_history_of(Label label, const Totals& totals, const HistorySums& sums);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,137 @@
+#include "mpm/levels/solid_levels.hpp"
+
+#include <algorithm>
+
+namespace sluice::mpm {
+namespace {
+
+bool same_boxes(const Level& a, const Level& b) {
+  return std::equal(a.boxes.begin(), a.boxes.end(), b.boxes.begin(), b.boxes.end(),
+                    [](const GridBox& x, const GridBox& y) {
+                      return x.cells == y.cells && x.owner == y.owner;
+                    });
+}
+
+}  // namespace
+
+SolidLevels::SolidLevels(const Scene& scene, const MpmScene& solids,
+                         const std::vector<Carried>& carried,
+                         const std::vector<ParticleKind>& kinds)
+    : scene_(&scene), solids_(&solids), carried_(&carried), kinds_(&kinds) {}
+
+void SolidLevels::look_at_levels(const StageScope& scope) {
+  const std::size_t count = scope.levels.size();
+  present_.resize(count);
+  joints_.resize(count - 1);
+  for (std::size_t l = 0; l < count; ++l) {
+    const Level& now = scope.levels[l]->level();
+    const bool same = l < steps_.size() && same_boxes(present_[l], now);
+    if (l >= steps_.size())
+      steps_.push_back(std::make_unique<SolidStep>(*scene_, *solids_, *carried_, *kinds_));
+    if (!same && l > 0) joints_[l - 1] = std::make_unique<CompositeNodes>(now);
+    present_[l] = now;
+  }
+  steps_.resize(count);
+}
+
+StageScope SolidLevels::scope_of(const StageScope& scope, int l) {
+  StageScope own = scope;
+  own.levels = {scope.levels[static_cast<std::size_t>(l)]};
+  own.maxima = &maxima_[static_cast<std::size_t>(l)];
+  return own;
+}
+
+Verdict SolidLevels::on_levels(const StageScope& scope, Stage stage) {
+  for (int l = 0; l < count(); ++l)
+    if ((level(l).*stage)(scope_of(scope, l)) == Verdict::reject) return Verdict::reject;
+  return Verdict::good;
+}
+
+// Sums of all levels count in the same units: bounds are those of all particles.
+Verdict SolidLevels::begin(const StageScope& scope) {
+  look_at_levels(scope);
+  std::vector<double> all((*scope.maxima)[0].size());
+  for (std::size_t l = 0; l < steps_.size(); ++l) {
+    const std::vector<double>& own = (*scope.maxima)[l];
+    for (std::size_t n = 0; n < all.size(); ++n)
+      all[n] = l == 0 ? own[n] : std::max(all[n], own[n]);
+  }
+  maxima_.assign(steps_.size(), {all});
+  for (const auto& step : steps_) 
+    step->set_spacings(present_.back().spacing, present_.front().spacing);
+  return on_levels(scope, &SolidStep::begin);
+}
+
+Verdict SolidLevels::to_grid(const StageScope& scope) {
+  return on_levels(scope, &SolidStep::to_grid);
+}
+
+// Images join their nodes; coarse nodes under a finer level join the fine ones there; from the
+// finest level on ranks agree, and hanging nodes join the coarse ones around them.
+Verdict SolidLevels::share_sums(const StageScope& scope) {
+  for (const auto& step : steps_) step->fold();
+  for (int m = 0; m < static_cast<int>(kinds_->size()); ++m)
+    for (int l = 0; l + 1 < count(); ++l) {
+      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
+      joints_[static_cast<std::size_t>(l)]->to_fine(coarse.table, coarse.nodes, fine.table,
+                                                    fine.nodes);
+    }
+  for (int l = count() - 1; l >= 0; --l) {
+    level(l).share_sums(scope_of(scope, l));
+    if (l == 0) break;
+    const CompositeNodes& joint = *joints_[static_cast<std::size_t>(l) - 1];
+    for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+      Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
+      joint.add_parents(fine.table, fine.nodes, coarse.table, coarse.nodes);
+      joint.to_coarse(fine.table, fine.nodes, coarse.table, coarse.nodes, [&](int block) {
+        return level(l).exchange().is_home(fine.table, block);
+      });
+    }
+  }
+  return Verdict::good;
+}
+
+Verdict SolidLevels::move_nodes(const StageScope& scope) {
+  if (on_levels(scope, &SolidStep::move_nodes) == Verdict::reject) return Verdict::reject;
+  for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+    for (int l = 0; l + 1 < count(); ++l) {
+      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
+      joints_[static_cast<std::size_t>(l)]->from_coarse(fine.table, fine.nodes, coarse.table,
+                                                        coarse.nodes);
+    }
+    for (int l = count() - 2; l >= 0; --l) {
+      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
+      joints_[static_cast<std::size_t>(l)]->from_fine(coarse.table, coarse.nodes, fine.table,
+                                                      fine.nodes);
+    }
+  }
+  if (count() > 1)
+    for (const auto& step : steps_) step->unfold();
+  return Verdict::good;
+}
+
+Verdict SolidLevels::from_grid(const StageScope& scope) {
+  return on_levels(scope, &SolidStep::from_grid);
+}
+
+Verdict SolidLevels::take_over(const StageScope& scope) {
+  scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
+                                end = scope.step.time + scope.step.dt] {
+    cloud->take_over(end);
+    double travel = 0;
+    bool left = false;
+    for (int l = 0; l < count(); ++l) {
+      (*maxima)[static_cast<std::size_t>(l)] = level(l).new_rates();
+      travel = std::max(travel, level(l).travel());
+      left |= level(l).any_left();
+    }
+    strayed_ += travel;
+    if (strayed_ >= most_stray || left) {
+      cloud->relocate();
+      strayed_ = 0;
+    }
+  });
+  return Verdict::good;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,47 @@
+// A step of solids on all levels: each stage on every level, and what joins the levels between.
+//
+// All levels take the same step. Particles live on the finest level over them; the nodes of all
+// levels have one basis (composite_nodes.hpp).
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "mpm/levels/composite_nodes.hpp"
+#include "mpm/step/solid_step.hpp"
+
+namespace sluice::mpm {
+
+class SolidLevels {
+ public:
+  SolidLevels(const Scene& scene, const MpmScene& solids, const std::vector<Carried>& carried,
+              const std::vector<ParticleKind>& kinds);
+
+  // The stages of a step, in order.
+  Verdict begin(const StageScope& scope);
+  Verdict to_grid(const StageScope& scope);
+  Verdict share_sums(const StageScope& scope);
+  Verdict move_nodes(const StageScope& scope);
+  Verdict from_grid(const StageScope& scope);
+  Verdict take_over(const StageScope& scope);
+
+  SolidStep& level(int l) { return *steps_[static_cast<std::size_t>(l)]; }
+  int count() const { return static_cast<int>(steps_.size()); }
+
+ private:
+  using Stage = Verdict (SolidStep::*)(const StageScope&);
+  Verdict on_levels(const StageScope& scope, Stage stage);
+  StageScope scope_of(const StageScope& scope, int level);
+  void look_at_levels(const StageScope& scope);
+
+  const Scene* scene_;
+  const MpmScene* solids_;
+  const std::vector<Carried>* carried_;
+  const std::vector<ParticleKind>* kinds_;
+  std::vector<std::unique_ptr<SolidStep>> steps_;
+  std::vector<Level> present_;                         // as they were when last looked at
+  std::vector<std::unique_ptr<CompositeNodes>> joints_;  // by coarser level
+  std::vector<std::vector<std::vector<double>>> maxima_;  // by level: what its step is handed
+  double strayed_ = 0;  // since the particles were sorted, cells
+};
+
+}  // namespace sluice::mpm

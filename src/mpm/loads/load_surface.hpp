@@ -1,0 +1,43 @@
+// The surface on which a load acts: which particles feel it, its area, the direction of the force.
+//
+// A particle at the surface of its body feels the load if it lies in the piece of the load, widened
+// by what lattices of particles leave between themselves and a surface: a box by the spacing of the
+// particles along its thin direction, a cylinder or sphere by 1.2 of their least spacing or by
+// their spacing to both sides of its radius.
+#pragma once
+#include "mpm/deck/mpm_scene.hpp"
+
+namespace sluice::mpm {
+
+class LoadSurface {
+ public:
+  enum class Shape { box, cylinder_side, cylinder_end, sphere, points };
+
+  // std::invalid_argument for a piece that is none of these.
+  explicit LoadSurface(const LoadCurve& load, bool axisymmetric = false);
+
+  Shape shape() const { return shape_; }
+  // `spacing`: widths of the particle, length.
+  bool holds(Vec3 x, Vec3 spacing) const;
+  // Over which a pressure acts, length^2.
+  double area() const { return area_; }
+  // Unit vector: of a box its thin direction (upwards; the load has the sign), of a cylinder or
+  // sphere outward from the axis or the centre, of an end from bottom to top.
+  Vec3 direction(Vec3 x) const;
+  // From the axis to the place, and the unit vector of the axis (cylinders).
+  Vec3 arm(Vec3 x) const;
+  Vec3 axis() const { return axis_; }
+
+ private:
+  void set_box(const Bounds& box);
+  void set_cylinder(const LoadCurve& load, Vec3 bottom, Vec3 top, double radius);
+
+  Shape shape_ = Shape::points;
+  bool axisymmetric_;
+  Bounds box_{};
+  int thin_ = 0;
+  Vec3 origin_{}, axis_{};  // bottom of a cylinder, or centre; unit vector
+  double height_ = 0, radius_ = 0, area_ = 0;
+};
+
+}  // namespace sluice::mpm

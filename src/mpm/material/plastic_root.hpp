@@ -1,0 +1,44 @@
+// The plastic multiplier of a return: the root of a function that falls.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+namespace sluice::mpm {
+
+// x in [0, high] with |f(x)| <= tolerance, or between neighbouring numbers; f(0) = f_0 > 0 and
+// f(high) <= 0. `guess` is tried first. Chandrupatla 1997: inverse quadratic interpolation where
+// three points are monotone enough, halving elsewhere, so that it ends for any f.
+template <class Function>
+double falling_root(const Function& f, double f_0, double high, double guess, double tolerance) {
+  double a = 0, fa = f_0, b = high, fb = f(high);
+  if (std::abs(fb) <= tolerance) return high;
+  if (fb > 0) return high;
+  double t = guess > 0 && guess < high ? guess / high : fa / (fa - fb);
+  for (int step = 0; step < 200; ++step) {
+    const double x = a + t * (b - a), fx = f(x);
+    double c, fc;
+    if ((fx > 0) == (fa > 0)) {
+      c = a;
+      fc = fa;
+    } else {
+      c = b;
+      fc = fb;
+      b = a;
+      fb = fa;
+    }
+    a = x;
+    fa = fx;
+    if (std::abs(fa) <= tolerance) return a;
+    const double least = 4e-16 * std::max(std::abs(a), std::abs(b)) / std::abs(b - a);
+    if (!(least < 0.5)) return a;
+    const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
+    t = 0.5;
+    if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+      t = fa / (fb - fa) * (fc / (fb - fc)) +
+          (c - a) / (b - a) * (fa / (fc - fa)) * (fb / (fc - fb));
+    t = std::clamp(t, least, 1 - least);
+  }
+  return a;
+}
+
+}  // namespace sluice::mpm

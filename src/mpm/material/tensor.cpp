@@ -1,0 +1,72 @@
+// Small dense algebra of one particle.
+#include "mpm/material/tensor.hpp"
+
+#include <algorithm>
+#include <Eigen/Eigenvalues>
+
+namespace sluice::mpm {
+
+Polar polar(const Matrix& F) {
+  constexpr int most_steps = 40;
+  // F without its change of volume: fewer steps.
+  const double scale = inverse_cube_root(determinant(F));
+  Matrix R = F;
+  for (double& x : R) x *= scale;
+  for (int step = 0; step < most_steps; ++step) {
+    const Matrix inverted = inverse(R);
+    double change = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double next = 0.5 * (R[3 * i + j] + inverted[3 * j + i]);
+        change = std::max(change, std::abs(next - R[3 * i + j]));
+        R[3 * i + j] = next;
+      }
+    if (change < 1e-9) break;  // the step took its square of that: round-off
+  }
+  return {R, symmetric(product(transposed(R), F))};
+}
+
+Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1) {
+  return symmetric(
+      product(full(combined(1, U_1, -1, U_0)), inverse(full(combined(.5, U_0, .5, U_1)))));
+}
+
+Principal principal(const Symmetric& S) {
+  Eigen::Matrix3d full_matrix;
+  full_matrix << S[0], S[5], S[4], S[5], S[1], S[3], S[4], S[3], S[2];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(full_matrix);
+  Principal found;
+  for (int k = 0; k < 3; ++k) {
+    found.values[static_cast<std::size_t>(k)] = solver.eigenvalues()[k];
+    for (int i = 0; i < 3; ++i)
+      found.vectors[static_cast<std::size_t>(3 * k + i)] = solver.eigenvectors()(i, k);
+  }
+  return found;
+}
+
+Matrix rotation(const std::array<double, 3>& axis, double angle) {
+  const double size = std::hypot(axis[0], axis[1], axis[2]);
+  const double x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
+  const double c = std::cos(angle), s = std::sin(angle), v = 1 - c;
+  return {c + v * x * x,     v * x * y - s * z, v * x * z + s * y, v * x * y + s * z, c + v * y * y,
+          v * y * z - s * x, v * x * z - s * y, v * y * z + s * x, c + v * z * z};
+}
+
+Matrix exponential(const Matrix& a) {
+  double size = 0;
+  for (double x : a) size = std::max(size, std::abs(x));
+  int halvings = 0;
+  for (; size > 0.1; size /= 2) ++halvings;
+  Matrix scaled = a;
+  for (double& x : scaled) x = std::ldexp(x, -halvings);
+  Matrix sum = identity, term = identity;
+  for (int k = 1; k < 16; ++k) {
+    term = product(term, scaled);
+    for (double& x : term) x /= k;
+    for (std::size_t m = 0; m < 9; ++m) sum[m] += term[m];
+  }
+  for (int k = 0; k < halvings; ++k) sum = product(sum, sum);
+  return sum;
+}
+
+}  // namespace sluice::mpm

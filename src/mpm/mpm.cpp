@@ -1,0 +1,123 @@
+#include "mpm/mpm.hpp"
+
+#include <stdexcept>
+
+#include "framework/run/particle_cloud.hpp"
+#include "mpm/effects.hpp"
+#include "mpm/histories.hpp"
+#include "mpm/levels/solid_levels.hpp"
+
+namespace sluice::mpm {
+
+Mpm::Mpm(const Scene& scene, MpmScene solids)
+    : scene_(scene),
+      solids_(std::move(solids)),
+      particles_(scene_, solids_),
+      effects_(effects_of(scene_, solids_)),
+      history_sums_(solids_) {
+  declare_histories();
+  need_sums(scene_, history_sums_);
+}
+
+// The step, as a table.
+void Mpm::shape_step(StepShape& shape) const {
+  const auto step =
+      std::make_shared<SolidLevels>(scene_, solids_, particles_.carried(), particles_.kinds());
+  const auto stage = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
+    shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
+  };
+  stage("bounds of the sums", &SolidLevels::begin);
+  stage("particles to grid", &SolidLevels::to_grid);
+  stage("sums of images and ranks", &SolidLevels::share_sums);
+  stage("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
+  stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
+  stage("take over", &SolidLevels::take_over);
+}
+
+int Mpm::reduction_maxima() const {
+  // Behind the rates: on how many particles each load acts.
+  return static_cast<int>(rate_count(solids_.materials.size()) + solids_.loads.size());
+}
+
+int Mpm::reduction_sums() const {
+  return StepSums::count;
+}
+
+// dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier.
+StepLimit Mpm::step_limit(const std::vector<double>& maxima) const {
+  const double rate = maxima.empty() ? 0 : maxima.front();
+  if (!(rate > 0)) return {1e300, "nothing moves"};
+  return {1 / rate, "waves in particles"};
+}
+
+StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*start*/,
+                         double /*dt*/) const {
+  StepBalance b;
+  b.mass.assign(solids_.materials.size(), 0.0);
+  for (int d = 0; d < 3; ++d) {
+    b.momentum[d] = sums[static_cast<std::size_t>(StepSums::impulse_x + d)];
+    b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSums::force_x + d)];
+  }
+  b.energy = sums[StepSums::work];
+  b.energy_of_forces = sums[StepSums::force_work];
+  return b;
+}
+
+void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
+                     Totals& totals) const {
+  totals.mass.resize(solids_.materials.size());
+  totals.amounts.resize(static_cast<std::size_t>(history_sums_.count()));
+}
+
+void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
+  totals.mass.resize(solids_.materials.size());
+  for (int k = 0; k < cloud.kind_count(); ++k) {
+    const ParticleStore& store = cloud.store(k);
+    const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
+    for (int l = 0; l < store.level_count(); ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        const ParticleSet& set = store.set(l, b);
+        const double* m = set.column(static_cast<std::size_t>(c.mass));
+        const double* energy = set.column(static_cast<std::size_t>(c.energy));
+        const auto v = read_columns<3>(set, c.velocity);
+        for (std::size_t p = 0; p < set.size(); ++p) {
+          totals.mass[static_cast<std::size_t>(k)].add(m[p]);
+          double v2 = 0;
+          for (int d = 0; d < 3; ++d) {
+            const double vd = v[static_cast<std::size_t>(d)][p];
+            totals.momentum[d].add(m[p] * vd);
+            v2 += vd * vd;
+          }
+          totals.kinetic_energy.add(0.5 * m[p] * v2);
+          totals.internal_energy.add(energy[p]);
+        }
+      }
+  }
+  if (history_sums_.any()) history_sums_.add(cloud, particles_.carried(), totals);
+}
+
+double Mpm::history_value(Label label, const Totals& totals) const {
+  return history_of(label, totals, history_sums_);
+}
+
+Vec3 Mpm::history_vector(Label label, const Totals& totals) const {
+  return vector_history_of(label, totals, history_sums_);
+}
+
+void Mpm::declare_diagnostics(TaskList& /*list*/, int /*level*/) const {}
+
+Label Mpm::refine_flag() const {
+  return declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
+                        "1 where a finer level is wanted, 0 elsewhere"});
+}
+
+Label Mpm::mask_label() const {
+  return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
+                        "marks of a step that is redone; solids set none"});
+}
+
+std::string Mpm::describe_fault(int /*kind*/) const {
+  return "value (must be finite)";
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,60 @@
+// Solids alone: the material point method as a component.
+#pragma once
+#include <memory>
+
+#include "framework/run/component.hpp"
+#include "framework/run/no_transfer.hpp"
+#include "mpm/account/history_sums.hpp"
+#include "mpm/deck/mpm_scene.hpp"
+#include "mpm/solid_particles.hpp"
+
+namespace sluice::mpm {
+
+class Mpm final : public Component {
+ public:
+  Mpm(const Scene& scene, MpmScene solids);
+
+  std::string name() const override { return "mpm"; }
+  const EffectList& effects() const override { return effects_; }
+  int material_count() const override { return static_cast<int>(solids_.materials.size()); }
+
+  const ParticleMethod* particles() const override { return &particles_; }
+  void shape_step(StepShape& shape) const override;
+  int reduction_maxima() const override;
+  int reduction_sums() const override;
+  StepLimit step_limit(const std::vector<double>& maxima) const override;
+  double courant_number() const override { return 1; }
+
+  void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
+  StepBalance balance(const std::vector<double>& sums, const StepStart* start,
+                      double dt) const override;
+  double history_value(Label label, const Totals& totals) const override;
+  Vec3 history_vector(Label label, const Totals& totals) const override;
+
+  // No field lives in cells: particles carry everything from step to step.
+  std::vector<SlotInfo> state_slots() const override { return {}; }
+  std::vector<std::vector<Label>> checkpoint_labels() const override { return {}; }
+  void initialise(Warehouse& /*state*/) const override {}
+  void fill_boundary(Warehouse& /*state*/, double /*time*/, std::span<const double> /*sums*/,
+                     const ThreadTeam& /*team*/) const override {}
+  void declare_step(TaskList& /*list*/, const StepVariant& /*variant*/) const override {}
+  void declare_diagnostics(TaskList& list, int level) const override;
+  const TransferOperators& transfer() const override { return no_transfer_; }
+  Label refine_flag() const override;
+  Label mask_label() const override;
+  bool quiet_blocks_allowed() const override { return false; }
+  void measure_rates(const Warehouse& /*state*/, Reductions& /*rates*/) const override {}
+  void add_totals(const Warehouse& state, const LevelCoverage& coverage,
+                  Totals& totals) const override;
+  std::string describe_fault(int kind) const override;
+
+ private:
+  const Scene& scene_;
+  MpmScene solids_;
+  SolidParticles particles_;
+  EffectList effects_;
+  HistorySums history_sums_;
+  NoTransfer no_transfer_;
+};
+
+}  // namespace sluice::mpm

@@ -1,0 +1,41 @@
+// Sums of nodes that particles of several ranks reach: the same on all of them afterwards.
+//
+// Each block has a home, the rank that owns the cells there. What other ranks have summed goes to
+// the home, which adds it (integers: in any order) and sends the total back. Messages go between
+// neighbours alone.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "framework/base/communicator.hpp"
+#include "framework/grid/box_list.hpp"
+#include "framework/grid/level.hpp"
+#include "mpm/nodes/node_blocks.hpp"
+
+namespace sluice::mpm {
+
+class NodeExchange {
+ public:
+  NodeExchange(const Level& level, Communicator& ranks);
+
+  bool fits(const Level& level) const;  // were the boxes the same when this was made
+  // Collective: groups of lanes of one table. Blocks that others reach may be added.
+  void share(BlockTable& table, std::span<NodeLanes* const> groups);
+  // Does this rank keep the books of a block: each block has one such rank.
+  bool is_home(const BlockTable& table, int block) const {
+    return ranks_->size() == 1 || home(table.shape(), table.block(block)) == ranks_->rank();
+  }
+
+ private:
+  int home(const BlockShape& shape, IntVec3 block) const;
+  using Buffers = std::vector<std::vector<double>>;  // by neighbour
+  Buffers swap(const Buffers& out);
+
+  Level level_;
+  Communicator* ranks_;
+  BoxFinder finder_;
+  std::vector<int> neighbours_;        // ranks
+  std::vector<int> number_;            // of a rank among them; -1
+};
+
+}  // namespace sluice::mpm

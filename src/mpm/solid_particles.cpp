@@ -1,0 +1,222 @@
+#include "mpm/solid_particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/run/particle_cloud.hpp"
+#include "mpm/shape/weights.hpp"
+#include "mpm/saved/node_fields.hpp"
+#include "mpm/step/outside_forces.hpp"
+#include "mpm/step/rates.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+// Columns of particles begin to end as a law takes them, at rest in the state they have.
+struct LawColumns {
+  Batch batch;
+  std::vector<double*> history;
+  std::vector<const double*> old_history;
+};
+
+void fill_batch(ParticleSet& set, const Carried& carried, std::size_t at, int n, LawColumns& to) {
+  const Columns& c = carried.columns;
+  const auto column = [&](int first) { return set.column(static_cast<std::size_t>(first)) + at; };
+  Batch& b = to.batch;
+  b = {};
+  b.count = n;
+  for (int e = 0; e < 9; ++e)
+    b.F[static_cast<std::size_t>(e)] = b.old_F[static_cast<std::size_t>(e)] = column(c.F + e);
+  for (int e = 0; e < 6; ++e)
+    b.old_stress[static_cast<std::size_t>(e)] = b.stress[static_cast<std::size_t>(e)] =
+        column(c.stress + e);
+  b.temperature = column(c.temperature);
+  b.mass = column(c.mass);
+  b.volume_0 = column(c.volume_0);
+  b.id = set.ids().data() + at;
+  b.old_energy = b.energy = column(c.energy);
+  to.history.clear();
+  to.old_history.clear();
+  for (int h = 0; h < carried.history_columns; ++h) {
+    to.history.push_back(column(c.history + h));
+    to.old_history.push_back(column(c.history + h));
+  }
+  b.history = to.history;
+  b.old_history = to.old_history;
+}
+
+double optional(const std::vector<double>& column, std::size_t p) {
+  return column.empty() ? 0.0 : column[p];
+}
+
+}  // namespace
+
+SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
+    : scene_(&scene), solids_(&solids), seeder_(solids, scene.grid), loads_(solids) {
+  for (const SolidMaterial& m : solids.materials) {
+    carried_.push_back(carried_by(scene, solids, m));
+    ParticleKind& kind = kinds_.emplace_back();
+    kind.name = m.name.empty() ? "material " + std::to_string(m.index) : m.name;
+    kind.material = m.index;
+    kind.attributes = carried_.back().attributes;
+    kind.by_blocks = true;
+    if (scene.refinement.adaptive) kind.refine_distance = 0;
+  }
+}
+
+// The loads that act on the particle just added.
+void SolidParticles::mark(int kind, const Level& level, const SeededParticles& seeded,
+                          std::size_t p, ParticleSet& set) const {
+  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  Vec3 width{};
+  for (int d = 0; d < 3; ++d)
+    width[d] = std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]) * level.spacing[d];
+  std::array<int, most_marks> named{};
+  for (std::size_t n = 0; n < named.size(); ++n)
+    if (!seeded.load_curve[n].empty()) named[n] = seeded.load_curve[n][p];
+  const std::size_t last = set.size() - 1;
+  const auto marks =
+      loads_.marks_of(kind, set.position(last), width, seeded.surface[p] != 0, named);
+  for (std::size_t n = 0; n < marks.size(); ++n)
+    set.attribute(static_cast<std::size_t>(c.marks) + n, last) = marks[n];
+}
+
+void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
+                           ParticleSet& set) const {
+  const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
+  const Carried& carried = carried_[static_cast<std::size_t>(kind)];
+  const Columns& c = carried.columns;
+  const std::size_t begin = set.size();
+  SeededParticles seeded;
+  seeder_.seed(kind, level, cells, {}, seeded);
+  for (std::size_t p = 0; p < seeded.count(); ++p) {
+    set.add({seeded.x[p], seeded.y[p], seeded.z[p]}, seeded.id[p]);
+    const std::size_t n = set.size() - 1;
+    const auto put = [&](int column, double value) {
+      if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
+    };
+    for (int d = 0; d < 3; ++d)
+      put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
+                              ? seeded.velocity[static_cast<std::size_t>(d)][p]
+                              : 0.0);
+    put(c.mass, seeded.mass[p]);
+    put(c.volume_0, seeded.volume[p]);
+    put(c.volume, seeded.volume[p]);
+    for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
+    put(c.temperature, seeded.temperature[p]);
+    put(c.colour, seeded.colour[p]);
+    for (int d = 0; d < 3 && c.half >= 0; ++d)
+      put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
+    for (int e = 0; e < 9 && c.size >= 0; ++e)
+      put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
+    if (c.marks >= 0) mark(kind, level, seeded, p, set);
+    for (int d = 0; d < 3 && c.given_force >= 0; ++d)
+      put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
+    for (int d = 0; d < 3 && c.normal >= 0; ++d)
+      put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
+  }
+  if (const auto motion = manufactured_of(*solids_, material, level))
+    for (std::size_t n = begin; n < set.size(); ++n) {
+      const Vec3 v = motion->velocity(set.position(n), scene_->time.initial_time);
+      for (int d = 0; d < 3; ++d)
+        if (level.active[static_cast<std::size_t>(d)])
+          set.attribute(static_cast<std::size_t>(c.velocity + d), n) = v[d];
+    }
+  double wave_speed[chunk_size], heating[chunk_size] = {};
+  LawColumns columns;
+  for (std::size_t at = begin; at < set.size(); at += chunk_size) {
+    const int n = static_cast<int>(std::min<std::size_t>(chunk_size, set.size() - at));
+    fill_batch(set, carried, at, n, columns);
+    columns.batch.time = scene_->time.initial_time;
+    columns.batch.wave_speed = wave_speed;
+    columns.batch.heating = heating;
+    material.law->start(columns.batch);
+  }
+}
+
+bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
+                                     int coarse) const {
+  if (level > coarse || solids_->splits.empty()) return true;
+  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  for (const SplitCriterion& s : solids_->splits) {
+    if (s.kind != SplitCriterion::Kind::stress_norm || (s.material >= 0 && s.material != kind))
+      continue;
+    double norm = 0;  // |sigma|: off the diagonal each counts twice
+    for (int e = 0; e < 6; ++e) {
+      const double v = set.attribute_values(static_cast<std::size_t>(c.stress + e))[n];
+      norm += (e < 3 ? 1 : 2) * v * v;
+    }
+    if (norm > s.value * s.value) return true;
+  }
+  return false;
+}
+
+std::vector<Label> SolidParticles::grid_labels() const {
+  return node_labels();
+}
+
+void SolidParticles::store_on_grid(const StageScope& scope,
+                                   std::vector<GridFields>& by_level) const {
+  for (std::size_t l = 0; l < by_level.size(); ++l) {
+    SolidStep step(*scene_, *solids_, carried_, kinds_);
+    StageScope own = scope;
+    std::vector<std::vector<double>> maxima = {(*scope.maxima)[l]};
+    own.levels = {scope.levels[l]};
+    step.set_spacings(scope.levels[l]->level().spacing, scope.levels[l]->level().spacing);
+    own.maxima = &maxima;
+    store_node_fields(*scene_, *solids_, step, own, by_level[l]);
+  }
+}
+
+// The wave speed is that of a step of no length from what the particles are.
+std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) const {
+  std::vector<double> all(rate_count(kinds_.size()) + solids_->loads.size());
+  std::vector<KindRates> by_kind(kinds_.size());
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const ParticleStore& store = cloud.store(static_cast<int>(k));
+    const Columns& c = carried_[k].columns;
+    for (int b = 0; b < store.box_count(l); ++b) {
+      const ParticleSet& set = store.set(l, b);
+      by_kind[k].add(rates_of(set, set, c, 0, set.size()));
+      all[0] = std::max(all[0], rate_of_step(static_cast<int>(k), cloud.level(l), set));
+    }
+    by_kind[k].to(std::span(all).subspan(1 + k * static_cast<std::size_t>(KindRates::count),
+                                         static_cast<std::size_t>(KindRates::count)));
+  }
+  return all;
+}
+
+double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set) const {
+  const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
+  if (material.rigid) return 0;
+  const Carried& carried = carried_[static_cast<std::size_t>(kind)];
+  ParticleSet from = set, to = set;  // a law writes beside what it reads
+  double wave_speed[chunk_size], heating[chunk_size], still[chunk_size] = {}, rate = 0;
+  LawColumns old, now;
+  for (std::size_t at = 0; at < set.size(); at += chunk_size) {
+    const int n = static_cast<int>(std::min<std::size_t>(chunk_size, set.size() - at));
+    fill_batch(from, carried, at, n, old);
+    fill_batch(to, carried, at, n, now);
+    Batch& b = now.batch;
+    b.old_F = old.batch.old_F;
+    b.old_stress = old.batch.old_stress;
+    b.old_energy = old.batch.old_energy;
+    b.old_history = old.batch.old_history;
+    for (const double*& l : b.L) l = still;
+    b.wave_speed = wave_speed;
+    b.heating = heating;
+    b.dt = 1e-300;
+    std::fill_n(heating, n, 0.0);
+    material.law->update(b);
+    for (int d = 0; d < 3; ++d) {
+      if (!level.active[static_cast<std::size_t>(d)]) continue;
+      const double* v =
+          set.column(static_cast<std::size_t>(carried.columns.velocity + d)) + at;
+      for (int q = 0; q < n; ++q)
+        rate = std::max(rate, (wave_speed[q] + std::fabs(v[q])) / level.spacing[d]);
+    }
+  }
+  return rate;
+}
+
+}  // namespace sluice::mpm

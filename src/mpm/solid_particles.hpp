@@ -1,0 +1,42 @@
+// The particles of all solids, as the run keeps them: what they carry, how they start.
+#pragma once
+#include "framework/run/particle_method.hpp"
+#include "mpm/loads/load_curves.hpp"
+#include "mpm/start/seed.hpp"
+#include "mpm/step/columns.hpp"
+
+namespace sluice::mpm {
+
+class SolidParticles final : public ParticleMethod {
+ public:
+  SolidParticles(const Scene& scene, const MpmScene& solids);
+
+  const std::vector<ParticleKind>& kinds() const override { return kinds_; }
+  const std::vector<Carried>& carried() const { return carried_; }
+
+  void start(int kind, const Level& level, const IndexBox& cells,
+             ParticleSet& particles) const override;
+  bool reflects(int, int, Side, IntVec3) const override { return false; }
+  bool in_stages() const override { return true; }
+  // Solids on a finer level stay there; else where stress or stretch exceed the deck's thresholds,
+  // or everywhere where it names none.
+  bool asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
+                       int coarse) const override;
+  std::vector<Label> grid_labels() const override;
+  void store_on_grid(const StageScope& scope, std::vector<GridFields>& by_level) const override;
+  std::vector<double> rates(const ParticleCloud& cloud, int level) const override;
+
+ private:
+  void mark(int kind, const Level& level, const SeededParticles& seeded, std::size_t p,
+            ParticleSet& set) const;
+  double rate_of_step(int kind, const Level& level, const ParticleSet& set) const;
+
+  const Scene* scene_;
+  const MpmScene* solids_;
+  Seeder seeder_;
+  std::vector<Carried> carried_;  // by material
+  std::vector<ParticleKind> kinds_;
+  LoadCurves loads_;
+};
+
+}  // namespace sluice::mpm

@@ -1,0 +1,51 @@
+// Particles at the start of a run, as plain columns.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mpm/start/affine.hpp"
+
+namespace sluice::mpm {
+
+// One material's particles. All columns have as many rows as there are particles, but for the
+// optional ones, which are empty where no point file of the material has them.
+struct SeededParticles {
+  using Column = std::vector<double>;
+
+  Column x, y, z;        // m
+  std::array<Column, 3> velocity;  // m/s
+  Column mass, volume;   // kg, m^3; axisymmetric: of one radian
+  // Edge vectors in cells, row after row: edge c has the components edges[c], edges[3 + c],
+  // edges[6 + c] times the spacing of their direction.
+  std::array<Column, 9> edges;
+  Column temperature, colour;      // K, -
+  std::vector<std::int64_t> id;
+  std::vector<unsigned char> surface;  // 1: a neighbouring place lies outside of the piece
+
+  std::array<Column, 3> external_force, fibre, normal;  // optional
+  std::array<std::vector<int>, 3> load_curve;           // optional; 0: none
+
+  std::size_t count() const { return x.size(); }
+};
+
+// One row.
+struct SeededParticle {
+  Vec3 x{}, velocity{};
+  double mass = 0, volume = 0;
+  Map edges{};
+  double temperature = 0, colour = 0;
+  std::int64_t id = 0;
+  bool surface = false;
+  Vec3 external_force{}, fibre{}, normal{}, load_curve{};
+};
+
+// Which optional columns a material has.
+struct OptionalColumns {
+  bool external_force = false, fibre = false, normal = false, load_curve = false;
+};
+
+void append(SeededParticles& particles, const SeededParticle& row, const OptionalColumns& columns);
+
+}  // namespace sluice::mpm
