@@ -70,15 +70,15 @@ ProcessRequest shell(const fs::path& folder, const std::string& script) {
 // Nearly all of such a step is the solve, by a solver that takes hundreds of iterations.
 const std::string slow_solves =
     SLUICE_COMMAND " run " SLUICE_SOURCE_DIR
-    "/inputs/ice/implicit_cavity.ups --progress none --json run.json"
-    " --set 'Grid/Level/Box/resolution=[48,48,1]' --set Time/max_Timesteps=12"
-    " --set DataArchiver/outputTimestepInterval=2 --set DataArchiver/outputInterval="
-    " --set DataArchiver/checkpoint/@timestepInterval=2"
-    " --set CFD/ICE/ImplicitSolver/Parameters/solver=cg"
-    " --set CFD/ICE/ImplicitSolver/Parameters/preconditioner=none"
-    " --set CFD/ICE/ImplicitSolver/Parameters/maxiterations=5000"
-    " --set CFD/ICE/ImplicitSolver/Parameters/tolerance=1e-11"
-    " --set Solver/@type=hypre";
+                   "/inputs/ice/implicit_cavity.ups --progress none --json run.json"
+                   " --set 'Grid/Level/Box/resolution=[48,48,1]' --set Time/max_Timesteps=12"
+                   " --set DataArchiver/outputTimestepInterval=2 --set DataArchiver/outputInterval="
+                   " --set DataArchiver/checkpoint/@timestepInterval=2"
+                   " --set CFD/ICE/ImplicitSolver/Parameters/solver=cg"
+                   " --set CFD/ICE/ImplicitSolver/Parameters/preconditioner=none"
+                   " --set CFD/ICE/ImplicitSolver/Parameters/maxiterations=5000"
+                   " --set CFD/ICE/ImplicitSolver/Parameters/tolerance=1e-11"
+                   " --set Solver/@type=hypre";
 
 TEST(ImplicitSigterm, InsideASolveEndsWithACheckpointAndARestartGivesTheSameBits) {
   ScratchFolder scratch;
@@ -98,8 +98,8 @@ TEST(ImplicitSigterm, InsideASolveEndsWithACheckpointAndARestartGivesTheSameBits
   EXPECT_LT(run["steps"], 12);
   const Archive archive = Archive::open(folder / "implicit_cavity.uda");
   EXPECT_EQ(archive.checkpoints().back().step, run["steps"]);
-  request = shell(folder, SLUICE_COMMAND
-                  " run --restart implicit_cavity.uda -o rest --progress none");
+  request =
+      shell(folder, SLUICE_COMMAND " run --restart implicit_cavity.uda -o rest --progress none");
   ASSERT_EQ(run_process(request), 0) << last_lines(request.output, 10);
   const fs::path rest = folder / "rest" / "implicit_cavity.uda";
   EXPECT_EQ(difference(whole / "implicit_cavity.uda", rest, false, true), "");
@@ -110,19 +110,18 @@ TEST(ImplicitSigterm, InsideASolveEndsWithACheckpointAndARestartGivesTheSameBits
 
 RunReport run_cavity(const std::vector<std::string>& more, int steps) {
   std::vector<std::string> overrides{"Grid/Level/Box/resolution=[12,12,1]"};
-  for (const std::string& one : more)
-    overrides.push_back("CFD/ICE/ImplicitSolver/" + one);
+  for (const std::string& one : more) overrides.push_back("CFD/ICE/ImplicitSolver/" + one);
   overrides.push_back("Time/max_Timesteps=" + std::to_string(steps));
-  const Deck deck = load_deck(SLUICE_SOURCE_DIR "/inputs/ice/implicit_cavity.ups", overrides,
-                              sluice_schema());
+  const Deck deck =
+      load_deck(SLUICE_SOURCE_DIR "/inputs/ice/implicit_cavity.ups", overrides, sluice_schema());
   return carry_out(deck, fs::path{});
 }
 
 // One iteration a pass: passes go on until the volume error is small, or the step is redone.
 TEST(ImplicitLimits, OneIterationAPassConvergesByMorePasses) {
-  const RunReport report =
-      run_cavity({"Parameters/maxiterations=1", "max_outer_iterations=100",
-                  "outer_iteration_tolerance=1e-8"}, 10);
+  const RunReport report = run_cavity(
+      {"Parameters/maxiterations=1", "max_outer_iterations=100", "outer_iteration_tolerance=1e-8"},
+      10);
   EXPECT_EQ(report.message, "");
   EXPECT_EQ(report.steps, 10);
 }
@@ -142,7 +141,8 @@ TEST(ImplicitLimits, OneIterationAndOnePassStillKeepTheBalances) {
 TEST(ImplicitLimits, ToleranceZeroEndsAtRoundOff) {
   const RunReport report =
       run_cavity({"Parameters/tolerance=0", "max_outer_iterations=20",
-                  "outer_iteration_tolerance=0", "iters_before_timestep_restart=20"}, 5);
+                  "outer_iteration_tolerance=0", "iters_before_timestep_restart=20"},
+                 5);
   EXPECT_EQ(report.message, "");
   EXPECT_EQ(report.steps, 5);
 }
@@ -152,7 +152,8 @@ TEST(ImplicitLimits, NoConvergenceIsToldWithTheHistoryOfThePasses) {
   std::string said;
   try {
     said = run_cavity({"Parameters/maxiterations=1", "max_outer_iterations=2",
-                       "outer_iteration_tolerance=1e-30"}, 5)
+                       "outer_iteration_tolerance=1e-30"},
+                      5)
                .message;
   } catch (const std::exception& error) {
     said = error.what();
@@ -166,12 +167,12 @@ TEST(ImplicitLimits, NoConvergenceIsToldWithTheHistoryOfThePasses) {
 
 // All sides closed and sound so swift that rows nearly sum to 0: singular to round-off.
 TEST(ImplicitLimits, NearlySingularBoxGoesOn) {
-  const Deck deck = load_deck(
-      SLUICE_SOURCE_DIR "/inputs/ice/implicit_cavity.ups",
-      {"Grid/Level/Box/resolution=[12,12,1]", "Time/max_Timesteps=10",
-       "MaterialProperties/ICE/material/geom_object/pressure=7.142857142857143e11",
-       "MaterialProperties/ICE/material/geom_object/temperature=1.7857142857142855e12"},
-      sluice_schema());
+  const Deck deck =
+      load_deck(SLUICE_SOURCE_DIR "/inputs/ice/implicit_cavity.ups",
+                {"Grid/Level/Box/resolution=[12,12,1]", "Time/max_Timesteps=10",
+                 "MaterialProperties/ICE/material/geom_object/pressure=7.142857142857143e11",
+                 "MaterialProperties/ICE/material/geom_object/temperature=1.7857142857142855e12"},
+                sluice_schema());
   const RunReport report = carry_out(deck, fs::path{});
   EXPECT_EQ(report.message, "");
   EXPECT_EQ(report.steps, 10);
@@ -179,9 +180,9 @@ TEST(ImplicitLimits, NearlySingularBoxGoesOn) {
 
 // No fluid flows through any face: one cell with walls all around.
 TEST(ImplicitLimits, OneCellBetweenWallsStaysAsItIs) {
-  const Deck deck = load_deck(SLUICE_SOURCE_DIR "/inputs/ice/implicit_pulse.ups",
-                              {"Grid/Level/Box/resolution=[1,1,1]", "Time/max_Timesteps=10"},
-                              sluice_schema());
+  const Deck deck =
+      load_deck(SLUICE_SOURCE_DIR "/inputs/ice/implicit_pulse.ups",
+                {"Grid/Level/Box/resolution=[1,1,1]", "Time/max_Timesteps=10"}, sluice_schema());
   const RunReport report = carry_out(deck, fs::path{});
   EXPECT_EQ(report.message, "");
   EXPECT_EQ(report.steps, 10);

@@ -66,10 +66,9 @@ constexpr Point ghia_v[] = {  // along y = 1/2
 double distance_from_ghia(int n, int reynolds, double end) {
   const CaseRun run(
       "implicit_cavity",
-      until(end) +
-          Overrides{resolution(n, n),
-                    fmt::format("MaterialProperties/ICE/material/dynamic_viscosity={:g}",
-                                1.0 / reynolds)});
+      until(end) + Overrides{resolution(n, n),
+                             fmt::format("MaterialProperties/ICE/material/dynamic_viscosity={:g}",
+                                         1.0 / reynolds)});
   EXPECT_EQ(run.events(), 0);
   const Line u = centre_line(run.field("vel_CC", 0), 1, 0, 1);
   const Line v = centre_line(run.field("vel_CC", 1), 0, 0, 0);
@@ -117,10 +116,9 @@ double distance_from_benchmark(const Convection& c) {
   const double mu = std::sqrt(prandtl / c.rayleigh), k = 1.4 / std::sqrt(prandtl * c.rayleigh);
   const std::string gas = "MaterialProperties/ICE/material/";
   const CaseRun run("implicit_natural_convection",
-                    until(c.end) +
-                        Overrides{resolution(c.cells, c.cells),
-                                  gas + fmt::format("dynamic_viscosity={:.17g}", mu),
-                                  gas + fmt::format("thermal_conductivity={:.17g}", k)});
+                    until(c.end) + Overrides{resolution(c.cells, c.cells),
+                                             gas + fmt::format("dynamic_viscosity={:.17g}", mu),
+                                             gas + fmt::format("thermal_conductivity={:.17g}", k)});
   EXPECT_EQ(run.events(), 0);
   const double diffusivity = k / 1.4;  // cp 1.4, density and side 1
   const Line u = centre_line(run.field("vel_CC", 0), 1, 0, 0);
@@ -151,8 +149,8 @@ INSTANTIATE_TEST_SUITE_P(Full, ImplicitConvectionSquare,
                                          Convection{1e5, 64, 60, 4.519, 34.73, 68.59},
                                          Convection{1e6, 96, 80, 8.800, 64.63, 219.36}),
                          [](const auto& test) {
-                           return "of_1e" + std::to_string(
-                                                static_cast<int>(std::log10(test.param.rayleigh)));
+                           return "of_1e" +
+                                  std::to_string(static_cast<int>(std::log10(test.param.rayleigh)));
                          });
 
 TEST(ImplicitConvection, OfFewCellsIsNearTheBenchmark) {

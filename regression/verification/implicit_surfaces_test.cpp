@@ -22,8 +22,8 @@ constexpr Seen martin_moyce[] = {{0.832, 1.217}, {1.219, 1.474}, {1.997, 2.292},
 constexpr double width = 0.05715, gravity = 9.81;
 // Nothing is unbounded: air that water pushes away is no swifter than some times the fall through
 // twice the width, and no pressure is above that of water which stops from that fall at once.
-constexpr double fall = 1.5;                       // m/s, sqrt(2 g 2 a)
-constexpr double swiftest = 10 * fall;             // m/s
+constexpr double fall = 1.5;                        // m/s, sqrt(2 g 2 a)
+constexpr double swiftest = 10 * fall;              // m/s
 constexpr double water_hammer = 1e3 * 1625 * fall;  // Pa, rho c u
 
 // Where the share of water in the lowest row falls through a half, last.
@@ -38,10 +38,9 @@ double foot_of(const CellValues& water) {
 
 // The largest relative distance from the experiment, between outputs by their line.
 double distance_from_experiment(int cells_a_height) {
-  const CaseRun run("implicit_dam",
-                    until(0.14) + Overrides{"DataArchiver/outputInterval=0.002",
-                                            resolution(5 * cells_a_height / 2,
-                                                       5 * cells_a_height / 4)});
+  const CaseRun run("implicit_dam", until(0.14) + Overrides{"DataArchiver/outputInterval=0.002",
+                                                            resolution(5 * cells_a_height / 2,
+                                                                       5 * cells_a_height / 4)});
   const auto outputs = static_cast<int>(Archive::open(run.archive()).outputs().size());
   double worst = 0, largest_u = 0, largest_p = 0, T_before = 0, Z_before = 1;
   for (int o = 1; o < outputs; ++o) {
@@ -91,9 +90,9 @@ double period_of_theory() {
 // Twice the time at which the surface that began to rise is flat again, by the line through two
 // outputs, over that of the theory.
 double half_period(int n) {
-  const CaseRun run("implicit_sloshing",
-                    Overrides{resolution(n, n), "Time/maxTime=0.7", "DataArchiver/outputInterval=0.01",
-                              "Time/clamp_time_to_output=true"});
+  const CaseRun run("implicit_sloshing", Overrides{resolution(n, n), "Time/maxTime=0.7",
+                                                   "DataArchiver/outputInterval=0.01",
+                                                   "Time/clamp_time_to_output=true"});
   const std::size_t outputs = Archive::open(run.archive()).outputs().size();
   double before = 0, time_before = 0;
   for (std::size_t o = 1; o < outputs; ++o) {

@@ -3,8 +3,11 @@
 A run case gives nanoseconds per cell and step as `sluice run --json` reports it; no block sleeps
 unless `savings` is true. A ratio case divides two other cases. Limits are for a quiet machine of
 the kind named in recorded.json.
+Decks of the format's public suite are measured
+where SLUICE_DECKS names its folder.
 """
 import dataclasses
+import os
 
 
 FOREVER = ("Time/maxTime=1e9", "Time/end_at_max_time_exactly=false")  # the step count ends it
@@ -96,6 +99,20 @@ UNIFORM = ("AMR/Regridder/max_levels=1",)
 ERROR_EXPLOSION = "inputs/ice/amr_explosion_quarter.ups"
 FINER = ("AMR/ErrorEstimate/@tolerance=0.012",)
 
+# Vortices at Mach 0.01 with and without a pressure solve, which takes steps 40 times as long.
+VORTICES = "inputs/ice/taylor_green.ups"
+VORTICES_3D = "inputs/ice/taylor_green_3d.ups"
+SLOW = FOREVER + ("MaterialProperties/ICE/material/dynamic_viscosity=0",)
+SLOW_3D = SLOW + ("PhysicalConstants/reference_pressure=7142.857142857143",
+                  "MaterialProperties/ICE/material/geom_object/pressure=7142.857142857143",
+                  "MaterialProperties/ICE/material/geom_object/temperature=17857.142857142855",
+                  "CFD/ICE/customInitialization/formula/pressure="
+                  "7142.857142857143 + (cos(2*x)+cos(2*y))*(cos(2*z)+2)/16")
+SOLVED = ("CFD/ICE/TimeStepControl/knob_for_speedSound=0",
+          "CFD/ICE/ImplicitSolver/max_outer_iterations=1",
+          "CFD/ICE/ImplicitSolver/outer_iteration_tolerance=1e-6",
+          "CFD/ICE/ImplicitSolver/Parameters/tolerance=1e-2")
+
 CASES = [
     Run("1-D, 4096 cells", TUBE, 4000, "[4096,1,1]", 30),
     Run("1-D, 256 cells", TUBE, 20000, "[256,1,1]", 60),
@@ -184,5 +201,25 @@ CASES = [
     Program("solve, 128^3, hypre CG+PFMG", "sluice_solve_bench", None, "ns", ("cg+pfmg", "128")),
     Program("solve, 64^3, hypre CG+SMG", "sluice_solve_bench", None, "ns", ("cg+smg", "64")),
     Program("solve, 64^3, hypre AMG", "sluice_solve_bench", None, "ns", ("amg", "64")),
+    Run("2-D, 256^2, explicit step at Mach 0.01", VORTICES, 60, "[256,256,1]", settings=SLOW),
+    Run("2-D, 256^2, pressure solve at Mach 0.01", VORTICES, 30, "[256,256,1]",
+        settings=SLOW + SOLVED),
+    Ratio("pressure solve over explicit step, 256^2", "2-D, 256^2, pressure solve at Mach 0.01",
+          "2-D, 256^2, explicit step at Mach 0.01", 5),
+    Run("3-D, 64^3, explicit step at Mach 0.01", VORTICES_3D, 20, "[64,64,64]", settings=SLOW_3D),
+    Run("3-D, 64^3, pressure solve at Mach 0.01", VORTICES_3D, 10, "[64,64,64]",
+        settings=SLOW_3D + SOLVED),
+    Ratio("pressure solve over explicit step, 64^3", "3-D, 64^3, pressure solve at Mach 0.01",
+          "3-D, 64^3, explicit step at Mach 0.01", 5),
     Ratio("share left by the quiet half", "1-D, 4096 cells, savings on", "1-D, 4096 cells"),
 ]
+
+SUITE = os.environ.get("SLUICE_DECKS")
+if SUITE:
+    CASES += [
+        Run("impHotBlob, 400 steps", f"{SUITE}/inputs/ICE/impHotBlob.ups", 400, limit=2600,
+            savings=True, unit="ms"),
+        Run("CouettePoiseuille/XY", f"{SUITE}/inputs/ICE/CouettePoiseuille/XY.ups", 400,
+            limit=1000),
+        Run("cavityFlow_dx", f"{SUITE}/inputs/ICE/cavityFlow_dx.ups", 400, limit=1000),
+    ]

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "framework/base/communicator.hpp"
+#include "framework/base/error.hpp"
 #include "framework/solve/composite_solver.hpp"
 
 namespace sluice::solve::composite_test {
@@ -144,6 +146,19 @@ INSTANTIATE_TEST_SUITE_P(Nested, CompositeCase,
                                          Case{3, 16, 2, 2, 1, 16, 17},
                                          Case{2, 32, 3, 2, 1e-4, 24, 18},
                                          Case{2, 32, 3, 2, 1e4, 24, 19}));
+
+TEST(CompositeSystem, NamesTheCellOfACoefficientThatIsNoNumber) {
+  const std::vector<Level> levels = nested(2, 16, 2, 2);
+  auto parts = coefficients(levels, 1e-3, 1);
+  parts[0].own.views()[0]({1, 2, 0}) = std::numeric_limits<double>::quiet_NaN();
+  CompositeSolver solver({});
+  try {
+    solver.set_up(parts);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const PhysicsError& error) {
+    EXPECT_NE(std::string(error.what()).find("cell (1, 2, 0)"), std::string::npos) << error.what();
+  }
+}
 
 }  // namespace
 }  // namespace sluice::solve::composite_test

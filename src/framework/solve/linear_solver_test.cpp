@@ -150,6 +150,33 @@ TEST_P(EverySolver, ends_with_the_tolerance_zero) {
   EXPECT_LT(solved.report.residuals.back(), solved.report.right_side);
 }
 
+// Faces that nothing flows through have no coupling: a block of cells is left each to itself.
+TEST_P(EverySolver, solves_cells_that_no_face_joins) {
+  CellMatrix matrix = matrix_of(*level, system);
+  const IndexBox block{{3, 2, 2}, {8, 7, 6}};
+  const auto apart = [&](IntVec3 c, int d) {
+    IntVec3 below = c;
+    --below[d];
+    return block.contains(c) || block.contains(below);
+  };
+  for (int d = 0; d < 3; ++d)
+    for (const RealView& v : matrix.low(d))
+      for_each_cell(v.box, [&](IntVec3 c) {
+        if (apart(c, d)) v(c) = 0;
+      });
+  for (const RealView& v : matrix.diagonal())  // at least as large as the couplings that are left
+    for_each_cell(v.box, [&](IntVec3 c) {
+      if (block.contains(c)) v(c) = system.diagonal;
+    });
+  solver->set_up(matrix);
+  const Solved solved = solve_from_zero(*solver, *level, noisy);
+  EXPECT_TRUE(solved.report.converged) << solved.report.reason;
+  for (const RealView& v : solved.x.views())
+    for_each_cell(v.box, [&](IntVec3 c) {
+      ASSERT_TRUE(!block.contains(c) || std::fabs(v(c) - noisy(c) / system.diagonal) < 1e-5);
+    });
+}
+
 INSTANTIATE_TEST_SUITE_P(Names, EverySolver, testing::ValuesIn(all_names()),
                          [](const auto& name) { return name.param; });
 

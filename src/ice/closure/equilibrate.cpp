@@ -110,8 +110,8 @@ Equilibration::Stiffness Equilibration::stiffness(int m, double M, double V, dou
 double Equilibration::modulus(int m, double rho, double rho_e, double p) const {
   const auto k = static_cast<std::size_t>(m);
   if (linear_[k].is) return (1.0 + linear_[k].G) * (p + linear_[k].pi);
-  return std::visit(
-      [&](const auto& law) { return eos::modulus_of_state(law, rho, rho_e, p); }, fluids_[k].law);
+  return std::visit([&](const auto& law) { return eos::modulus_of_state(law, rho, rho_e, p); },
+                    fluids_[k].law);
 }
 
 // All but `rest` go to pressure q; their changes of energy, summed.

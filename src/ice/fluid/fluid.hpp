@@ -23,7 +23,7 @@ struct Fluid {
   // rho: kg/m^3, rho_e: internal energy per volume J/m^3, p: Pa, T: K.
   double pressure(double rho, double rho_e) const;
   double temperature(double rho, double rho_e) const;
-  double bulk_modulus(double rho, double p) const;  // rho c^2, Pa
+  double bulk_modulus(double rho, double p) const;          // rho c^2, Pa
   double modulus_of_state(double rho, double rho_e) const;  // the same
   double sound_speed(double rho, double p) const;
   double energy_from_temperature(double rho, double T) const;

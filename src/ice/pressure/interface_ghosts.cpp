@@ -47,8 +47,8 @@ double InterfaceGhosts::beside(IntVec3 f1, int d, int inward, int away) const {
   g[d] -= inward;
   const double r = fine_.ratio[d], c = around(g, d);
   const double first = fine(f1), second = fine_map_.has(f2) ? fine(f2) : first;
-  const double ghost = 8.0 / ((r + 1) * (r + 3)) * c + 2.0 * (r - 1) / (r + 1) * first -
-                       (r - 1) / (r + 3) * second;
+  const double ghost =
+      8.0 / ((r + 1) * (r + 3)) * c + 2.0 * (r - 1) / (r + 1) * first - (r - 1) / (r + 3) * second;
   if (away == 1) return ghost;
   // Further out: the line through the first ghost and c*.
   const double per_cell = r > 1 ? (c - ghost) / (0.5 * r - 0.5) : 0.0;

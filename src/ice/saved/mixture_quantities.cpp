@@ -215,10 +215,9 @@ class Declarer {
     law_closure(l.sound_speed, m, [](const Fluid& law, double r, double e) {
       return std::sqrt(law.modulus_of_state(r, e) / r);
     });
-    compressibility_.push_back(
-        law_closure(l.compressibility, m, [](const Fluid& law, double r, double e) {
-          return 1.0 / law.modulus_of_state(r, e);
-        }));
+    compressibility_.push_back(law_closure(
+        l.compressibility, m,
+        [](const Fluid& law, double r, double e) { return 1.0 / law.modulus_of_state(r, e); }));
     declare_viscosities(m);
     declare_conductivity(m);
     law_closure(l.gamma, m, [](const Fluid& law, double, double) { return law.gamma; });
