@@ -51,9 +51,9 @@ std::string json_of(const mpm::DriverDeck& deck, const mpm::DriverTable& table) 
 // The end of the path, and some states on the way.
 void print_table(const mpm::DriverTable& table) {
   using Align = TextTable::Align;
-  const std::vector<std::string> shown = {"time",     "stress_xx", "stress_yy",
-                                          "stress_zz", "stress_xy", "pressure",
-                                          "equivalent_stress", "energy", "temperature"};
+  const std::vector<std::string> shown = {
+      "time",     "stress_xx",         "stress_yy", "stress_zz",  "stress_xy",
+      "pressure", "equivalent_stress", "energy",    "temperature"};
   std::vector<TextTable::Column> heads;
   std::vector<std::size_t> at;
   for (const std::string& name : shown) {
@@ -62,7 +62,8 @@ void print_table(const mpm::DriverTable& table) {
         std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin()));
   }
   TextTable text(heads);
-  const std::size_t rows = table.rows.size(), most = 11, stride = std::max<std::size_t>(1, (rows - 1) / (most - 1));
+  const std::size_t rows = table.rows.size(), most = 11,
+                    stride = std::max<std::size_t>(1, (rows - 1) / (most - 1));
   for (std::size_t n = 0; n < rows; ++n) {
     if (n % stride != 0 && n + 1 != rows) continue;
     std::vector<std::string> cells;
