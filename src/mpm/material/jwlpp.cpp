@@ -1,7 +1,8 @@
 // jwlpp_mpm: an explosive that turns from Murnaghan's solid into products of JWL (JWL++, Souers
 // 2000).
 //
-//   p = (1 - f) p_M + f p_J,   p_M = (J^-n - 1)/(n K),   p_J = A e^(-R1 J) + B e^(-R2 J) + C J^-(1 + w)
+//   p = (1 - f) p_M + f p_J,   p_M = (J^-n - 1)/(n K)
+//   p_J = A e^(-R1 J) + B e^(-R2 J) + C J^-(1 + w)
 //   df/dt = G (1 - f) p^b once p has passed the ignition pressure;   sigma = -p I
 // The rate is integrated with p on a straight line over sub-steps in which f changes little.
 #include <algorithm>
