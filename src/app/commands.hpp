@@ -18,6 +18,7 @@ void add_accuracy_command(CommandLine& line);
 void add_run_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
+void add_drive_command(CommandLine& line);
 void add_export_command(CommandLine& line);
 void add_extract_command(CommandLine& line);
 void add_help_command(CommandLine& line);

@@ -1,3 +1,4 @@
+// Roots and logarithms of batches against the library, objective steps against rotations.
 #include "mpm/material/batch_math.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(ObjectiveStep, RotationsAreExact) {
   }
 }
 
-// Without rotation: the strain 2 (lambda - 1)/(lambda + 1) of a stretch, third order from ln lambda.
+// Without rotation: the strain 2 (lambda - 1)/(lambda + 1), of third order from ln lambda.
 TEST(ObjectiveStep, StretchGivesItsLogarithm) {
   const ObjectiveStep move = objective_step({0.2, 0, 0, 0, 0, 0, 0, 0, -0.1}, 1);
   EXPECT_NEAR(move.strain[0], 2 * 0.2 / 2.2, 1e-15);

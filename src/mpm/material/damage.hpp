@@ -51,7 +51,7 @@ int failed_by_threshold(const DamageConstants& c, double threshold, const Symmet
 // Brittle (MAT159 of LS-DYNA): in tension tau = E^(1/2) eps_max, of Almansi; beyond the greatest
 // tau so far,
 //   D = (.999/d) [(1 + d)/(1 + d exp(-C (tau - r_0))) - 1],
-//   C = r_0 V^(1/3) (1 + d) ln(1 + d)/(G_f d),   D no more than <max_damage_increment> up in a step.
+//   C = r_0 V^(1/3) (1 + d) ln(1 + d)/(G_f d),   D up by no more than <max_damage_increment>.
 // `greatest` is r_0 at the start.
 struct BrittleState {
   double damage, greatest;

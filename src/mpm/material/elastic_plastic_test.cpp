@@ -1,3 +1,4 @@
+// Metals on paths with known stress, heat and pressure.
 #include <cmath>
 
 #include "mpm/material/law_test_support.hpp"

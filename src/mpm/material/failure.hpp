@@ -1,8 +1,8 @@
-// <damage_model> and <erosion>: what makes the particles of any law fail, and what failed ones bear.
+// <damage_model> and <erosion>: what makes particles of any law fail, and what failed ones bear.
 //
 // Both wrap a law: its history comes first, then p.damage, p.epsf, p.localizedMPM, p.timeofloc as
 // they are needed. The law works as ever; then damage looks at its stress, then erosion takes the
-// stress of failed particles. Where that changes the stress, the energy is the work of what is left.
+// stress of failed particles. Where that changes the stress, the energy is the work of the rest.
 #pragma once
 #include <memory>
 #include <vector>

@@ -1,3 +1,4 @@
+// Damage and erosion on paths where particles fail at known places.
 #include "mpm/material/failure.hpp"
 
 #include <cmath>

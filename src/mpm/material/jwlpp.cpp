@@ -1,7 +1,8 @@
 // jwlpp_mpm: an explosive that turns from Murnaghan's solid into products of JWL (JWL++, Souers
 // 2000).
 //
-//   p = (1 - f) p_M + f p_J,   p_M = (J^-n - 1)/(n K),   p_J = A e^(-R1 J) + B e^(-R2 J) + C J^-(1 + w)
+//   p = (1 - f) p_M + f p_J,   p_M = (J^-n - 1)/(n K)
+//   p_J = A e^(-R1 J) + B e^(-R2 J) + C J^-(1 + w)
 //   df/dt = G (1 - f) p^b once p has passed the ignition pressure;   sigma = -p I
 // The rate is integrated with p on a straight line over sub-steps in which f changes little.
 #include <algorithm>
@@ -72,15 +73,18 @@ class Jwlpp final : public Material {
 
   // f after a step in which J goes from one value to the other.
   double burnt(double f, double J_0, double J_1, double dt) const {
-    constexpr double most = 0.02;  // of 1 - f in a sub-step
+    constexpr double most = 0.02;  // relative, in a sub-step
     double t = 0;
     for (int k = 0; k < 100000 && t < dt && f < c_.most_burned; ++k) {
       const auto rate = [&](double at_time, double at_f) {
         const double J = (J_0 + (J_1 - J_0) * at_time / dt) * c_.J0;
         return c_.G * std::pow(std::max(c_.pressure(J, at_f), 0.0), c_.b);
       };
-      const double r = rate(t, f);
-      const double h = std::min(dt - t, r > 0 ? most / r : dt);
+      // Neither 1 - f nor p changes by more than `most`.
+      const double r = rate(t, f), J = (J_0 + (J_1 - J_0) * t / dt) * c_.J0;
+      const double p = c_.pressure(J, f), rise = c_.products(J) - c_.solid(J);
+      const double quickest = r * std::max(1.0, std::abs(rise) * (1 - f) / std::max(p, 1e-300));
+      const double h = std::min(dt - t, quickest > 0 ? most / quickest : dt);
       // Midpoint: -d ln(1 - f)/dt = G p^b.
       const double half = 1 - (1 - f) * std::exp(-0.5 * h * r);
       f = 1 - (1 - f) * std::exp(-h * rate(t + 0.5 * h, half));

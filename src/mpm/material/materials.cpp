@@ -16,14 +16,17 @@ namespace sluice::mpm {
 using Describe = MaterialModel();
 Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_model, cnh_mms_model,
     comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model,
-    water_model, murnaghanMPM_model, ideal_gas_model, jwlpp_mpm_model, MohrCoulomb_model,
-    trans_iso_hyper_model, visco_trans_iso_hyper_model, visco_scram_model;
+    visco_scram_model, trans_iso_hyper_model, visco_trans_iso_hyper_model, ideal_gas_model,
+    water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
       rigid_model(),        comp_neo_hook_model(),   comp_neo_hook_plastic_model(),
       UCNH_model(),         cnh_mms_model(),         comp_mooney_rivlin_model(),
       hypo_elastic_model(), elastic_plastic_model(), elastic_plastic_hp_model(),
+      visco_scram_model(),  trans_iso_hyper_model(), visco_trans_iso_hyper_model(),
+      ideal_gas_model(),    water_model(),           murnaghanMPM_model(),
+      jwlpp_mpm_model(),    MohrCoulomb_model(),
   };
   return table;
 }

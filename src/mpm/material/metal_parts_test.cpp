@@ -81,7 +81,8 @@ TEST(SteinbergGuinan, ThermalPartSolvesItsRateEquation) {
   EXPECT_NEAR(g.thermal(400, 1e9), g.peierls, 1);  // no more than the Peierls stress
 }
 
-// OFHC copper (Zerilli and Armstrong 1987): 65 MPa + 890 MPa eps^.5 exp(-T (.0028 - .000115 ln rate)).
+// OFHC copper (Zerilli and Armstrong 1987): 65 MPa + 890 MPa eps^.5 exp(-a T),
+// a = .0028 - .000115 ln rate.
 TEST(ZerilliArmstrong, Copper) {
   const ZerilliArmstrong za = {65e6, 0, 0, 0, 0, 0, 890e6, 0.0028, 0.000115};
   EXPECT_NEAR(stress(za, state_at(300), 0.25, 1e3),

@@ -1,7 +1,7 @@
 // MohrCoulomb: soil and rock that slide where shear passes cohesion and friction; perfectly
 // plastic, after de Souza Neto, Peric and Owen 2008, chapter 8.
 //
-//   (sigma_1 - sigma_3) + (sigma_1 + sigma_3) sin phi <= 2 c cos phi,   sigma_1 >= sigma_2 >= sigma_3
+//   (sigma_1 - sigma_3) + (sigma_1 + sigma_3) sin phi <= 2 c cos phi,   the greatest first
 // The trial stress of linear elasticity in the body's own axes returns to the plane, to one of its
 // two edges, or to the apex c cot phi, with the dilatancy psi in place of phi for the flow.
 #include <algorithm>

@@ -6,7 +6,7 @@
 //   dgamma = (phi/(2 mu_bar))/(1 + H/(3 mu_bar)),   s -= 2 mu_bar dgamma s/|s|,
 //   alpha += sqrt(2/3) dgamma,   b_e = s/G + m I
 //
-// m keeps det b_e = 1: m^3 - |d|^2/2 m + det d = 1 with d = s/G. Simo and Hughes take m = tr b_tr/3,
+// m keeps det b_e = 1: m^3 - |d|^2/2 m + det d = 1 with d = s/G. The book takes m = tr b_tr/3,
 // which leaves the trial's stored energy in the body: plastic work would be counted twice.
 #include <algorithm>
 #include <cmath>

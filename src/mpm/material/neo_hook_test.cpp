@@ -1,3 +1,4 @@
+// The neo-Hookean family against closed forms.
 #include "mpm/material/neo_hook.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What turns with a particle in a step, by Hughes and Winget: exact for rigid rotations of any size.
+// What turns with a particle in a step, by Hughes and Winget: exact for rotations of any size.
 //
 //   L_m = L (I + dt/2 L)^-1,   D = sym L_m,   W = skew L_m   at the middle of the step
 //   R   = (I - dt/2 W)^-1 (I + dt/2 W)

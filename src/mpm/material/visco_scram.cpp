@@ -5,7 +5,8 @@
 //   S_i' = 2 G_i D' - S_i/tau_i - (G_i/G)[X + (2 G D' - sum S_j/tau_j - X) x/(1 + x)]
 //   c'   = v (K_I/K_1)^m for K_I < K', v (1 - K_0^2/K_I^2) beyond
 //   K_I  = (1.5 pi c)^(1/2) (S:S + [tension] 3 sigma_m^2)^(1/2)
-//   K_0  in compression grows by friction: b = -mu sigma_m c^(1/2), mu = c_f (45/(2 (3 - 2 c_f^2)))^(1/2),
+//   K_0  in compression grows by friction: b = -mu sigma_m c^(1/2),
+//     mu = c_f (45/(2 (3 - 2 c_f^2)))^(1/2),
 //     K_0 [1 + (pi b/K_0)(1 + b/K_0)]^(1/2);   K' = K_0 (1 + 2/m)^(1/2),  K_1 = K' (1 + m/2)^(1/m)
 //   v    = exp(.90564746 ln(1.5^(1/2) |D'|) - 2.90178468), times <CrackGrowthRate> in tension, at
 //     most <CrackMaxGrowthRate>
