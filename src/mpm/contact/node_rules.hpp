@@ -25,7 +25,7 @@ struct Slip {
 };
 
 // Surfaces nearer than this touch, in cells.
-inline constexpr double touching_gap = 0.15;
+inline constexpr double touching_gap = 0.1;
 
 // Velocity of all that are held: their mean by mass. False: none is held.
 bool held_velocity(std::span<const Party> parties, Vec3& v);
