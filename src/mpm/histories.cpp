@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mpm/step/solid_step.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -16,6 +18,7 @@ struct SideHistories {
 struct Histories {
   Label mass, kinetic, strain, all_strain, heat, volume, count;
   Label momentum, centre, velocity;
+  Label reaction, torque, transmitted;
   std::array<SideHistories, 6> sides;
 };
 
@@ -56,6 +59,13 @@ Histories declare_all() {
   h.centre = declare("CenterOfMassPosition", vector, "kg m",
                      "Sum of mass times position of the particles, not divided by the mass.");
   h.velocity = declare("CenterOfMassVelocity", vector, "m/s", "Momentum over mass.");
+  h.reaction =
+      declare("RigidReactionForce", vector, "N",
+              "Force of the other solids on the masters of specified contacts, mean over a step.");
+  h.torque = declare("RigidReactionTorque", vector, "N m",
+                     "Torque of that force about the origin of the master's motion.");
+  h.transmitted = declare("SumTransmittedForce", vector, "N",
+                          "Force that solids transmit to the masters of specified contacts.");
   for (std::size_t s = 0; s < 6; ++s) h.sides[s] = declare_side(side_words[s]);
   return h;
 }
@@ -70,6 +80,16 @@ double sum_at(const Totals& totals, int place) {
 }
 Vec3 vector_at(const Totals& totals, int place) {
   return {sum_at(totals, place), sum_at(totals, place + 1), sum_at(totals, place + 2)};
+}
+
+// Of the last step; before the first there is none.
+Vec3 step_sum(const Totals& totals, StepSums::Index first) {
+  Vec3 v;
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(first + d);
+    v[d] = n < totals.sweep_sums.size() ? totals.sweep_sums[n] : 0;
+  }
+  return v;
 }
 
 double total_mass(const Totals& totals) {
@@ -131,6 +151,9 @@ Vec3 vector_history_of(Label label, const Totals& totals, const HistorySums& sum
     const double mass = total_mass(totals);
     return mass > 0 ? (1 / mass) * momentum_of(totals) : Vec3{};
   }
+  if (label == h.reaction || label == h.transmitted)
+    return step_sum(totals, StepSums::reaction_x);
+  if (label == h.torque) return step_sum(totals, StepSums::torque_x);
   for (const Side side : all_sides) {
     const SideHistories& s = h.sides[static_cast<std::size_t>(side)];
     if (label != s.force && label != s.traction) continue;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "framework/run/particle_cloud.hpp"
+#include "mpm/contact/contact.hpp"
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"
 #include "mpm/levels/solid_levels.hpp"
@@ -17,6 +18,7 @@ Mpm::Mpm(const Scene& scene, MpmScene solids)
       history_sums_(solids_) {
   declare_histories();
   need_sums(scene_, history_sums_);
+  for (const ContactRule& rule : solids_.contacts) friction_of(rule, solids_);  // or InputError
 }
 
 // The step, as a table.

@@ -65,6 +65,17 @@ bool NodeBoundary::is_image(IntVec3 node, int material) const {
   return false;
 }
 
+std::array<bool, 3> NodeBoundary::on_mirror(IntVec3 node, int material) const {
+  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  std::array<bool, 3> on{};
+  for (int d = 0; d < 3; ++d) {
+    const auto n = static_cast<std::size_t>(d);
+    on[n] = (mirror[2 * n] && node[d] == level_.domain.lower[d]) ||
+            (mirror[2 * n + 1] && node[d] == level_.domain.upper[d]);
+  }
+  return on;
+}
+
 NodeBoundary::Image NodeBoundary::image(IntVec3 node, int material) const {
   const auto& mirror = mirror_[static_cast<std::size_t>(material)];
   Image image{node, {}};

@@ -36,6 +36,8 @@ class NodeBoundary {
     std::array<bool, 3> flipped{};
   };
   bool is_image(IntVec3 node, int material) const;
+  // Directions along which the node lies on a mirror of the material.
+  std::array<bool, 3> on_mirror(IntVec3 node, int material) const;
   Image image(IntVec3 node, int material) const;
 
   // The sums of images are added to those of their nodes, and nodes' velocities copied to them

@@ -18,6 +18,12 @@ inline constexpr int lanes = 8;
 inline constexpr int block_nodes = 64;
 inline constexpr int block_lanes = lanes * block_nodes;
 
+// Node n of a block whose lowest node is `low`, x fastest.
+inline IntVec3 node_of(const BlockShape& shape, IntVec3 low, int n) {
+  const IntVec3 edge = shape.edge, shift = shape.shift;
+  return low + IntVec3{n & (edge.x - 1), (n >> shift.x) & (edge.y - 1), n >> (shift.x + shift.y)};
+}
+
 // Blocks are numbered in the order in which they were added.
 class BlockTable {
  public:

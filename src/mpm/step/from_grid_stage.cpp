@@ -24,7 +24,7 @@ struct SolidStep::ThreadReport {
   double travel = 0;  // farthest way of a particle, cells
   bool left = false;
   std::vector<KindRates> rates;
-  NodeBooks books;  // of loads
+  NodeBooks books;  // of loads, and of rigid bodies with a prescribed motion
   std::vector<const double*> old_history;
   std::vector<double*> history;
   std::string fault;  // of the particle with the lowest id; empty: none
@@ -157,23 +157,57 @@ Batch batch_of(const Body& body, const BlockWork& w, std::size_t at, int n,
 
 }  // namespace
 
+// Rigid bodies go with their own velocity, or with that which a rule of contact prescribes.
+void SolidStep::move_rigid(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
+  const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
+  const MasterMotion* motion = contact_ != nullptr ? contact_->motion_of(w.kind) : nullptr;
+  const std::array<const double*, 3> v = read_columns<3>(*w.set, c.velocity);
+  const double* mass = w.set->column(static_cast<std::size_t>(c.mass));
+  const std::array<double, 9> L = motion != nullptr ? motion->gradient() : std::array<double, 9>{};
+  for (std::size_t e = 0; e < 9; ++e) {
+    const double h = level_.spacing[static_cast<int>(e % 3)];
+    const double second_moment = h * h / second_moment_factor(solids_->basis);
+    std::fill_n(report.read.L[e], n, L[e]);
+    std::fill_n(report.read.moment[e], n, L[e] * second_moment);
+  }
+  for (int d = 0; d < 3 && c.outside_force >= 0; ++d)
+    std::fill_n(w.next->column(static_cast<std::size_t>(c.outside_force + d)) + at, n, 0.0);
+  for (int q = 0; q < n; ++q) {
+    const std::size_t p = at + static_cast<std::size_t>(q);
+    const Vec3 before{v[0][p], v[1][p], v[2][p]};
+    const Vec3 after = motion != nullptr ? motion->at(w.set->position(p)) : before;
+    for (int d = 0; d < 3; ++d) {
+      const bool active = level_.active[static_cast<std::size_t>(d)];
+      report.read.u[d][q] = active ? after[d] : 0;
+      report.read.dv[d][q] = active ? after[d] - before[d] : 0;
+      const double impulse = mass[p] * report.read.dv[d][q];
+      if (impulse == 0) continue;
+      report.books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
+      report.books.sums[StepSums::work].add(0.5 * impulse * (before[d] + after[d]));
+    }
+  }
+}
+
 void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadReport& report) {
   Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
   const Material& law = *body.material->law;
   const double dt = scope.step.dt;
-  report.window.load(w.run.block, body.table, body.nodes);
+  if (!body.material->rigid) report.window.load(w.run.block, body.table, body.nodes);
   std::array<const double*, 3> x;
   for (int d = 0; d < 3; ++d) x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
   std::vector<const double*>& old_history = report.old_history;
   std::vector<double*>& history = report.history;
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-    read_window(solids_->basis, body.grid, x, static_cast<int>(at), n,
-                solids_->transfer == Transfer::apic, report.window, report.read);
+    if (body.material->rigid)
+      move_rigid(w, at, n, report);
+    else
+      read_window(solids_->basis, body.grid, x, static_cast<int>(at), n,
+                  solids_->transfer == Transfer::apic, report.window, report.read);
     if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, at, n, report.read);
     move(*solids_, body, w, at, n, dt, report.read);
-    take_outside_forces(w, at, n, report.read, report.books);
+    if (!body.material->rigid) take_outside_forces(w, at, n, report.read, report.books);
     carry_affine(*solids_, body, w, at, n, affine_beta_, level_.spacing, report.read);
     Batch b = batch_of(body, w, at, n, scope, report.read);
     old_history.clear();

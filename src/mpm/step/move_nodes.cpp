@@ -22,36 +22,65 @@ static void to_reals(std::int64_t* node, const SumUnits& units) {
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
 
-// Impulse and work of dk M (g - alpha v).
-static void book_body_force(const NodeStep& step, double mass, Vec3 v, Vec3 after,
+// Impulse and work of dk M (g - alpha v), v: after contact A.
+static void book_body_force(const NodeStep& step, double mass, Vec3 v, Vec3 changed, Vec3 after,
                             NodeBooks& books) {
   for (int d = 0; d < 3; ++d) {
-    const double impulse = step.kick * mass * (step.gravity[d] - step.damping * v[d]);
+    const double impulse = step.kick * mass * (step.gravity[d] - step.damping * changed[d]);
     if (impulse == 0) continue;
     books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(impulse);
     books.sums[StepSums::force_work].add(impulse * 0.5 * (v[d] + after[d]));
   }
 }
 
-// Lanes M, v | f, . become v* - v_ref, M | v* - v, 1.
-void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& books) {
+// A node on a mirror has no velocity normal to it: its image brings the opposite.
+void SolidStep::start_block(int m, int block) {
+  Body& body = bodies_[static_cast<std::size_t>(m)];
+  std::int64_t* node = body.nodes.sums(block);
+  for (int n = 0; n < block_nodes; ++n) to_reals(node + n * lanes, body.units);
+  const IntVec3 low = shape_.lower(body.table.block(block));
+  if (!boundary_->meets(low, shape_.edge)) return;
+  for (int n = 0; n < block_nodes; ++n) {
+    const std::array<bool, 3> on = boundary_->on_mirror(node_of(shape_, low, n), m);
+    for (int d = 0; d < 3; ++d)
+      if (on[static_cast<std::size_t>(d)]) node[n * lanes + 1 + d] = as_bits(0.0);
+  }
+}
+
+// v* = v + a + dk (f/M - alpha (v + a) + g), a: change by contact A.
+void SolidStep::kick_block(const NodeStep& step, int m, int block, const Vec3* change) {
+  std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block);
+  for (int n = 0; n < block_nodes; ++n, node += lanes) {
+    if (node[count_lane] == 0) continue;
+    const double mass = as_real(node[0]);
+    for (int d = 0; d < 3; ++d) {
+      double v = as_real(node[1 + d]);
+      if (change != nullptr) v += change[n][d];
+      node[4 + d] = as_bits(v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v +
+                                             step.gravity[d]));
+    }
+  }
+}
+
+void SolidStep::finish_block(const NodeStep& step, int m, int block, const Vec3* change,
+                             NodeBooks& books) {
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
-  const bool side = boundary_->meets(low, shape_.edge);
-  const bool booked = side && exchange_->is_home(body.table, block);
+  const bool side = boundary_->meets(low, shape_.edge) && !body.material->rigid;
+  const bool booked = exchange_->is_home(body.table, block);
+  const bool forced = booked && (step.damping != 0 || step.gravity != Vec3{});
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
     const double mass = as_real(node[0]);
-    Vec3 v{as_real(node[1]), as_real(node[2]), as_real(node[3])}, after;
-    for (int d = 0; d < 3; ++d)
-      after[d] = v[d] + step.kick * (as_real(node[4 + d]) / mass - step.damping * v[d] +
-                                     step.gravity[d]);
+    const Vec3 v{as_real(node[1]), as_real(node[2]), as_real(node[3])};
+    Vec3 after{as_real(node[4]), as_real(node[5]), as_real(node[6])};
+    bool image = false;
     if (side) {
-      const IntVec3 at = low + IntVec3{n % shape_.edge.x, n / shape_.edge.x % shape_.edge.y,
-                                       n / (shape_.edge.x * shape_.edge.y)};
+      const IntVec3 at = node_of(shape_, low, n);
       const GivenVelocity given = boundary_->at(at, m);
-      if (given.any() && !boundary_->is_image(at, m)) {
+      image = boundary_->is_image(at, m);
+      if (given.any() && !image) {
         for (int d = 0; d < 3; ++d) {
           if (!given.given[static_cast<std::size_t>(d)]) continue;
           const double impulse = mass * (given.value[d] - after[d]);
@@ -63,7 +92,8 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
         }
       }
     }
-    if (step.damping != 0 || step.gravity != Vec3{}) book_body_force(step, mass, v, after, books);
+    if (forced && !image)
+      book_body_force(step, mass, v, change != nullptr ? v + change[n] : v, after, books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);
@@ -73,10 +103,9 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
 }
 
 void SolidStep::move_block(const NodeStep& step, int m, int block, NodeBooks& books) {
-  Body& body = bodies_[static_cast<std::size_t>(m)];
-  std::int64_t* node = body.nodes.sums(block);
-  for (int n = 0; n < block_nodes; ++n) to_reals(node + n * lanes, body.units);
-  integrate(step, m, block, books);
+  start_block(m, block);
+  kick_block(step, m, block, nullptr);
+  finish_block(step, m, block, nullptr, books);
 }
 
 Verdict SolidStep::move_nodes(const StageScope& scope) {
@@ -88,14 +117,13 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   step.damping = solids_->damping;
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<NodeBooks> books(static_cast<std::size_t>(team.size()));
-  for (std::size_t m = 0; m < bodies_.size(); ++m) {
-    if (solids_->materials[m].law->rigid()) continue;
-    team.for_each(static_cast<std::size_t>(bodies_[m].table.count()),
-                  [&](std::size_t b, int thread) {
-                    move_block(step, static_cast<int>(m), static_cast<int>(b),
-                               books[static_cast<std::size_t>(thread)]);
-                  });
-  }
+  list_groups();
+  std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
+  team.for_each(groups_.size(), [&](std::size_t g, int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    move_group(step, std::span(members_).subspan(groups_[g].first, groups_[g].second), scratch[t],
+               books[t]);
+  });
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
       books[0].sums[s].merge(books[n].sums[s]);

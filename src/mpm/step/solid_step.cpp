@@ -48,7 +48,10 @@ Verdict SolidStep::begin(const StageScope& scope) {
       bodies_.back().grid = transfer_grid(level_, (*carried_)[m].half);
     }
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
+    if (!solids_->contacts.empty()) contact_ = std::make_unique<Contact>(*solids_, level_);
+    surface_units_ = surface_units(level_, solids_->axisymmetric);
   }
+  if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
   if (exchange_ == nullptr || !exchange_->fits(level_))
     exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks);
   const std::vector<double>& maxima = scope.maxima->front();
@@ -109,9 +112,9 @@ SumUnits SolidStep::units_of(const Body& body, int kind) const {
     reach += 2 * coarsest_[d];
   }
   u.reference = r.middle();
-  // The images of a mirror have the opposite velocity.
+  // The images of a mirror have the opposite velocity; rigid bodies keep their own to the bit.
   for (int d = 0; d < 3; ++d)
-    if (boundary_->mirrored(d, kind)) u.reference[d] = 0;
+    if (boundary_->mirrored(d, kind) || body.material->rigid) u.reference[d] = 0;
   double spread = r.spread();
   for (int d = 0; d < 3; ++d)
     if (u.reference[d] == 0) spread = std::max({spread, std::fabs(r.up[d]), std::fabs(r.down[d])});
@@ -125,6 +128,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
   for (Body& body : bodies_) {
     body.table.clear();
     body.nodes.clear();
+    body.surfaces.clear();
   }
   const int reach = reach_of(solids_->basis);
   for (const BlockWork& w : work_) {
@@ -137,7 +141,11 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
       }
     add_blocks(bodies_[static_cast<std::size_t>(w.kind)].table, from, to);
   }
-  for (Body& body : bodies_) body.nodes.fit(body.table);
+  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
+  for (Body& body : bodies_) {
+    body.nodes.fit(body.table);
+    if (surfaces) body.surfaces.fit(body.table);
+  }
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<Window> windows(static_cast<std::size_t>(team.size()), Window(shape_, reach));
   team.for_each(work_.size(), [&](std::size_t n, int thread) {
@@ -158,13 +166,20 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
+    if (surfaces) add_surfaces_of(w, window, team.size() > 1);
   });
   return Verdict::good;
 }
 
 void SolidStep::fold() {
-  for (std::size_t m = 0; m < bodies_.size(); ++m)
-    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
+  for (std::size_t m = 0; m < bodies_.size(); ++m) {
+    Body& body = bodies_[m];
+    boundary_->fold(static_cast<int>(m), body.table, body.nodes);
+    if (!surfaces) continue;
+    boundary_->fold(static_cast<int>(m), body.table, body.surfaces);
+    body.nodes.fit(body.table);
+  }
 }
 
 void SolidStep::unfold() {
@@ -173,10 +188,13 @@ void SolidStep::unfold() {
 }
 
 // All ranks agree on the sums.
-Verdict SolidStep::share_sums(const StageScope& /*scope*/) {
+Verdict SolidStep::share_sums(const StageScope& scope) {
+  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
+  if (contact_ != nullptr && scope.ranks->size() > 1) unite_blocks();
   for (Body& body : bodies_) {
-    NodeLanes* const groups[] = {&body.nodes};
-    exchange_->share(body.table, groups);
+    if (surfaces) body.surfaces.fit(body.table);
+    NodeLanes* const groups[] = {&body.nodes, &body.surfaces};
+    exchange_->share(body.table, std::span(groups).first(surfaces ? 2 : 1));
   }
   return Verdict::good;
 }

@@ -4,6 +4,7 @@
 // makes them the present state.
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "framework/run/particle_cloud.hpp"
 #include "framework/run/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
+#include "mpm/contact/contact.hpp"
+#include "mpm/contact/surface_sums.hpp"
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
@@ -40,6 +43,7 @@ struct Body {
   const Carried* carried;
   BlockTable table;
   NodeLanes nodes;
+  NodeLanes surfaces;  // what contact asks for, see mpm/contact/surface_sums.hpp
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
@@ -48,8 +52,26 @@ struct Body {
 
 // What a step sums for the books of a run, beside what its particles tell.
 struct StepSums {
-  // Impulse of boundary values; of body forces; work of both.
-  enum { impulse_x, impulse_y, impulse_z, force_x, force_y, force_z, work, force_work, count };
+  // Impulse of boundary values; of body forces; work of both; of contact: what friction and impacts
+  // took from the nodes' kinetic energy, force and torque on masters.
+  enum Index {
+    impulse_x,
+    impulse_y,
+    impulse_z,
+    force_x,
+    force_y,
+    force_z,
+    work,
+    force_work,
+    contact_loss,
+    reaction_x,
+    reaction_y,
+    reaction_z,
+    torque_x,
+    torque_y,
+    torque_z,
+    count
+  };
 };
 
 // A step as nodes take it.
@@ -62,6 +84,17 @@ struct NodeStep {
 // Exact sums over nodes.
 struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
+};
+
+// The same block of nodes of a body, among all bodies that have it.
+struct BlockMember {
+  int body = 0, block = 0;
+};
+// Changes of contact A in such a block, and the work from outside: what one thread keeps until B.
+struct MeetingScratch {
+  Meeting meeting;
+  std::vector<std::array<Vec3, block_nodes>> change;  // by member
+  std::array<double, block_nodes> work{};
 };
 
 struct NodeMean {
@@ -108,9 +141,24 @@ class SolidStep {
   void list_work(ParticleCloud& cloud);
   void find_outside_forces(const StageScope& scope);
   SumUnits units_of(const Body& body, int kind) const;
+  void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
+  void unite_blocks();
+  // Nodes of a block, one after the other (step/move_nodes.cpp); `change`: by contact A, or null.
+  void start_block(int body, int block);  // sums become M, v_i | f
+  void kick_block(const NodeStep& step, int body, int block, const Vec3* change);  // M, v_i | v*
+  void finish_block(const NodeStep& step, int body, int block, const Vec3* change,
+                    NodeBooks& books);  // v* - v_ref, M | v* - v_i
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
-  void integrate(const NodeStep& step, int body, int block, NodeBooks& books);
+  // Bodies that share blocks (step/meet_nodes.cpp).
+  void list_groups();
+  void move_group(const NodeStep& step, std::span<const BlockMember> members,
+                  MeetingScratch& scratch, NodeBooks& books);
+  bool gather(std::span<const BlockMember> members, int n, IntVec3 at, bool side, Hook hook,
+              Meeting& meeting) const;
+  void meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
+            MeetingScratch& scratch, NodeBooks& books);
   struct ThreadReport;
+  void move_rigid(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
   void take_outside_forces(const BlockWork& work, std::size_t at, int n,
                            const GridAtParticles& read, NodeBooks& books) const;
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
@@ -126,6 +174,10 @@ class SolidStep {
   std::unique_ptr<NodeExchange> exchange_;
   std::unique_ptr<OutsideForces> outside_;
   std::vector<Body> bodies_;
+  std::unique_ptr<Contact> contact_;  // null: no rule acts
+  SurfaceUnits surface_units_;
+  std::vector<BlockMember> members_;                         // group after group
+  std::vector<std::pair<std::size_t, std::size_t>> groups_;  // first member, number of them
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
   Vec3 finest_{}, coarsest_{};

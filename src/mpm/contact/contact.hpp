@@ -1,0 +1,63 @@
+// The deck's rules of contact, in its order, on the bodies that meet at a node.
+//
+// They act twice: on the velocities that particles give to nodes (A), unless OneOrTwoStep is 1,
+// and on those after forces (B): mpm_scheme, sections 2 and 6.
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "framework/grid/level.hpp"
+#include "mpm/contact/master_motion.hpp"
+#include "mpm/contact/meeting.hpp"
+#include "mpm/contact/node_rules.hpp"
+#include "mpm/deck/mpm_scene.hpp"
+
+namespace sluice::mpm {
+
+enum class Hook { before_forces, after_forces };
+
+class Contact {
+ public:
+  // Keeps references.
+  Contact(const MpmScene& scene, const Level& level);
+
+  bool any() const { return !scene_->contacts.empty(); }
+  // Is a material (local number) in some rule, or asked for by one.
+  bool takes(int material) const { return taken_[static_cast<std::size_t>(material)]; }
+  // Does a rule ask for volumes, gradients and places of bodies at nodes.
+  bool needs_surfaces() const { return needs_surfaces_; }
+  // Does a rule act where this body is alone: a master that deforms.
+  bool leads(int material) const { return leads_[static_cast<std::size_t>(material)]; }
+  // Half widths of a material's particles in cells.
+  const std::array<double, 3>& half(int material) const {
+    return halves_[static_cast<std::size_t>(material)];
+  }
+
+  void begin_step(double time, double dt);
+  // The motion of a master in this step, where a rule prescribes it.
+  const MasterMotion* motion_of(int material) const;
+
+  // All rules on the velocities of a meeting; what acts from outside is added to its books.
+  void act(Hook hook, Meeting& meeting) const;
+
+ private:
+  void act(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const;
+  bool gather(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const;
+  void lead(const ContactRule& rule, AtNode& master, std::vector<Party>& parties) const;
+  bool listed(const ContactRule& rule, int material) const;
+
+  const MpmScene* scene_;
+  Vec3 spacing_;
+  bool needs_surfaces_ = false;
+  std::vector<bool> taken_, leads_;                // by material
+  std::vector<std::array<double, 3>> halves_;      // by material
+  std::vector<SurfaceTable> tables_;               // by material
+  std::vector<std::optional<MasterMotion>> motion_;  // by material, of this step
+  std::vector<double> friction_;                   // by rule
+};
+
+// mu of a rule; InputError when it varies by colour and the master has several colours.
+double friction_of(const ContactRule& rule, const MpmScene& scene);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,176 @@
+// Blocks of nodes that several bodies have: contact before and after forces, mpm_scheme, section 6.
+#include <algorithm>
+
+#include "mpm/nodes/node_sums.hpp"
+#include "mpm/step/solid_step.hpp"
+
+namespace sluice::mpm {
+
+void SolidStep::add_surfaces_of(const BlockWork& w, Window& window, bool shared) {
+  if (!contact_->takes(w.kind)) return;
+  Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  TransferGrid grid = body.grid;
+  grid.half = contact_->half(w.kind);
+  std::array<const double*, 3> x;
+  for (int d = 0; d < 3; ++d) x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
+  window.begin(w.run.block);
+  add_surfaces(grid, x, w.set->column(static_cast<std::size_t>(body.carried->columns.volume)),
+               static_cast<int>(w.run.begin), static_cast<int>(w.run.end), surface_units_, window);
+  window.add_to(body.table, body.surfaces, shared);
+}
+
+// With several ranks each that has a block of one body must learn of all bodies there.
+void SolidStep::unite_blocks() {
+  std::vector<IntVec3> all;
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    for (int b = 0; b < bodies_[m].table.count() && contact_->takes(static_cast<int>(m)); ++b)
+      all.push_back(bodies_[m].table.block(b));
+  for (std::size_t m = 0; m < bodies_.size(); ++m) {
+    Body& body = bodies_[m];
+    if (!contact_->takes(static_cast<int>(m))) continue;
+    for (const IntVec3 block : all) body.table.find_or_add(block);
+    body.nodes.fit(body.table);
+    if (contact_->needs_surfaces()) body.surfaces.fit(body.table);
+  }
+}
+
+// Groups of blocks of several bodies at one place; a block alone is a group of its own.
+void SolidStep::list_groups() {
+  members_.clear();
+  groups_.clear();
+  const int count = static_cast<int>(bodies_.size());
+  const auto table = [&](int m) -> const BlockTable& {
+    return bodies_[static_cast<std::size_t>(m)].table;
+  };
+  const auto meets = [&](int m) { return contact_ != nullptr && contact_->takes(m); };
+  for (int m = 0; m < count; ++m) {
+    if (!meets(m) && solids_->materials[static_cast<std::size_t>(m)].rigid) continue;
+    for (int b = 0; b < table(m).count(); ++b) {
+      const IntVec3 block = table(m).block(b);
+      bool earlier = false;  // a body before it has listed the block
+      for (int k = 0; k < m && meets(m) && !earlier; ++k)
+        earlier = meets(k) && table(k).find(block) >= 0;
+      if (earlier) continue;
+      const std::size_t first = members_.size();
+      members_.push_back({m, b});
+      for (int k = m + 1; k < count && meets(m); ++k) {
+        const int other = meets(k) ? table(k).find(block) : -1;
+        if (other >= 0) members_.push_back({k, other});
+      }
+      groups_.emplace_back(first, members_.size() - first);
+    }
+  }
+}
+
+void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> members,
+                           MeetingScratch& scratch, NodeBooks& books) {
+  const auto rigid = [&](const BlockMember& b) {
+    return solids_->materials[static_cast<std::size_t>(b.body)].rigid;
+  };
+  const BlockMember one = members.front();
+  if (members.size() == 1 && (contact_ == nullptr || !contact_->leads(one.body))) {
+    if (!rigid(one)) move_block(step, one.body, one.block, books);
+    return;
+  }
+  scratch.change.resize(std::max(scratch.change.size(), members.size()));
+  scratch.work.fill(0);
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    scratch.change[k].fill({});
+    start_block(members[k].body, members[k].block);
+  }
+  meet(step, members, Hook::before_forces, scratch, books);
+  for (std::size_t k = 0; k < members.size(); ++k)
+    if (!rigid(members[k]))
+      kick_block(step, members[k].body, members[k].block, scratch.change[k].data());
+  meet(step, members, Hook::after_forces, scratch, books);
+  for (std::size_t k = 0; k < members.size(); ++k)
+    if (!rigid(members[k]))
+      finish_block(step, members[k].body, members[k].block, scratch.change[k].data(), books);
+}
+
+// The bodies with mass at node n of a block; false: no rule can act.
+bool SolidStep::gather(std::span<const BlockMember> members, int n, IntVec3 at, bool side,
+                       Hook hook, Meeting& meeting) const {
+  meeting.bodies.clear();
+  meeting.outside = {};
+  bool leads = false;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const auto [m, block] = members[k];
+    const Body& body = bodies_[static_cast<std::size_t>(m)];
+    const std::int64_t* node = body.nodes.sums(block) + n * lanes;
+    if (node[count_lane] == 0 || (side && boundary_->is_image(at, m))) continue;
+    leads = leads || contact_->leads(m);
+    AtNode b;
+    b.body = m;
+    b.member = static_cast<int>(k);
+    b.rigid = body.material->rigid;
+    b.mass = as_real(node[0]);
+    b.before = {as_real(node[1]), as_real(node[2]), as_real(node[3])};
+    b.v = b.before;
+    const MasterMotion* motion = b.rigid ? contact_->motion_of(m) : nullptr;
+    if (motion != nullptr) b.v = motion->at(meeting.place);
+    if (!b.rigid && hook == Hook::after_forces)
+      b.v = {as_real(node[4]), as_real(node[5]), as_real(node[6])};
+    if (contact_->needs_surfaces()) {
+      SurfaceAtNode s = surface_at(body.surfaces.sums(block) + n * lanes, surface_units_);
+      if (side) {
+        const std::array<bool, 3> on = boundary_->on_mirror(at, m);
+        for (int d = 0; d < 3; ++d)
+          if (on[static_cast<std::size_t>(d)]) s.gradient[d] = s.place[d] = 0;
+      }
+      b.volume = s.volume;
+      b.gradient = s.gradient;
+      b.place = s.place;
+    }
+    meeting.bodies.push_back(b);
+  }
+  return meeting.bodies.size() > 1 || leads;
+}
+
+// One hook of contact on all nodes of a block. Loss of both: D_c = W - sum J . vb, J: impulses of
+// both hooks, vb = (v_i + v*)/2, W: work of what acts from outside.
+void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
+                     MeetingScratch& scratch, NodeBooks& books) {
+  const Body& first = bodies_[static_cast<std::size_t>(members.front().body)];
+  const int first_block = members.front().block;
+  const IntVec3 low = shape_.lower(first.table.block(first_block));
+  const bool side = boundary_->meets(low, shape_.edge);
+  const bool booked = exchange_->is_home(first.table, first_block);
+  Meeting& meeting = scratch.meeting;
+  meeting.cell_volume = level_.cell_volume();
+  for (int n = 0; n < block_nodes; ++n) {
+    const IntVec3 at = node_of(shape_, low, n);
+    meeting.place = level_.anchor + to_real(at) * level_.spacing;
+    if (!gather(members, n, at, side, hook, meeting)) continue;
+    contact_->act(hook, meeting);
+    const OutsideBooks& outside = meeting.outside;
+    double loss = scratch.work[static_cast<std::size_t>(n)] + outside.work;
+    for (const AtNode& b : meeting.bodies) {
+      if (b.rigid) continue;
+      const auto [m, block] = members[static_cast<std::size_t>(b.member)];
+      std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block) + n * lanes;
+      Vec3& change = scratch.change[static_cast<std::size_t>(b.member)][static_cast<std::size_t>(n)];
+      if (hook == Hook::before_forces) {
+        change = b.v - b.before;
+        continue;
+      }
+      const Vec3 kicked{as_real(node[4]), as_real(node[5]), as_real(node[6])};
+      loss -= b.mass * dot(change + (b.v - kicked), 0.5 * (b.before + b.v));
+      for (int d = 0; d < 3; ++d) node[4 + d] = as_bits(b.v[d]);
+    }
+    if (hook == Hook::before_forces) scratch.work[static_cast<std::size_t>(n)] = outside.work;
+    if (!booked) continue;
+    const auto add = [&](int sum, double value) {
+      if (value != 0) books.sums[static_cast<std::size_t>(sum)].add(value);
+    };
+    for (int d = 0; d < 3; ++d) {
+      add(StepSums::impulse_x + d, outside.impulse[d]);
+      add(StepSums::reaction_x + d, outside.reaction[d] / step.kick);
+      add(StepSums::torque_x + d, outside.torque[d] / step.kick);
+    }
+    add(StepSums::work, outside.work);
+    if (hook == Hook::after_forces) add(StepSums::contact_loss, loss);
+  }
+}
+
+}  // namespace sluice::mpm
