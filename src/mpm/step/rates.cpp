@@ -134,8 +134,10 @@ double step_rate(const Level& level, const ParticleSet& set, const Columns& colu
     const double* v = set.column(static_cast<std::size_t>(columns.velocity + d)) + at;
     double most = 0;
     if (columns.reference >= 0)
-      for (int q = 0; q < n; ++q)
-        most = std::max(most, c[q] * length_of(inverse_row(F, d, at + static_cast<std::size_t>(q))));
+      for (int q = 0; q < n; ++q) {
+        const Vec3 row = inverse_row(F, d, at + static_cast<std::size_t>(q));
+        most = std::max(most, c[q] * std::sqrt(dot(row, row)));
+      }
     else
       for (int q = 0; q < n; ++q) most = std::max(most, c[q] + std::fabs(v[q]));
     rate = std::max(rate, most / level.spacing[d]);
