@@ -32,6 +32,10 @@ void Mpm::shape_step(StepShape& shape) const {
   stage("particles to grid", &SolidLevels::to_grid);
   stage("sums of images and ranks", &SolidLevels::share_sums);
   stage("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
+  if (solids_.transfer == Transfer::xpic)
+    stage("filtered velocities (XPIC)", &SolidLevels::filter_velocities);
+  if (solids_.maps_back())
+    stage("particles move; velocities to grid (MUSL)", &SolidLevels::map_back);
   stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
   stage("take over", &SolidLevels::take_over);
 }

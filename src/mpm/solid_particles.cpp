@@ -8,6 +8,7 @@
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
+#include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -59,6 +60,8 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.name = m.name.empty() ? "material " + std::to_string(m.index) : m.name;
     kind.material = m.index;
     kind.attributes = carried_.back().attributes;
+    if (carried_.back().columns.size >= 0)
+      kind.derived.push_back(scale_factor(carried_.back().columns, scene.grid.levels[0].spacing));
     kind.by_blocks = true;
     if (scene.refinement.adaptive) kind.refine_distance = 0;
   }
@@ -114,6 +117,7 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
       put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
     for (int d = 0; d < 3 && c.normal >= 0; ++d)
       put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
+    for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
   }
   if (const auto motion = manufactured_of(*solids_, material, level))
     for (std::size_t n = begin; n < set.size(); ++n) {
@@ -177,8 +181,10 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
     const Columns& c = carried_[k].columns;
     for (int b = 0; b < store.box_count(l); ++b) {
       const ParticleSet& set = store.set(l, b);
-      by_kind[k].add(rates_of(set, set, c, 0, set.size()));
-      all[0] = std::max(all[0], rate_of_step(static_cast<int>(k), cloud.level(l), set));
+      const Level& level = cloud.level(l);
+      by_kind[k].add(rates_of(solids_->basis, transfer_grid(*solids_, level, carried_[k].half), set,
+                              set, c, 0, set.size()));
+      all[0] = std::max(all[0], rate_of_step(static_cast<int>(k), level, set, by_kind[k].wave));
     }
     by_kind[k].to(std::span(all).subspan(1 + k * static_cast<std::size_t>(KindRates::count),
                                          static_cast<std::size_t>(KindRates::count)));
@@ -186,7 +192,8 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
   return all;
 }
 
-double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set) const {
+double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set,
+                                    double& wave) const {
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
@@ -208,13 +215,8 @@ double SolidParticles::rate_of_step(int kind, const Level& level, const Particle
     b.dt = 1e-300;
     std::fill_n(heating, n, 0.0);
     material.law->update(b);
-    for (int d = 0; d < 3; ++d) {
-      if (!level.active[static_cast<std::size_t>(d)]) continue;
-      const double* v =
-          set.column(static_cast<std::size_t>(carried.columns.velocity + d)) + at;
-      for (int q = 0; q < n; ++q)
-        rate = std::max(rate, (wave_speed[q] + std::fabs(v[q])) / level.spacing[d]);
-    }
+    rate = std::max(rate, step_rate(level, set, carried.columns, at, n, wave_speed));
+    wave = std::max(wave, wave_rate(level, n, wave_speed));
   }
   return rate;
 }

@@ -29,7 +29,8 @@ class SolidParticles final : public ParticleMethod {
  private:
   void mark(int kind, const Level& level, const SeededParticles& seeded, std::size_t p,
             ParticleSet& set) const;
-  double rate_of_step(int kind, const Level& level, const ParticleSet& set) const;
+  // Also raises the largest c_p/h.
+  double rate_of_step(int kind, const Level& level, const ParticleSet& set, double& wave) const;
 
   const Scene* scene_;
   const MpmScene* solids_;

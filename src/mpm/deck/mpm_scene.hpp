@@ -120,6 +120,7 @@ struct MpmScene {
   int xpic_order = 2;
   double affine_damping = 1;  // kappa
   bool musl = true;           // of the linear basis
+  bool maps_back() const { return basis == Basis::linear && musl; }
   bool total_lagrangian = false;
   double cpdi_limit = 1e300;  // cells
   bool axisymmetric = false;

@@ -40,6 +40,7 @@ void read_scheme(const DeckNode& flags, MpmScene& s) {
   s.basis = value_of(bases, text_or(flags, "interpolator", "linear"));
   s.transfer = value_of(transfers, text_or(flags, "transfer", "flip"));
   s.xpic_order = integer_or(flags, "xpic_order", s.xpic_order);
+  if (s.transfer == Transfer::xpic && s.xpic_order == 1) s.transfer = Transfer::pic;
   s.affine_damping = real_or(flags, "affine_damping", s.affine_damping);
   if (boolean_or(flags, "XPIC2", false)) {
     s.transfer = Transfer::xpic;

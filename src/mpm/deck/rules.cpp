@@ -126,8 +126,34 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
               "<minimum_subcycles_for_F> 0: particles would never be deformed",
               "1: the first order; -2: up to the square");
   const std::string basis = text_of(*flags, "interpolator");
-  if (basis != "cpdi" && basis != "fast_cpdi" && basis != "cpti")
+  const bool corners = basis == "cpdi" || basis == "fast_cpdi" || basis == "cpti";
+  if (basis != "cpdi" && basis != "fast_cpdi")
     warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
+  const DeckNode* grid = root.child("Grid");
+  const bool levels = (grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR");
+  if (corners && levels)
+    add_not_built(faults, flags->child("interpolator")->where,
+                  fmt::format("<interpolator> {} on several levels", basis));
+  if (basis == "cpti" && grid != nullptr)
+    for (const DeckNode* level : grid->all("Level"))
+      for (const DeckNode* box : level->all("Box")) {
+        const auto cells = int_vector_of(box, "resolution");
+        if (cells && (cells->x == 1 || cells->y == 1 || cells->z == 1))
+          add_error(faults, box->where,
+                    "<interpolator> cpti: tetrahedra need three directions of more than one cell",
+                    "valid for fewer: linear, gimp, cpgimp, cpdi, fast_cpdi, 3rdorderBS, "
+                    "4thorderBS");
+      }
+  if (is_true(flags, "total_lagrangian")) {
+    const Location& where = flags->child("total_lagrangian")->where;
+    if (corners || basis == "cpgimp")
+      add_error(faults, where,
+                fmt::format("<total_lagrangian>: shape functions stay those of the start, those of "
+                            "{} follow the particles",
+                            basis),
+                "valid: linear, gimp, 3rdorderBS, 4thorderBS");
+    if (levels) add_not_built(faults, where, "<total_lagrangian> on several levels");
+  }
 }
 
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
@@ -138,6 +164,12 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   if (transfer != "affine") warn_of_idle(*flags, "affine_damping", "<transfer> affine", faults);
   if (text_of(*flags, "interpolator") != "linear")
     warn_of_idle(*flags, "musl", "<interpolator> linear", faults);
+  const std::string basis = text_of(*flags, "interpolator");
+  if (transfer == "apic" && basis != "3rdorderBS" && basis != "4thorderBS")
+    add_error(faults, flags->child("transfer")->where,
+              fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
+                          basis.empty() ? "linear" : basis),
+              "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
     if (is_true(flags, name) && flags->has("transfer"))

@@ -69,45 +69,52 @@ Verdict SolidLevels::to_grid(const StageScope& scope) {
 // Images join their nodes; coarse nodes under a finer level join the fine ones there; from the
 // finest level on ranks agree, and hanging nodes join the coarse ones around them.
 Verdict SolidLevels::share_sums(const StageScope& scope) {
-  for (const auto& step : steps_) step->fold();
+  join_sums(scope, &Body::nodes);
+  return Verdict::good;
+}
+
+void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
+  for (const auto& step : steps_) step->fold(group);
   for (int m = 0; m < static_cast<int>(kinds_->size()); ++m)
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->to_fine(coarse.table, coarse.nodes, fine.table,
-                                                    fine.nodes);
+      joints_[static_cast<std::size_t>(l)]->to_fine(coarse.table, coarse.*group, fine.table,
+                                                    fine.*group);
     }
   for (int l = count() - 1; l >= 0; --l) {
-    level(l).share_sums(scope_of(scope, l));
+    level(l).share_sums(scope_of(scope, l), group);
     if (l == 0) break;
     const CompositeNodes& joint = *joints_[static_cast<std::size_t>(l) - 1];
     for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
       Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
-      joint.add_parents(fine.table, fine.nodes, coarse.table, coarse.nodes);
-      joint.to_coarse(fine.table, fine.nodes, coarse.table, coarse.nodes, [&](int block) {
+      joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
+      joint.to_coarse(fine.table, fine.*group, coarse.table, coarse.*group, [&](int block) {
         return level(l).exchange().is_home(fine.table, block);
       });
     }
   }
-  return Verdict::good;
 }
 
 Verdict SolidLevels::move_nodes(const StageScope& scope) {
   if (on_levels(scope, &SolidStep::move_nodes) == Verdict::reject) return Verdict::reject;
+  if (count() > 1) spread_velocities(&Body::nodes);
+  return Verdict::good;
+}
+
+void SolidLevels::spread_velocities(NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->from_coarse(fine.table, fine.nodes, coarse.table,
-                                                        coarse.nodes);
+      joints_[static_cast<std::size_t>(l)]->from_coarse(fine.table, fine.*group, coarse.table,
+                                                        coarse.*group);
     }
     for (int l = count() - 2; l >= 0; --l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->from_fine(coarse.table, coarse.nodes, fine.table,
-                                                      fine.nodes);
+      joints_[static_cast<std::size_t>(l)]->from_fine(coarse.table, coarse.*group, fine.table,
+                                                      fine.*group);
     }
   }
-  if (count() > 1)
-    for (const auto& step : steps_) step->unfold();
-  return Verdict::good;
+  for (const auto& step : steps_) step->unfold(group);
 }
 
 Verdict SolidLevels::from_grid(const StageScope& scope) {

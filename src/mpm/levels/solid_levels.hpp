@@ -21,6 +21,8 @@ class SolidLevels {
   Verdict to_grid(const StageScope& scope);
   Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
+  Verdict filter_velocities(const StageScope& scope);
+  Verdict map_back(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
   Verdict take_over(const StageScope& scope);
 
@@ -32,6 +34,9 @@ class SolidLevels {
   Verdict on_levels(const StageScope& scope, Stage stage);
   StageScope scope_of(const StageScope& scope, int level);
   void look_at_levels(const StageScope& scope);
+  // Sums of a group of lanes joined over images, levels and ranks; velocities spread the other way.
+  void join_sums(const StageScope& scope, NodeLanes Body::*group);
+  void spread_velocities(NodeLanes Body::*group);
 
   const Scene* scene_;
   const MpmScene* solids_;

@@ -61,8 +61,8 @@ void pack(const BlockTable& table, int block, std::span<NodeLanes* const> groups
 
 }  // namespace
 
-NodeExchange::NodeExchange(const Level& level, Communicator& ranks)
-    : level_(level), ranks_(&ranks), finder_(cells_of(level)) {
+NodeExchange::NodeExchange(const Level& level, Communicator& ranks, bool everywhere)
+    : level_(level), ranks_(&ranks), everywhere_(everywhere), finder_(cells_of(level)) {
   number_.assign(static_cast<std::size_t>(ranks.size()), -1);
   if (ranks.size() == 1) return;
   const BlockShape shape = block_shape(level.active);
@@ -70,6 +70,7 @@ NodeExchange::NodeExchange(const Level& level, Communicator& ranks)
   for (int d = 0; d < 3; ++d)
     if (shape.edge[d] > 1) layers[d] = block_layers * shape.edge[d];
   std::set<int> found;
+  for (int r = 0; everywhere && r < ranks.size(); ++r) found.insert(r);
   for (const GridBox& mine : level.boxes) {
     if (mine.owner != ranks.rank()) continue;
     for (const IndexBox& near : images_of(level, mine.cells, layers))
@@ -82,7 +83,8 @@ NodeExchange::NodeExchange(const Level& level, Communicator& ranks)
     number_[static_cast<std::size_t>(neighbours_[n])] = static_cast<int>(n);
 }
 
-bool NodeExchange::fits(const Level& level) const {
+bool NodeExchange::fits(const Level& level, bool everywhere) const {
+  if (everywhere && !everywhere_) return false;
   if (level.boxes.size() != level_.boxes.size()) return false;
   for (std::size_t n = 0; n < level.boxes.size(); ++n)
     if (level.boxes[n].owner != level_.boxes[n].owner ||

@@ -16,9 +16,11 @@ namespace sluice::mpm {
 
 class NodeExchange {
  public:
-  NodeExchange(const Level& level, Communicator& ranks);
+  // `everywhere`: particles may reach nodes of any rank, not only of boxes beside theirs.
+  NodeExchange(const Level& level, Communicator& ranks, bool everywhere = false);
 
-  bool fits(const Level& level) const;  // were the boxes the same when this was made
+  // Were the boxes the same when this was made, and may particles reach as far.
+  bool fits(const Level& level, bool everywhere = false) const;
   // Collective: groups of lanes of one table. Blocks that others reach may be added.
   void share(BlockTable& table, std::span<NodeLanes* const> groups);
   // Does this rank keep the books of a block: each block has one such rank.
@@ -33,6 +35,7 @@ class NodeExchange {
 
   Level level_;
   Communicator* ranks_;
+  bool everywhere_;
   BoxFinder finder_;
   std::vector<int> neighbours_;        // ranks
   std::vector<int> number_;            // of a rank among them; -1

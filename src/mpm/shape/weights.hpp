@@ -56,9 +56,28 @@ struct Linear {
 struct Gimp {
   static constexpr int nodes = 3;
   template <bool Offsets>
-  static void weights(const Axis& a, const double* x, double l, int n, AxisWeights<3>& to) {
-    const double inverse = a.inverse, quarter = 1 / (4 * l), slope = inverse / (2 * l);
+  static void weights(const Axis& a, const double* x, double half, int n, AxisWeights<3>& to) {
+    const double quarter = 1 / (4 * half), slope = a.inverse / (2 * half);
+    of_widths<Offsets>(a, x, n, to, [&](int) { return Width{half, quarter, slope}; });
+  }
+  // Each particle has a half width of its own.
+  template <bool Offsets>
+  static void weights(const Axis& a, const double* x, const double* half, int n,
+                      AxisWeights<3>& to) {
+    of_widths<Offsets>(a, x, n, to, [&](int p) {
+      return Width{half[p], 1 / (4 * half[p]), a.inverse / (2 * half[p])};
+    });
+  }
+
+ private:
+  struct Width {
+    double half, quarter, slope;
+  };
+  template <bool Offsets, class Widths>
+  static void of_widths(const Axis& a, const double* x, int n, AxisWeights<3>& to,
+                        const Widths& widths) {
     for (int p = 0; p < n; ++p) {
+      const auto [l, quarter, slope] = widths(p);
       const double u = a.place(x[p]), r = nearest_node(a, u), s = u - r;
       to.first[p] = static_cast<int>(r + a.first) - 1;
       const double c = std::fmin(std::fmax(s, -l), l);  // a in the reference
@@ -80,6 +99,9 @@ struct Gimp {
     }
   }
 };
+
+// The same, each particle with a half width of its own.
+struct GimpOfOwnWidths : Gimp {};
 
 // Cubic B-spline (4 nodes).
 struct Cubic {

@@ -34,7 +34,8 @@ std::array<double, 3> half_of(const SeedObject& o) {
 // Do all particles have the widths of the first object's.
 bool alike(const SolidMaterial& material) {
   return std::all_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
-    return o.filling_levels == 1 && half_of(o) == half_of(material.objects.front());
+    return o.filling_levels == 1 && !o.cut_cells && o.piece->points() == nullptr &&
+           half_of(o) == half_of(material.objects.front());
   });
 }
 
@@ -65,9 +66,10 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
   if (by_width && !alike(material)) c.columns.half = add(l.half, false);
   if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
-  const bool by_corners = solids.basis == Basis::cpdi || solids.basis == Basis::fast_cpdi ||
-                          solids.basis == Basis::cpti;
-  if (by_corners || is_saved(scene, "p.size")) c.columns.size = add(l.size, false);
+  for (double& half : c.half) half = std::min(half, 0.5);
+  if (by_corners(solids.basis) || is_saved(scene, "p.size") || is_saved(scene, "p.scalefactor"))
+    c.columns.size = add(l.size, false);
+  if (solids.total_lagrangian) c.columns.reference = add(l.reference, false);
   if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
       !solids.manufactured.empty())
     c.columns.displacement = add(l.displacement, true);
@@ -82,6 +84,30 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);
   c.history_columns = next - c.columns.history;
   return c;
+}
+
+std::array<const double*, 3> places_of(const ParticleSet& set, const Columns& c) {
+  if (c.reference >= 0) return read_columns<3>(set, c.reference);
+  return {set.coordinate(0), set.coordinate(1), set.coordinate(2)};
+}
+
+ParticleShape shape_of(const ParticleSet& set, const Columns& c) {
+  return {read_columns<3>(set, c.half), read_columns<9>(set, c.F), read_columns<9>(set, c.size)};
+}
+
+DerivedAttribute scale_factor(const Columns& columns, Vec3 spacing) {
+  return {solid_labels().scale_factor,
+          [columns, spacing](const ParticleSet& set, std::vector<std::vector<double>>& to) {
+            const ParticleShape shape = shape_of(set, columns);
+            for (std::size_t e = 0; e < 9; ++e)
+              for (std::size_t p = 0; p < set.size(); ++p) {
+                double sum = 0;
+                for (std::size_t k = 0; k < 3; ++k)
+                  sum += shape.F[e / 3 * 3 + k][p] * spacing[static_cast<int>(k)] *
+                         shape.edges[3 * k + e % 3][p];
+                to[e][p] = sum;
+              }
+          }};
 }
 
 }  // namespace sluice::mpm

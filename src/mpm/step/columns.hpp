@@ -4,6 +4,7 @@
 
 #include "framework/run/particle_method.hpp"
 #include "mpm/deck/mpm_scene.hpp"
+#include "mpm/transfer/particle_shape.hpp"
 
 namespace sluice::mpm {
 
@@ -21,6 +22,7 @@ struct Columns {
   int half = -1;          // 3, half widths in cells, where they differ among the particles
   int size = -1;          // 9, edges in the reference state, in cells
   int displacement = -1;  // 3
+  int reference = -1;     // 3, place at the start: total Lagrangian
   int colour = -1;
   int marks = -1;         // 3, loads on the particle: number in the deck plus one; 0: none
   int given_force = -1;   // 3, that a point file gives, N
@@ -55,5 +57,12 @@ std::array<double*, N> write_columns(ParticleSet& set, int first) {
     to[n] = set.column(static_cast<std::size_t>(first) + n);
   return to;
 }
+
+// Places at which shape functions are taken, and what these ask beside.
+std::array<const double*, 3> places_of(const ParticleSet& set, const Columns& columns);
+ParticleShape shape_of(const ParticleSet& set, const Columns& columns);
+
+// p.scalefactor: the edges F diag(h) R0 of a particle; `spacing` h of the level of the set.
+DerivedAttribute scale_factor(const Columns& columns, Vec3 spacing);
 
 }  // namespace sluice::mpm

@@ -14,8 +14,7 @@ namespace sluice::mpm {
 
 // What the particles of one thread came to.
 struct SolidStep::ThreadReport {
-  ThreadReport(const BlockShape& shape, int reach, std::size_t kinds)
-      : window(shape, reach), rates(kinds) {}
+  ThreadReport(const BlockShape& shape, std::size_t kinds) : window(shape, 1), rates(kinds) {}
 
   Window window;
   GridAtParticles read;
@@ -43,9 +42,12 @@ double second_moment_factor(Basis basis) {
   return basis == Basis::cubic ? 3.0 : 4.0;
 }
 
-// Positions and velocities after the step; FLIP: v + dv, PIC and APIC: u.
+// Positions and velocities after the step. FLIP: v + dv; PIC and APIC: u; XPIC: the filtered
+// velocity and dv, which nodes hold as one, and places move with u; as the format has XPIC2, by
+// dt S v + dt (v_new - v)/2. The filter has left S v where the new velocities will stand: dv is
+// then u - S v.
 void move(const MpmScene& solids, const Body& body, const BlockWork& w, std::size_t at, int n,
-          double dt, const GridAtParticles& read) {
+          double dt, GridAtParticles& read) {
   const Columns& c = body.carried->columns;
   for (int d = 0; d < 3; ++d) {
     const auto a = static_cast<std::size_t>(d);
@@ -54,24 +56,51 @@ void move(const MpmScene& solids, const Body& body, const BlockWork& w, std::siz
     double* to_x = w.next->coordinate(d) + at;
     double* to_v = w.next->column(static_cast<std::size_t>(c.velocity) + a) + at;
     const double reference = body.units.reference[d];
-    const double *u = read.u[d], *dv = read.dv[d];
-    for (int q = 0; q < n; ++q) to_x[q] = x[q] + dt * (reference + u[q]);
-    if (solids.transfer == Transfer::pic || solids.transfer == Transfer::apic)
-      for (int q = 0; q < n; ++q) to_v[q] = reference + u[q];
-    else
-      for (int q = 0; q < n; ++q) to_v[q] = v[q] + dv[q];
+    double *u = read.u[d], *dv = read.dv[d];
+    if (solids.transfer == Transfer::xpic) {
+      for (int q = 0; q < n; ++q) {
+        const double before = to_v[q];  // S v - v_ref
+        to_v[q] = reference + dv[q];
+        dv[q] = u[q] - before;
+        to_x[q] = x[q] + dt * (solids.xpic2_of_format
+                                   ? (reference + before) + 0.5 * (to_v[q] - v[q])
+                                   : reference + u[q]);
+      }
+    } else {
+      for (int q = 0; q < n; ++q) to_x[q] = x[q] + dt * (reference + u[q]);
+      if (solids.transfer == Transfer::pic || solids.transfer == Transfer::apic)
+        for (int q = 0; q < n; ++q) to_v[q] = reference + u[q];
+      else
+        for (int q = 0; q < n; ++q) to_v[q] = v[q] + dv[q];
+    }
     if (c.displacement >= 0) {
       const double* way = w.set->column(static_cast<std::size_t>(c.displacement) + a) + at;
       double* to = w.next->column(static_cast<std::size_t>(c.displacement) + a) + at;
-      for (int q = 0; q < n; ++q) to[q] = way[q] + dt * (reference + u[q]);
+      if (solids.xpic2_of_format)
+        for (int q = 0; q < n; ++q) to[q] = way[q] + (to_x[q] - x[q]);
+      else
+        for (int q = 0; q < n; ++q) to[q] = way[q] + dt * (reference + u[q]);
     }
   }
 }
 
-// C of affine transfers: grad v, or for APIC the moments over the second moment of S; with rate
-// kappa the velocities are drawn to u: v = beta u + (1 - beta)(v + dv), beta = kappa dt c/h.
+// Affine transfer of rate kappa: velocities are drawn to u, v = beta u + (1 - beta)(v + dv) with
+// beta = min(1, kappa dt max(c_p)/h): what is damped in a time does not depend on dt.
+void damp(const MpmScene& solids, const Body& body, const BlockWork& w, std::size_t at, int n,
+          double dt, const GridAtParticles& read) {
+  if (solids.transfer != Transfer::affine) return;
+  const double beta = std::min(1.0, solids.affine_damping * dt * body.rates.wave);
+  for (int d = 0; d < 3; ++d) {
+    double* v = w.next->column(static_cast<std::size_t>(body.carried->columns.velocity + d)) + at;
+    const double reference = body.units.reference[d];
+    for (int q = 0; q < n; ++q)
+      v[q] = beta * (reference + read.u[d][q]) + (1 - beta) * v[q];
+  }
+}
+
+// C of affine transfers: grad v, or for APIC the moments over the second moment of S.
 void carry_affine(const MpmScene& solids, const Body& body, const BlockWork& w, std::size_t at,
-                  int n, double beta, Vec3 spacing, const GridAtParticles& read) {
+                  int n, Vec3 spacing, const GridAtParticles& read) {
   const Columns& c = body.carried->columns;
   if (c.affine < 0) return;
   for (int e = 0; e < 9; ++e) {
@@ -83,35 +112,36 @@ void carry_affine(const MpmScene& solids, const Body& body, const BlockWork& w, 
     else
       for (int q = 0; q < n; ++q) to[q] = read.L[e][q];
   }
-  if (solids.transfer != Transfer::affine) return;
-  for (int d = 0; d < 3; ++d) {
-    double* v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
-    const double reference = body.units.reference[d];
-    for (int q = 0; q < n; ++q)
-      v[q] = beta * (reference + read.u[d][q]) + (1 - beta) * v[q];
+}
+
+// Total Lagrangian: what was read is dF/dt = sum v* (x) grad_X S; L = dF/dt F^-1.
+void to_spatial_gradient(const ParticleShape& shape, std::size_t at, int n, GridAtParticles& read) {
+  for (int q = 0; q < n; ++q) {
+    const auto f = [&](int r, int c) {
+      return shape.F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][at + static_cast<std::size_t>(q)];
+    };
+    double adjoint[3][3], rate[9];
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        adjoint[r][c] = f(c + 1, r + 1) * f(c + 2, r + 2) - f(c + 1, r + 2) * f(c + 2, r + 1);
+    const double J = f(0, 0) * adjoint[0][0] + f(0, 1) * adjoint[1][0] + f(0, 2) * adjoint[2][0];
+    for (int e = 0; e < 9; ++e) rate[e] = read.L[e][q] / J;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        read.L[3 * r + c][q] = rate[3 * r] * adjoint[0][c] + rate[3 * r + 1] * adjoint[1][c] +
+                               rate[3 * r + 2] * adjoint[2][c];
   }
 }
 
-double farthest(const GridAtParticles& read, Vec3 reference, int n, double dt, Vec3 spacing) {
+// The longest way of a particle along a direction, cells.
+double farthest(const BlockWork& w, std::size_t at, int n, Vec3 spacing) {
   double far = 0;
-  for (int d = 0; d < 3; ++d)
-    for (int q = 0; q < n; ++q)
-      far = std::max(far, std::fabs(reference[d] + read.u[d][q]) * (dt / spacing[d]));
-  return far;
-}
-
-// Of the next step's length: max over directions of (c_p + |v_d|)/h_d.
-double step_rate(const Level& level, const ParticleSet& next, int velocity, std::size_t at, int n,
-                 const double* c) {
-  double rate = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
-    const double* v = next.column(static_cast<std::size_t>(velocity + d)) + at;
-    double most = 0;
-    for (int q = 0; q < n; ++q) most = std::max(most, c[q] + std::fabs(v[q]));
-    rate = std::max(rate, most / level.spacing[d]);
+    const double *x = w.set->coordinate(d) + at, *to = w.next->coordinate(d) + at;
+    const double inverse = 1 / spacing[d];
+    for (int q = 0; q < n; ++q) far = std::max(far, std::fabs(to[q] - x[q]) * inverse);
   }
-  return rate;
+  return far;
 }
 
 bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, int n) {
@@ -158,7 +188,8 @@ Batch batch_of(const Body& body, const BlockWork& w, std::size_t at, int n,
 }  // namespace
 
 // Rigid bodies go with their own velocity, or with that which a rule of contact prescribes.
-void SolidStep::move_rigid(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
+void SolidStep::read_rigid(const BlockWork& w, std::size_t at, int n, bool booked,
+                           ThreadReport& report) const {
   const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
   const MasterMotion* motion = contact_ != nullptr ? contact_->motion_of(w.kind) : nullptr;
   const std::array<const double*, 3> v = read_columns<3>(*w.set, c.velocity);
@@ -181,11 +212,64 @@ void SolidStep::move_rigid(const BlockWork& w, std::size_t at, int n, ThreadRepo
       report.read.u[d][q] = active ? after[d] : 0;
       report.read.dv[d][q] = active ? after[d] - before[d] : 0;
       const double impulse = mass[p] * report.read.dv[d][q];
-      if (impulse == 0) continue;
+      if (impulse == 0 || !booked) continue;
       report.books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
       report.books.sums[StepSums::work].add(0.5 * impulse * (before[d] + after[d]));
     }
   }
+}
+
+// Places and velocities, from the nodes in the report's window.
+void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std::size_t at, int n,
+                               ThreadReport& report) {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  const double dt = scope.step.dt;
+  if (body.material->rigid)
+    read_rigid(w, at, n, true, report);
+  else
+    read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                static_cast<int>(at), n, solids_->transfer == Transfer::apic, report.window,
+                report.read);
+  move(*solids_, body, w, at, n, dt, report.read);
+  if (!body.material->rigid) {
+    take_outside_forces(w, at, n, report.read, report.books);
+    damp(*solids_, body, w, at, n, dt, report.read);
+  }
+  report.travel = std::max(report.travel, farthest(w, at, n, level_.spacing));
+  report.left |= any_outside(level_, *w.next, at, n);
+}
+
+// Of MUSL: the particles move before velocities are mapped back.
+std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
+  std::vector<ThreadReport> reports = new_reports(scope);
+  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t n, int thread) {
+    const BlockWork& w = work_[n];
+    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
+    KindRates& rates = report.rates[static_cast<std::size_t>(w.kind)];
+    if (!body.material->rigid)
+      report.window.load(w.lowest, w.highest, body.table, body.nodes);
+    for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size)
+      move_particles(w, scope, at,
+                     static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at)), report);
+    const auto v = read_columns<3>(*w.next, body.carried->columns.velocity);
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
+        rates.up[d] = std::max(rates.up[d], v[static_cast<std::size_t>(d)][p]);
+        rates.down[d] = std::max(rates.down[d], -v[static_cast<std::size_t>(d)][p]);
+      }
+  });
+  travel_ = 0;
+  left_ = false;
+  std::vector<KindRates> rates(bodies_.size());
+  for (const ThreadReport& r : reports) {
+    travel_ = std::max(travel_, r.travel);
+    left_ |= r.left;
+    for (std::size_t k = 0; k < rates.size(); ++k) rates[k].add(r.rates[k]);
+    for (std::size_t s = 0; s < r.books.sums.size(); ++s) books_.sums[s].merge(r.books.sums[s]);
+  }
+  return rates;
 }
 
 void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadReport& report) {
@@ -193,22 +277,28 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   const Columns& c = body.carried->columns;
   const Material& law = *body.material->law;
   const double dt = scope.step.dt;
-  if (!body.material->rigid) report.window.load(w.run.block, body.table, body.nodes);
-  std::array<const double*, 3> x;
-  for (int d = 0; d < 3; ++d) x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
+  if (!body.material->rigid)
+    report.window.load(w.lowest, w.highest, body.table,
+                       solids_->maps_back() ? body.mapped : body.nodes);
   std::vector<const double*>& old_history = report.old_history;
   std::vector<double*>& history = report.history;
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-    if (body.material->rigid)
-      move_rigid(w, at, n, report);
+    const bool rigid = body.material->rigid;
+    if (!solids_->maps_back())
+      move_particles(w, scope, at, n, report);
+    else if (rigid)
+      read_rigid(w, at, n, false, report);
     else
-      read_window(solids_->basis, body.grid, x, static_cast<int>(at), n,
-                  solids_->transfer == Transfer::apic, report.window, report.read);
-    if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, at, n, report.read);
-    move(*solids_, body, w, at, n, dt, report.read);
-    if (!body.material->rigid) take_outside_forces(w, at, n, report.read, report.books);
-    carry_affine(*solids_, body, w, at, n, affine_beta_, level_.spacing, report.read);
+      read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                  static_cast<int>(at), n, false, report.window, report.read);
+    if (solids_->axisymmetric)
+      add_hoop_rate(*w.set,
+                    (solids_->maps_back() && !rigid ? body.mapped_units : body.units).reference.x,
+                    at, n, report.read);
+    carry_affine(*solids_, body, w, at, n, level_.spacing, report.read);
+    if (solids_->total_lagrangian && !rigid)
+      to_spatial_gradient(shape_of(*w.set, c), at, n, report.read);
     Batch b = batch_of(body, w, at, n, scope, report.read);
     old_history.clear();
     history.clear();
@@ -243,27 +333,29 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     }
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
-    report.travel = std::max(report.travel, farthest(report.read, body.units.reference, n, dt,
-                                                     level_.spacing));
-    report.left |= any_outside(level_, *w.next, at, n);
-    report.rate = std::max(
-        report.rate, step_rate(level_, *w.next, c.velocity, at, n, report.wave_speed));
-    report.rates[static_cast<std::size_t>(w.kind)].add(
-        rates_of(*w.set, *w.next, c, at, at + static_cast<std::size_t>(n)));
+    report.rate =
+        std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
+    KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
+                               at + static_cast<std::size_t>(n));
+    rates.wave = wave_rate(level_, n, report.wave_speed);
+    report.rates[static_cast<std::size_t>(w.kind)].add(rates);
   }
 }
 
-Verdict SolidStep::from_grid(const StageScope& scope) {
-  // beta = kappa dt max(c_p)/h, with the rate of the step before in place of the speed over h.
-  affine_beta_ = solids_->transfer == Transfer::affine
-                     ? std::min(1.0, solids_->affine_damping * scope.step.dt *
-                                         scope.maxima->front().front())
-                     : 0;
-  const ThreadTeam& team = *scope.levels.front()->team();
-  const int reach = reach_of(solids_->basis);
+std::vector<SolidStep::ThreadReport> SolidStep::new_reports(const StageScope& scope) const {
   std::vector<ThreadReport> reports;
-  for (int t = 0; t < team.size(); ++t) reports.emplace_back(shape_, reach, bodies_.size());
-  team.for_each(work_.size(), [&](std::size_t n, int thread) {
+  for (int t = 0; t < scope.levels.front()->team()->size(); ++t)
+    reports.emplace_back(shape_, bodies_.size());
+  return reports;
+}
+
+Verdict SolidStep::from_grid(const StageScope& scope) {
+  std::vector<ThreadReport> reports = new_reports(scope);
+  if (solids_->maps_back()) {
+    reports.front().travel = travel_;
+    reports.front().left = left_;
+  }
+  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t n, int thread) {
     advance(work_[n], scope, reports[static_cast<std::size_t>(thread)]);
   });
   return conclude(scope, reports);

@@ -36,6 +36,11 @@ SolidLabels declare_all() {
                             "Force on a particle from outside in the step just taken: load curves, "
                             "point files, manufactured body forces.");
   l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
+  l.reference = declare("p.referencePlace", vector, "m",
+                        "Place of a particle at the start, at which a total Lagrangian run takes "
+                        "shape functions.");
+  l.scale_factor = declare("p.scalefactor", tensor, "m",
+                           "Edges of a particle as it is deformed (columns).");
   return l;
 }
 

@@ -6,7 +6,8 @@ namespace sluice::mpm {
 
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
-      displacement, colour, marks, given_force, normal, outside_force, viscous;
+      displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
+      scale_factor;
 };
 const SolidLabels& solid_labels();
 

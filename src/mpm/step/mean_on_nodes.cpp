@@ -49,13 +49,13 @@ std::vector<NodeMean> SolidStep::mean_on_nodes(const StageScope& scope, int numb
   Window window(shape_, reach_of(solids_->basis));
   for (const BlockWork& w : work_) {
     if (w.kind != number) continue;
-    std::array<const double*, 3> x;
-    for (int d = 0; d < 3; ++d) x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
+    const Columns& c = body.carried->columns;
     for (std::size_t n = 0; n < lanes_of.size(); ++n)
       lanes_of[n].values = columns[w.set][n].data();
-    window.begin(w.run.block);
-    add_values_to_window(solids_->basis, body.grid, x, lanes_of, static_cast<int>(w.run.begin),
-                         static_cast<int>(w.run.end), window);
+    window.begin(w.lowest, w.highest);
+    add_values_to_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                         lanes_of, static_cast<int>(w.run.begin), static_cast<int>(w.run.end),
+                         window);
     window.add_to(body.table, sums, false);
   }
   boundary_->fold_scalars(number, body.table, sums);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/transfer/corners.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -16,6 +18,18 @@ double largest(std::size_t begin, std::size_t end, double from, F&& f) {
     from = x > from ? x : from;
   }
   return sound ? from : std::nan("");
+}
+
+// Row d of F^-1 of a particle.
+Vec3 inverse_row(const Nine<const double>& F, int d, std::size_t p) {
+  const auto f = [&](int r, int c) { return F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][p]; };
+  double J = 0;
+  Vec3 row{};
+  for (int k = 0; k < 3; ++k) {
+    row[k] = f(k + 1, d + 1) * f(k + 2, d + 2) - f(k + 1, d + 2) * f(k + 2, d + 1);
+    J += f(k, d) * row[k];
+  }
+  return (1 / J) * row;
 }
 
 }  // namespace
@@ -36,10 +50,14 @@ void KindRates::add(const KindRates& o) {
   // NaN must survive: the step is then rejected.
   tension = o.tension > tension || o.tension != o.tension ? o.tension : tension;
   affine = std::max(affine, o.affine);
+  extent = o.extent > extent || o.extent != o.extent ? o.extent : extent;
+  slope = std::max(slope, o.slope);
+  wave = std::max(wave, o.wave);
 }
 
 void KindRates::to(std::span<double> kept) const {
-  const double all[count] = {mass, up.x, up.y, up.z, down.x, down.y, down.z, tension, affine};
+  const double all[count] = {mass, up.x, up.y, up.z, down.x, down.y, down.z, tension, affine,
+                             extent, slope, wave};
   std::copy_n(all, count, kept.begin());
 }
 
@@ -50,11 +68,14 @@ KindRates KindRates::from(std::span<const double> k) {
   r.down = {k[4], k[5], k[6]};
   r.tension = k[7];
   r.affine = k[8];
+  r.extent = k[9];
+  r.slope = k[10];
+  r.wave = k[11];
   return r;
 }
 
-KindRates rates_of(const ParticleSet& set, const ParticleSet& now, const Columns& c,
-                   std::size_t begin, std::size_t end) {
+KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set,
+                   const ParticleSet& now, const Columns& c, std::size_t begin, std::size_t end) {
   KindRates r;
   const auto column = [&](int first, int n) {
     return now.column(static_cast<std::size_t>(first + n));
@@ -80,7 +101,57 @@ KindRates rates_of(const ParticleSet& set, const ParticleSet& now, const Columns
     const double* a = column(c.affine, n);
     r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(a[i]); });
   }
+  if (by_corners(basis)) {
+    ParticleShape shape = shape_of(set, c);
+    shape.F = read_columns<9>(now, c.F);
+    const CornerReach reach = corner_reach(basis, grid, shape, static_cast<int>(begin),
+                                           static_cast<int>(end));
+    r.extent = reach.extent;
+    r.slope = reach.slope;
+  }
+  if (c.reference >= 0) {
+    const Nine<const double> F = read_columns<9>(now, c.F);
+    r.slope = largest(begin, end, 0, [&](std::size_t i) {
+      double sum = 0;
+      for (int a = 0; a < grid.count; ++a) {
+        const int d = grid.active[static_cast<std::size_t>(a)];
+        const Vec3 row = inverse_row(F, d, i);
+        sum += (std::fabs(row.x) + std::fabs(row.y) + std::fabs(row.z)) *
+               grid.axes[static_cast<std::size_t>(d)].inverse;
+      }
+      return sum;
+    });
+  }
   return r;
+}
+
+double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
+                 std::size_t at, int n, const double* c) {
+  double rate = 0;
+  const Nine<const double> F = read_columns<9>(set, columns.F);
+  for (int d = 0; d < 3; ++d) {
+    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    const double* v = set.column(static_cast<std::size_t>(columns.velocity + d)) + at;
+    double most = 0;
+    if (columns.reference >= 0)
+      for (int q = 0; q < n; ++q) {
+        const Vec3 row = inverse_row(F, d, at + static_cast<std::size_t>(q));
+        most = std::max(most, c[q] * std::sqrt(dot(row, row)));
+      }
+    else
+      for (int q = 0; q < n; ++q) most = std::max(most, c[q] + std::fabs(v[q]));
+    rate = std::max(rate, most / level.spacing[d]);
+  }
+  return rate;
+}
+
+double wave_rate(const Level& level, int n, const double* c) {
+  double most = 0, inverse = 0;
+  for (int q = 0; q < n; ++q) most = std::max(most, c[q]);
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)])
+      inverse = std::max(inverse, 1 / level.spacing[d]);
+  return most * inverse;
 }
 
 }  // namespace sluice::mpm

@@ -9,7 +9,11 @@
 
 namespace sluice::mpm {
 
-TransferGrid transfer_grid(const Level& level, const std::array<double, 3>& half) {
+// Corners beyond this distance may lie on ranks that are no neighbours, cells.
+static constexpr double farthest_corner_of_neighbours = 4;
+
+TransferGrid transfer_grid(const MpmScene& solids, const Level& level,
+                           const std::array<double, 3>& half) {
   TransferGrid g;
   g.count = 0;
   for (int d = 0; d < 3; ++d) {
@@ -18,6 +22,7 @@ TransferGrid transfer_grid(const Level& level, const std::array<double, 3>& half
     if (level.active[n]) g.active[static_cast<std::size_t>(g.count++)] = d;
   }
   g.half = half;
+  g.corner_limit = solids.cpdi_limit;
   return g;
 }
 
@@ -45,15 +50,13 @@ Verdict SolidStep::begin(const StageScope& scope) {
     boundary_ = std::make_unique<NodeBoundary>(*scene_, *solids_, level_);
     for (std::size_t m = 0; m < solids_->materials.size(); ++m) {
       bodies_.emplace_back(solids_->materials[m], (*carried_)[m], shape_);
-      bodies_.back().grid = transfer_grid(level_, (*carried_)[m].half);
+      bodies_.back().grid = transfer_grid(*solids_, level_, (*carried_)[m].half);
     }
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
     if (!solids_->contacts.empty()) contact_ = std::make_unique<Contact>(*solids_, level_);
     surface_units_ = surface_units(level_, solids_->axisymmetric);
   }
   if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
-  if (exchange_ == nullptr || !exchange_->fits(level_))
-    exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks);
   const std::vector<double>& maxima = scope.maxima->front();
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& body = bodies_[k];
@@ -65,10 +68,37 @@ Verdict SolidStep::begin(const StageScope& scope) {
       store.next(level_.index, b).make_room(store.set(level_.index, b), advanced);
   }
   list_work(cloud);
+  bool far = solids_->total_lagrangian;
+  for (const Body& body : bodies_) far |= body.rates.extent > farthest_corner_of_neighbours;
+  if (exchange_ == nullptr || !exchange_->fits(level_, far))
+    exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks, far);
   find_outside_forces(scope);
   for (std::size_t k = 0; k < bodies_.size(); ++k)
-    bodies_[k].units = units_of(bodies_[k], static_cast<int>(k));
+    bodies_[k].units = units_of(bodies_[k], static_cast<int>(k), bodies_[k].rates);
   return Verdict::good;
+}
+
+// Block and reach; corners farther than a stencil, reference places wherever they are.
+void SolidStep::find_nodes_of(BlockWork& w) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  const int reach = std::max(reach_of(solids_->basis),
+                             static_cast<int>(std::floor(most_stray + body.rates.extent)) + 1);
+  w.lowest = w.highest = shape_.lower(w.run.block);
+  const std::array<const double*, 3> x = places_of(*w.set, c);
+  for (int d = 0; d < 3; ++d) {
+    if (shape_.edge[d] == 1) continue;
+    if (c.reference < 0) {
+      w.lowest[d] -= reach;
+      w.highest[d] += shape_.edge[d] + reach;
+      continue;
+    }
+    const double* places = x[static_cast<std::size_t>(d)];
+    const auto [low, high] = std::minmax_element(places + w.run.begin, places + w.run.end);
+    const Axis& axis = body.grid.axes[static_cast<std::size_t>(d)];
+    w.lowest[d] = static_cast<int>(std::floor(axis.place(*low) + axis.first)) - 1;
+    w.highest[d] = static_cast<int>(std::floor(axis.place(*high) + axis.first)) + 2;
+  }
 }
 
 // Forces from outside at the time of the positions, and the largest on any particle of all ranks.
@@ -101,9 +131,8 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
 }
 
 // Bounds of what one particle gives to a node (mpm_scheme, section 4).
-SumUnits SolidStep::units_of(const Body& body, int kind) const {
+SumUnits SolidStep::units_of(const Body& body, int kind, const KindRates& r) const {
   SumUnits u;
-  const KindRates& r = body.rates;
   if (!r.any()) return u;
   double slopes = 0, reach = 0;  // sum of 1/h; farthest node of a stencil
   for (int a = 0; a < body.grid.count; ++a) {
@@ -111,6 +140,8 @@ SumUnits SolidStep::units_of(const Body& body, int kind) const {
     slopes += 1 / finest_[d];
     reach += 2 * coarsest_[d];
   }
+  if (by_corners(solids_->basis)) reach *= 1 + r.extent;
+  if (by_corners(solids_->basis) || solids_->total_lagrangian) slopes = r.slope;
   u.reference = r.middle();
   // The images of a mirror have the opposite velocity; rigid bodies keep their own to the bit.
   for (int d = 0; d < 3; ++d)
@@ -130,16 +161,9 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     body.nodes.clear();
     body.surfaces.clear();
   }
-  const int reach = reach_of(solids_->basis);
-  for (const BlockWork& w : work_) {
-    const IntVec3 low = shape_.lower(w.run.block);
-    IntVec3 from = low, to = low;
-    for (int d = 0; d < 3; ++d)
-      if (shape_.edge[d] > 1) {
-        from[d] -= reach;
-        to[d] += shape_.edge[d] + reach;
-      }
-    add_blocks(bodies_[static_cast<std::size_t>(w.kind)].table, from, to);
+  for (BlockWork& w : work_) {
+    find_nodes_of(w);
+    add_blocks(bodies_[static_cast<std::size_t>(w.kind)].table, w.lowest, w.highest);
   }
   const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
   for (Body& body : bodies_) {
@@ -147,13 +171,15 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     if (surfaces) body.surfaces.fit(body.table);
   }
   const ThreadTeam& team = *scope.levels.front()->team();
-  std::vector<Window> windows(static_cast<std::size_t>(team.size()), Window(shape_, reach));
+  std::vector<Window> windows(static_cast<std::size_t>(team.size()), Window(shape_, 1));
   team.for_each(work_.size(), [&](std::size_t n, int thread) {
     const BlockWork& w = work_[n];
     Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     const Columns& c = body.carried->columns;
     ParticlesToGrid p;
-    for (int d = 0; d < 3; ++d) p.x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
+    p.x = places_of(*w.set, c);
+    p.shape = shape_of(*w.set, c);
+    p.reference_gradients = solids_->total_lagrangian;
     p.v = read_columns<3>(*w.set, c.velocity);
     p.mass = w.set->column(static_cast<std::size_t>(c.mass));
     p.volume = w.set->column(static_cast<std::size_t>(c.volume));
@@ -162,7 +188,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.load = outside_->forces(w.kind, w.box);
     if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
     Window& window = windows[static_cast<std::size_t>(thread)];
-    window.begin(w.run.block);
+    window.begin(w.lowest, w.highest);
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
@@ -171,29 +197,31 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
   return Verdict::good;
 }
 
-void SolidStep::fold() {
-  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
+void SolidStep::fold(NodeLanes Body::*group) {
+  const bool surfaces =
+      group == &Body::nodes && contact_ != nullptr && contact_->needs_surfaces();
   for (std::size_t m = 0; m < bodies_.size(); ++m) {
     Body& body = bodies_[m];
-    boundary_->fold(static_cast<int>(m), body.table, body.nodes);
+    boundary_->fold(static_cast<int>(m), body.table, body.*group);
     if (!surfaces) continue;
     boundary_->fold(static_cast<int>(m), body.table, body.surfaces);
     body.nodes.fit(body.table);
   }
 }
 
-void SolidStep::unfold() {
+void SolidStep::unfold(NodeLanes Body::*group) {
   for (std::size_t m = 0; m < bodies_.size(); ++m)
-    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].nodes);
+    boundary_->unfold(static_cast<int>(m), bodies_[m].table, bodies_[m].*group);
 }
 
 // All ranks agree on the sums.
-Verdict SolidStep::share_sums(const StageScope& scope) {
-  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
-  if (contact_ != nullptr && scope.ranks->size() > 1) unite_blocks();
+Verdict SolidStep::share_sums(const StageScope& scope, NodeLanes Body::*group) {
+  const bool first = group == &Body::nodes;
+  const bool surfaces = first && contact_ != nullptr && contact_->needs_surfaces();
+  if (first && contact_ != nullptr && scope.ranks->size() > 1) unite_blocks();
   for (Body& body : bodies_) {
     if (surfaces) body.surfaces.fit(body.table);
-    NodeLanes* const groups[] = {&body.nodes, &body.surfaces};
+    NodeLanes* const groups[] = {&(body.*group), &body.surfaces};
     exchange_->share(body.table, std::span(groups).first(surfaces ? 2 : 1));
   }
   return Verdict::good;

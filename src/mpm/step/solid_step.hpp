@@ -32,6 +32,7 @@ struct BlockWork {
   ParticleSet* next = nullptr;
   BlockRun run;
   int box = 0;  // local number
+  IntVec3 lowest{}, highest{};  // nodes that they reach
 };
 
 // One material on the nodes of a level.
@@ -48,6 +49,8 @@ struct Body {
   KindRates rates;
   SumUnits units;
   double most_force = 0;  // from outside on one particle, any component, N
+  NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
+  SumUnits mapped_units;
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -112,7 +115,7 @@ class SolidStep {
   // The stages of a step, in order.
   Verdict begin(const StageScope& scope);
   Verdict to_grid(const StageScope& scope);
-  Verdict share_sums(const StageScope& scope);
+  Verdict share_sums(const StageScope& scope, NodeLanes Body::*group = &Body::nodes);
   Verdict move_nodes(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
 
@@ -122,8 +125,21 @@ class SolidStep {
     coarsest_ = coarsest;
   }
   // Images across sides join their nodes, and get the velocities of these.
-  void fold();
-  void unfold();
+  void fold(NodeLanes Body::*group = &Body::nodes);
+  void unfold(NodeLanes Body::*group = &Body::nodes);
+
+  // XPIC, for SolidLevels: velocities of nodes in a group of their own (their largest components by
+  // material), the first term of the filter, sums of one more pass, its velocities, its term.
+  std::vector<double> take_velocities();
+  void begin_filter(std::span<const double> most);
+  void sum_filtered(const StageScope& scope, bool first);
+  void finish_filter();
+  void add_filtered(double factor);
+  // MUSL: particles move (bounds of their new velocities); sums of these; velocities of nodes.
+  std::vector<KindRates> move_all(const StageScope& scope);
+  void sum_back(const StageScope& scope, std::span<const KindRates> bounds);
+  void finish_back(const StageScope& scope);
+
   Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
   const NodeExchange& exchange() const { return *exchange_; }
   // After from_grid(): what the next step rests on, and how far particles went.
@@ -140,7 +156,6 @@ class SolidStep {
  private:
   void list_work(ParticleCloud& cloud);
   void find_outside_forces(const StageScope& scope);
-  SumUnits units_of(const Body& body, int kind) const;
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
   // Nodes of a block, one after the other (step/move_nodes.cpp); `change`: by contact A, or null.
@@ -148,6 +163,9 @@ class SolidStep {
   void kick_block(const NodeStep& step, int body, int block, const Vec3* change);  // M, v_i | v*
   void finish_block(const NodeStep& step, int body, int block, const Vec3* change,
                     NodeBooks& books);  // v* - v_ref, M | v* - v_i
+  void find_nodes_of(BlockWork& work) const;
+  SumUnits units_of(const Body& body, int kind, const KindRates& rates) const;
+  void hold_boundary(int body);
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   // Bodies that share blocks (step/meet_nodes.cpp).
   void list_groups();
@@ -158,10 +176,14 @@ class SolidStep {
   void meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
             MeetingScratch& scratch, NodeBooks& books);
   struct ThreadReport;
-  void move_rigid(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
+  void read_rigid(const BlockWork& work, std::size_t at, int n, bool booked,
+                  ThreadReport& report) const;
   void take_outside_forces(const BlockWork& work, std::size_t at, int n,
                            const GridAtParticles& read, NodeBooks& books) const;
+  void move_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
+                      ThreadReport& report);
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
+  std::vector<ThreadReport> new_reports(const StageScope& scope) const;
   Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
 
   const Scene* scene_;
@@ -185,10 +207,10 @@ class SolidStep {
   double travel_ = 0;       // of this step, cells
   NodeBooks books_;         // of this rank
   double kick_ = 0;
-  double affine_beta_ = 0;  // share of u in the velocities of an affine transfer
 };
 
 // Axes and active directions of a level, widths of particles.
-TransferGrid transfer_grid(const Level& level, const std::array<double, 3>& half);
+TransferGrid transfer_grid(const MpmScene& solids, const Level& level,
+                           const std::array<double, 3>& half);
 
 }  // namespace sluice::mpm

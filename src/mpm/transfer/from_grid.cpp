@@ -1,6 +1,7 @@
 #include "mpm/transfer/from_grid.hpp"
 
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 
 namespace sluice::mpm {
@@ -82,13 +83,12 @@ Sums read_particle(const AxisWeights<B::nodes> (&w)[D], int q, IntVec3 first,
 }
 
 template <int D, class B, bool Moments>
-void read(const TransferGrid& grid, const std::array<const double*, 3>& x, int at, int n,
-          const Window& window, GridAtParticles& to) {
+void read(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+          const ParticleShape& shape, int at, int n, const Window& window, GridAtParticles& to) {
   alignas(64) static thread_local AxisWeights<B::nodes> w[D];
-  for (int a = 0; a < D; ++a) {
-    const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
-    B::template weights<Moments>(grid.axes[d], x[d] + at, grid.half[d], n, w[a]);
-  }
+  for (int a = 0; a < D; ++a)
+    weights_of<B, Moments>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
+                           w[a]);
   const IntVec3 low = window.lower();
   for (int q = 0; q < n; ++q) {
     IntVec3 first{};
@@ -107,25 +107,31 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x, int a
       }
     }
   }
-  for (int d = 0; d < 3; ++d) {
-    bool active = false;
-    for (int a = 0; a < D; ++a) active |= grid.active[static_cast<std::size_t>(a)] == d;
-    if (active) continue;
-    for (int e = 0; e < 3; ++e)
-      for (int q = 0; q < n; ++q) {
-        to.L[3 * e + d][q] = 0;
-        if constexpr (Moments) to.moment[3 * e + d][q] = 0;
-      }
-  }
+  clear_inactive(grid, n, Moments, to);
 }
 
 }  // namespace
 
+void clear_inactive(const TransferGrid& grid, int n, bool moments, GridAtParticles& to) {
+  for (int d = 0; d < 3; ++d) {
+    bool active = false;
+    for (int a = 0; a < grid.count; ++a) active |= grid.active[static_cast<std::size_t>(a)] == d;
+    if (active) continue;
+    for (int e = 0; e < 3; ++e)
+      for (int q = 0; q < n; ++q) {
+        to.L[3 * e + d][q] = 0;
+        if (moments) to.moment[3 * e + d][q] = 0;
+      }
+  }
+}
+
 void read_window(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                 int at, int n, bool moments, const Window& window, GridAtParticles& to) {
-  for_basis(basis, grid.count, [&]<int D, class B>() {
-    moments ? read<D, B, true>(grid, x, at, n, window, to)
-            : read<D, B, false>(grid, x, at, n, window, to);
+                 const ParticleShape& shape, int at, int n, bool moments, const Window& window,
+                 GridAtParticles& to) {
+  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, window, to);
+  for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
+    moments ? read<D, B, true>(basis, grid, x, shape, at, n, window, to)
+            : read<D, B, false>(basis, grid, x, shape, at, n, window, to);
   });
 }
 

@@ -18,6 +18,10 @@ struct GridAtParticles {
 
 // Particles at, ..., at + n - 1 (n <= chunk_size) of one block; node lanes v*, - | v* - v, -.
 void read_window(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                 int at, int n, bool moments, const Window& window, GridAtParticles& to);
+                 const ParticleShape& shape, int at, int n, bool moments, const Window& window,
+                 GridAtParticles& to);
+
+// No gradients along directions that are not active.
+void clear_inactive(const TransferGrid& grid, int n, bool moments, GridAtParticles& to);
 
 }  // namespace sluice::mpm

@@ -3,48 +3,12 @@
 #include <algorithm>
 
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
+#include "mpm/transfer/gifts.hpp"
 
 namespace sluice::mpm {
 namespace {
-
-// What a particle gives to a node, scaled to integers: lanes M, P | f, count.
-//   momentum half: (mass_momentum + sum_d affine_d (x_i - x_p)_d) S
-//   force half:    load S + sum_d traction_d dS/dx_d
-struct alignas(64) Gift {
-  Four mass_momentum, load;
-  Four traction[3];
-  Four affine[3];
-};
-
-template <int D, bool Affine>
-void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
-                const SumUnits& u, Gift* gifts) {
-  // Rows of the symmetric tensor xx, yy, zz, yz, xz, xy.
-  constexpr int rows[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
-  for (int q = 0; q < n; ++q) {
-    const int i = at + q;
-    const double m = p.mass[i], mu = m * u.momentum;
-    Gift& g = gifts[q];
-    g.mass_momentum = Four{m * u.mass, mu * (p.v[0][i] - u.reference.x),
-                           mu * (p.v[1][i] - u.reference.y), mu * (p.v[2][i] - u.reference.z)};
-    g.load = Four{};
-    if (p.load[0] != nullptr)
-      g.load = Four{p.load[0][i] * u.force, p.load[1][i] * u.force, p.load[2][i] * u.force, 0.0};
-    const double v = -p.volume[i] * u.force;
-    const double extra = p.extra_pressure != nullptr ? p.extra_pressure[i] : 0.0;
-    for (int a = 0; a < D; ++a) {
-      const int d = grid.active[static_cast<std::size_t>(a)];
-      Four row{p.stress[rows[d][0]][i], p.stress[rows[d][1]][i], p.stress[rows[d][2]][i], 0.0};
-      row[d] -= extra;
-      g.traction[a] = v * row;
-      if constexpr (Affine)
-        g.affine[a] = Four{0.0, mu * p.affine[static_cast<std::size_t>(d)][i],
-                           mu * p.affine[static_cast<std::size_t>(3 + d)][i],
-                           mu * p.affine[static_cast<std::size_t>(6 + d)][i]};
-    }
-  }
-}
 
 template <int D, class B>
 using Weights = AxisWeights<B::nodes>[D];
@@ -99,17 +63,16 @@ void add_particle(const Gift& g, const Weights<D, B>& w, int q, const IntVec3& l
 }
 
 template <int D, class B, bool Affine>
-void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
+void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
   alignas(64) static thread_local Weights<D, B> weights;
   static thread_local Gift gifts[chunk_size];
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
-    for (int a = 0; a < D; ++a) {
-      const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
-      B::template weights<Affine>(grid.axes[d], p.x[d] + at, grid.half[d], n, weights[a]);
-    }
-    make_gifts<D, Affine>(grid, p, at, n, units, gifts);
+    for (int a = 0; a < D; ++a)
+      weights_of<B, Affine>(basis, grid, p.x, p.shape, grid.active[static_cast<std::size_t>(a)], at,
+                            n, weights[a]);
+    make_gifts(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q)
       add_particle<D, B, Affine>(gifts[q], weights, q, window.lower(), grid, window);
   }
@@ -123,10 +86,11 @@ int reach_of(Basis basis) {
 
 void add_to_window(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                    int end, const SumUnits& units, Window& window) {
+  if (by_corners(basis)) return add_corners(basis, grid, p, begin, end, units, window);
   const bool affine = p.affine[0] != nullptr;
-  for_basis(basis, grid.count, [&]<int D, class B>() {
-    affine ? add_block<D, B, true>(grid, p, begin, end, units, window)
-           : add_block<D, B, false>(grid, p, begin, end, units, window);
+  for_basis(basis, has_own_widths(basis, p.shape), grid.count, [&]<int D, class B>() {
+    affine ? add_block<D, B, true>(basis, grid, p, begin, end, units, window)
+           : add_block<D, B, false>(basis, grid, p, begin, end, units, window);
   });
 }
 

@@ -8,20 +8,22 @@
 
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/material/material.hpp"
-#include "mpm/shape/axis.hpp"
+#include "mpm/transfer/particle_shape.hpp"
 #include "mpm/transfer/window.hpp"
 
 namespace sluice::mpm {
 
 // The columns that go to the grid.
 struct ParticlesToGrid {
-  std::array<const double*, 3> x{}, v{};
+  std::array<const double*, 3> x{}, v{};  // total Lagrangian: x in the reference state
+  ParticleShape shape;
   const double* mass = nullptr;
-  const double* volume = nullptr;
+  const double* volume = nullptr;  // null: mass and momentum alone are given
   Six<const double> stress{};
   const double* extra_pressure = nullptr;      // of the artificial viscosity; may be null
   Nine<const double> affine{};                 // C, 1/s; null unless the transfer is affine
   std::array<const double*, 3> load{};         // f_p, N; null: none
+  bool reference_gradients = false;  // total Lagrangian: V sigma F^-T in place of V sigma
 };
 
 // Units of the integers (2^k by field), and the velocity from which momentum is counted.
@@ -30,15 +32,7 @@ struct SumUnits {
   Vec3 reference{};  // v_ref
 };
 
-// What a level's transfers need to know.
-struct TransferGrid {
-  std::array<Axis, 3> axes;
-  std::array<int, 3> active{};  // directions, rising; `count` of them
-  int count = 3;
-  std::array<double, 3> half{0.5, 0.5, 0.5};  // half width of particles in cells (GIMP)
-};
-
-int reach_of(Basis basis);  // of a Window, in nodes
+int reach_of(Basis basis);  // of a Window, in nodes; of corners at least
 
 // Particles begin to end (of one block) into the window.
 void add_to_window(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,

@@ -3,24 +3,25 @@
 #include <algorithm>
 
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 
 namespace sluice::mpm {
 namespace {
 
 template <int D, class B>
-void add_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
-               std::span<const ValueLane> lanes_of, int begin, int end, Window& window) {
+void add_block(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+               const ParticleShape& shape, std::span<const ValueLane> lanes_of, int begin, int end,
+               Window& window) {
   constexpr int N = B::nodes;
   constexpr int rows = D > 1 ? N : 1, planes = D > 2 ? N : 1;
   alignas(64) static thread_local AxisWeights<N> w[D];
   const IntVec3 low = window.lower();
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
-    for (int a = 0; a < D; ++a) {
-      const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
-      B::template weights<false>(grid.axes[d], x[d] + at, grid.half[d], n, w[a]);
-    }
+    for (int a = 0; a < D; ++a)
+      weights_of<B, false>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
+                           w[a]);
     for (int q = 0; q < n; ++q) {
       double values[lanes] = {};
       for (std::size_t l = 0; l < lanes_of.size(); ++l)
@@ -53,10 +54,13 @@ void add_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
 }  // namespace
 
 void add_values_to_window(Basis basis, const TransferGrid& grid,
-                          const std::array<const double*, 3>& x, std::span<const ValueLane> lanes_of,
-                          int begin, int end, Window& window) {
-  for_basis(basis, grid.count, [&]<int D, class B>() {
-    add_block<D, B>(grid, x, lanes_of, begin, end, window);
+                          const std::array<const double*, 3>& x, const ParticleShape& shape,
+                          std::span<const ValueLane> lanes_of, int begin, int end,
+                          Window& window) {
+  if (by_corners(basis))
+    return add_values_of_corners(basis, grid, x, shape, lanes_of, begin, end, window);
+  for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
+    add_block<D, B>(basis, grid, x, shape, lanes_of, begin, end, window);
   });
 }
 

@@ -14,7 +14,7 @@ struct ValueLane {
 
 // Particles begin to end (of one block) into the window: lane l gets sum values_l S.
 void add_values_to_window(Basis basis, const TransferGrid& grid,
-                          const std::array<const double*, 3>& x, std::span<const ValueLane> lanes_of,
-                          int begin, int end, Window& window);
+                          const std::array<const double*, 3>& x, const ParticleShape& shape,
+                          std::span<const ValueLane> lanes_of, int begin, int end, Window& window);
 
 }  // namespace sluice::mpm

@@ -8,17 +8,24 @@
 
 namespace sluice::mpm {
 
-Window::Window(const BlockShape& shape, int reach) : shape_(shape), reach_(reach) {
-  for (int d = 0; d < 3; ++d) size_[d] = shape.edge[d] == 1 ? 1 : shape.edge[d] + 1 + 2 * reach;
-  lanes_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                static_cast<std::size_t>(size_.z) * lanes);
-}
+Window::Window(const BlockShape& shape, int reach) : shape_(shape), reach_(reach) {}
 
 void Window::begin(IntVec3 block) {
-  lower_ = shape_.lower(block);
+  IntVec3 lowest = shape_.lower(block), highest = lowest;
   for (int d = 0; d < 3; ++d)
-    if (shape_.edge[d] > 1) lower_[d] -= reach_;
-  std::fill(lanes_.begin(), lanes_.end(), 0);
+    if (shape_.edge[d] > 1) {
+      lowest[d] -= reach_;
+      highest[d] += shape_.edge[d] + reach_;
+    }
+  begin(lowest, highest);
+}
+
+void Window::begin(IntVec3 lowest, IntVec3 highest) {
+  lower_ = lowest;
+  size_ = highest - lowest + IntVec3{1, 1, 1};
+  lanes_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                    static_cast<std::size_t>(size_.z) * lanes,
+                0);
 }
 
 // act(block number, row within the block, row within the window, nodes of the row).
@@ -47,6 +54,16 @@ void Window::for_each_part(const BlockTable& table, Act&& act) const {
 
 void Window::load(IntVec3 block, const BlockTable& table, const NodeLanes& from) {
   begin(block);
+  take(table, from);
+}
+
+void Window::load(IntVec3 lowest, IntVec3 highest, const BlockTable& table,
+                  const NodeLanes& from) {
+  begin(lowest, highest);
+  take(table, from);
+}
+
+void Window::take(const BlockTable& table, const NodeLanes& from) {
   for_each_part(table, [&](int n, int row, std::ptrdiff_t own, int count) {
     std::memcpy(lanes_.data() + own * lanes, from.sums(n) + row * lanes,
                 static_cast<std::size_t>(count) * lanes * sizeof(std::int64_t));

@@ -15,10 +15,12 @@ class Window {
   // `reach`: layers of nodes below and above the nodes of the block's cells.
   Window(const BlockShape& shape, int reach);
 
-  // Moves to a block, all lanes zero.
+  // Moves to a block, or to the nodes between two corners (inclusive); all lanes zero.
   void begin(IntVec3 block);
-  // Moves to a block and takes lanes from the table.
+  void begin(IntVec3 lowest, IntVec3 highest);
+  // Moves there and takes lanes from the table.
   void load(IntVec3 block, const BlockTable& table, const NodeLanes& from);
+  void load(IntVec3 lowest, IntVec3 highest, const BlockTable& table, const NodeLanes& from);
   // Adds all lanes of nodes that were touched; the blocks must be there. With several threads the
   // adding is atomic.
   void add_to(const BlockTable& table, NodeLanes& to, bool shared) const;
@@ -32,6 +34,7 @@ class Window {
   const std::int64_t* at(int i, int j, int k) const { return const_cast<Window*>(this)->at(i, j, k); }
 
  private:
+  void take(const BlockTable& table, const NodeLanes& from);
   template <class Act>
   void for_each_part(const BlockTable& table, Act&& act) const;
 

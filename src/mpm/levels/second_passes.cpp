@@ -1,0 +1,80 @@
+// Stages in which particles and nodes exchange once more within a step, on all levels.
+#include <algorithm>
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "mpm/levels/solid_levels.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+double binomial(int n, int k) {
+  double b = 1;
+  for (int i = 1; i <= k; ++i) b = b * (n - k + i) / i;
+  return b;
+}
+
+}  // namespace
+
+// XPIC(m): what PIC would take from velocities is given back but for what the grid cannot hold
+// (C. C. Hammerquist, J. A. Nairn, Comput. Methods Appl. Mech. Engrg. 318 (2017) 724).
+//
+//   v_p = sum_i S_ip (m v_i - sum_{r=2..m} (-1)^r (m over r) B^{r-1} v_i) + dv_p
+//   (B v)_i = sum_p m_p S_ip (sum_j S_jp v_j)/M_i
+//
+// The sum in brackets is added to the lanes of dv, relative to v_ref: the factors add up to 1.
+Verdict SolidLevels::filter_velocities(const StageScope& scope) {
+  std::vector<double> most(kinds_->size());
+  for (const auto& step : steps_) {
+    const std::vector<double> own = step->take_velocities();
+    for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], own[k]);
+  }
+  Reduction reduction;
+  std::vector<Reduction::Maximum> slots;
+  for (const double m : most) slots.push_back(reduction.add_maximum(m));
+  scope.ranks->reduce(reduction);
+  for (std::size_t k = 0; k < most.size(); ++k) most[k] = reduction.maximum(slots[k]);
+  for (const auto& step : steps_) step->begin_filter(most);
+  for (int r = 2; r <= solids_->xpic_order; ++r) {
+    for (int l = 0; l < count(); ++l) level(l).sum_filtered(scope_of(scope, l), r == 2);
+    join_sums(scope, &Body::mapped);
+    for (const auto& step : steps_) step->finish_filter();
+    spread_velocities(&Body::filtered);
+    const double factor = (r % 2 == 0 ? -1 : 1) * binomial(solids_->xpic_order, r);
+    for (const auto& step : steps_) step->add_filtered(factor);
+  }
+  return Verdict::good;
+}
+
+// MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
+// from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236). Gradients
+// of hats do not vanish with their weight: from v* of nodes that have hardly any mass they would
+// have no bound (mpm_scheme, section 14).
+Verdict SolidLevels::map_back(const StageScope& scope) {
+  std::vector<KindRates> bounds(kinds_->size());
+  for (int l = 0; l < count(); ++l) {
+    const std::vector<KindRates> own = level(l).move_all(scope_of(scope, l));
+    for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
+  }
+  Reduction reduction;
+  std::vector<Reduction::Maximum> slots;
+  for (const KindRates& r : bounds)
+    for (int d = 0; d < 3; ++d) {
+      slots.push_back(reduction.add_maximum(r.up[d]));
+      slots.push_back(reduction.add_maximum(r.down[d]));
+    }
+  scope.ranks->reduce(reduction);
+  auto slot = slots.begin();
+  for (KindRates& r : bounds)
+    for (int d = 0; d < 3; ++d) {
+      r.up[d] = reduction.maximum(*slot++);
+      r.down[d] = reduction.maximum(*slot++);
+    }
+  for (int l = 0; l < count(); ++l) level(l).sum_back(scope_of(scope, l), bounds);
+  join_sums(scope, &Body::mapped);
+  for (int l = 0; l < count(); ++l) level(l).finish_back(scope_of(scope, l));
+  spread_velocities(&Body::mapped);
+  return Verdict::good;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,21 @@
+// Transfers of particles with corners (CPDI, CPTI), corner by corner: exact sums do not care that
+// corners share nodes.
+#pragma once
+#include "mpm/transfer/from_grid.hpp"
+#include "mpm/transfer/to_grid.hpp"
+#include "mpm/transfer/values_to_grid.hpp"
+
+namespace sluice::mpm {
+
+// As add_to_window, add_values_to_window and read_window (without moments). The window must reach the corners' nodes.
+void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
+                 int end, const SumUnits& units, Window& window);
+void add_values_of_corners(Basis basis, const TransferGrid& grid,
+                           const std::array<const double*, 3>& x, const ParticleShape& shape,
+                           std::span<const ValueLane> lanes_of, int begin, int end,
+                           Window& window);
+void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                  const ParticleShape& shape, int at, int n, const Window& window,
+                  GridAtParticles& to);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,92 @@
+// Grid to particles with corners.
+#include "mpm/nodes/node_sums.hpp"
+#include "mpm/transfer/corner_transfer.hpp"
+#include "mpm/transfer/corners.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+// v* and its change.
+struct Values {
+  Four velocity, change;
+};
+
+// Values at a corner: hats, axis after axis.
+template <int D>
+inline Values at_corner(const std::int64_t* node, const std::ptrdiff_t (&stride)[D],
+                        const double (&s)[D]) {
+  Values v[1 << D];
+  for (int i = 0; i < 1 << D; ++i) {
+    const std::int64_t* from = node;
+    for (int a = 0; a < D; ++a) from += (i >> a & 1) * stride[a];
+    v[i].velocity = *reinterpret_cast<const FourAtNode*>(from);
+    v[i].change = *reinterpret_cast<const FourAtNode*>(from + 4);
+  }
+  for (int a = 0; a < D; ++a) {
+    const double low = 0.5 - s[a], up = 0.5 + s[a];
+    for (int i = 0; i < 1 << (D - 1 - a); ++i) {
+      v[i].velocity = low * v[2 * i].velocity + up * v[2 * i + 1].velocity;
+      v[i].change = low * v[2 * i].change + up * v[2 * i + 1].change;
+    }
+  }
+  return v[0];
+}
+
+template <int D, bool Tetrahedron>
+void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
+                const ParticleShape& shape, int at, int n, const Window& window,
+                GridAtParticles& to) {
+  using Corner = Corners<D, Tetrahedron>;
+  static thread_local Corner corners;
+  find_corners(grid, x, shape, at, n, corners);
+  std::ptrdiff_t stride[D];
+  int low[D];
+  for (int a = 0; a < D; ++a) {
+    const int d = grid.active[static_cast<std::size_t>(a)];
+    IntVec3 next{};
+    next[d] = 1;
+    stride[a] = window.at(next.x, next.y, next.z) - window.at(0, 0, 0);
+    low[a] = window.lower()[d];
+  }
+  const std::int64_t* nodes = window.at(0, 0, 0);
+  for (int q = 0; q < n; ++q) {
+    Four velocity[Corner::count], change[Corner::count];
+    for (int c = 0; c < Corner::count; ++c) {
+      const std::int64_t* node = nodes;
+      double s[D];
+      for (int a = 0; a < D; ++a) {
+        s[a] = corners.s[c][a][q];
+        node += (corners.first[c][a][q] - low[a]) * stride[a];
+      }
+      const Values v = at_corner<D>(node, stride, s);
+      velocity[c] = v.velocity;
+      change[c] = v.change;
+    }
+    const Four u = corner_sum(velocity) * Corner::share, dv = corner_sum(change) * Corner::share;
+    for (int e = 0; e < 3; ++e) {
+      to.u[e][q] = u[e];
+      to.dv[e][q] = dv[e];
+    }
+    for (int a = 0; a < D; ++a) {
+      Four part[Corner::count];
+      for (int c = 0; c < Corner::count; ++c) part[c] = corners.slope[c][a][q] * velocity[c];
+      const Four slope = corner_sum(part);
+      const int d = grid.active[static_cast<std::size_t>(a)];
+      for (int e = 0; e < 3; ++e) to.L[3 * e + d][q] = slope[e];
+    }
+  }
+  clear_inactive(grid, n, false, to);
+}
+
+}  // namespace
+
+void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                  const ParticleShape& shape, int at, int n, const Window& window,
+                  GridAtParticles& to) {
+  if (basis == Basis::cpti) return read_block<3, true>(grid, x, shape, at, n, window, to);
+  if (grid.count == 3) return read_block<3, false>(grid, x, shape, at, n, window, to);
+  if (grid.count == 2) return read_block<2, false>(grid, x, shape, at, n, window, to);
+  read_block<1, false>(grid, x, shape, at, n, window, to);
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,28 @@
+#include "mpm/transfer/particle_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sluice::mpm {
+namespace {
+
+constexpr double least_half = 1.0 / 256, most_half = 0.5;  // cells
+
+}  // namespace
+
+void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shape, int d, int at,
+                int n, double* to) {
+  const auto axis = static_cast<std::size_t>(d);
+  const double* half = shape.half[axis];
+  if (half != nullptr)
+    std::copy_n(half + at, n, to);
+  else
+    std::fill_n(to, n, grid.half[axis]);
+  if (basis == Basis::cpgimp) {
+    const double* stretch = shape.F[4 * axis] + at;
+    for (int q = 0; q < n; ++q) to[q] *= std::fabs(stretch[q]);
+  }
+  for (int q = 0; q < n; ++q) to[q] = std::fmin(std::fmax(to[q], least_half), most_half);
+}
+
+}  // namespace sluice::mpm
