@@ -38,7 +38,8 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
   const bool side = boundary_->meets(low, shape_.edge);
-  const bool booked = side && exchange_->is_home(body.table, block);
+  const bool body_force = step.damping != 0 || step.gravity != Vec3{};
+  const bool booked = (side || body_force) && exchange_->is_home(body.table, block);
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
@@ -47,11 +48,13 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
     for (int d = 0; d < 3; ++d)
       after[d] = v[d] + step.kick * (as_real(node[4 + d]) / mass - step.damping * v[d] +
                                      step.gravity[d]);
+    bool image = false;
     if (side) {
       const IntVec3 at = low + IntVec3{n % shape_.edge.x, n / shape_.edge.x % shape_.edge.y,
                                        n / (shape_.edge.x * shape_.edge.y)};
       const GivenVelocity given = boundary_->at(at, m);
-      if (given.any() && !boundary_->is_image(at, m)) {
+      image = boundary_->is_image(at, m);
+      if (given.any() && !image) {
         for (int d = 0; d < 3; ++d) {
           if (!given.given[static_cast<std::size_t>(d)]) continue;
           const double impulse = mass * (given.value[d] - after[d]);
@@ -63,7 +66,7 @@ void SolidStep::integrate(const NodeStep& step, int m, int block, NodeBooks& boo
         }
       }
     }
-    if (step.damping != 0 || step.gravity != Vec3{}) book_body_force(step, mass, v, after, books);
+    if (body_force && booked && !image) book_body_force(step, mass, v, after, books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);

@@ -64,7 +64,7 @@ bool OutsideForces::any() const {
   return loads_.count() > 0 || std::find(acts_.begin(), acts_.end(), true) != acts_.end();
 }
 
-void OutsideForces::count(const ParticleCloud& cloud, int level, Communicator& ranks,
+void OutsideForces::count(const ParticleCloud& cloud, Communicator& ranks,
                           std::span<const double> kept) {
   if (counted_) return;
   counted_ = true;
@@ -74,12 +74,14 @@ void OutsideForces::count(const ParticleCloud& cloud, int level, Communicator& r
   for (int k = 0; k < cloud.kind_count(); ++k) {
     const Columns& c = (*carried_)[static_cast<std::size_t>(k)].columns;
     if (c.marks < 0) continue;
-    for (int b = 0; b < cloud.store(k).box_count(level); ++b) {
-      const ParticleSet& set = cloud.store(k).set(level, b);
-      for (const double* marks : read_columns<most_marks>(set, c.marks))
-        for (std::size_t p = 0; p < set.size(); ++p)
-          if (marks[p] > 0) ++found[static_cast<std::size_t>(marks[p]) - 1];
-    }
+    const ParticleStore& store = cloud.store(k);
+    for (int l = 0; l < store.level_count(); ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        const ParticleSet& set = store.set(l, b);
+        for (const double* marks : read_columns<most_marks>(set, c.marks))
+          for (std::size_t p = 0; p < set.size(); ++p)
+            if (marks[p] > 0) ++found[static_cast<std::size_t>(marks[p]) - 1];
+      }
   }
   Reduction all;
   std::vector<Reduction::Count> slots;

@@ -30,10 +30,9 @@ class OutsideForces {
   // Is there any force on the particles of a kind.
   bool acts(int kind) const { return acts_[static_cast<std::size_t>(kind)]; }
   bool any() const;
-  // Of every load the number of particles that it acts on: taken once, when the run begins, and
-  // kept with the run; `kept` are those of a checkpoint, or zeros. Collective.
-  void count(const ParticleCloud& cloud, int level, Communicator& ranks,
-             std::span<const double> kept);
+  // Of every load the number of particles on all levels that it acts on: taken once, when the run
+  // begins, and kept with the run; `kept` are those of a checkpoint, or zeros. Collective.
+  void count(const ParticleCloud& cloud, Communicator& ranks, std::span<const double> kept);
   const std::vector<double>& counts() const { return counts_; }
 
   // For all sets of a level, before any of them is filled.

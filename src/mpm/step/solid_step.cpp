@@ -73,8 +73,7 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
   if (!outside_->any()) return;
   const ParticleCloud& cloud = *scope.particles;
   const std::vector<double>& maxima = scope.maxima->front();
-  outside_->count(cloud, level_.index, *scope.ranks,
-                  std::span(maxima).subspan(rate_count(bodies_.size())));
+  outside_->count(cloud, *scope.ranks, std::span(maxima).subspan(rate_count(bodies_.size())));
   outside_->make_room(cloud, level_.index);
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<std::vector<double>> most(static_cast<std::size_t>(team.size()),
@@ -95,6 +94,11 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
   }
   scope.ranks->reduce(all);
   for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].most_force = all.maximum(slots[k]);
+}
+
+void SolidStep::set_most_force(int m, double force) {
+  body(m).most_force = force;
+  body(m).units = units_of(body(m), m);
 }
 
 // Bounds of what one particle gives to a node (mpm_scheme, section 4).

@@ -88,6 +88,8 @@ class SolidStep {
     finest_ = finest;
     coarsest_ = coarsest;
   }
+  // The bound of forces from outside; the same on all levels.
+  void set_most_force(int body, double force);
   // Images across sides join their nodes, and get the velocities of these.
   void fold();
   void unfold();
