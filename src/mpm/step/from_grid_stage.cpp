@@ -6,6 +6,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/step/artificial_viscosity.hpp"
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/solid_step.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -207,6 +208,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       tell(fault->particle, fault->reason, fault->value);
       continue;
     }
+    if (c.viscous >= 0)
+      add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating);
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     report.travel = std::max(report.travel, farthest(report.read, body.units.reference, n, dt,
