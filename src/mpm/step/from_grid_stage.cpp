@@ -212,6 +212,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating);
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
+    if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
+      for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
     report.travel = std::max(report.travel, farthest(report.read, body.units.reference, n, dt,
                                                      level_.spacing));
     report.left |= any_outside(level_, *w.next, at, n);
@@ -228,6 +230,8 @@ Verdict SolidStep::from_grid(const StageScope& scope) {
                      ? std::min(1.0, solids_->affine_damping * scope.step.dt *
                                          scope.maxima->front().front())
                      : 0;
+  if (heat_ != nullptr)
+    heat_->conduct({&scope, &bodies_, &work_, exchange_.get(), boundary_.get(), outside_.get()});
   const ThreadTeam& team = *scope.levels.front()->team();
   const int reach = reach_of(solids_->basis);
   std::vector<ThreadReport> reports;

@@ -48,6 +48,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
       bodies_.back().grid = transfer_grid(level_, (*carried_)[m].half);
     }
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
+    if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
   }
   if (exchange_ == nullptr || !exchange_->fits(level_))
     exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks);

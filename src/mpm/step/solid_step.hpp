@@ -15,6 +15,7 @@
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
+#include "mpm/step/heat.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -127,6 +128,7 @@ class SolidStep {
   std::unique_ptr<NodeBoundary> boundary_;
   std::unique_ptr<NodeExchange> exchange_;
   std::unique_ptr<OutsideForces> outside_;
+  std::unique_ptr<Heat> heat_;  // null: heat cannot move
   std::vector<Body> bodies_;
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
