@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
+#include "mpm/loads/corner_loads.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/loads/manufactured.hpp"
 #include "mpm/step/columns.hpp"
@@ -42,6 +43,11 @@ class OutsideForces {
   double fill(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,
               double time);
   Columns3 forces(int kind, int box) const;  // null where none act
+  // Those that act in the middle of the particles: without loads on corners.
+  Columns3 middle_forces(int kind, int box) const;
+  // Loads on corners (use_CBDI_boundary_condition) of particles begin to end, after fill().
+  void add_corners(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,
+                   std::vector<CornerForce>& to) const;
   // Without the hoop stress, which does no work from outside.
   double hoop(int kind, const ParticleSet& set, std::size_t p) const;
 
@@ -64,6 +70,7 @@ class OutsideForces {
   std::vector<double> counts_;
   bool counted_ = false;
   std::vector<std::vector<Forces>> forces_;  // by kind, local box
+  std::vector<std::vector<Forces>> middle_;  // likewise, where loads act on corners
 };
 
 // L_tt = v_r/r of particles at, ..., at + n - 1 of an axisymmetric run; velocities of `read` are

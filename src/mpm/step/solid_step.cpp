@@ -91,6 +91,7 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     double m = 0;
     for (const std::vector<double>& of : most) m = std::max(m, of[k]);
+    if (solids_->loads_on_corners) m = std::max(m, find_corners(static_cast<int>(k)));
     slots.push_back(all.add_maximum(m));
   }
   scope.ranks->reduce(all);
@@ -156,7 +157,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.volume = w.set->column(static_cast<std::size_t>(c.volume));
     p.stress = read_columns<6>(*w.set, c.stress);
     p.affine = read_columns<9>(*w.set, c.affine);
-    p.load = outside_->forces(w.kind, w.box);
+    p.load = outside_->middle_forces(w.kind, w.box);
     if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.run.block);
@@ -164,6 +165,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
   });
+  if (solids_->loads_on_corners) corners_to_grid();
   return Verdict::good;
 }
 

@@ -45,6 +45,7 @@ struct Body {
   KindRates rates;
   SumUnits units;
   double most_force = 0;  // from outside on one particle, any component, N
+  std::vector<CornerForce> corners;  // loads on corners of this rank's particles
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -110,6 +111,8 @@ class SolidStep {
  private:
   void list_work(ParticleCloud& cloud);
   void find_outside_forces(const StageScope& scope);
+  double find_corners(int kind);
+  void corners_to_grid();
   SumUnits units_of(const Body& body, int kind) const;
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   void integrate(const NodeStep& step, int body, int block, NodeBooks& books);
