@@ -63,6 +63,11 @@ const double* Heat::rates(int kind, int box) const {
   return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)].rate.data();
 }
 
+const double* Heat::sources(int kind, int box) const {
+  if (!active_) return nullptr;
+  return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)].source.data();
+}
+
 // What the sides prescribe at a node: the last entry counts.
 bool Heat::side_value(IntVec3 node, int material, double& value) const {
   bool any = false;

@@ -40,6 +40,8 @@ class Heat {
   void conduct(const HeatLoan& loan);
   // dT/dt of the particles of a set, K/s; null: none this step.
   const double* rates(int kind, int box) const;
+  // Heat of loads into the particles of a set, W; null: none this step.
+  const double* sources(int kind, int box) const;
 
  private:
   // Beside the particles of one set.

@@ -6,7 +6,7 @@ namespace sluice::mpm {
 
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
-      displacement, colour, marks, given_force, normal, outside_force, viscous;
+      displacement, colour, marks, given_force, normal, outside_force, viscous, heat_source;
 };
 const SolidLabels& solid_labels();
 

@@ -23,6 +23,11 @@ void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
         if (d == 0) to[q] -= outside_->hoop(w.kind, *w.set, p);
       }
     }
+  if (c.heat_source >= 0) {
+    const double* q_p = heat_ != nullptr ? heat_->sources(w.kind, w.box) : nullptr;
+    double* to = w.next->column(static_cast<std::size_t>(c.heat_source)) + at;
+    for (int q = 0; q < n; ++q) to[q] = q_p != nullptr ? q_p[at + static_cast<std::size_t>(q)] : 0;
+  }
   if (f[0] == nullptr) return;
   const Vec3 reference = bodies_[static_cast<std::size_t>(w.kind)].units.reference;
   for (int q = 0; q < n; ++q) {
