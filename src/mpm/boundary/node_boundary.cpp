@@ -147,6 +147,15 @@ void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool 
 }
 
 void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& nodes) const {
+  unfold(material, table, nodes, true);
+}
+
+void NodeBoundary::unfold_scalars(int material, const BlockTable& table, NodeLanes& nodes) const {
+  unfold(material, table, nodes, false);
+}
+
+void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& nodes,
+                          bool vectors) const {
   for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
     if (!is_image(node, material)) return;
     const Image of = image(node, material);
@@ -156,7 +165,7 @@ void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& node
     std::int64_t* to = nodes.sums(b) + n * lanes;
     for (int l = 0; l < lanes; ++l) to[l] = from[l];
     for (int d = 0; d < 3; ++d)
-      if (of.flipped[static_cast<std::size_t>(d)])
+      if (vectors && of.flipped[static_cast<std::size_t>(d)])
         for (const int first : {0, 4}) to[first + d] = as_bits(-as_real(from[first + d]));
   });
 }

@@ -46,9 +46,11 @@ class NodeBoundary {
   // The same for lanes of which none changes its sign across a mirror.
   void fold_scalars(int material, BlockTable& table, NodeLanes& nodes) const;
   void unfold(int material, const BlockTable& table, NodeLanes& nodes) const;
+  void unfold_scalars(int material, const BlockTable& table, NodeLanes& nodes) const;
 
  private:
   void fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const;
+  void unfold(int material, const BlockTable& table, NodeLanes& nodes, bool vectors) const;
 
   const Scene* scene_;
   const MpmScene* solids_;

@@ -59,7 +59,14 @@ Verdict SolidLevels::begin(const StageScope& scope) {
   maxima_.assign(steps_.size(), {all});
   for (const auto& step : steps_) 
     step->set_spacings(present_.back().spacing, present_.front().spacing);
-  return on_levels(scope, &SolidStep::begin);
+  const Verdict verdict = on_levels(scope, &SolidStep::begin);
+  if (count() > 1)
+    for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+      double most = 0;
+      for (int l = 0; l < count(); ++l) most = std::max(most, level(l).body(m).most_force);
+      for (int l = 0; l < count(); ++l) level(l).set_most_force(m, most);
+    }
+  return verdict;
 }
 
 Verdict SolidLevels::to_grid(const StageScope& scope) {

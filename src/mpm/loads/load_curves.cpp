@@ -119,6 +119,17 @@ void LoadCurves::add_forces(double time, const std::vector<double>& counts,
     }
 }
 
+Vec3 LoadCurves::face_of(const LoadedParticles& p, std::size_t i) const {
+  for (const double* marks : p.marks) {
+    if (marks[i] == 0) continue;
+    const Load& load = loads_[static_cast<std::size_t>(marks[i]) - 1];
+    if (load.curve->kind == LoadCurve::Kind::heat_flux || load.curve->on_points) continue;
+    return (load.curve->along_outward ? 1.0 : -1.0) *
+           load.surface.direction({p.x[0][i], p.x[1][i], p.x[2][i]});
+  }
+  return {};
+}
+
 void LoadCurves::add_heat(double time, const std::vector<double>& counts,
                           const LoadedParticles& p, double* heat) const {
   for (const double* marks : p.marks)

@@ -41,6 +41,8 @@ class LoadCurves {
   // Adds to the force on each particle, N; `counts` by load: marked particles of all ranks.
   void add_forces(double time, const std::vector<double>& counts, const LoadedParticles& p,
                   const std::array<double*, 3>& force) const;
+  // Where the face of a particle looks on whose corners its loads act.
+  Vec3 face_of(const LoadedParticles& p, std::size_t i) const;
   // Heat into each particle, W.
   void add_heat(double time, const std::vector<double>& counts, const LoadedParticles& p,
                 double* heat) const;

@@ -239,6 +239,13 @@ TEST(Manufactured, StartsInItsReferenceShape) {
     const Vec3 u = motion->displacement({0.5, 0.1, 0.3}, 0);
     EXPECT_EQ(dot(u, u), 0) << name;
   }
+  // No radial strain at the edges of the ring; its outer edge moves by the amplitude 0.1.
+  const auto ring = manufactured("ExpandingRing", {1000, 0, 5e6, 0, {1, 1, 1}});
+  const double t = 0.005, h = 1e-5;  // a quarter of the period 2/c, c = 100 m/s
+  for (const double R : {0.4, 0.6})
+    EXPECT_NEAR(ring->displacement({R + h, 0, 0}, t).x, ring->displacement({R - h, 0, 0}, t).x,
+                1e-13);
+  EXPECT_NEAR(ring->displacement({0, 0.6, 0}, t).y, 0.1, 1e-15);
   EXPECT_THROW(manufactured("Vortex", {}), std::invalid_argument);
 }
 

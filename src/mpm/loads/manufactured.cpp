@@ -72,7 +72,7 @@ class ExpandingRing final : public Manufactured {
       : k_(k), A_(k.amplitude != 0 ? k.amplitude : 0.1), rate_(bar_speed(k) * pi) {
     constexpr double inner = 0.4, outer = 0.6;
     constexpr double scale = outer * outer * (outer - 3 * inner);
-    c_[0] = -6 * inner / scale;
+    c_[0] = -6 * inner * outer / scale;
     c_[1] = 3 * (outer + inner) / scale;
     c_[2] = -2 / scale;
   }

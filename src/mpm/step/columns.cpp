@@ -79,6 +79,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (file_gives(material, "p.externalforce")) c.columns.given_force = add(l.given_force, false);
   if (loaded && file_gives(material, "p.normal")) c.columns.normal = add(l.normal, false);
   if (is_saved(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
+  if (is_saved(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   c.columns.history = next;
   for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);

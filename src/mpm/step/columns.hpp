@@ -29,6 +29,7 @@ struct Columns {
   int normal = -1;        // 3, of the surface, from a point file
   int outside_force = -1;  // 3, of the last step, where it is saved, N
   int viscous = -1;       // artificial pressure, Pa
+  int heat_source = -1;   // of the last step, where it is saved, W
   int history = -1;       // of the constitutive model
 };
 

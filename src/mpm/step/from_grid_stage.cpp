@@ -6,6 +6,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/step/artificial_viscosity.hpp"
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/solid_step.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -331,8 +332,12 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       tell(fault->particle, fault->reason, fault->value);
       continue;
     }
+    if (c.viscous >= 0)
+      add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating);
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
+    if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
+      for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
     report.rate =
         std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
     KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
@@ -350,6 +355,8 @@ std::vector<SolidStep::ThreadReport> SolidStep::new_reports(const StageScope& sc
 }
 
 Verdict SolidStep::from_grid(const StageScope& scope) {
+  if (heat_ != nullptr)
+    heat_->conduct({&scope, &bodies_, &work_, exchange_.get(), boundary_.get(), outside_.get()});
   std::vector<ThreadReport> reports = new_reports(scope);
   if (solids_->maps_back()) {
     reports.front().travel = travel_;

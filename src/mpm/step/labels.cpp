@@ -35,6 +35,8 @@ SolidLabels declare_all() {
   l.outside_force = declare("p.externalforce", vector, "N",
                             "Force on a particle from outside in the step just taken: load curves, "
                             "point files, manufactured body forces.");
+  l.heat_source = declare("p.externalHeatRate", real, "W",
+                          "Heat that loads bring into a particle in the step just taken.");
   l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
   l.reference = declare("p.referencePlace", vector, "m",
                         "Place of a particle at the start, at which a total Lagrangian run takes "

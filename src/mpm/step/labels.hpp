@@ -7,7 +7,7 @@ namespace sluice::mpm {
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
-      scale_factor;
+      scale_factor, heat_source;
 };
 const SolidLabels& solid_labels();
 

@@ -113,7 +113,8 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   step.dt = scope.step.dt;
   step.kick = solids_->full_first_kick && scope.dt_before == 0 ? step.dt
                                                                : 0.5 * (scope.dt_before + step.dt);
-  step.gravity = scene_->constants.gravity;
+  for (int d = 0; d < 3; ++d)
+    if (level_.active[static_cast<std::size_t>(d)]) step.gravity[d] = scene_->constants.gravity[d];
   step.damping = solids_->damping;
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<NodeBooks> books(static_cast<std::size_t>(team.size()));

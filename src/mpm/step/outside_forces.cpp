@@ -58,13 +58,14 @@ OutsideForces::OutsideForces(const MpmScene& solids, const Level& level,
                     solids.axisymmetric);
   }
   forces_.resize(solids.materials.size());
+  middle_.resize(solids.materials.size());
 }
 
 bool OutsideForces::any() const {
   return loads_.count() > 0 || std::find(acts_.begin(), acts_.end(), true) != acts_.end();
 }
 
-void OutsideForces::count(const ParticleCloud& cloud, int level, Communicator& ranks,
+void OutsideForces::count(const ParticleCloud& cloud, Communicator& ranks,
                           std::span<const double> kept) {
   if (counted_) return;
   counted_ = true;
@@ -74,12 +75,14 @@ void OutsideForces::count(const ParticleCloud& cloud, int level, Communicator& r
   for (int k = 0; k < cloud.kind_count(); ++k) {
     const Columns& c = (*carried_)[static_cast<std::size_t>(k)].columns;
     if (c.marks < 0) continue;
-    for (int b = 0; b < cloud.store(k).box_count(level); ++b) {
-      const ParticleSet& set = cloud.store(k).set(level, b);
-      for (const double* marks : read_columns<most_marks>(set, c.marks))
-        for (std::size_t p = 0; p < set.size(); ++p)
-          if (marks[p] > 0) ++found[static_cast<std::size_t>(marks[p]) - 1];
-    }
+    const ParticleStore& store = cloud.store(k);
+    for (int l = 0; l < store.level_count(); ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        const ParticleSet& set = store.set(l, b);
+        for (const double* marks : read_columns<most_marks>(set, c.marks))
+          for (std::size_t p = 0; p < set.size(); ++p)
+            if (marks[p] > 0) ++found[static_cast<std::size_t>(marks[p]) - 1];
+      }
   }
   Reduction all;
   std::vector<Reduction::Count> slots;
@@ -98,6 +101,7 @@ void OutsideForces::make_room(const ParticleCloud& cloud, int level) {
     for (int b = 0; b < store.box_count(level); ++b)
       for (std::vector<double>& f : boxes[static_cast<std::size_t>(b)])
         f.resize(store.set(level, b).size());
+    if (solids_->loads_on_corners) middle_[static_cast<std::size_t>(k)] = boxes;
   }
 }
 
@@ -105,6 +109,42 @@ OutsideForces::Columns3 OutsideForces::forces(int kind, int box) const {
   if (!acts(kind)) return {};
   const Forces& f = forces_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];
   return {f[0].data(), f[1].data(), f[2].data()};
+}
+
+OutsideForces::Columns3 OutsideForces::middle_forces(int kind, int box) const {
+  if (!acts(kind) || !solids_->loads_on_corners) return forces(kind, box);
+  const Forces& f = middle_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];
+  return {f[0].data(), f[1].data(), f[2].data()};
+}
+
+void OutsideForces::add_corners(int kind, int box, const ParticleSet& set, std::size_t begin,
+                                std::size_t end, std::vector<CornerForce>& to) const {
+  const Carried& carried = (*carried_)[static_cast<std::size_t>(kind)];
+  if (carried.columns.marks < 0) return;
+  const LoadedParticles p = loaded(kind, set, begin, end);
+  const auto size = read_columns<9>(set, carried.columns.size);
+  const Columns3 all = forces(kind, box), middle = middle_forces(kind, box);
+  for (std::size_t i = begin; i < end; ++i) {
+    Vec3 force{};
+    for (int d = 0; d < 3; ++d)
+      force[d] = all[static_cast<std::size_t>(d)][i] - middle[static_cast<std::size_t>(d)][i];
+    if (force == Vec3{}) continue;
+    std::array<Vec3, 3> rest{}, edges{};
+    for (std::size_t e = 0; e < 3; ++e)
+      for (int d = 0; d < 3; ++d) {
+        const auto row = static_cast<std::size_t>(d);
+        rest[e][d] = size[0] != nullptr ? size[3 * row + e][i] * level_.spacing[d]
+                     : row == e         ? p.width[e]
+                                        : 0.0;
+      }
+    for (std::size_t e = 0; e < 3; ++e)
+      for (int d = 0; d < 3; ++d)
+        for (int k = 0; k < 3; ++k)
+          edges[e][d] += p.F[static_cast<std::size_t>(3 * d + k)][i] * rest[e][k];
+    for (const CornerForce& c :
+         corner_forces(set.position(i), force, loads_.face_of(p, i), edges, rest))
+      to.push_back(c);
+  }
 }
 
 LoadedParticles OutsideForces::loaded(int kind, const ParticleSet& set, std::size_t begin,
@@ -155,13 +195,20 @@ double OutsideForces::fill(int kind, int box, const ParticleSet& set, std::size_
         c.given_force >= 0 ? set.column(static_cast<std::size_t>(c.given_force) + d) : nullptr;
     for (std::size_t p = begin; p < end; ++p) f[p] = given != nullptr ? given[p] : 0.0;
   }
-  if (c.marks >= 0)
-    loads_.add_forces(time, counts_, loaded(kind, set, begin, end),
-                      {to[0].data(), to[1].data(), to[2].data()});
+  // In the middle of the particles first, then what acts on their corners too.
   if (motions_[static_cast<std::size_t>(kind)] != nullptr)
     add_manufactured(kind, set, begin, end, time, to);
   if (solids_->axisymmetric)
     for (std::size_t p = begin; p < end; ++p) to[0][p] += hoop(kind, set, p);
+  if (solids_->loads_on_corners)
+    for (std::size_t d = 0; d < 3; ++d)
+      std::copy(to[d].begin() + static_cast<std::ptrdiff_t>(begin),
+                to[d].begin() + static_cast<std::ptrdiff_t>(end),
+                middle_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)][d].begin() +
+                    static_cast<std::ptrdiff_t>(begin));
+  if (c.marks >= 0)
+    loads_.add_forces(time, counts_, loaded(kind, set, begin, end),
+                      {to[0].data(), to[1].data(), to[2].data()});
   double most = 0;
   for (int d = 0; d < 3; ++d) {
     // A force along a direction that the level has not has no effect.

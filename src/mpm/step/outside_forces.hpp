@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
+#include "mpm/loads/corner_loads.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/loads/manufactured.hpp"
 #include "mpm/step/columns.hpp"
@@ -30,10 +31,9 @@ class OutsideForces {
   // Is there any force on the particles of a kind.
   bool acts(int kind) const { return acts_[static_cast<std::size_t>(kind)]; }
   bool any() const;
-  // Of every load the number of particles that it acts on: taken once, when the run begins, and
-  // kept with the run; `kept` are those of a checkpoint, or zeros. Collective.
-  void count(const ParticleCloud& cloud, int level, Communicator& ranks,
-             std::span<const double> kept);
+  // Of every load the number of particles on all levels that it acts on: taken once, when the run
+  // begins, and kept with the run; `kept` are those of a checkpoint, or zeros. Collective.
+  void count(const ParticleCloud& cloud, Communicator& ranks, std::span<const double> kept);
   const std::vector<double>& counts() const { return counts_; }
 
   // For all sets of a level, before any of them is filled.
@@ -43,6 +43,11 @@ class OutsideForces {
   double fill(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,
               double time);
   Columns3 forces(int kind, int box) const;  // null where none act
+  // Those that act in the middle of the particles: without loads on corners.
+  Columns3 middle_forces(int kind, int box) const;
+  // Loads on corners (use_CBDI_boundary_condition) of particles begin to end, after fill().
+  void add_corners(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,
+                   std::vector<CornerForce>& to) const;
   // Without the hoop stress, which does no work from outside.
   double hoop(int kind, const ParticleSet& set, std::size_t p) const;
 
@@ -65,6 +70,7 @@ class OutsideForces {
   std::vector<double> counts_;
   bool counted_ = false;
   std::vector<std::vector<Forces>> forces_;  // by kind, local box
+  std::vector<std::vector<Forces>> middle_;  // likewise, where loads act on corners
 };
 
 // L_tt = v_r/r of particles at, ..., at + n - 1 of an axisymmetric run; velocities of `read` are

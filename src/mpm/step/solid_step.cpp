@@ -55,6 +55,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
     if (!solids_->contacts.empty()) contact_ = std::make_unique<Contact>(*solids_, level_);
     surface_units_ = surface_units(level_, solids_->axisymmetric);
+    if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
   }
   if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
   const std::vector<double>& maxima = scope.maxima->front();
@@ -106,8 +107,7 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
   if (!outside_->any()) return;
   const ParticleCloud& cloud = *scope.particles;
   const std::vector<double>& maxima = scope.maxima->front();
-  outside_->count(cloud, level_.index, *scope.ranks,
-                  std::span(maxima).subspan(rate_count(bodies_.size())));
+  outside_->count(cloud, *scope.ranks, std::span(maxima).subspan(rate_count(bodies_.size())));
   outside_->make_room(cloud, level_.index);
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<std::vector<double>> most(static_cast<std::size_t>(team.size()),
@@ -124,10 +124,16 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     double m = 0;
     for (const std::vector<double>& of : most) m = std::max(m, of[k]);
+    if (solids_->loads_on_corners) m = std::max(m, find_corners(static_cast<int>(k)));
     slots.push_back(all.add_maximum(m));
   }
   scope.ranks->reduce(all);
   for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].most_force = all.maximum(slots[k]);
+}
+
+void SolidStep::set_most_force(int m, double force) {
+  body(m).most_force = force;
+  body(m).units = units_of(body(m), m, body(m).rates);
 }
 
 // Bounds of what one particle gives to a node (mpm_scheme, section 4).
@@ -185,7 +191,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.volume = w.set->column(static_cast<std::size_t>(c.volume));
     p.stress = read_columns<6>(*w.set, c.stress);
     p.affine = read_columns<9>(*w.set, c.affine);
-    p.load = outside_->forces(w.kind, w.box);
+    p.load = outside_->middle_forces(w.kind, w.box);
     if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.lowest, w.highest);
@@ -194,6 +200,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     window.add_to(body.table, body.nodes, team.size() > 1);
     if (surfaces) add_surfaces_of(w, window, team.size() > 1);
   });
+  if (solids_->loads_on_corners) corners_to_grid();
   return Verdict::good;
 }
 

@@ -18,6 +18,7 @@
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
+#include "mpm/step/heat.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -51,6 +52,7 @@ struct Body {
   double most_force = 0;  // from outside on one particle, any component, N
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
   SumUnits mapped_units;
+  std::vector<CornerForce> corners;  // loads on corners of this rank's particles
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -124,6 +126,8 @@ class SolidStep {
     finest_ = finest;
     coarsest_ = coarsest;
   }
+  // The bound of forces from outside; the same on all levels.
+  void set_most_force(int body, double force);
   // Images across sides join their nodes, and get the velocities of these.
   void fold(NodeLanes Body::*group = &Body::nodes);
   void unfold(NodeLanes Body::*group = &Body::nodes);
@@ -166,6 +170,8 @@ class SolidStep {
   void find_nodes_of(BlockWork& work) const;
   SumUnits units_of(const Body& body, int kind, const KindRates& rates) const;
   void hold_boundary(int body);
+  double find_corners(int kind);
+  void corners_to_grid();
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   // Bodies that share blocks (step/meet_nodes.cpp).
   void list_groups();
@@ -195,6 +201,7 @@ class SolidStep {
   std::unique_ptr<NodeBoundary> boundary_;
   std::unique_ptr<NodeExchange> exchange_;
   std::unique_ptr<OutsideForces> outside_;
+  std::unique_ptr<Heat> heat_;  // null: heat cannot move
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
   SurfaceUnits surface_units_;

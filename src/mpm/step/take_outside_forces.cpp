@@ -1,4 +1,9 @@
-// The books of forces from outside, and their saved column.
+// Loads on corners go to nodes; the books of forces from outside, and their saved column.
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/nodes/node_sums.hpp"
+#include "mpm/shape/weights.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
@@ -18,6 +23,11 @@ void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
         if (d == 0) to[q] -= outside_->hoop(w.kind, *w.set, p);
       }
     }
+  if (c.heat_source >= 0) {
+    const double* q_p = heat_ != nullptr ? heat_->sources(w.kind, w.box) : nullptr;
+    double* to = w.next->column(static_cast<std::size_t>(c.heat_source)) + at;
+    for (int q = 0; q < n; ++q) to[q] = q_p != nullptr ? q_p[at + static_cast<std::size_t>(q)] : 0;
+  }
   if (f[0] == nullptr) return;
   const Vec3 reference = bodies_[static_cast<std::size_t>(w.kind)].units.reference;
   for (int q = 0; q < n; ++q) {
@@ -32,6 +42,51 @@ void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
       power += force[d] * (reference[d] + read.u[d][q] - 0.5 * read.dv[d][q]);
     books.sums[StepSums::force_work].add(kick_ * power);
   }
+}
+
+// The largest component of a force on a corner.
+double SolidStep::find_corners(int kind) {
+  Body& body = bodies_[static_cast<std::size_t>(kind)];
+  body.corners.clear();
+  if (!outside_->acts(kind)) return 0;
+  for (const BlockWork& w : work_)
+    if (w.kind == kind)
+      outside_->add_corners(kind, w.box, *w.set, w.run.begin, w.run.end, body.corners);
+  double most = 0;
+  for (const CornerForce& c : body.corners)
+    for (int d = 0; d < 3; ++d) most = std::max(most, std::fabs(c.force[d]));
+  return most;
+}
+
+// With hat functions at the corners, whatever the basis.
+void SolidStep::corners_to_grid() {
+  for (Body& body : bodies_)
+    for (const CornerForce& corner : body.corners) {
+      AxisWeights<2> weights[3];
+      const TransferGrid& grid = body.grid;
+      IntVec3 first = level_.domain.lower, size{1, 1, 1};
+      for (int a = 0; a < grid.count; ++a) {
+        const int d = grid.active[static_cast<std::size_t>(a)];
+        const double x = corner.place[d];
+        Linear::weights<false>(grid.axes[static_cast<std::size_t>(d)], &x, 0, 1, weights[d]);
+        first[d] = weights[d].first[0];
+        size[d] = 2;
+      }
+      for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+          for (int i = 0; i < size.x; ++i) {
+            const IntVec3 at = first + IntVec3{i, j, k};
+            double w = body.units.force;
+            for (int d = 0; d < 3; ++d)
+              if (size[d] == 2) w *= weights[d].w[at[d] - first[d]][0];
+            const int block = body.table.find_or_add(shape_.block_of(at));
+            body.nodes.fit(body.table);
+            std::int64_t* node = body.nodes.sums(block) + shape_.place(at) * lanes;
+            add_rounded(node, Four{});
+            add_rounded(node + 4,
+                        Four{w * corner.force.x, w * corner.force.y, w * corner.force.z, 0.0});
+          }
+    }
 }
 
 }  // namespace sluice::mpm

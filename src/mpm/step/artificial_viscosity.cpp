@@ -1,0 +1,41 @@
+#include "mpm/step/artificial_viscosity.hpp"
+
+#include <cmath>
+
+namespace sluice::mpm {
+namespace {
+
+bool flows(const Material& law) {
+  for (const HistoryColumn& h : law.history())
+    if (h.label.name() == "p.plasticStrain") return true;
+  return false;
+}
+
+}  // namespace
+
+void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w, std::size_t at,
+                   int n, double dt, Vec3 spacing, const GridAtParticles& read, double* heating) {
+  const Columns& c = body.carried->columns;
+  const auto old = [&](int column) { return w.set->column(static_cast<std::size_t>(column)) + at; };
+  const auto made = [&](int column) {
+    return w.next->column(static_cast<std::size_t>(column)) + at;
+  };
+  const double *m = old(c.mass), *old_q = old(c.viscous), *old_volume = old(c.volume);
+  const double* volume = made(c.volume);
+  double *q = made(c.viscous), *energy = made(c.energy);
+  const double h = (spacing.x + spacing.y + spacing.z) / 3;
+  const double K = body.material->law->bulk_modulus();
+  const double specific_heat = body.material->constants.specific_heat;
+  const bool heats = solids.viscosity_heats && specific_heat > 0 && flows(*body.material->law);
+  for (int p = 0; p < n; ++p) {
+    const double rate = read.L[0][p] + read.L[4][p] + read.L[8][p];
+    const double squeeze = rate < 0 ? -rate * h : 0.0;  // m/s
+    const double rho = m[p] / volume[p];
+    q[p] = squeeze * (solids.viscosity_1 * std::sqrt(K * rho) + solids.viscosity_2 * rho * squeeze);
+    const double power = -old_q[p] * old_volume[p] * rate;
+    energy[p] += dt * power;
+    if (heats) heating[p] += power / (m[p] * specific_heat);
+  }
+}
+
+}  // namespace sluice::mpm
