@@ -7,6 +7,8 @@
 
 #include "framework/analysis/sampler.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/particle/domain_ends.hpp"
+#include "framework/run/particle_archive.hpp"
 #include "framework/run/refuse_label.hpp"
 
 namespace sluice {
@@ -60,7 +62,7 @@ bool follows_particles(const AnalysisModule& m) {
 }
 
 ParticleHistories::ParticleHistories(const AnalysisModule& m, const ParticleMethod* method)
-    : module_(&m), kind_(kind_of(m, method)) {
+    : module_(&m), method_(method), kind_(kind_of(m, method)) {
   const ParticleKind& kind = method->kinds()[static_cast<std::size_t>(kind_)];
   colour_ = column_of_colour(m, kind);
   for (const AnalysedVariable& v : m.variables) add_source(v, kind);
@@ -77,7 +79,7 @@ void ParticleHistories::add_source(const AnalysedVariable& v, const ParticleKind
     if (a.label.name() == v.label) {
       label = a.label;
       for (int c = 0; c < component_count(a.label.info().type); ++c)
-        source.columns.push_back(column + a.column_of(c));
+        source.columns.push_back(column + column_of_component(a, c));
     }
     column += static_cast<std::size_t>(a.columns());
   }
@@ -94,13 +96,12 @@ void ParticleHistories::add_source(const AnalysedVariable& v, const ParticleKind
   sources_.push_back(std::move(source));
 }
 
-void ParticleHistories::pack_box(const ParticleCloud& particles, int level, int box,
+void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map, int level,
                                  std::vector<double>& rows) const {
-  const ParticleSet& set = particles.store(kind_).set(level, box);
   const double* colour = set.column(colour_);
   std::vector<std::size_t> chosen;
   for (std::size_t p = 0; p < set.size(); ++p)
-    if (colour[p] > module_->colour_threshold) chosen.push_back(p);
+    if (colour[p] > module_->energy_factor) chosen.push_back(p);
   if (chosen.empty()) return;
   std::vector<std::vector<std::vector<double>>> derived(sources_.size());  // by source, component
   for (std::size_t s = 0; s < sources_.size(); ++s) {
@@ -110,12 +111,15 @@ void ParticleHistories::pack_box(const ParticleCloud& particles, int level, int 
                       std::vector<double>(set.size()));
     d->compute(set, derived[s]);
   }
+  const Reflects reflects = [&](Side side, IntVec3 cell) {
+    return method_->reflects(kind_, level, side, cell);
+  };
   for (const std::size_t p : chosen) {
+    // It may lag behind in the set of a box that it has left.
     Vec3 place = set.position(p);
-    const int lives = particles.level_of(kind_, level, place);
-    if (lives < 0) continue;  // it has left the domain
-    rows.insert(rows.end(), {static_cast<double>(lives), static_cast<double>(set.id(p)), place.x,
-                             place.y, place.z});
+    if (!bring_inside(map.levels()[static_cast<std::size_t>(level)], reflects, place)) continue;
+    rows.insert(rows.end(), {static_cast<double>(map.find(place).level),
+                             static_cast<double>(set.id(p)), place.x, place.y, place.z});
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       for (const std::size_t c : sources_[s].columns) rows.push_back(set.column(c)[p]);
       for (const std::vector<double>& values : derived[s]) rows.push_back(values[p]);
@@ -126,9 +130,12 @@ void ParticleHistories::pack_box(const ParticleCloud& particles, int level, int 
 void ParticleHistories::sample(const ParticleCloud& particles, double time,
                                Communicator& communicator) {
   const ParticleStore& store = particles.store(kind_);
+  std::vector<Level> levels;
+  for (int l = 0; l < store.level_count(); ++l) levels.push_back(particles.level(l));
+  const ParticleMap map(std::move(levels));
   std::vector<double> mine;
   for (int l = 0; l < store.level_count(); ++l)
-    for (int b = 0; b < store.box_count(l); ++b) pack_box(particles, l, b, mine);
+    for (int b = 0; b < store.box_count(l); ++b) pack_box(store.set(l, b), map, l, mine);
   const std::size_t row = place_numbers + components_;
   Reduction reduction;
   const auto count = reduction.add_count(static_cast<std::int64_t>(mine.size() / row));

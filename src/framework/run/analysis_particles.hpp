@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "framework/analysis/sample_file.hpp"
+#include "framework/particle/particle_map.hpp"
 #include "framework/run/particle_cloud.hpp"
 #include "framework/scene/analysis_settings.hpp"
 
@@ -45,11 +46,12 @@ class ParticleHistories {
     const DerivedAttribute* derived = nullptr;
   };
   void add_source(const AnalysedVariable& variable, const ParticleKind& kind);
-  void pack_box(const ParticleCloud& particles, int level, int box,
+  void pack_box(const ParticleSet& set, const ParticleMap& map, int level,
                 std::vector<double>& rows) const;
   AnalysisFile& file_of(int level, std::int64_t id);
 
   const AnalysisModule* module_;
+  const ParticleMethod* method_;
   int kind_ = -1;                // number of the material's particles
   std::size_t colour_ = 0;       // column of p.color
   std::size_t components_ = 0;   // of all variables

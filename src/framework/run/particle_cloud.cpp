@@ -150,14 +150,6 @@ void ParticleCloud::relocate() {
   settle();
 }
 
-int ParticleCloud::level_of(int kind, int level, Vec3& place) const {
-  const Reflects reflects = [&](Side side, IntVec3 cell) {
-    return method_->reflects(kind, level, side, cell);
-  };
-  if (!bring_inside(map_->levels()[static_cast<std::size_t>(level)], reflects, place)) return -1;
-  return map_->find(place).level;
-}
-
 std::vector<double> ParticleCloud::rates(int level) const {
   std::vector<double> all = method_->rates(*this, level);
   Reduction reduction;

@@ -39,9 +39,6 @@ class ParticleCloud {
   // Particles that left the domain go, periodic ones are wrapped, all go to their boxes: needed
   // when one may have left its domain, or its block by most of a cell. Collective.
   void relocate();
-  // Where a particle belongs that lags behind in a set of `level`: wrapped and mirrored into the
-  // domain, the level on which it lives; -1: it has left the domain.
-  int level_of(int kind, int level, Vec3& place) const;
   // Collective.
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.

@@ -28,12 +28,6 @@ struct ParticleAttribute {
   int columns() const {
     return symmetric ? 6 : component_count(label.info().type);
   }
-  // Which of its columns holds a component.
-  std::size_t column_of(int component) const {
-    constexpr std::size_t kept[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
-    const auto c = static_cast<std::size_t>(component);
-    return symmetric ? kept[c] : c;
-  }
 };
 
 // What is saved of particles and follows from what they carry; `columns` are of its components.
