@@ -110,6 +110,8 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
   if (request.radius) words.emplace_back("--radius");
   option("--levels", request.levels);
   option("--particles", request.particles);
+  if (request.outline) words.emplace_back("--outline");
+  option("--paths", request.paths);
   option("--title", request.title);
   option("--time", request.time);
   option("--exact", exact);

@@ -11,6 +11,8 @@ struct PictureRequest {
   std::vector<std::string> variables, histories;
   std::string material, slice, title, levels, particles;
   std::string time = "last";
+  std::string paths;           // of so many particles of each material
+  bool outline = false;        // of bodies
   bool radius = false;         // every cell by its distance from the origin
   std::string exact = "auto";  // auto: what the deck names; none; or a CSV file
   std::string picture = "picture.png";

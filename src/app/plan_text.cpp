@@ -47,7 +47,10 @@ std::string outputs_text(const RunPlan& p) {
     const std::string made =
         o.materials > 1 ? fmt::format("{}, {} materials", o.made, o.materials) : o.made;
     table.row({o.label, made, field ? fmt::format("{:g}", o.bytes_per_cell) : "",
-               field ? human_bytes(each) : "", short_place(o.where)});
+               field         ? human_bytes(each)
+               : o.bytes > 0 ? human_bytes(o.bytes)
+                             : "",
+               short_place(o.where)});
   }
   return table.text("  ") + fmt::format("  outputs {}: {} each; checkpoints {}: {} each\n",
                                         p.output_times, human_bytes(p.output_bytes),
@@ -68,6 +71,9 @@ std::string memory_text(const RunPlan& p) {
   const PlannedMemory& m = p.memory;
   TextTable table({{"memory per rank"}, {"bytes", Align::right}, {"of what"}});
   table.row({"program", human_bytes(m.base), ""});
+  if (p.particles.any())
+    table.row({"particles", human_bytes(m.particles),
+               "old and new; nodes of the blocks that hold some come on top"});
   table.row({"states", human_bytes(m.states),
              fmt::format("old and new{}, {:g} doubles per cell each, with ghost cells",
                          p.hierarchy.levels.size() > 1 ? ", with substeps also the start" : "",
@@ -116,6 +122,16 @@ Json effects_json(const RunPlan& p) {
   return list;
 }
 
+Json particles_json(const RunPlan& p) {
+  Json list = Json::array();
+  for (const PlannedKind& k : p.particles.kinds)
+    list.push_back({{"name", k.name},
+                    {"count", p.particles.known ? Json(k.count) : Json(nullptr)},
+                    {"numbers", k.numbers},
+                    {"bytes", k.bytes()}});
+  return list;
+}
+
 Json outputs_json(const RunPlan& p) {
   Json list = Json::array();
   for (const PlannedOutput& o : p.outputs)
@@ -144,6 +160,7 @@ Json memory_json(const RunPlan& p) {
   const PlannedMemory& m = p.memory;
   return {{"program", m.base},
           {"states", m.states},
+          {"particles", m.particles},
           {"outputs", m.outputs},
           {"scratch", m.scratch},
           {"initial_fill", m.initial_fill},
@@ -166,6 +183,9 @@ std::string plan_text(const RunPlan& p) {
   if (p.hierarchy.levels.size() > 1) text += levels_text(p.hierarchy) + "\n";
   text += directions_text(p) + "\n";
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
+  if (p.particles.any())
+    return text + particles_text(p.particles) + "\n" + outputs_text(p) + "\n" + limits_text(p) +
+           "\n" + memory_text(p);
   text += fmt::format("  messages: one ghost exchange of {},{},{} layers per step, ", p.halo.x,
                       p.halo.y, p.halo.z);
   text += p.ranks == 1
@@ -196,6 +216,8 @@ std::string plan_json(const RunPlan& p) {
                      {"threads", p.threads},
                      {"directions", directions_json(p)},
                      {"effects", effects_json(p)},
+                     {"particles", particles_json(p)},
+                     {"stages", p.particles.stages},
                      {"kind_tasks", p.kind_tasks},
                      {"messages",
                       {{"halo", {p.halo.x, p.halo.y, p.halo.z}},

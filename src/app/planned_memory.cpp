@@ -132,7 +132,7 @@ class MemoryPlanner {
 }  // namespace
 
 double PlannedMemory::peak() const {
-  return base + states + std::max(initial_fill, outputs + scratch + messages);
+  return base + states + particles + std::max(initial_fill, outputs + scratch + messages);
 }
 
 double stored_components(const MaterialsOfLabels& materials, Label label) {

@@ -14,6 +14,7 @@ namespace sluice {
 
 // Of the rank that needs most, and the peaks of all ranks added up.
 struct PlannedMemory {
+  double particles = 0;  // of a rank, those of the start
   double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
   double all_ranks = 0;  // what run.json tells as peak_memory_bytes
   double output_doubles_per_cell = 0, state_doubles_per_cell = 0;

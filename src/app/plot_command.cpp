@@ -8,10 +8,10 @@
 namespace sluice {
 
 void add_plot_command(CommandLine& line) {
-  Command command = line.add("plot", "Draw an archive: profiles, slices, histories");
+  Command command = line.add("plot", "Draw an archive: profiles, slices, particles, histories");
   auto request = std::make_shared<PictureRequest>();
   command.option("UDA", request->archive, "Archive (folder or link)").required();
-  command.option("--var", request->variables, "Label, or a component of it: vel_CC.x")
+  command.option("--var", request->variables, "Label, or a component of it: vel_CC.x, p.stress.xy (of stresses else: von Mises)")
       .quietly_repeatable();
   command
       .option("--history", request->histories,
@@ -32,6 +32,9 @@ void add_plot_command(CommandLine& line) {
                  "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
   command.option("--particles", request->particles,
                  "Particles over a plane, coloured by this label of theirs; p.x: in black");
+  command.flag("--outline", request->outline, "Lines around the bodies of each material");
+  command.option("--paths", request->paths,
+                 "Paths of so many particles of each material, from the first output on");
   command.option("--title", request->title, "Heading of the picture");
   command.option("-o,--output", request->picture, "Picture: .png, .svg or .pdf");
   command.action([request] { return draw_archive(*request); });

@@ -10,6 +10,7 @@
 
 #include "app/first_step_limit.hpp"
 #include "framework/run/analysis_heat.hpp"
+#include "framework/run/analysis_particles.hpp"
 #include "framework/run/analysis_spatial.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/particle_archive.hpp"
@@ -30,14 +31,17 @@ class Planner {
         options_(options) {
     plan_.hierarchy =
         plan_hierarchy(loaded, options.ranks, options.threads, options.most_cells_for_levels);
+    plan_.particles = plan_particles(loaded, options.most_cells_for_limits);
   }
 
   RunPlan plan() {
     describe_grid();
     const PlannedGraph all_step = plan_step_graph(component_, level_, {});
     step_labels_ = output_labels(all_step.list);
-    if (component_.particles() != nullptr)
-      particle_labels_ = savable_labels(*component_.particles());
+    if (const ParticleMethod* method = component_.particles()) {
+      particle_labels_ = savable_labels(*method);
+      node_labels_ = method->grid_labels();
+    }
     TaskList diagnostics;
     component_.declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
@@ -97,6 +101,9 @@ class Planner {
           {component_.effects()[static_cast<int>(e)], tasks[e], word * doubles[e], 0.0});
   }
 
+  bool is_on_nodes(Label label) const {
+    return std::find(node_labels_.begin(), node_labels_.end(), label) != node_labels_.end();
+  }
   // A label that this run can make.
   std::optional<Label> find_known(const std::string& name, bool histories) const {
     const std::optional<Label> label = find_label(name);
@@ -104,7 +111,7 @@ class Planner {
     const bool history = histories && label->info().centring == Centring::reduction;
     const bool of_particles = std::find(particle_labels_.begin(), particle_labels_.end(), *label) !=
                               particle_labels_.end();
-    if (histories && of_particles) return label;
+    if (histories && (of_particles || is_on_nodes(*label))) return label;
     const bool field = step_labels_.count(*label) > 0 || diagnostic_labels_.count(*label) > 0;
     return history || field ? label : std::nullopt;
   }
@@ -117,7 +124,11 @@ class Planner {
   }
 
   void describe_analyses() {
-    for (const AnalysisModule& m : scene_.analysis.modules)
+    for (const AnalysisModule& m : scene_.analysis.modules) {
+      if (follows_particles(m)) {
+        describe_followed(m);
+        continue;
+      }
       for (const AnalysedVariable& v : m.variables) {
         const std::optional<Label> label = find_known(v.label, false);
         if (!label) refuse(v.where, LabelUse::analyse, v.label);
@@ -129,12 +140,30 @@ class Planner {
         out.where = v.where;
         plan_.outputs.push_back(std::move(out));
       }
+    }
+  }
+  void describe_followed(const AnalysisModule& m) {
+    ParticleHistories(m, component_.particles());  // tells what is wrong with it
+    for (const AnalysedVariable& v : m.variables) {
+      PlannedOutput out;
+      out.label = v.label;
+      out.made = fmt::format("{}, a file a particle", m.name);
+      out.where = v.where;
+      plan_.outputs.push_back(std::move(out));
+    }
   }
 
   int saved_materials(const SaveRequest& request, Label label) const {
     int count = 0;
     for (const int m : materials_of_.at(label))
       count += request.materials.contains(m, component_.material_count()) ? 1 : 0;
+    return count;
+  }
+  double saved_particles(const SaveRequest& request) const {
+    double count = 0;
+    for (const PlannedKind& k : plan_.particles.kinds)
+      if (request.materials.contains(k.material, component_.material_count()))
+        count += static_cast<double>(k.count);
     return count;
   }
   static std::vector<std::pair<std::string, ValueType>> fields_of(const AnalysisModule& m,
@@ -192,6 +221,14 @@ class Planner {
         out.made = "history, one line per step";
       } else if (label->info().centring == Centring::particle) {
         out.made = "of particles";
+        out.bytes = real_bytes(label->info().type) * components * saved_particles(r);
+        plan_.output_bytes += out.bytes;
+      } else if (is_on_nodes(*label)) {
+        out.made = "on nodes, from the particles";
+        for (const PlannedKind& k : plan_.particles.kinds)
+          if (r.materials.contains(k.material, component_.material_count()))
+            out.bytes_per_cell += real_bytes(label->info().type) * components;
+        plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
       } else {
         out.made = step_labels_.count(*label) > 0 ? "stored in the step" : "from the state";
         const double bytes = real_bytes(label->info().type);
@@ -219,7 +256,8 @@ class Planner {
         : c.last_timestep         ? "at the end"
                                   : "never";
     plan_.checkpoint_bytes =
-        word * state_components(component_) * static_cast<double>(plan_.cell_count);
+        word * state_components(component_) * static_cast<double>(plan_.cell_count) +
+        plan_.particles.checkpoint_bytes();
   }
 
   void describe_quiet() {
@@ -236,7 +274,9 @@ class Planner {
   void find_first_step() {
     const TimeSettings& t = scene_.time;
     std::optional<StepLimit> physics;
-    if (plan_.hierarchy.limit)
+    if (plan_.particles.any())
+      physics = plan_.particles.limit;
+    else if (plan_.hierarchy.limit)
       physics = plan_.hierarchy.limit;
     else if (plan_.hierarchy.levels.size() == 1 &&
              plan_.cell_count <= options_.most_cells_for_limits)
@@ -285,6 +325,8 @@ class Planner {
                                                           .stored = stored_,
                                                           .computed = computed_,
                                                           .materials = materials_of_});
+    plan_.memory.particles = plan_.particles.bytes() / options_.ranks;
+    plan_.memory.all_ranks += plan_.particles.bytes();
   }
 
   const Scene& scene_;
@@ -295,7 +337,7 @@ class Planner {
   PlannedGraph plain_;
   IntVec3 block_{};
   std::set<Label> step_labels_, diagnostic_labels_;
-  std::vector<Label> particle_labels_;
+  std::vector<Label> particle_labels_, node_labels_;
   MaterialsOfLabels materials_of_;     // that can be saved
   std::set<Label> stored_, computed_;  // of saves and analyses
 };

@@ -11,6 +11,7 @@
 
 #include "app/planned_hierarchy.hpp"
 #include "app/planned_memory.hpp"
+#include "app/planned_particles.hpp"
 #include "app/scene_loader.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/run/time_control.hpp"
@@ -33,6 +34,7 @@ struct PlannedOutput {
   double bytes_per_cell = 0;  // in the archive, of all its materials
   int materials = 1;          // that are saved
   double memory_per_cell = 0;
+  double bytes = 0;  // in the archive, of what is not in cells
   Location where;
 };
 
@@ -49,6 +51,7 @@ struct RunPlan {
   std::int64_t coarse_cells() const { return std::int64_t{1} * cells.x * cells.y * cells.z; }
   int boxes = 0, blocks = 0, ranks = 1, threads = 1;
   PlannedHierarchy hierarchy;
+  PlannedParticles particles;
   std::array<ActiveDirection, 3> directions;
   std::vector<EffectCost> effects;
   std::vector<int> effect_fields;

@@ -6,6 +6,7 @@
     density.values                           # array [i, j, k], vectors [component, i, j, k]
     density.coordinates(0)                   # positions along x
     step.particles()["p.x"]                  # particles by id: arrays [n], vectors [n, component]
+    step.particles(1, {"p.stress"})          # of material 1, one variable: tensors [n, 9]
 
 The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
 --verify` does that.
@@ -19,6 +20,9 @@ import numpy as np
 CENTRINGS = {"CCVariable": "cell", "NCVariable": "node", "SFCXVariable": "x face",
              "SFCYVariable": "y face", "SFCZVariable": "z face",
              "ParticleVariable": "particle", "ReductionVariable": "reduction"}
+
+
+TENSOR = ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")  # components in order
 
 
 class ArchiveError(Exception):
@@ -168,8 +172,9 @@ class Archive:
 
 def _variable(element):
     kind, value = element.get("type").rstrip(">").split("<")
-    return Variable(element.get("name"), CENTRINGS[kind], 3 if value in ("Vector", "Point") else 1,
-                    element.get("unit") or "", int(element.get("numMaterials", "1")))
+    components = {"Vector": 3, "Point": 3, "Matrix3": 9}.get(value, 1)
+    return Variable(element.get("name"), CENTRINGS[kind], components, element.get("unit") or "",
+                    int(element.get("numMaterials", "1")))
 
 
 def _names(known):
@@ -209,8 +214,9 @@ class Step:
     def particle_materials(self):
         return self.materials("p.x")
 
-    def particles(self, material=None):
-        """Variables of all particles of a material, on all levels, in the order of their ids."""
+    def particles(self, material=None, wanted=None):
+        """Variables of all particles of a material (all, or those whose names are wanted), on all
+        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]."""
         there = self.particle_materials()
         if not there:
             raise ArchiveError(f"no particles at step {self.number}; save p.x")
@@ -219,14 +225,15 @@ class Step:
             raise ArchiveError(f"no particles of material {material}; materials: {there}")
         kinds = self.archive.variables
         names = [n for n in self.names()
-                 if kinds[n].centring == "particle" and material in self.materials(n)]
+                 if kinds[n].centring == "particle" and material in self.materials(n)
+                 and (wanted is None or n in wanted or n == "p.particleID")]
         levels = sorted({key[2] for key in self._stored if key[:2] == ("p.x", material)})
         table = {}
         for name in names:
             lists = [block[:, :, 0, 0].T for level in levels
                      for _, _, block in self.pieces(name, material, level)]
             values = np.concatenate(lists)
-            table[name] = values if kinds[name].components == 3 else values[:, 0]
+            table[name] = values if kinds[name].components > 1 else values[:, 0]
         order = np.argsort(table["p.particleID"])
         return {name: values[order] for name, values in table.items()}
 
@@ -249,10 +256,11 @@ class Step:
         lower = tuple(min(p[0][d] for p in parts) for d in range(3))
         upper = tuple(max(p[1][d] for p in parts) for d in range(3))
         shape = tuple(upper[d] - lower[d] for d in range(3))
-        values = np.full(((3,) if variable.components == 3 else ()) + shape, np.nan)
+        several = variable.components > 1
+        values = np.full(((variable.components,) if several else ()) + shape, np.nan)
         for low, high, block in parts:
             window = tuple(slice(low[d] - lower[d], high[d] - lower[d]) for d in range(3))
-            values[(..., *window)] = block if variable.components == 3 else block[0]
+            values[(..., *window)] = block if several else block[0]
         return Field(variable, material, self.levels[level], lower, values)
 
 

@@ -1,4 +1,4 @@
-"""Draw an archive: profiles in 1-D, coloured slices in 2-D and 3-D, histories of .dat files.
+"""Draw an archive: profiles in 1-D, coloured slices in 2-D and 3-D, particles, histories.
 
     python3 -m sluice_tools.plot ARCHIVE [options]       `sluice plot` calls this
 """
@@ -9,15 +9,15 @@ import sys
 
 import numpy as np
 
-from . import levels, style, views
+from . import levels, particles, scalars, style, views
 from .archive import Archive, ArchiveError
 
 USUAL = ["rho_CC", "press_CC", "vel_CC", "temp_CC"]
-SIGNED = 0.02  # a slice is drawn around zero when its smaller side is at least this share
 
 
 def usual_variables(step):
     found = [name for name in USUAL if step.has(name)]
+    found = found or particles.usual_variables(step)
     if found:
         return found
     fields = [name for name in step.names()
@@ -45,13 +45,13 @@ def panel_grid(count):
 
 
 def unit_of(archive, name):
-    return archive.variables[views.split_name(name)[0]].unit
+    return archive.variables[scalars.split_name(name)[0]].unit
 
 
 def profiles_of_materials(step, name, material):
     """[(material or None, profiles)]: the material that is asked for; else all that differ, each
     where it is."""
-    there = step.materials(views.split_name(name)[0])
+    there = step.materials(scalars.split_name(name)[0])
     if material is not None or len(there) < 2:
         return [(None, list(views.profiles(step, name, material)))]
     found = [(m, list(views.profiles(step, name, m))) for m in there]
@@ -123,16 +123,8 @@ def headroom(ax, values):
 
 
 def colour_range(sheets):
-    """(low, high, map): around zero with a two-sided map when values take both signs."""
-    seen = np.concatenate([sheet[~hidden & np.isfinite(sheet)] for *_, sheet, hidden in sheets])
-    low, high = seen.min(), seen.max()
-    if low < 0 < high and min(-low, high) > SIGNED * max(-low, high):
-        size = max(-low, high)
-        return -size, size, "PuOr"
-    if high - low <= 1e-9 * max(abs(low), abs(high)):
-        pad = 0.1 * max(abs(low), abs(high)) or 1.0
-        return low - pad, high + pad, "cividis"
-    return low, high, "cividis"
+    return scalars.colour_range(np.concatenate(
+        [sheet[~hidden & np.isfinite(sheet)] for *_, sheet, hidden in sheets]))
 
 
 def draw_plane(fig, ax, step, name, given):
@@ -157,22 +149,41 @@ def draw_plane(fig, ax, step, name, given):
 def draw_particles(fig, ax, step, given):
     """Particles over a plane: points, coloured by what they carry where that is asked for."""
     first, second, _ = views.plane_axes(step, given.normal)
-    particles = step.particles(given.material)
-    if given.particles not in particles:
-        raise ArchiveError(f"particles have no '{given.particles}'; there are: "
-                           f"{', '.join(sorted(particles))}")
-    places = particles["p.x"]
+    table = step.particles(given.material)
+    base, component = scalars.split_name(given.particles)
+    if base not in table:
+        raise ArchiveError(f"particles have no '{base}'; there are: {', '.join(sorted(table))}")
+    places = table["p.x"]
     near = views.near_plane(step, places, given.normal, given.position)
     look = {"s": 3, "linewidths": 0, "zorder": 4}
     if given.particles == "p.x":
         ax.scatter(places[near, first], places[near, second], color="black", **look)
         return
+    numbers = scalars.scalar(base, table[base].T, component)
     points = ax.scatter(places[near, first], places[near, second], cmap="magma",
-                        c=particles[given.particles][near], **look)
+                        c=numbers[near], **look)
     bar = fig.colorbar(points, cax=ax.inset_axes([0, -0.28, 1, 0.035]), orientation="horizontal")
     bar.outline.set_linewidth(0.4)
-    unit = step.archive.variables[given.particles].unit
+    unit = step.archive.variables[base].unit
     bar.set_label(given.particles + ("" if unit == "1" else f"  ({style.unit_text(unit)})"))
+
+
+def draw_particle_panel(fig, ax, step, name, given):
+    if given.radius:
+        raise ArchiveError(f"--radius is for variables of cells and nodes; {name} is of particles")
+    if len(step.levels[0].active_directions()) == 1:
+        headroom(ax, particles.draw_line(ax, step, name, given))
+        return
+    particles.draw_panel(fig, ax, step, name, given)
+    levels.draw_plane_lines(ax, step, given.levels, given.normal, given.position)
+
+
+def draw_over(ax, archive, step, given):
+    """What may lie over any plane."""
+    if given.outline:
+        particles.draw_outlines(ax, step, given)
+    if given.paths:
+        particles.draw_paths(ax, archive, step, given)
 
 
 def plane_height(step, given, width):
@@ -192,11 +203,13 @@ def head_text(archive, step, given):
 
 def material_text(step, name, given):
     """Which material is drawn, where there are several."""
-    label = views.split_name(name)[0]
+    label = scalars.split_name(name)[0]
     there = [] if label in style.COMMON else step.materials(label)
     line = len(step.levels[0].active_directions()) == 1 and not given.radius
     if len(there) < 2 or (line and given.material is None):
         return ""  # lines of all materials are told in the legend
+    if label.startswith("p.") and given.material is None:
+        return ""  # particles of all are drawn
     return f", material {there[0] if given.material is None else given.material}"
 
 
@@ -204,7 +217,7 @@ def draw_fields(archive, given, plt):
     step = archive.step(given.time)
     names = given.var or usual_variables(step)
     for name in names:
-        views.stored_levels(step, views.split_name(name)[0], given.material)  # told first
+        views.stored_levels(step, scalars.split_name(name)[0], given.material)  # told first
     line = len(step.levels[0].active_directions()) == 1
     if given.radius and line:
         raise ArchiveError("--radius is for runs in two or three dimensions; this one is a line")
@@ -218,7 +231,9 @@ def draw_fields(archive, given, plt):
     fig, axes = plt.subplots(rows, columns, squeeze=False,
                              figsize=(width * columns, height * rows + 0.3))
     for ax, name in zip(axes.flat, names):
-        if given.radius:
+        if particles.is_of_particles(archive, name):
+            draw_particle_panel(fig, ax, step, name, given)
+        elif given.radius:
             draw_radius(ax, step, name, given, exact)
         elif one:
             draw_line(ax, step, name, given, exact)
@@ -226,8 +241,12 @@ def draw_fields(archive, given, plt):
             draw_plane(fig, ax, step, name, given)
             if given.particles:
                 draw_particles(fig, ax, step, given)
-        caption = style.caption(name, unit_of(archive, name))
-        if not one and "." not in name and archive.variables[name].components == 3:
+        if not one:
+            draw_over(ax, archive, step, given)
+        base, component = scalars.split_name(name)
+        components = archive.variables[base].components
+        caption = style.caption(scalars.spoken(name, components), unit_of(archive, name))
+        if not one and component is None and components == 3 and name != "p.x":
             caption = caption.replace("  (", " magnitude  (")
         ax.set_title(caption + material_text(step, name, given), loc="left")
     for ax in axes.flat[len(names):]:
@@ -288,7 +307,7 @@ def parse_slice(text):
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="sluice plot", description="Draw an archive")
     parser.add_argument("archive")
-    parser.add_argument("--var", action="append", help="label, or a component: vel_CC.x")
+    parser.add_argument("--var", action="append", help="label, or a component: vel_CC.x, p.stress.xy")
     parser.add_argument("--material", type=int)
     parser.add_argument("--time", default="last", help="last, first, #N or a time")
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
@@ -302,6 +321,10 @@ def parse(arguments):
     parser.add_argument("--exact", help="CSV with x and one column per variable, drawn as a line")
     parser.add_argument("--particles", help="particles over the plane, coloured by this label of "
                         "theirs; p.x: in black")
+    parser.add_argument("--outline", action="store_true", help="lines around the bodies of each "
+                        "material over planes")
+    parser.add_argument("--paths", type=int, metavar="N", help="paths of N particles of each "
+                        "material from the first output on")
     parser.add_argument("--title")
     parser.add_argument("-o", "--output", default="picture.png", help=".png, .svg or .pdf")
     given = parser.parse_args(arguments)

@@ -2,6 +2,8 @@
 import contextlib
 import sys
 
+from .scalars import split_name
+
 # Okabe and Ito's palette, darkest and most distinct first.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 LINES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2))]
@@ -22,16 +24,19 @@ WORDS = {
     "vol_frac_CC": "volume fraction", "speedSound_CC": "sound speed",
     "mag_grad_rho_CC": "density gradient", "vorticity": "vorticity",
     "sum_rho_CC": "density of all materials",
+    "p.stress": "stress", "p.velocity": "velocity", "p.temperature": "temperature",
+    "p.displacement": "displacement", "p.color": "colour", "p.x": "particles",
+    "p.deformationMeasure": "deformation gradient",
 }
 # Of the cell, whatever the material they are stored for.
 COMMON = {"press_CC", "press_equil_CC", "sum_rho_CC"}
 
 
 def caption(name, unit):
-    word, _, component = name.partition(".")
-    text = WORDS.get(word, word)
+    base, component = split_name(name)
+    text = WORDS.get(base, base)
     if component:
-        text += " " + component
+        text += {"vonMises": ", von Mises", "det": ", determinant"}.get(component, " " + component)
     return f"{text}  ({unit_text(unit)})" if unit and unit != "1" else text
 
 

@@ -2,29 +2,7 @@
 import numpy as np
 
 from .archive import ArchiveError
-
-
-def split_name(name):
-    """'vel_CC.x' -> ('vel_CC', 0); 'vel_CC' -> ('vel_CC', None)."""
-    base, dot, component = name.partition(".")
-    if not dot:
-        return base, None
-    if component not in ("x", "y", "z"):
-        raise ArchiveError(f"'{name}': a component is x, y or z, as in {base}.x")
-    return base, "xyz".index(component)
-
-
-def scalar(field, component, along=None):
-    """One number a cell: the named component, else in 1-D the one along the line, else the size."""
-    if field.values.ndim == 3:
-        if component is not None:
-            raise ArchiveError(f"'{field.variable.name}' is not a vector: it has no components")
-        return field.values
-    if component is None and along is not None:
-        component = along
-    if component is not None:
-        return field.values[component]
-    return np.sqrt((field.values ** 2).sum(axis=0))
+from .scalars import scalar, split_name
 
 
 def stored_levels(step, base, material=None):
@@ -68,7 +46,7 @@ def profiles(step, name, material=None):
     direction = step.levels[0].active_directions()[0]
     for level, finer in _with_finer(stored_levels(step, base, material)):
         field = step.field(base, material, level)
-        data = scalar(field, component, along=direction)
+        data = scalar(base, field.values, component, along=direction)
         hidden = covered(step, level, data.shape, field.lower, finer)
         index = [0, 0, 0]
         index[direction] = slice(None)
@@ -85,11 +63,11 @@ def radii(step, name, material=None):
         axes = np.meshgrid(*[field.coordinates(d) if d in directions else [0.0]
                              for d in range(3)], indexing="ij")
         radius = np.sqrt(sum(axis ** 2 for axis in axes))
-        if field.values.ndim == 4 and component is None:
+        if field.variable.components == 3 and component is None:
             away = sum(field.values[d] * axes[d] for d in directions)
             data = np.divide(away, radius, out=np.zeros_like(away), where=radius > 0)
         else:
-            data = scalar(field, component)
+            data = scalar(base, field.values, component)
         seen = ~covered(step, level, data.shape, field.lower, finer) & np.isfinite(data)
         yield level, radius[seen], data[seen]
 
@@ -123,7 +101,7 @@ def plane(step, name, material=None, normal=None, position=None):
     sheets = []
     for level, finer in _with_finer(stored_levels(step, base, material)):
         field = step.field(base, material, level)
-        data = scalar(field, component)
+        data = scalar(base, field.values, component)
         index = layer(step.levels[level], normal, position) - field.lower[normal]
         if not 0 <= index < data.shape[normal]:
             if level == 0:

@@ -11,14 +11,16 @@ const Names over_time = {"statistics", "turbulentFluxes"};
 const Names of_cells = {"spatialAvg"};
 const Names at_samples = {"minMax",       "lineExtract",        "planeExtract", "pointExtract",
                           "planeAverage", "planeAvgTurbFluxes", "statistics",   "turbulentFluxes"};
+const Names of_particles = {"particleExtract"};
 const Names of_one_volume = {"momentumAnalysis", "firstLawThermo"};
 
 Names joined(Names a, const Names& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
-const Names sampled = joined(joined(at_samples, {"controlVolFluxes"}), of_one_volume);
-const Names with_variables = joined(at_samples, of_cells);
+const Names sampled =
+    joined(joined(joined(at_samples, {"controlVolFluxes"}), of_one_volume), of_particles);
+const Names with_variables = joined(joined(at_samples, of_cells), of_particles);
 const Names with_times = joined(sampled, of_cells);
 
 TagSpec analyze() {
@@ -239,8 +241,9 @@ void add_analysis_tags(Schema& schema) {
                   .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
                           "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
                           "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
-                          "flatPlate_heatFlux", "spatialAvg", "vorticity", "SGS_ReynoldsStress"})
-                  .not_built({"particleExtract", "radiometer"}))
+                          "flatPlate_heatFlux", "spatialAvg", "vorticity", "SGS_ReynoldsStress",
+                          "particleExtract"})
+                  .not_built({"radiometer"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})
@@ -252,6 +255,10 @@ void add_analysis_tags(Schema& schema) {
           .with_children(places())
           .with_children(plane_tags())
           .with_children(box_tags())
+          .with_children({tag("colorThreshold", "particles with p.color above this are followed")
+                              .once()
+                              .real()
+                              .only_for("name", of_particles)})
           .with_children(volume_tags())
           .with_children(unneeded_labels())
           .with_children(statistics_tags());

@@ -20,7 +20,7 @@ constexpr std::size_t most_pending_lines = 50000;  // in memory before they are 
 // Names in an archive's folder that belong to others.
 bool is_reserved(const std::string& name) {
   static const std::set<std::string> others = {"MinMax",    "planeAverage", "planarAveTurbFluxes",
-                                               "points",    "checkpoints",  "index.xml",
+                                               "points",    "checkpoints",  "index.xml", "particleExtract",
                                                "input.xml", "levels.txt",   "run.json"};
   return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
                                     name.find_first_not_of("0123456789", 1) == name.npos);
@@ -62,6 +62,7 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
       check_places(m, names);
       add_planes_of_heat(m, first_volume, scene);
     }
+    if (follows_particles(m)) add_particles(m);
     const bool fields = keeps_statistics(m) || averages_cells(m);
     if (!samples_levels(m) && !keeps_budgets(m) && !fields) continue;
     const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
@@ -83,6 +84,22 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
         std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
       modules_.push_back(std::move(module));
   }
+}
+
+// Two modules of a material would write the same files; materials have no id in common.
+void AnalysisRecorder::add_particles(const AnalysisModule& m) {
+  Module module;
+  module.settings = &m;
+  module.levels.resize(static_cast<std::size_t>(hierarchy_->possible_levels()));
+  module.particles = std::make_unique<ParticleHistories>(m, hierarchy_->component().particles());
+  for (const Module& other : modules_)
+    if (other.particles != nullptr && other.settings->material == m.material)
+      throw DeckError(
+          m.where,
+          fmt::format("a second <Module name=\"{}\"> of this material would write the same files",
+                      m.name),
+          "put its variables into the first");
+  modules_.push_back(std::move(module));
 }
 
 // The materials that have a field, as the component declares it.
@@ -214,8 +231,10 @@ void AnalysisRecorder::adopt(const std::filesystem::path& earlier, double time) 
     for (const Module& m : modules_)
       for (const auto& sampler : m.levels)
         if (sampler != nullptr) sampler->adopt(earlier, folder_, time);
-    for (const Module& m : modules_)
+    for (const Module& m : modules_) {
       if (m.budgets != nullptr) m.budgets->adopt(earlier, folder_, time);
+      if (m.particles != nullptr) m.particles->adopt(earlier, folder_, time);
+    }
   });
 }
 
@@ -310,6 +329,10 @@ bool AnalysisRecorder::sample(int step, double time) {
   for (Module* m : due) {
     m->last = time;
     if (m->statistics != nullptr) m->statistics->sample();
+    if (m->particles != nullptr) {
+      m->particles->sample(*hierarchy_->particles(), time, *communicator_);
+      pending_lines_ += m->particles->lines();
+    }
     if (m->budgets == nullptr) continue;
     m->budgets->sample(time);
     pending_lines_ += m->budgets->lines();
@@ -325,8 +348,10 @@ void AnalysisRecorder::flush() {
     for (const Module& m : modules_)
       for (const auto& sampler : m.levels)
         if (sampler != nullptr) sampler->flush(folder_);
-    for (const Module& m : modules_)
+    for (const Module& m : modules_) {
       if (m.budgets != nullptr) m.budgets->flush(folder_);
+      if (m.particles != nullptr) m.particles->flush(folder_);
+    }
   });
 }
 

@@ -8,6 +8,7 @@
 //   statistics, turbulentFluxes    fields, see analysis_statistics.hpp
 //   spatialAvg                     fields, see analysis_spatial.hpp
 //   flatPlate_heatFlux    a history, see analysis_heat.hpp
+//   particleExtract    see analysis_particles.hpp
 //   controlVolFluxes, momentumAnalysis, firstLawThermo    see analysis_volume.hpp
 //
 // in the archive's folder, 17 digits, '#' before header lines; every level on its own, as far as
@@ -30,6 +31,7 @@
 #include "framework/analysis/sampler.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/run/analysis_heat.hpp"
+#include "framework/run/analysis_particles.hpp"
 #include "framework/run/analysis_spatial.hpp"
 #include "framework/run/analysis_statistics.hpp"
 #include "framework/run/analysis_volume.hpp"
@@ -87,6 +89,7 @@ class AnalysisRecorder {
     std::unique_ptr<VolumeBudgets> budgets;  // of its control volumes, if it keeps some
     std::unique_ptr<Statistics> statistics;  // if it keeps some
     std::unique_ptr<CellAverages> averages;  // of boxes of cells, if it takes them
+    std::unique_ptr<ParticleHistories> particles;  // if it follows some
     std::optional<double> last;
     // Averages are taken when they are written.
     bool due(double time) const { return !averages && sample_is_due(*settings, last, time); }
@@ -98,6 +101,7 @@ class AnalysisRecorder {
   std::unique_ptr<VolumeBudgets> make_budgets(const AnalysisModule& module, int first);
   // Lines, planes and volumes: their names, and whether the domain holds them.
   void check_labels(const std::vector<Label>& labels, const AnalysisModule& module) const;
+  void add_particles(const AnalysisModule& module);
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);

@@ -14,9 +14,6 @@
 namespace sluice {
 namespace {
 
-// Columns of a symmetric tensor that hold its nine components, row after row.
-constexpr std::size_t symmetric_columns[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
-
 std::vector<Label> labels_of(const ParticleKind& kind) {
   std::vector<Label> labels;
   for (const ParticleAttribute& a : kind.attributes) labels.push_back(a.label);
@@ -51,6 +48,12 @@ const ParticleLabels& particle_labels() {
       declare_label({particle_id_name, ValueType::long_integer, Centring::particle, "1",
                      "Number of a particle that no other of its material ever has."})};
   return labels;
+}
+
+std::size_t column_of_component(const ParticleAttribute& a, int component) {
+  constexpr std::size_t of_symmetric[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+  const auto c = static_cast<std::size_t>(component);
+  return a.symmetric ? of_symmetric[c] : c;
 }
 
 std::vector<Label> savable_labels(const ParticleMethod& method) {
@@ -89,10 +92,8 @@ class BoxPieces {
   }
   // `column`: the first of the attribute.
   void add_attribute(const ParticleAttribute& a, std::size_t column) {
-    for (int c = 0; c < component_count(a.label.info().type); ++c) {
-      const auto n = static_cast<std::size_t>(c);
-      add(a.label, c, set_->attribute_values(column + (a.symmetric ? symmetric_columns[n] : n)));
-    }
+    for (int c = 0; c < component_count(a.label.info().type); ++c)
+      add(a.label, c, set_->attribute_values(column + column_of_component(a, c)));
   }
   void add_derived(const DerivedAttribute& d) {
     const auto components = static_cast<std::size_t>(component_count(d.label.info().type));
@@ -198,7 +199,7 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
         const std::size_t first = attributes.size();
         attributes.resize(first + static_cast<std::size_t>(a.columns()));
         for (std::size_t c = 0; c < all.size(); ++c)
-          attributes[first + (a.symmetric ? symmetric_columns[c] : c)] = std::move(all[c]);
+          attributes[first + column_of_component(a, static_cast<int>(c))] = std::move(all[c]);
       }
       ParticleSet one = kind.store.empty_set();
       for (std::size_t n = 0; n < ids[0].size(); ++n) {

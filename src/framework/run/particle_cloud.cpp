@@ -181,6 +181,12 @@ std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
   return all;
 }
 
+std::int64_t ParticleCloud::local_count() const {
+  std::int64_t count = 0;
+  for (const Kind& kind : kinds_) count += kind.store.count();
+  return count;
+}
+
 std::vector<ParticleCount> ParticleCloud::counts() const {
   Reduction reduction;
   std::vector<Reduction::Count> slots;

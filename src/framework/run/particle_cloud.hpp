@@ -62,6 +62,7 @@ class ParticleCloud {
     return kinds_[static_cast<std::size_t>(kind)].store;
   }
   std::vector<ParticleCount> counts() const;  // collective
+  std::int64_t local_count() const;           // of this rank, all kinds
   // Spent on the particles of each local box of a level since boxes were laid out.
   const std::vector<double>& box_seconds(int level) const {
     return box_seconds_[static_cast<std::size_t>(level)];

@@ -12,6 +12,10 @@ double RunReport::ns_per_cell_step() const {
   return cell_updates > 0 ? 1e9 * stepping_seconds / static_cast<double>(cell_updates) : 0.0;
 }
 
+double RunReport::ns_per_particle_step() const {
+  return particle_updates > 0 ? 1e9 * stepping_seconds / static_cast<double>(particle_updates) : 0;
+}
+
 double RunReport::uniform_updates() const {
   const LevelCost* finest = nullptr;
   for (const LevelCost& level : levels)
@@ -66,6 +70,8 @@ Json to_json(const RunReport& r) {
           {"uniform_updates", r.uniform_updates()},
           {"levels", levels},
           {"particles", particles},
+          {"particle_updates", r.particle_updates},
+          {"ns_per_particle_step", r.ns_per_particle_step()},
           {"regrids", r.regrids},
           {"regrid_s", r.regrid_seconds},
           {"balances", r.balances},
@@ -115,11 +121,25 @@ std::string levels_text(const RunReport& r) {
 
 }  // namespace
 
+namespace {
+
+// How much there was, and what it cost.
+std::string work_text(const RunReport& r) {
+  if (!r.particles_alone)
+    return fmt::format("{} cells, {:.1f} ns per cell and step", human_count(r.cells),
+                       r.ns_per_cell_step());
+  std::int64_t here = 0;
+  for (const ParticleCount& p : r.particles) here += p.here;
+  return fmt::format("{} particles, {:.1f} ns per particle and step", human_count(here),
+                     r.ns_per_particle_step());
+}
+
+}  // namespace
+
 std::string summary(const RunReport& r) {
   std::string text = fmt::format(
-      "{}: {} steps to t = {:g} in {}; {} cells, {:.1f} ns per cell and step, peak memory {}{}\n",
-      to_string(r.status), r.steps, r.time, human_duration(r.wall_seconds), human_count(r.cells),
-      r.ns_per_cell_step(), human_bytes(static_cast<double>(r.peak_memory_bytes)),
+      "{}: {} steps to t = {:g} in {}; {}, peak memory {}{}\n", to_string(r.status), r.steps,
+      r.time, human_duration(r.wall_seconds), work_text(r), human_bytes(static_cast<double>(r.peak_memory_bytes)),
       r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
   text += fmt::format("time: start {}, stepping {}, output {}\n", human_duration(r.start_seconds),
                       human_duration(r.stepping_seconds), human_duration(r.output_seconds));

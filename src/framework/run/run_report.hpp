@@ -56,6 +56,8 @@ struct RunReport {
   std::int64_t cell_updates = 0;  // of all levels; of these, cells asleep stayed as they were:
   std::int64_t updates_asleep = 0;
   std::vector<ParticleCount> particles;
+  std::int64_t particle_updates = 0;  // particles times steps
+  bool particles_alone = false;       // cells carry nothing: work is told by particle
   int regrids = 0;
   double regrid_seconds = 0;
   int balances = 0;  // times that boxes moved to other ranks, regrids aside
@@ -66,6 +68,7 @@ struct RunReport {
   double worst_drift = 0;
 
   double ns_per_cell_step() const;
+  double ns_per_particle_step() const;
   // Updates of the same steps on a grid that is everywhere as fine as the finest level was.
   double uniform_updates() const;
 };

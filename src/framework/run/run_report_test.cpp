@@ -61,6 +61,19 @@ TEST(RunReport, TellsHowToRegridLessWhereThatTakesLong) {
   EXPECT_THAT(summary(r), HasSubstr("12 % of the stepping time; a larger <cell_regrid_dilation>"));
 }
 
+// 40 particles through 10 steps in half a second.
+TEST(RunReport, TellsWorkByParticleWhereCellsCarryNothing) {
+  RunReport r = two_of_three_levels();
+  r.particles = {{"disks", 40, 3, 37}};
+  r.particle_updates = 400;
+  EXPECT_THAT(summary(r), HasSubstr("200 cells"));
+  r.particles_alone = true;
+  EXPECT_THAT(summary(r), HasSubstr("; 37 particles, 1250000.0 ns per particle and step, peak"));
+  EXPECT_THAT(summary(r), Not(HasSubstr("200 cells")));
+  EXPECT_EQ(to_json(r).at("particle_updates"), 400);
+  EXPECT_EQ(to_json(r).at("ns_per_particle_step"), 1.25e6);
+}
+
 TEST(RunReport, SaysNothingOfLevelsWhereThereIsOne) {
   RunReport r = two_of_three_levels();
   r.levels.resize(1);

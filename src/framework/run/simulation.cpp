@@ -138,7 +138,7 @@ void Simulation::start() {
   p.max_steps =
       options_.limits.max_steps > 0 ? options_.limits.max_steps : scene_.time.max_timesteps;
   p.wall_limit = options_.limits.wall_seconds;
-  p.cells = hierarchy_.cell_count();
+  if (!component_.state_slots().empty()) p.cells = hierarchy_.cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
   if (output_ != nullptr) start_seconds_ -= output_->seconds();
@@ -304,6 +304,8 @@ bool Simulation::step() {
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
   time_.remember_physics_dt(limit_.dt);
   ++steps_;
+  if (const ParticleCloud* particles = hierarchy_.particles())
+    particle_updates_ += particles->local_count();
   keep(plan, end);
   prepare_next(plan, end);
   status_ = end.status;
@@ -379,11 +381,14 @@ RunReport Simulation::report() const {
   }
   Reduction of_all;
   const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_asleep),
-             updates = of_all.add_count(r.updates_asleep);
+             updates = of_all.add_count(r.updates_asleep),
+             particles_moved = of_all.add_count(particle_updates_);
   communicator_.reduce(of_all);
   r.blocks_run = of_all.count(run);
   r.blocks_asleep = of_all.count(asleep);
   r.updates_asleep = of_all.count(updates);
+  r.particle_updates = of_all.count(particles_moved);
+  r.particles_alone = component_.particles() != nullptr && component_.state_slots().empty();
   const std::vector<int> tasks = hierarchy_.level(0).effect_tasks();
   const std::vector<double> doubles = hierarchy_.level(0).effect_doubles();
   for (int e = 0; e < component_.effects().size(); ++e) {

@@ -86,6 +86,7 @@ class Simulation {
   RunStatus status_ = RunStatus::running;
   std::string message_;
   int steps_ = 0, last_checkpoint_step_ = -1;
+  std::int64_t particle_updates_ = 0;  // of this rank
   double start_seconds_ = 0, stepping_seconds_ = 0;
   bool state_is_sound_ = true;
 };
