@@ -40,12 +40,12 @@ double largest(const ArchiveStep& step, const FieldInfo* field) {
 }
 // What a value of a field may differ by, absolute.
 double room_of(const ArchiveStep& step, const FieldInfo& field, double allowed) {
-  constexpr double round_off = 1e-13;
+  constexpr double rest = 1e-12;  // what counts as rest, of the speed of sound
   const double own = allowed * largest(step, &field);
   if (field.components() == 1) return own;
   const double p = largest(step, step.find("press_CC", 0, 0));
   const double rho = largest(step, step.find("rho_CC", 0, 0));
-  return std::fmax(own, rho > 0 ? round_off * std::sqrt(p / rho) : 0.0);
+  return std::fmax(own, rho > 0 ? rest * std::sqrt(p / rho) : 0.0);
 }
 
 std::string field_difference(const Level& level, const Place& place, const DenseField& p,
