@@ -37,6 +37,15 @@ class MirrorImageOfDecks : public testing::TestWithParam<PropertyDeck> {
              std::string(u.axes).find("xyz"[axis]) != std::string::npos;
     });
   }
+  // With a pressure solve the image of a state is what the tolerance of the linear solver says of it:
+  // no solver keeps its order of cells in a mirror.
+  static double allowed(const Deck& deck) {
+    constexpr double tolerances = 100;
+    const DeckNode* solve = deck.root->find("CFD/ICE/ImplicitSolver");
+    if (solve == nullptr) return 0;
+    const DeckNode* tolerance = solve->find("Parameters/tolerance");
+    return tolerances * (tolerance == nullptr ? 1e-6 : std::stod(tolerance->text));
+  }
   RunReport run(const Deck& deck, const std::string& folder) const {
     const RunReport report = carry_out(deck, scratch_ / folder);
     EXPECT_EQ(report.message, "");
@@ -62,7 +71,7 @@ TEST_P(MirrorImageOfDecks, GivesTheImageOfTheStates) {
     const Deck image = load_deck_text(mirrored_deck(deck, axis), name, {}, sluice_schema());
     const RunReport turned = run(image, folder);
     const std::string words =
-        mirror_difference(plain.archive.value(), turned.archive.value(), axis);
+        mirror_difference(plain.archive.value(), turned.archive.value(), axis, allowed(deck));
     if (is_left_out(axis)) {
       EXPECT_NE(words, "") << folder << ": take the deck off the list";
     } else {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "framework/archive/archive.hpp"
 #include "ice/fluid/labels.hpp"
 
@@ -21,7 +23,30 @@ struct Place {
   const FieldInfo& field;
   int component;
   bool odd;
+  double allowed;  // absolute
 };
+
+// The largest number of a field, all components; 0 where there is none of that name.
+double largest(const ArchiveStep& step, const FieldInfo* field) {
+  if (field == nullptr) return 0;
+  const DenseField values = step.read(*field);
+  double most = 0;
+  for_each_cell(values.cells, [&](IntVec3 c) {
+    if (!values.has(c)) return;
+    for (int k = 0; k < field->components(); ++k)
+      most = std::fmax(most, std::fabs(values.at(c, k)));
+  });
+  return most;
+}
+// What a value of a field may differ by, absolute.
+double room_of(const ArchiveStep& step, const FieldInfo& field, double allowed) {
+  constexpr double rest = 1e-12;  // what counts as rest, of the speed of sound
+  const double own = allowed * largest(step, &field);
+  if (field.components() == 1) return own;
+  const double p = largest(step, step.find("press_CC", 0, 0));
+  const double rho = largest(step, step.find("rho_CC", 0, 0));
+  return std::fmax(own, rho > 0 ? rest * std::sqrt(p / rho) : 0.0);
+}
 
 std::string field_difference(const Level& level, const Place& place, const DenseField& p,
                              const DenseField& q, int axis) {
@@ -37,7 +62,8 @@ std::string field_difference(const Level& level, const Place& place, const Dense
     if (!here && !q.has(there)) return;
     if (here && q.has(there)) {
       const double b = q.at(there, place.component);
-      if (p.at(c, place.component) == (place.odd ? 0.0 - b : b)) return;
+      const double a = p.at(c, place.component), image = place.odd ? 0.0 - b : b;
+      if (a == image || std::fabs(a - image) <= place.allowed) return;
     }
     ++differing;
     if (!first.empty()) return;
@@ -52,8 +78,9 @@ std::string field_difference(const Level& level, const Place& place, const Dense
                      differing, values, first);
 }
 
-std::string step_difference(const ArchiveStep& a, const ArchiveStep& b, int axis) {
-  if (a.info().time != b.info().time)
+std::string step_difference(const ArchiveStep& a, const ArchiveStep& b, int axis,
+                            double allowed = 0) {
+  if (std::fabs(a.info().time - b.info().time) > allowed * a.info().time)
     return fmt::format("times {:.17g} and {:.17g}", a.info().time, b.info().time);
   if (a.fields().empty() || a.fields().size() != b.fields().size())
     return fmt::format("{} and {} fields", a.fields().size(), b.fields().size());
@@ -62,8 +89,9 @@ std::string step_difference(const ArchiveStep& a, const ArchiveStep& b, int axis
     if (twin == nullptr) return field.name + " is in one of them only";
     const DenseField p = a.read(field), q = b.read(*twin);
     const Level& level = a.grid().levels.at(static_cast<std::size_t>(field.level));
+    const double room = allowed > 0 ? room_of(a, field, allowed) : 0.0;
     for (int c = 0; c < field.components(); ++c) {
-      const Place place{field, c, is_odd(field, c, axis)};
+      const Place place{field, c, is_odd(field, c, axis), room};
       if (std::string words = field_difference(level, place, p, q, axis); !words.empty())
         return words;
       // What the image has beyond.
@@ -76,7 +104,7 @@ std::string step_difference(const ArchiveStep& a, const ArchiveStep& b, int axis
 }  // namespace
 
 std::string mirror_difference(const std::filesystem::path& a, const std::filesystem::path& b,
-                              int axis) {
+                              int axis, double allowed) {
   const Archive one = Archive::open(a), other = Archive::open(b);
   if (one.outputs().size() != other.outputs().size() ||
       one.checkpoints().size() != other.checkpoints().size() || one.checkpoints().empty())
@@ -87,9 +115,10 @@ std::string mirror_difference(const std::filesystem::path& a, const std::filesys
   for (std::size_t n = 0; n < one.outputs().size(); ++n) {
     const ArchiveStep p = one.read_output(one.outputs()[n]),
                       q = other.read_output(other.outputs()[n]);
-    if (const std::string words = step_difference(p, q, axis); !words.empty())
+    if (const std::string words = step_difference(p, q, axis, allowed); !words.empty())
       return tell(p.info().step, words);
   }
+  if (allowed > 0) return {};
   for (std::size_t n = 0; n < one.checkpoints().size(); ++n) {
     const ArchiveStep p = one.read_checkpoint(one.checkpoints()[n]),
                       q = other.read_checkpoint(other.checkpoints()[n]);

@@ -8,8 +8,9 @@
 // Units: a K/Pa, b J/(kg K^2), k0 1/Pa, L 1/K^2, v0 m^3/kg. Reference: Thomsen and Hartka, Am. J.
 // Phys. 30 (1962) 26 and 388. Limits: about 0 to 40 C and p up to some 1e8 Pa; the law ends where
 // dv/dp = 0 (x = k0/(2 a L)). Water colder than where it is densest (x < 0) has the density and the
-// pressure of a warmer one: functions of these two take the warm side (x >= 0), unless they are told
-// a temperature, and lose half their digits near x = 0. Of a state that has an energy the modulus
+// pressure of a warmer one: functions of these two take the warm side (x >= 0), unless they are
+// told a temperature, and lose half their digits near x = 0. Of a state that has an energy the
+// modulus
 // is modulus_of_state (eos.hpp).
 // Admissible: rho > 0, T > 0, dv/dp < 0, cv > 0, p > -1/k0. Shock slope 2: water (Us = c + 2 up).
 #pragma once

@@ -4,8 +4,9 @@
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps) or ice (decks of
-inputs/ICE, coarsened to seconds). A deck that `sluice check` finds good is run; of any other the first fault
-is told. --check writes nothing and fails when a page is not what it would write. --test runs only
+inputs/ICE, coarsened to seconds). A deck that `sluice check` finds good is run; of any other the
+first fault is told. --check writes nothing and fails when a page is not what it would write.
+--test runs only
 what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
 that SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
 """

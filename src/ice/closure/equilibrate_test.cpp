@@ -184,8 +184,8 @@ TEST(Equilibration, TheWeakerLiquidOpensUnderTension) {
   EXPECT_DOUBLE_EQ(s.V[0] + s.V[1], 1.0);
 }
 
-// Cold water that fluxes have left with an energy of no state, in air below the temperature at which
-// water is densest: it takes the temperature and the pressure of the air.
+// Cold water that fluxes have left with an energy of no state, in air below the temperature at
+// which water is densest: it takes the temperature and the pressure of the air.
 TEST(Equilibration, MendsTracesOfAnyLaw) {
   const Fluid air = ideal_gas(1.4, 716.5);
   const Fluid water{eos::ThomsenHartkaWater{}, std::nullopt, 1.000009, 4145};
