@@ -10,7 +10,7 @@ from sluice_tools import materialpath
 
 class Path(unittest.TestCase):
     def test_equivalent_strain_of_a_stretch(self):
-        table = {f"F_{a}{b}": numpy.array([1.0 if a == b else 0.0] * 2) for a in "xyz" for b in "xyz"}
+        table = {f"F_{a}{b}": numpy.full(2, float(a == b)) for a in "xyz" for b in "xyz"}
         table["F_xx"] = numpy.array([1.0, 1.5])
         strain = materialpath.equivalent_strain(table)
         self.assertAlmostEqual(strain[0], 0)
