@@ -42,7 +42,7 @@ def draw(table, picture, title):
         for n, part in enumerate(("xx", "yy", "zz", "yz", "xz", "xy")):
             values = table[f"stress_{part}"]
             if numpy.any(values != 0):
-                frames[0, 0].plot(time, values, style.LINES[n % len(style.LINES)],
+                frames[0, 0].plot(time, values, linestyle=style.LINES[n % len(style.LINES)],
                                   color=style.COLOURS[n], label=part)
         frames[0, 0].set(xlabel="time (s)", ylabel="stress (Pa)")
         if frames[0, 0].lines:

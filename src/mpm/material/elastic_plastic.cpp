@@ -158,9 +158,10 @@ class Metal final : public Material {
     if (!(over > 0)) return r;
     const auto f = [&](double x) { return size - 2 * mu * x - root_2_3 * strength(x); };
     // Where the strength does not fall the root lies before over/(2 mu), else before size/(2 mu).
-    double high = over / (2 * mu);
-    if (f(high) > 0) high = size / (2 * mu);
-    const double x = falling_root(f, over, high, last_rate * dt / root_2_3, 1e-12 * size);
+    const double high = over / (2 * mu), last = last_rate * dt / root_2_3;
+    const double guess = last > 0 && last < high ? last : 0.9 * high, tolerance = 1e-11 * size;
+    double x = secant_root(f, over, high, guess, tolerance);
+    if (x < 0) x = falling_root(f, over, f(high) > 0 ? size / (2 * mu) : high, guess, tolerance);
     r.keep = 1 - 2 * mu * x / size;
     r.more_strain = root_2_3 * x;
     r.yield = r.keep * size / root_2_3;

@@ -5,10 +5,13 @@
 //   d sigma_e/d eps_p = theta_0 (1 - X) + theta_IV X,   X = tanh(alpha sigma_e/sigma_es)/tanh alpha
 //   theta_0 = a_0 + a_1 ln rate + a_2 rate^(1/2) - a_3 T
 //   sigma_es = sigma_es0 (rate/rate_es0)^(k T/(g_0es b^3 mu)), the greatest sigma_e
-// sigma_e is integrated from eps_p = 0 at the present rate and temperature.
+// sigma_e is integrated from eps_p = 0 at the present rate and temperature. Without theta_IV
+// sigma_e/sigma_es is a function of theta_0 eps_p/sigma_es alone, which is kept as a table.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "mpm/material/metal_state.hpp"
 #include "mpm/material/parameters.hpp"
@@ -19,6 +22,9 @@ struct MechanicalThreshold {
   double sigma_a, mu_0, D, T_0, k_b3;  // k_b3: k/b^3, Pa/K
   double g_0i, g_0e, rate_0i, rate_0e, p_i, q_i, p_e, q_e, sigma_i;
   double a_0, a_1, a_2, a_3, theta_IV, alpha, rate_es0, g_0es, sigma_es0;
+
+  // Y and dY/dt at t = x/(1 + x), x = theta_0 eps_p/sigma_es: dY/dx = 1 - tanh(alpha Y)/tanh alpha.
+  std::vector<std::array<double, 2>> table{};
 
   struct Here {
     double mu_ratio, thermal, a_3_T;  // thermal: k T/(b^3 mu)
@@ -40,6 +46,16 @@ struct MechanicalThreshold {
   static MechanicalThreshold read(const Parameters& p);
 
  private:
+  void tabulate();
+  double tabulated(double x) const {
+    // Hermite's cubic between the nodes: 1e-9.
+    const double n = static_cast<double>(table.size() - 1), t = x / (1 + x) * n;
+    const std::size_t k = std::min(static_cast<std::size_t>(t), table.size() - 2);
+    const double u = t - static_cast<double>(k), v = 1 - u;
+    const auto& [y0, d0] = table[k];
+    const auto& [y1, d1] = table[k + 1];
+    return y0 * v * v * (1 + 2 * u) + y1 * u * u * (1 + 2 * v) + u * v * (v * d0 - u * d1) / n;
+  }
   static double factor(double thermal, double g, double rate_0, double p, double q, double rate) {
     const double activation = thermal / g * std::max(std::log(rate_0 / rate), 0.0);
     const double left = 1 - std::pow(activation, 1 / q);
@@ -48,6 +64,7 @@ struct MechanicalThreshold {
   double evolved(const Here& here, double strain, double rate) const {
     const double saturated = sigma_es0 * std::pow(rate / rate_es0, here.thermal / g_0es);
     const double theta_0 = a_0 + a_1 * std::log(rate) + a_2 * std::sqrt(rate) - here.a_3_T;
+    if (!table.empty() && theta_0 > 0) return saturated * tabulated(theta_0 * strain / saturated);
     const double per_tanh = 1 / std::tanh(alpha), scale = alpha / saturated;
     const auto slope = [&](double sigma) {
       const double X = std::tanh(scale * sigma) * per_tanh;
@@ -64,6 +81,27 @@ struct MechanicalThreshold {
     return std::clamp(sigma, 0.0, saturated);
   }
 };
+
+inline void MechanicalThreshold::tabulate() {
+  constexpr int nodes = 512, parts = 8;
+  const double per_tanh = 1 / std::tanh(alpha);
+  const auto slope = [&](double y, double t) {  // dY/dt
+    return (1 - std::tanh(alpha * y) * per_tanh) / ((1 - t) * (1 - t));
+  };
+  double y = 0;
+  table = {{0, 1}};
+  for (int k = 1; k < nodes; ++k) {
+    const double h = 1.0 / (nodes * parts);
+    for (int m = 0; m < parts; ++m) {
+      const double t = (k - 1.0) / nodes + m * h;
+      const double k1 = slope(y, t), k2 = slope(y + 0.5 * h * k1, t + 0.5 * h);
+      const double k3 = slope(y + 0.5 * h * k2, t + 0.5 * h), k4 = slope(y + h * k3, t + h);
+      y = std::min(1.0, y + h / 6 * (k1 + 2 * (k2 + k3) + k4));
+    }
+    table.push_back({y, slope(y, static_cast<double>(k) / nodes)});
+  }
+  table.push_back({1, 0});
+}
 
 inline Tags MechanicalThreshold::tags() {
   return {number("sigma_a", "part without temperature and rate, Pa"),
@@ -96,10 +134,13 @@ inline MechanicalThreshold MechanicalThreshold::read(const Parameters& p) {
   if (x("sigma_i") != 0)
     for (const char* name : {"g_0i", "edot_0i", "p_i", "q_i"})
       if (!(x(name) > 0)) p.error(name, std::string("<sigma_i> needs <") + name + "> above 0");
-  return {x("sigma_a"),  x("mu_0"),    x("D"),        x("T_0"),   x("koverbcubed"), x("g_0i"),
-          x("g_0e"),     x("edot_0i"), x("edot_0e"),  x("p_i"),   x("q_i"),         x("p_e"),
-          x("q_e"),      x("sigma_i"), x("a_0"),      x("a_1"),   x("a_2"),         x("a_3"),
-          x("theta_IV"), x("alpha"),   x("edot_es0"), x("g_0es"), x("sigma_es0")};
+  MechanicalThreshold m = {
+      x("sigma_a"),  x("mu_0"),    x("D"),        x("T_0"),   x("koverbcubed"), x("g_0i"),
+      x("g_0e"),     x("edot_0i"), x("edot_0e"),  x("p_i"),   x("q_i"),         x("p_e"),
+      x("q_e"),      x("sigma_i"), x("a_0"),      x("a_1"),   x("a_2"),         x("a_3"),
+      x("theta_IV"), x("alpha"),   x("edot_es0"), x("g_0es"), x("sigma_es0")};
+  if (m.theta_IV == 0) m.tabulate();
+  return m;
 }
 
 }  // namespace sluice::mpm

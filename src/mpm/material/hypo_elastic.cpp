@@ -106,19 +106,20 @@ class HypoElastic final : public Material {
 }  // namespace
 
 MaterialModel hypo_elastic_model() {
-  return {"hypo_elastic",
-          {},
-          "linear elasticity in rate form",
-          {positive("G", "shear modulus, Pa"), positive("K", "bulk modulus, Pa"),
-           number("alpha", "linear thermal expansion, 1/K; beside that of the material", 0),
-           choice("useModifiedEOS",
-                  "beside a fluid: the pressure of a stretched cell stays positive", false),
-           objective_tag()},
-          [](const Parameters& p) -> std::shared_ptr<const Material> {
-            return std::make_shared<HypoElastic>(p.real("K"), p.real("G"), p.constants().density,
-                                                 p.real("alpha") + p.constants().thermal_expansion,
-                                                 p.flag("objective"));
-          }};
+  return {
+      "hypo_elastic",
+      {},
+      "linear elasticity in rate form",
+      {tag("G", "shear modulus, Pa").once().real().at_least(0), positive("K", "bulk modulus, Pa"),
+       number("alpha", "linear thermal expansion, 1/K; beside that of the material", 0),
+       choice("useModifiedEOS", "beside a fluid: the pressure of a stretched cell stays positive",
+              false),
+       objective_tag()},
+      [](const Parameters& p) -> std::shared_ptr<const Material> {
+        return std::make_shared<HypoElastic>(p.real("K"), p.real("G"), p.constants().density,
+                                             p.real("alpha") + p.constants().thermal_expansion,
+                                             p.flag("objective"));
+      }};
 }
 
 }  // namespace sluice::mpm

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "mpm/material/law_test_support.hpp"
 
 namespace sluice::mpm::materials {
@@ -54,6 +57,31 @@ TEST(Materials, TagsThatAModelNeverReadsAreWarnings) {
   EXPECT_THAT(text, HasSubstr("law.ups:4"));
   EXPECT_THAT(text, HasSubstr("warning"));
   EXPECT_THAT(text, HasSubstr("hypo_elastic never reads <strain_limit>"));
+}
+
+// Every material of the public decks of solids is read, or refused for a part that is not
+// supported; only a deck whose included files are not where it says lacks numbers.
+TEST(Materials, OfThePublicDecksAreRead) {
+  const char* decks = std::getenv("SLUICE_DECKS");
+  if (decks == nullptr) GTEST_SKIP() << "SLUICE_DECKS is not set";
+  int read = 0;
+  for (const char* folder : {"/inputs/MPM", "/inputs/UintahRelease/MPM"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(decks) + folder)) {
+      if (entry.path().extension() != ".ups") continue;
+      const Deck deck = read_deck(entry.path().string());
+      const DeckNode* mpm =
+          deck.root == nullptr ? nullptr : deck.root->find("MaterialProperties/MPM");
+      if (mpm == nullptr || !deck.good()) continue;
+      for (const DeckNode* material : mpm->all("material")) {
+        const DeckNode* law = material->child("constitutive_model");
+        if (law == nullptr) continue;
+        std::vector<Fault> faults;
+        if (make_material(*law, *material, steel_constants(), faults) != nullptr) ++read;
+        for (const Fault& f : faults)
+          EXPECT_TRUE(f.severity != Severity::error || f.not_built) << to_string(f);
+      }
+    }
+  EXPECT_GE(read, 100);
 }
 
 TEST(Materials, EveryTagOfEveryModelIsDescribed) {

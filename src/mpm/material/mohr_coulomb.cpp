@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/tensor.hpp"
@@ -139,7 +140,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   bool good = true;
   for (const std::string& name : extensions)
     if (p.real(name) != 0) {
-      p.error(name, "<" + name + "> is known to the format, but not supported yet");
+      add_not_built(p.faults(), p.block(name)->where, "MohrCoulomb: <" + name + ">");
       good = false;
     }
   const double phi = p.real("Phi"), psi = p.real("Psi");

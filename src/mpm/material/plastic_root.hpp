@@ -41,4 +41,21 @@ double falling_root(const Function& f, double f_0, double high, double guess, do
   return a;
 }
 
+// The same by the secant method from a good guess in (0, high): a few values of f. Negative where
+// that does not end soon.
+template <class Function>
+double secant_root(const Function& f, double f_0, double high, double guess, double tolerance) {
+  double a = 0, fa = f_0, b = guess;
+  for (int step = 0; step < 8; ++step) {
+    const double fb = f(b);
+    if (std::abs(fb) <= tolerance) return b;
+    const double next = b + fb * (b - a) / (fa - fb);
+    a = b;
+    fa = fb;
+    b = next;
+    if (!(b > 0 && b < high)) return -1;
+  }
+  return -1;
+}
+
 }  // namespace sluice::mpm

@@ -21,7 +21,7 @@ Polar polar(const Matrix& F) {
         change = std::max(change, std::abs(next - R[3 * i + j]));
         R[3 * i + j] = next;
       }
-    if (change < 1e-9) break;  // the step took its square of that: round-off
+    if (change < 3e-8) break;  // the step took its square of that: round-off
   }
   return {R, symmetric(product(transposed(R), F))};
 }
