@@ -76,7 +76,7 @@ void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> me
   scratch.work.fill(0);
   for (std::size_t k = 0; k < members.size(); ++k) {
     scratch.change[k].fill({});
-    start_block(members[k].body, members[k].block);
+    start_block(step, members[k].body, members[k].block, books);
   }
   meet(step, members, Hook::before_forces, scratch, books);
   for (std::size_t k = 0; k < members.size(); ++k)

@@ -34,7 +34,7 @@ static void book_body_force(const NodeStep& step, double mass, Vec3 v, Vec3 chan
 }
 
 // A node on a mirror has no velocity normal to it: its image brings the opposite.
-void SolidStep::start_block(int m, int block) {
+void SolidStep::start_block(const NodeStep& step, int m, int block, NodeBooks& books) {
   Body& body = bodies_[static_cast<std::size_t>(m)];
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n) to_reals(node + n * lanes, body.units);
@@ -45,6 +45,7 @@ void SolidStep::start_block(int m, int block) {
     for (int d = 0; d < 3; ++d)
       if (on[static_cast<std::size_t>(d)]) node[n * lanes + 1 + d] = as_bits(0.0);
   }
+  book_mirrored_forces(step, m, block, books);
 }
 
 // v* = v + a + dk (f/M - alpha (v + a) + g), a: change by contact A.
@@ -103,7 +104,7 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Vec3*
 }
 
 void SolidStep::move_block(const NodeStep& step, int m, int block, NodeBooks& books) {
-  start_block(m, block);
+  start_block(step, m, block, books);
   kick_block(step, m, block, nullptr);
   finish_block(step, m, block, nullptr, books);
 }
@@ -125,6 +126,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     move_group(step, std::span(members_).subspan(groups_[g].first, groups_[g].second), scratch[t],
                books[t]);
   });
+  book_mirrored_changes(books[0]);
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
       books[0].sums[s].merge(books[n].sums[s]);

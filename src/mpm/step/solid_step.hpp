@@ -163,7 +163,8 @@ class SolidStep {
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
   // Nodes of a block, one after the other (step/move_nodes.cpp); `change`: by contact A, or null.
-  void start_block(int body, int block);  // sums become M, v_i | f
+  void start_block(const NodeStep& step, int body, int block,
+                   NodeBooks& books);  // sums become M, v_i | f
   void kick_block(const NodeStep& step, int body, int block, const Vec3* change);  // M, v_i | v*
   void finish_block(const NodeStep& step, int body, int block, const Vec3* change,
                     NodeBooks& books);  // v* - v_ref, M | v* - v_i
@@ -173,6 +174,9 @@ class SolidStep {
   double find_corners(int kind);
   void corners_to_grid();
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
+  // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.
+  void book_mirrored_forces(const NodeStep& step, int body, int block, NodeBooks& books) const;
+  void book_mirrored_changes(NodeBooks& books) const;
   // Bodies that share blocks (step/meet_nodes.cpp).
   void list_groups();
   void move_group(const NodeStep& step, std::span<const BlockMember> members,
