@@ -37,7 +37,8 @@ double largest(const ParticleTable& t, const char* name) {
 
 // Names as tests have them.
 std::string plain(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return !std::isalnum(c); }, '_');
   return text;
 }
 
@@ -46,7 +47,9 @@ struct Case {
   std::string name;
   Flags flags;
 };
-std::ostream& operator<<(std::ostream& to, const Case& c) { return to << c.name; }
+std::ostream& operator<<(std::ostream& to, const Case& c) {
+  return to << c.name;
+}
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
@@ -156,9 +159,9 @@ TEST(Transfers, ApicKeepsAngularMomentum) {
       const Vec3 x = t.position(n);
       const double m = column(t, "p.mass", 0, n), vx = column(t, "p.velocity", 0, n),
                    vy = column(t, "p.velocity", 1, n);
-      sum += m * (x.x * vy - x.y * vx) + 0.25 * h * h * m *
-                                             (column(t, "p.affineVelocity", 3, n) -
-                                              column(t, "p.affineVelocity", 1, n));
+      sum += m * (x.x * vy - x.y * vx) +
+             0.25 * h * h * m *
+                 (column(t, "p.affineVelocity", 3, n) - column(t, "p.affineVelocity", 1, n));
       size += m * std::hypot(x.x, x.y) * std::hypot(vx, vy);
     }
     return sum;
@@ -174,8 +177,7 @@ TEST(Transfers, ApicKeepsAngularMomentum) {
 // p.scalefactor: F diag(h) R0, whatever the basis.
 TEST(Transfers, ScaleFactorIsTheDeformedEdges) {
   for (const char* basis : {"cpdi", "gimp"}) {
-    const ParticleTable t =
-        SolidRun("colliding_blocks", {flag("interpolator", basis)}).particles();
+    const ParticleTable t = SolidRun("colliding_blocks", {flag("interpolator", basis)}).particles();
     for (std::size_t n = 0; n < t.size(); n += 7)
       for (int a = 0; a < 3; ++a)
         for (int e = 0; e < 3; ++e)
@@ -199,8 +201,7 @@ TEST_P(EveryBasis, BarVibratesAtItsFrequency) {
     const ParticleTable t = read_particles(step, 0);
     double sum = 0;
     for (std::size_t n = 0; n < t.size(); ++n)
-      sum += column(t, "p.velocity", 0, n) *
-             std::sin(0.5 * std::numbers::pi * start.position(n).x);
+      sum += column(t, "p.velocity", 0, n) * std::sin(0.5 * std::numbers::pi * start.position(n).x);
     times.push_back(step.info().time);
     amplitudes.push_back(sum);
   }
@@ -216,16 +217,16 @@ TEST_P(EveryBasis, BarVibratesAtItsFrequency) {
   EXPECT_NEAR(half_period, 2, 2 * most_frequency);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Transfers, EveryBasis,
-    testing::Values(Case{"linear", {flag("interpolator", "linear")}},
-                    Case{"gimp", {flag("interpolator", "gimp")}},
-                    Case{"quadratic", {flag("interpolator", "quadraticBS")}},
-                    Case{"cubic", {flag("interpolator", "cubicBS")}},
-                    Case{"cpdi", {flag("interpolator", "cpdi")}},
-                    Case{"reference", {flag("interpolator", "quadraticBS"),
-                                       flag("total_lagrangian", "true")}}),
-    [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(Transfers, EveryBasis,
+                         testing::Values(Case{"linear", {flag("interpolator", "linear")}},
+                                         Case{"gimp", {flag("interpolator", "gimp")}},
+                                         Case{"quadratic", {flag("interpolator", "quadraticBS")}},
+                                         Case{"cubic", {flag("interpolator", "cubicBS")}},
+                                         Case{"cpdi", {flag("interpolator", "cpdi")}},
+                                         Case{"reference",
+                                              {flag("interpolator", "quadraticBS"),
+                                               flag("total_lagrangian", "true")}}),
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace sluice::mpm::transfers

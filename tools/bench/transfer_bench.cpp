@@ -127,8 +127,7 @@ void run(const std::string& name, Basis basis, bool widths, int directions, bool
       window.add_to(table, nodes, false);
       to[b] = std::min(to[b], seconds() - start);
     }
-  for (int n = 0; n < table.count(); ++n)
-    std::fill_n(nodes.sums(n), block_lanes, as_bits(0.5));
+  for (int n = 0; n < table.count(); ++n) std::fill_n(nodes.sums(n), block_lanes, as_bits(0.5));
   for (int r = 0; r < repetitions; ++r)
     for (std::size_t b = 0; b < of.blocks.size(); ++b) {
       const int begin = static_cast<int>(b) * of.a_block;
@@ -157,9 +156,9 @@ int main(int argc, char** argv) {
   const int directions = argc > 2 ? std::atoi(argv[2]) : 3;
   const bool affine = argc > 3 && std::string(argv[3]) == "apic";
   const std::pair<const char*, Basis> bases[] = {
-      {"linear", Basis::linear}, {"gimp", Basis::gimp},   {"gimp_own", Basis::gimp},
-      {"cpgimp", Basis::cpgimp}, {"quadratic", Basis::quadratic},
-      {"cubic", Basis::cubic},   {"cpdi", Basis::cpdi}};
+      {"linear", Basis::linear}, {"gimp", Basis::gimp},           {"gimp_own", Basis::gimp},
+      {"cpgimp", Basis::cpgimp}, {"quadratic", Basis::quadratic}, {"cubic", Basis::cubic},
+      {"cpdi", Basis::cpdi}};
   for (const auto& [known, basis] : bases)
     if (name == known && directions >= 1 && directions <= 3) {
       run(name, basis, name == "gimp_own", directions, affine);

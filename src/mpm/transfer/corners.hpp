@@ -22,7 +22,7 @@ namespace sluice::mpm {
 template <int D, bool Tetrahedron>
 struct Corners {
   static constexpr int count = Tetrahedron ? D + 1 : 1 << D;
-  static constexpr double share = 1.0 / count;  // of a particle, for each corner
+  static constexpr double share = 1.0 / count;     // of a particle, for each corner
   alignas(64) double s[count][D][chunk_size];      // place within its cell, from the middle, cells
   alignas(64) double way[count][D][chunk_size];    // from the particle, cells
   alignas(64) double slope[count][D][chunk_size];  // al_c, 1/length

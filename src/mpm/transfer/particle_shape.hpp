@@ -20,8 +20,8 @@ struct TransferGrid {
 // Columns of the particles of a set; those that a basis does not need may be null.
 struct ParticleShape {
   std::array<const double*, 3> half{};  // half widths in cells; null: TransferGrid::half for all
-  Nine<const double> F{};      // deformation gradient at the start of the step
-  Nine<const double> edges{};  // R0: edges in the reference state, in cells (columns)
+  Nine<const double> F{};               // deformation gradient at the start of the step
+  Nine<const double> edges{};           // R0: edges in the reference state, in cells (columns)
 };
 
 inline bool by_corners(Basis basis) {
