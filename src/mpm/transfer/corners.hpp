@@ -9,9 +9,10 @@
 //   x_0 = x - (e_1 + e_2 + e_3)/4, x_k = x_0 + e_k;  S_i = 1/4 sum_c N_i(x_c),
 //   al_k = row k of E^-1, al_0 = -(al_1 + al_2 + al_3)
 //
-// (R. B. Leavy et al., Comput. Mech. 64 (2019) 563). Along directions that are not active particles have no
-// extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for itself, and
-// the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME 107 (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
+// (R. B. Leavy et al., Comput. Mech. 64 (2019) 563). Along directions that are not active particles
+// have no extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for
+// itself, and the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME 107
+// (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
 #pragma once
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/particle_shape.hpp"

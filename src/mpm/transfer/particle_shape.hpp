@@ -34,7 +34,8 @@ inline bool has_own_widths(Basis basis, const ParticleShape& shape) {
 }
 
 // Half widths in cells of particles at, ..., at + n - 1 along an axis, into `to`. cpgimp: l F_dd
-// (contiguous particles: S. G. Bardenhagen, E. M. Kober, CMES 5 (2004) 477). Three nodes hold particles of at most one cell: wider ones are taken as so wide.
+// (contiguous particles: S. G. Bardenhagen, E. M. Kober, CMES 5 (2004) 477). Three nodes hold
+// particles of at most one cell: wider ones are taken as so wide.
 void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shape, int d, int at,
                 int n, double* to);
 
