@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "framework/run/particle_cloud.hpp"
-#include "mpm/shape/weights.hpp"
 #include "mpm/saved/node_fields.hpp"
+#include "mpm/shape/weights.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/step/solid_step.hpp"

@@ -214,10 +214,12 @@ CASES = [
     # A particle each, to the grid and back, without law and output.
     Program("transfers of solids, 3-D, linear", "sluice_transfer_bench", None, "ns", ("linear",)),
     Program("transfers of solids, 3-D, GIMP", "sluice_transfer_bench", None, "ns", ("gimp",)),
-    Program("transfers of solids, 3-D, GIMP of own widths", "sluice_transfer_bench", None, "ns", ("gimp_own",)),
+    Program("transfers of solids, 3-D, GIMP of own widths", "sluice_transfer_bench", None, "ns",
+            ("gimp_own",)),
     Program("transfers of solids, 3-D, cubic", "sluice_transfer_bench", None, "ns", ("cubic",)),
     Program("transfers of solids, 3-D, CPDI", "sluice_transfer_bench", None, "ns", ("cpdi",)),
-    Program("transfers of solids, 3-D, quadratic, APIC", "sluice_transfer_bench", None, "ns", ("quadratic", "3", "apic")),
+    Program("transfers of solids, 3-D, quadratic, APIC", "sluice_transfer_bench", None, "ns",
+            ("quadratic", "3", "apic")),
     Program("transfers of solids, 2-D, GIMP", "sluice_transfer_bench", None, "ns", ("gimp", "2")),
     Ratio("share left by the quiet half", "1-D, 4096 cells, savings on", "1-D, 4096 cells"),
 ]

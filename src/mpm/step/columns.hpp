@@ -10,13 +10,13 @@ namespace sluice::mpm {
 
 // First column of each; -1: the scene does not need it.
 struct Columns {
-  int velocity = -1;      // 3, half a step behind the position
+  int velocity = -1;  // 3, half a step behind the position
   int mass = -1;
-  int volume_0 = -1;      // in the reference state
-  int volume = -1;        // J V_0
-  int F = -1;             // 9, deformation gradient
-  int stress = -1;        // 6, Cauchy
-  int energy = -1;        // work of the stress until now, J
+  int volume_0 = -1;  // in the reference state
+  int volume = -1;    // J V_0
+  int F = -1;         // 9, deformation gradient
+  int stress = -1;    // 6, Cauchy
+  int energy = -1;    // work of the stress until now, J
   int temperature = -1;
   int affine = -1;        // 9, C of affine transfers
   int half = -1;          // 3, half widths in cells, where they differ among the particles
@@ -24,20 +24,20 @@ struct Columns {
   int displacement = -1;  // 3
   int reference = -1;     // 3, place at the start: total Lagrangian
   int colour = -1;
-  int marks = -1;         // 3, loads on the particle: number in the deck plus one; 0: none
-  int given_force = -1;   // 3, that a point file gives, N
-  int normal = -1;        // 3, of the surface, from a point file
+  int marks = -1;          // 3, loads on the particle: number in the deck plus one; 0: none
+  int given_force = -1;    // 3, that a point file gives, N
+  int normal = -1;         // 3, of the surface, from a point file
   int outside_force = -1;  // 3, of the last step, where it is saved, N
-  int viscous = -1;       // artificial pressure, Pa
-  int heat_source = -1;   // of the last step, where it is saved, W
-  int history = -1;       // of the constitutive model
+  int viscous = -1;        // artificial pressure, Pa
+  int heat_source = -1;    // of the last step, where it is saved, W
+  int history = -1;        // of the constitutive model
 };
 
 struct Carried {
   Columns columns;
   std::vector<ParticleAttribute> attributes;
   int history_columns = 0;
-  std::array<double, 3> half{0.5, 0.5, 0.5};  // where the particles do not differ
+  std::array<double, 3> half{0.5, 0.5, 0.5};          // where the particles do not differ
   std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };
 

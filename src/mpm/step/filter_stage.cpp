@@ -108,10 +108,9 @@ void SolidStep::sum_filtered(const StageScope& scope, bool first) {
       read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
                   static_cast<int>(at), n, false, s.from, s.read);
       for (int d = 0; d < 3 && first; ++d)
-        std::copy_n(s.read.u[d], n,
-                    w.next->column(static_cast<std::size_t>(c.velocity + d)) + at);
-      add_to_window(solids_->basis, body.grid, chunk_of(w, c, at, s.read), 0, n,
-                    body.mapped_units, s.to);
+        std::copy_n(s.read.u[d], n, w.next->column(static_cast<std::size_t>(c.velocity + d)) + at);
+      add_to_window(solids_->basis, body.grid, chunk_of(w, c, at, s.read), 0, n, body.mapped_units,
+                    s.to);
     }
     s.to.add_to(body.table, body.mapped, team.size() > 1);
   });

@@ -63,9 +63,9 @@ void move(const MpmScene& solids, const Body& body, const BlockWork& w, std::siz
         const double before = to_v[q];  // S v - v_ref
         to_v[q] = reference + dv[q];
         dv[q] = u[q] - before;
-        to_x[q] = x[q] + dt * (solids.xpic2_of_format
-                                   ? (reference + before) + 0.5 * (to_v[q] - v[q])
-                                   : reference + u[q]);
+        to_x[q] =
+            x[q] + dt * (solids.xpic2_of_format ? (reference + before) + 0.5 * (to_v[q] - v[q])
+                                                : reference + u[q]);
       }
     } else {
       for (int q = 0; q < n; ++q) to_x[q] = x[q] + dt * (reference + u[q]);
@@ -94,8 +94,7 @@ void damp(const MpmScene& solids, const Body& body, const BlockWork& w, std::siz
   for (int d = 0; d < 3; ++d) {
     double* v = w.next->column(static_cast<std::size_t>(body.carried->columns.velocity + d)) + at;
     const double reference = body.units.reference[d];
-    for (int q = 0; q < n; ++q)
-      v[q] = beta * (reference + read.u[d][q]) + (1 - beta) * v[q];
+    for (int q = 0; q < n; ++q) v[q] = beta * (reference + read.u[d][q]) + (1 - beta) * v[q];
   }
 }
 
@@ -119,7 +118,8 @@ void carry_affine(const MpmScene& solids, const Body& body, const BlockWork& w, 
 void to_spatial_gradient(const ParticleShape& shape, std::size_t at, int n, GridAtParticles& read) {
   for (int q = 0; q < n; ++q) {
     const auto f = [&](int r, int c) {
-      return shape.F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][at + static_cast<std::size_t>(q)];
+      return shape
+          .F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][at + static_cast<std::size_t>(q)];
     };
     double adjoint[3][3], rate[9];
     for (int r = 0; r < 3; ++r)
@@ -158,8 +158,8 @@ bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, in
   return out;
 }
 
-Batch batch_of(const Body& body, const BlockWork& w, std::size_t at, int n,
-               const StageScope& scope, GridAtParticles& read) {
+Batch batch_of(const Body& body, const BlockWork& w, std::size_t at, int n, const StageScope& scope,
+               GridAtParticles& read) {
   const Columns& c = body.carried->columns;
   const auto old = [&](int first) { return w.set->column(static_cast<std::size_t>(first)) + at; };
   const auto made = [&](int first) { return w.next->column(static_cast<std::size_t>(first)) + at; };
@@ -249,8 +249,7 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
     const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     ThreadReport& report = reports[static_cast<std::size_t>(thread)];
     KindRates& rates = report.rates[static_cast<std::size_t>(w.kind)];
-    if (!body.material->rigid)
-      report.window.load(w.lowest, w.highest, body.table, body.nodes);
+    if (!body.material->rigid) report.window.load(w.lowest, w.highest, body.table, body.nodes);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size)
       move_particles(w, scope, at,
                      static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at)), report);
@@ -323,8 +322,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     const int bad = deform(solids_->subcycles_of_F, dt, b,
                            w.next->column(static_cast<std::size_t>(c.volume)) + at);
     if (bad >= 0) {
-      const double J = w.next->column(static_cast<std::size_t>(c.volume))[at + static_cast<std::size_t>(bad)] /
-                       b.volume_0[bad];
+      const double J =
+          w.next->column(static_cast<std::size_t>(c.volume))[at + static_cast<std::size_t>(bad)] /
+          b.volume_0[bad];
       tell(bad, "the deformation gradient of the step turns it inside out, det F", J);
       continue;
     }
@@ -338,8 +338,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
-    report.rate =
-        std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
+    report.rate = std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
     KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
                                at + static_cast<std::size_t>(n));
     rates.wave = wave_rate(level_, n, report.wave_speed);
@@ -377,8 +376,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     all.travel = std::max(all.travel, r.travel);
     all.left |= r.left;
     for (std::size_t k = 0; k < r.rates.size(); ++k) all.rates[k].add(r.rates[k]);
-    for (std::size_t s = 0; s < r.books.sums.size(); ++s)
-      all.books.sums[s].merge(r.books.sums[s]);
+    for (std::size_t s = 0; s < r.books.sums.size(); ++s) all.books.sums[s].merge(r.books.sums[s]);
     if (!r.fault.empty()) all.keep_fault(r.fault_id, r.fault);
   }
   std::vector<double> maxima(rate_count(bodies_.size()));
@@ -413,8 +411,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   new_rates_ = std::move(maxima);
   travel_ = reduction.maximum(travel);
   left_ = reduction.any(left);
-  for (std::size_t s = 0; s < sums.size(); ++s)
-    (*scope.sums)[s] += reduction.sum(sums[s]).value();
+  for (std::size_t s = 0; s < sums.size(); ++s) (*scope.sums)[s] += reduction.sum(sums[s]).value();
   return Verdict::good;
 }
 

@@ -12,8 +12,7 @@ void to_velocities(std::int64_t* node, const SumUnits& units) {
   const double mass = sum_in(node, 0);
   double v[3] = {};
   if (node[count_lane] != 0 && mass > 0)
-    for (int d = 0; d < 3; ++d)
-      v[d] = sum_in(node, 1 + d) / units.momentum / (mass / units.mass);
+    for (int d = 0; d < 3; ++d) v[d] = sum_in(node, 1 + d) / units.momentum / (mass / units.mass);
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(l < 3 ? v[l] : 0.0);
 }
 

@@ -56,8 +56,8 @@ void KindRates::add(const KindRates& o) {
 }
 
 void KindRates::to(std::span<double> kept) const {
-  const double all[count] = {mass, up.x, up.y, up.z, down.x, down.y, down.z, tension, affine,
-                             extent, slope, wave};
+  const double all[count] = {mass,   up.x,    up.y,   up.z,   down.x, down.y,
+                             down.z, tension, affine, extent, slope,  wave};
   std::copy_n(all, count, kept.begin());
 }
 
@@ -90,8 +90,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   const double* volume = column(c.volume, 0);
   for (int n = 0; n < 6; ++n) {
     const double* s = column(c.stress, n);
-    r.tension = largest(begin, end, r.tension,
-                        [&](std::size_t i) { return std::fabs(volume[i] * s[i]); });
+    r.tension =
+        largest(begin, end, r.tension, [&](std::size_t i) { return std::fabs(volume[i] * s[i]); });
   }
   if (c.viscous >= 0) {
     const double* q = column(c.viscous, 0);
@@ -104,8 +104,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   if (by_corners(basis)) {
     ParticleShape shape = shape_of(set, c);
     shape.F = read_columns<9>(now, c.F);
-    const CornerReach reach = corner_reach(basis, grid, shape, static_cast<int>(begin),
-                                           static_cast<int>(end));
+    const CornerReach reach =
+        corner_reach(basis, grid, shape, static_cast<int>(begin), static_cast<int>(end));
     r.extent = reach.extent;
     r.slope = reach.slope;
   }
@@ -125,8 +125,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   return r;
 }
 
-double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
-                 std::size_t at, int n, const double* c) {
+double step_rate(const Level& level, const ParticleSet& set, const Columns& columns, std::size_t at,
+                 int n, const double* c) {
   double rate = 0;
   const Nine<const double> F = read_columns<9>(set, columns.F);
   for (int d = 0; d < 3; ++d) {

@@ -13,14 +13,14 @@ namespace sluice::mpm {
 // The maxima of one kind of particles, in the order in which they are kept.
 struct KindRates {
   static constexpr int count = 12;
-  double mass = 0;        // kg
+  double mass = 0;                  // kg
   Vec3 up = none(), down = none();  // of v and of -v
-  double tension = 0;     // of |V sigma|, any component, and V q, J
-  double affine = 0;      // of |C|, any component, 1/s
-  double extent = 0;      // of a corner from its particle along a direction, cells
+  double tension = 0;               // of |V sigma|, any component, and V q, J
+  double affine = 0;                // of |C|, any component, 1/s
+  double extent = 0;                // of a corner from its particle along a direction, cells
   // Of sum_d |al_c,d| of corners; total Lagrangian: of sum_d,k |(F^-1)_dk|/h_d. 1/m
   double slope = 0;
-  double wave = 0;        // of c_p/h_d, 1/s: of affine transfers
+  double wave = 0;  // of c_p/h_d, 1/s: of affine transfers
 
   static constexpr Vec3 none() { return {-1e300, -1e300, -1e300}; }
   bool any() const { return mass > 0; }
@@ -45,8 +45,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
 
 // Of the next step's length: max over n particles and directions of (c_p + |v_d|)/h_d. Total
 // Lagrangian: waves cross reference cells of fixed length, c_p |row d of F^-1|/h_d.
-double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
-                 std::size_t at, int n, const double* wave_speed);
+double step_rate(const Level& level, const ParticleSet& set, const Columns& columns, std::size_t at,
+                 int n, const double* wave_speed);
 // max of c_p/h_d.
 double wave_rate(const Level& level, int n, const double* wave_speed);
 

@@ -116,8 +116,7 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
     const BlockWork& w = work_[n];
     if (!outside_->acts(w.kind)) return;
     double& m = most[static_cast<std::size_t>(thread)][static_cast<std::size_t>(w.kind)];
-    m = std::max(m, outside_->fill(w.kind, w.box, *w.set, w.run.begin, w.run.end,
-                                   scope.step.time));
+    m = std::max(m, outside_->fill(w.kind, w.box, *w.set, w.run.begin, w.run.end, scope.step.time));
   });
   Reduction all;
   std::vector<Reduction::Maximum> slots;
@@ -205,8 +204,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
 }
 
 void SolidStep::fold(NodeLanes Body::*group) {
-  const bool surfaces =
-      group == &Body::nodes && contact_ != nullptr && contact_->needs_surfaces();
+  const bool surfaces = group == &Body::nodes && contact_ != nullptr && contact_->needs_surfaces();
   for (std::size_t m = 0; m < bodies_.size(); ++m) {
     Body& body = bodies_[m];
     boundary_->fold(static_cast<int>(m), body.table, body.*group);

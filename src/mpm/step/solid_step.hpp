@@ -32,7 +32,7 @@ struct BlockWork {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;
   BlockRun run;
-  int box = 0;  // local number
+  int box = 0;                  // local number
   IntVec3 lowest{}, highest{};  // nodes that they reach
 };
 
@@ -49,7 +49,7 @@ struct Body {
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
-  double most_force = 0;  // from outside on one particle, any component, N
+  double most_force = 0;       // from outside on one particle, any component, N
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
   SumUnits mapped_units;
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles
@@ -214,9 +214,9 @@ class SolidStep {
   std::vector<BlockWork> work_;
   std::vector<double> new_rates_;
   Vec3 finest_{}, coarsest_{};
-  bool left_ = false;       // a particle is out of the domain
-  double travel_ = 0;       // of this step, cells
-  NodeBooks books_;         // of this rank
+  bool left_ = false;  // a particle is out of the domain
+  double travel_ = 0;  // of this step, cells
+  NodeBooks books_;    // of this rank
   double kick_ = 0;
 };
 

@@ -7,13 +7,13 @@
 
 namespace sluice::mpm {
 
-// As add_to_window, add_values_to_window and read_window (without moments). The window must reach the corners' nodes.
+// As add_to_window, add_values_to_window and read_window (without moments). The window must reach
+// the corners' nodes.
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window);
 void add_values_of_corners(Basis basis, const TransferGrid& grid,
                            const std::array<const double*, 3>& x, const ParticleShape& shape,
-                           std::span<const ValueLane> lanes_of, int begin, int end,
-                           Window& window);
+                           std::span<const ValueLane> lanes_of, int begin, int end, Window& window);
 void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                   const ParticleShape& shape, int at, int n, const Window& window,
                   GridAtParticles& to);

@@ -9,9 +9,10 @@
 //   x_0 = x - (e_1 + e_2 + e_3)/4, x_k = x_0 + e_k;  S_i = 1/4 sum_c N_i(x_c),
 //   al_k = row k of E^-1, al_0 = -(al_1 + al_2 + al_3)
 //
-// (R. B. Leavy et al., Comput. Mech. 64 (2019) 563). Along directions that are not active particles have no
-// extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for itself, and
-// the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME 107 (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
+// (R. B. Leavy et al., Comput. Mech. 64 (2019) 563). Along directions that are not active particles
+// have no extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for
+// itself, and the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME 107
+// (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
 #pragma once
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/particle_shape.hpp"
@@ -22,7 +23,7 @@ namespace sluice::mpm {
 template <int D, bool Tetrahedron>
 struct Corners {
   static constexpr int count = Tetrahedron ? D + 1 : 1 << D;
-  static constexpr double share = 1.0 / count;  // of a particle, for each corner
+  static constexpr double share = 1.0 / count;     // of a particle, for each corner
   alignas(64) double s[count][D][chunk_size];      // place within its cell, from the middle, cells
   alignas(64) double way[count][D][chunk_size];    // from the particle, cells
   alignas(64) double slope[count][D][chunk_size];  // al_c, 1/length

@@ -17,8 +17,8 @@ std::ptrdiff_t stride_of(const Window& window, int d) {
 
 template <int D, bool Tetrahedron, bool Affine>
 void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
-                  const TransferGrid& grid, const std::ptrdiff_t (&stride)[D],
-                  std::int64_t* nodes, const int (&low)[D]) {
+                  const TransferGrid& grid, const std::ptrdiff_t (&stride)[D], std::int64_t* nodes,
+                  const int (&low)[D]) {
   constexpr double share = Corners<D, Tetrahedron>::share;
   const Four load = g.load * share, mass = g.mass_momentum * share;
   Four affine[D]{};
@@ -80,8 +80,8 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
 
 template <int D, bool Tetrahedron>
 void add_values(const TransferGrid& grid, const std::array<const double*, 3>& x,
-                const ParticleShape& shape, std::span<const ValueLane> lanes_of, int begin,
-                int end, Window& window) {
+                const ParticleShape& shape, std::span<const ValueLane> lanes_of, int begin, int end,
+                Window& window) {
   static thread_local Corners<D, Tetrahedron> corners;
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);

@@ -36,14 +36,14 @@ void reference_row(const ParticlesToGrid& p, int d, int at, int n, double scale,
     double cofactor[3];  // of F_kd
     double J = 0;
     for (int k = 0; k < 3; ++k) {
-      cofactor[k] = f(k + 1, d + 1, q) * f(k + 2, d + 2, q) -
-                    f(k + 1, d + 2, q) * f(k + 2, d + 1, q);
+      cofactor[k] =
+          f(k + 1, d + 1, q) * f(k + 2, d + 2, q) - f(k + 1, d + 2, q) * f(k + 2, d + 1, q);
       J += f(k, d, q) * cofactor[k];
     }
     for (int e = 0; e < 3; ++e)
-      to[e][q] = (cofactor[0] * all[0][e][q] + cofactor[1] * all[1][e][q] +
-                  cofactor[2] * all[2][e][q]) /
-                 J;
+      to[e][q] =
+          (cofactor[0] * all[0][e][q] + cofactor[1] * all[1][e][q] + cofactor[2] * all[2][e][q]) /
+          J;
   }
 }
 
@@ -73,8 +73,7 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
         reference_row(p, d, at, n, -u.force, row);
       else
         stress_row(p, d, at, n, -u.force, row);
-      for (int q = 0; q < n; ++q)
-        gifts[q].traction[a] = Four{row[0][q], row[1][q], row[2][q], 0.0};
+      for (int q = 0; q < n; ++q) gifts[q].traction[a] = Four{row[0][q], row[1][q], row[2][q], 0.0};
     }
     if (p.affine[0] == nullptr) continue;
     const double* C[3];

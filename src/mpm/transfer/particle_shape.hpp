@@ -20,8 +20,8 @@ struct TransferGrid {
 // Columns of the particles of a set; those that a basis does not need may be null.
 struct ParticleShape {
   std::array<const double*, 3> half{};  // half widths in cells; null: TransferGrid::half for all
-  Nine<const double> F{};      // deformation gradient at the start of the step
-  Nine<const double> edges{};  // R0: edges in the reference state, in cells (columns)
+  Nine<const double> F{};               // deformation gradient at the start of the step
+  Nine<const double> edges{};           // R0: edges in the reference state, in cells (columns)
 };
 
 inline bool by_corners(Basis basis) {
@@ -34,7 +34,8 @@ inline bool has_own_widths(Basis basis, const ParticleShape& shape) {
 }
 
 // Half widths in cells of particles at, ..., at + n - 1 along an axis, into `to`. cpgimp: l F_dd
-// (contiguous particles: S. G. Bardenhagen, E. M. Kober, CMES 5 (2004) 477). Three nodes hold particles of at most one cell: wider ones are taken as so wide.
+// (contiguous particles: S. G. Bardenhagen, E. M. Kober, CMES 5 (2004) 477). Three nodes hold
+// particles of at most one cell: wider ones are taken as so wide.
 void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shape, int d, int at,
                 int n, double* to);
 

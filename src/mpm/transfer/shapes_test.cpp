@@ -39,8 +39,8 @@ struct Scene {
     for (int p = 0; p < count; ++p) {
       const auto n = static_cast<std::size_t>(p);
       for (std::size_t d = 0; d < 3; ++d)
-        columns[d][n] = level.anchor[static_cast<int>(d)] +
-                        level.spacing[static_cast<int>(d)] * (4 + random());
+        columns[d][n] =
+            level.anchor[static_cast<int>(d)] + level.spacing[static_cast<int>(d)] * (4 + random());
       for (std::size_t e = 0; e < 9; ++e) {
         columns[3 + e][n] = (e % 4 == 0) + 0.6 * (random() - 0.5);
         columns[12 + e][n] = 0.5 * (e % 4 == 0) + 0.1 * (random() - 0.5);
@@ -129,8 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      Kind{"cpdi_cut", Basis::cpdi, false, 0.2},
                                      Kind{"cpti", Basis::cpti, false, 1e300})),
     [](const auto& of) {
-      return std::string(std::get<1>(of.param).name) + "_" +
-             std::to_string(std::get<0>(of.param));
+      return std::string(std::get<1>(of.param).name) + "_" + std::to_string(std::get<0>(of.param));
     });
 
 // What particles give to nodes adds up to what they have: mass, momentum, no force; and the force
@@ -168,8 +167,9 @@ TEST_P(EveryShape, GivesAddUp) {
         momentum += sum_in(node, 1) / units.momentum;
         force += sum_in(node, 4) / units.force;
         // v = (x + y/2) e_x: sigma : grad v = sigma_xx + sigma_xy/2.
-        work += sum_in(node, 4) / units.force *
-                (i * scene.level.spacing.x + (directions > 1 ? 0.5 * j * scene.level.spacing.y : 0));
+        work +=
+            sum_in(node, 4) / units.force *
+            (i * scene.level.spacing.x + (directions > 1 ? 0.5 * j * scene.level.spacing.y : 0));
       }
   EXPECT_NEAR(m, 80, 1e-9);
   EXPECT_NEAR(momentum, 20, 1e-9);
@@ -181,7 +181,8 @@ TEST_P(EveryShape, GivesAddUp) {
 TEST(Corners, AreWhereEdgesEnd) {
   Scene scene(2);
   scene.level.spacing = {0.2, 0.2, 0.2};
-  for (int d = 0; d < 3; ++d) scene.grid.axes[static_cast<std::size_t>(d)] = axis_of(scene.level, d);
+  for (int d = 0; d < 3; ++d)
+    scene.grid.axes[static_cast<std::size_t>(d)] = axis_of(scene.level, d);
   const double c = std::sqrt(0.5);
   const double F[9] = {c, -c, 0, c, c, 0, 0, 0, 1};
   for (std::size_t e = 0; e < 9; ++e) {

@@ -20,10 +20,10 @@ struct ParticlesToGrid {
   const double* mass = nullptr;
   const double* volume = nullptr;  // null: mass and momentum alone are given
   Six<const double> stress{};
-  const double* extra_pressure = nullptr;      // of the artificial viscosity; may be null
-  Nine<const double> affine{};                 // C, 1/s; null unless the transfer is affine
-  std::array<const double*, 3> load{};         // f_p, N; null: none
-  bool reference_gradients = false;  // total Lagrangian: V sigma F^-T in place of V sigma
+  const double* extra_pressure = nullptr;  // of the artificial viscosity; may be null
+  Nine<const double> affine{};             // C, 1/s; null unless the transfer is affine
+  std::array<const double*, 3> load{};     // f_p, N; null: none
+  bool reference_gradients = false;        // total Lagrangian: V sigma F^-T in place of V sigma
 };
 
 // Units of the integers (2^k by field), and the velocity from which momentum is counted.

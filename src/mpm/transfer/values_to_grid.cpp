@@ -55,8 +55,7 @@ void add_block(Basis basis, const TransferGrid& grid, const std::array<const dou
 
 void add_values_to_window(Basis basis, const TransferGrid& grid,
                           const std::array<const double*, 3>& x, const ParticleShape& shape,
-                          std::span<const ValueLane> lanes_of, int begin, int end,
-                          Window& window) {
+                          std::span<const ValueLane> lanes_of, int begin, int end, Window& window) {
   if (by_corners(basis))
     return add_values_of_corners(basis, grid, x, shape, lanes_of, begin, end, window);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {

@@ -57,8 +57,7 @@ void Window::load(IntVec3 block, const BlockTable& table, const NodeLanes& from)
   take(table, from);
 }
 
-void Window::load(IntVec3 lowest, IntVec3 highest, const BlockTable& table,
-                  const NodeLanes& from) {
+void Window::load(IntVec3 lowest, IntVec3 highest, const BlockTable& table, const NodeLanes& from) {
   begin(lowest, highest);
   take(table, from);
 }

@@ -31,7 +31,9 @@ class Window {
   std::int64_t* at(int i, int j, int k) {
     return lanes_.data() + lanes * (i + size_.x * (j + static_cast<std::ptrdiff_t>(size_.y) * k));
   }
-  const std::int64_t* at(int i, int j, int k) const { return const_cast<Window*>(this)->at(i, j, k); }
+  const std::int64_t* at(int i, int j, int k) const {
+    return const_cast<Window*>(this)->at(i, j, k);
+  }
 
  private:
   void take(const BlockTable& table, const NodeLanes& from);
