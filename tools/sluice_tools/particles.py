@@ -5,6 +5,7 @@ from . import scalars, style, views
 from .archive import ArchiveError
 
 USUAL = ["p.stress", "p.velocity", "p.temperature", "p.color"]
+WIDER = 1.1  # so that no lines show between particles of a stretched body
 CLOSE = 0.3  # bodies that take less of the domain along both axes are drawn from near
 
 
@@ -62,8 +63,8 @@ def _widths(step, table, normal):
 
 
 def draw_panel(fig, ax, step, name, given):
-    """Particles of all materials (or of one) as discs of their own size, coloured by a variable."""
-    from matplotlib.collections import EllipseCollection
+    """Particles of all materials (or of one) as squares of their own size, coloured by a variable."""
+    from matplotlib.collections import PolyCollection
     cuts = [Cut(step, name, m, given) for m in materials_of(step, given, scalars.split_name(name)[0])]
     cuts = [cut for cut in cuts if len(cut.places)]
     if not cuts:
@@ -71,12 +72,11 @@ def draw_panel(fig, ax, step, name, given):
     black = name == "p.x"
     low, high, colours = scalars.colour_range(np.concatenate([cut.numbers for cut in cuts]))
     for cut in cuts:
-        size = 2 / np.sqrt(np.pi) * cut.widths  # a disc of the square's area
+        corners = 0.5 * WIDER * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        squares = cut.places[:, None] + cut.widths[:, None, None] * corners
         look = {"facecolors": "black"} if black else {"array": cut.numbers, "cmap": colours,
                                                       "clim": (low, high)}
-        drawn = EllipseCollection(size, size, np.zeros_like(size), units="xy", offsets=cut.places,
-                                  offset_transform=ax.transData, linewidths=0, rasterized=True,
-                                  zorder=2, **look)
+        drawn = PolyCollection(squares, linewidths=0, rasterized=True, zorder=2, **look)
         ax.add_collection(drawn)
     set_window(ax, step, given, cuts)
     if not black:

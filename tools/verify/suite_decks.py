@@ -3,8 +3,8 @@
 
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
-LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps) or ice (decks of
-inputs/ICE, coarsened to seconds). A deck that `sluice check` finds good is run; of any other the
+LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
+inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice check` finds good is run; of any other the
 first fault is told. --check writes nothing and fails when a page is not what it would write.
 --test runs only
 what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
@@ -31,6 +31,9 @@ NO_SUITE = 77
 MOST_CELLS = 20000  # of a coarsened deck
 MOST_STEPS = 200
 MOST_COARSE_STEPS = 30  # of a deck with levels
+FEW_STEPS = 5  # of solids
+SOLIDS_LIMIT = 60  # seconds a deck of solids
+MOST_CELLS_OF_SOLIDS = 200_000
 LARGEST_DRIFT = 1e-14  # of a total
 LARGEST_GROWTH = 10.0  # of density, temperature and pressure
 
@@ -57,6 +60,20 @@ are at most {LARGEST_GROWTH:g} times their largest in the first output; mass of 
 momentum and total energy are conserved to {LARGEST_DRIFT:g}, what passed the boundary counted. That
 says nothing of accuracy: see [theory_ice.md](theory_ice.md). Of the others the first thing that is
 missing is told, as `sluice check` or the start of the run says it.
+
+"""
+
+
+MPM_HEAD = f"""# Decks of solids
+
+Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite, and
+its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite through the
+variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for {FEW_STEPS} steps, a grid of
+one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`; the last step is saved. A
+deck runs when it ends in good order, all totals and all values of its last output are finite, volumes
+and masses of particles are positive, and the mass of each material is conserved to
+{LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the first thing that is missing is told,
+as `sluice check` or the start of the run says it.
 
 """
 
@@ -138,31 +155,40 @@ def first_fault(sluice, suite, name):
     return f"{kind}: " + errors[0]["message"].replace(missing, "")
 
 
-def coarsened(path):
+def models_of(path):
+    """The constitutive models that the deck names."""
+    try:
+        found = load(path).iterfind("MaterialProperties/MPM/material/constitutive_model")
+    except NoDeck:
+        return ""
+    return ", ".join(sorted({model.get("type", "") for model in found}))
+
+
+def coarsened(path, most=MOST_CELLS):
     """Overrides that make the deck small, and the cells it then has (None: as it stands)."""
     levels = load(path).findall("Grid/Level")
     boxes = levels[0].findall("Box") if len(levels) == 1 else []
     if len(boxes) != 1 or boxes[0].find("resolution") is None:
         return [], None
     cells = [int(part) for part in boxes[0].findtext("resolution").strip(" []\n").split(",")]
-    if math.prod(cells) <= MOST_CELLS:
+    if math.prod(cells) <= most:
         return [], None
     long = [n for n in cells if n > 1]
-    factor = (math.prod(cells) / MOST_CELLS) ** (1 / len(long))
+    factor = (math.prod(cells) / most) ** (1 / len(long))
     cells = [max(1, int(n / factor)) if n > 1 else 1 for n in cells]
     text = ",".join(map(str, cells))
     return ["--set", f"Grid/Level/Box/resolution=[{text}]"], cells
 
 
-def run(sluice, suite, name, folder, options):
+def run(sluice, suite, name, folder, options, limit=LIMIT):
     """(report or None, what went wrong)"""
     report = folder / "report.json"
     words = [sluice, "run", name, "-o", str(folder), "--progress", "none", "--quiet", "--json",
              str(report), *options]
     try:
-        done = subprocess.run(words, cwd=suite, capture_output=True, text=True, timeout=LIMIT)
+        done = subprocess.run(words, cwd=suite, capture_output=True, text=True, timeout=limit)
     except subprocess.TimeoutExpired:
-        return None, f"not finished in {LIMIT} s"
+        return None, f"not finished in {limit} s"
     if done.returncode == 2:
         last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
         last = re.sub(r"^\S+\.ups(:\d+)*: (error: )?", "", last)
@@ -258,6 +284,44 @@ def run_coarsened(sluice, suite, path):
     return True, text
 
 
+def bad_particles(folder):
+    """What is wrong with the last output of an archive of solids, or nothing."""
+    import numpy as np
+
+    last = Archive(next(folder.glob("*.000"))).step("last")
+    for label in last.names():
+        parts = list(values(last, label))
+        if not all(np.isfinite(part).all() for part in parts):
+            return f"{label} is not finite"
+        if label in ("p.mass", "p.volume") and min(part.min() for part in parts) <= 0:
+            return f"{label} is not positive"
+    return None
+
+
+def run_few(sluice, suite, path):
+    """(good, what to tell) of the first steps of a deck of solids"""
+    options, cells = coarsened(path, MOST_CELLS_OF_SOLIDS)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(), folder,
+                            ["--max-steps", str(FEW_STEPS), "--set",
+                             "DataArchiver/outputLastTimestep=true", "--set",
+                             "DataArchiver/checkpoint/@timestepInterval=0", *options], SOLIDS_LIMIT)
+        if report is None:
+            return False, wrong
+        wrong = bad_particles(folder)
+    for name, total in report["conservation"].items():
+        if not all(math.isfinite(total[part]) for part in ("now", "defect", "scale")):
+            wrong = wrong or f"{name} is not finite"
+        elif name.startswith("mass") and abs(total["defect"]) > LARGEST_DRIFT * total["scale"]:
+            wrong = wrong or f"{name} is not conserved"
+    if wrong:
+        return False, wrong
+    count = sum(kind["here"] for kind in report["particles"])
+    text = f"runs, {report['steps']} steps of {count:,} particles"
+    return True, text + ("" if cells is None else f" on {' x '.join(map(str, cells))} cells")
+
+
 def state_of(sluice, suite, path, run_deck):
     fault = first_fault(sluice, suite, path.relative_to(suite).as_posix())
     if fault:
@@ -269,7 +333,7 @@ def state_of(sluice, suite, path, run_deck):
 
 class AmrList:
     page = ROOT / "docs" / "amr_decks.md"
-    head, folder = AMR_HEAD, "inputs"
+    head, folders = AMR_HEAD, ("inputs",)
     columns = "| deck | component | levels | state |\n| --- | --- | --- | --- |\n"
     told = "decks with levels run"
     run_deck = staticmethod(run_whole)
@@ -282,7 +346,7 @@ class AmrList:
 
 class IceList:
     page = ROOT / "docs" / "ice_decks.md"
-    head, folder = ICE_HEAD, "inputs/ICE"
+    head, folders = ICE_HEAD, ("inputs/ICE",)
     columns = "| deck | materials | levels | state |\n| --- | --- | --- | --- |\n"
     told = "decks of the fluid run"
     run_deck = staticmethod(run_coarsened)
@@ -292,7 +356,19 @@ class IceList:
         return [materials_of(path), levels_of(path) or ""]
 
 
-LISTS = {"amr": AmrList, "ice": IceList}
+class MpmList:
+    page = ROOT / "docs" / "mpm_decks.md"
+    head, folders = MPM_HEAD, ("inputs/MPM", "inputs/UintahRelease/MPM")
+    columns = "| deck | component | constitutive models | state |\n| --- | --- | --- | --- |\n"
+    told = "decks of solids run"
+    run_deck = staticmethod(run_few)
+
+    @staticmethod
+    def cells(path):
+        return [component_of(path), models_of(path)]
+
+
+LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList}
 
 
 def short_name(suite, path):
@@ -301,7 +377,7 @@ def short_name(suite, path):
 
 def promised(suite, deck_list):
     """The decks of the list that must run."""
-    below = deck_list.folder.removeprefix("inputs").lstrip("/")
+    below = tuple(folder.removeprefix("inputs").lstrip("/") for folder in deck_list.folders)
     return {name for name in promised_decks()
             if name.startswith(below) and deck_list.cells(suite / "inputs" / name) is not None}
 
@@ -309,7 +385,7 @@ def promised(suite, deck_list):
 def make_page(sluice, suite, deck_list):
     """The page's text, what to tell of it, the names of the decks that run"""
     rows = []
-    for path in sorted((suite / deck_list.folder).rglob("*.ups")):
+    for path in sorted(p for f in deck_list.folders for p in (suite / f).rglob("*.ups")):
         cells = deck_list.cells(path)
         if cells is None:
             continue
