@@ -133,18 +133,21 @@ TEST(Gravity, TheFloorCarriesTheWeightOfAColumn) {
   EXPECT_NEAR(run.history("BndyContactArea_zminus").back()[1], 0.01, 2e-4);
 }
 
-// A thick cylinder under inner pressure, axisymmetric: hoop stress of Lame.
+// A thick cylinder under inner pressure, axisymmetric: hoop stress of Lame. The load acts on the
+// corners of the particles at the bore; in their middle it leaves 6 % there.
 TEST(Axisymmetric, AThickCylinderHasLamesHoopStress) {
   SolidDeck deck;
   deck.upper = "[1.2,0.02,0.02]";
   deck.cells = "[60,1,1]";
   deck.flags = "<interpolator>gimp</interpolator><axisymmetric>true</axisymmetric>"
                "<use_load_curves>true</use_load_curves>"
+               "<use_CBDI_boundary_condition>true</use_CBDI_boundary_condition>"
                "<artificial_damping_coeff>80</artificial_damping_coeff>";
   deck.objects = "<geom_object><box><min>[0.5,0,0]</min><max>[1,0.02,0.02]</max></box>"
                  "<res>[2,1,1]</res><velocity>[0,0,0]</velocity><temperature>300</temperature>"
                  "</geom_object>";
-  deck.blocks = "<PhysicalBC><MPM><pressure><geom_object><cylinder label='bore'>"
+  deck.blocks = "<PhysicalBC><MPM><pressure><outward_normal>false</outward_normal>"
+                "<geom_object><cylinder label='bore'>"
                 "<bottom>[0,0,0]</bottom><top>[0,0,0.02]</top><radius>0.5</radius>"
                 "<axisymmetric_side>true</axisymmetric_side></cylinder></geom_object>"
                 "<load_curve><id>1</id><time_point><time>0</time><load>100</load></time_point>"
@@ -163,7 +166,7 @@ TEST(Axisymmetric, AThickCylinderHasLamesHoopStress) {
     peak = std::max(peak, s[8][p]);
   }
   RecordProperty("worst", fmt::format("{:.3e}", worst));
-  EXPECT_LT(worst, 0.03);                                  // measured in the public deck: 0.005
+  EXPECT_LT(worst, 0.02);  // measured: 0.011
   EXPECT_NEAR(peak, 100 * 1.25 / 0.75, 0.05 * 100 * 1.25 / 0.75);
 }
 
@@ -196,7 +199,7 @@ TEST(Heat, TheFirstModeOfABarDiesOutAsFourierSaysAndNoHeatIsLost) {
     mode += 2.0 / 40 * (T[0][p] - 350) * std::cos(pi * x[0][p]);
   const double exact = 200 / pi * std::exp(-0.1 * pi * pi * run.time());
   RecordProperty("error", fmt::format("{:.3e}", mode / exact - 1));
-  EXPECT_NEAR(mode, exact, 0.02 * exact);  // measured: 0.005
+  EXPECT_NEAR(mode, exact, 0.02 * exact);  // measured: 0.0022
   const auto heat = run.history("ThermalEnergy");
   EXPECT_NEAR(heat.back()[1] / heat.front()[1], 1, 1e-13);
 }
