@@ -5,6 +5,7 @@
 
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/saved/node_fields.hpp"
+#include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
@@ -62,6 +63,7 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.attributes = carried_.back().attributes;
     if (carried_.back().columns.size >= 0)
       kind.derived.push_back(scale_factor(carried_.back().columns, scene.grid.levels[0].spacing));
+    kind.derived.push_back(thermal_volume_of(carried_.back().columns, m.constants));
     kind.by_blocks = true;
     if (scene.refinement.adaptive) kind.refine_distance = 0;
   }

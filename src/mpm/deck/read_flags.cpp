@@ -79,6 +79,13 @@ void read_physics(const DeckNode& flags, MpmScene& s) {
   s.refine_particles = boolean_or(flags, "refine_particles", false);
 }
 
+// Asked for, and not there yet.
+void tell_missing(const DeckNode& flags, const MpmScene& s, std::vector<Fault>& faults) {
+  if (s.pressure_stabilised)
+    add_warning(faults, flags.need("DoPressureStabilization").where,
+                "<DoPressureStabilization> has no effect yet");
+}
+
 void read_files(const DeckNode& flags, MpmScene& s, std::vector<Fault>& faults) {
   s.exact_deformation = boolean_or(flags, "exactDeformation", false);
   if (boolean_or(flags, "UsePrescribedDeformation", false))
@@ -141,6 +148,7 @@ void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
     read_scheme(*flags, s);
     read_physics(*flags, s);
     read_files(*flags, s, faults);
+    tell_missing(*flags, s, faults);
     read_traction_faces(*flags, s, faults);
   }
   read_splits(root, s, faults);

@@ -6,9 +6,11 @@
 
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/round.hpp"
+#include "mpm/loads/corner_loads.hpp"
 #include "mpm/loads/load_curve.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/loads/manufactured.hpp"
+#include "mpm/loads/prescribed_motion.hpp"
 
 namespace sluice::mpm::loads_test {
 namespace {
@@ -247,6 +249,42 @@ TEST(Manufactured, StartsInItsReferenceShape) {
                 1e-13);
   EXPECT_NEAR(ring->displacement({0, 0.6, 0}, t).y, 0.1, 1e-15);
   EXPECT_THROW(manufactured("Vortex", {}), std::invalid_argument);
+}
+
+// A quarter turn about z on top of a stretch of x to 2: (1, 0, 0) goes to (0, 2, 0) by steps of any
+// length.
+TEST(PrescribedMotion, StepsMeetTheRowsExactly) {
+  const PrescribedMotion motion({{0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, 0, {0, 0, 1}},
+                                 {1, {2, 0, 0, 0, 1, 0, 0, 0, 1}, 0, {0, 0, 1}},
+                                 {2, {2, 0, 0, 0, 1, 0, 0, 0, 1}, 90, {0, 0, 1}}});
+  std::array<double, 3> x = {1, 0.5, 0.25};
+  const double steps[] = {0.3, 0.5, 0.4, 0.7, 0.1, 0.5};
+  double t = 0;
+  for (const double dt : steps) {
+    const Matrix3 G = motion.rate(t, dt);
+    const std::array<double, 3> from = x;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) x[i] += dt * G[3 * i + k] * from[k];
+    t += dt;
+  }
+  EXPECT_NEAR(x[0], -0.5, 1e-14);
+  EXPECT_NEAR(x[1], 2, 1e-14);
+  EXPECT_NEAR(x[2], 0.25, 1e-14);
+  EXPECT_THROW(PrescribedMotion({{0, {}, 0, {}}}), std::invalid_argument);
+}
+
+// The face that looks along -x of a particle stretched to twice its width along y.
+TEST(CornerLoads, ActOnTheFaceThatLooksOutwardAndGrowWithIt) {
+  const std::array<Vec3, 3> rest = {Vec3{0.2, 0, 0}, Vec3{0, 0.1, 0}, Vec3{0, 0, 0.1}};
+  const std::array<Vec3, 3> now = {Vec3{0.2, 0, 0}, Vec3{0, 0.2, 0}, Vec3{0, 0, 0.1}};
+  Vec3 sum{}, middle{};
+  for (const CornerForce& c : corner_forces({1, 1, 1}, {3, 0, 0}, {-1, 0, 0}, now, rest)) {
+    sum += c.force;
+    middle += 0.25 * c.place;
+    EXPECT_DOUBLE_EQ(c.place.x, 0.9);
+  }
+  EXPECT_DOUBLE_EQ(sum.x, 6);
+  EXPECT_DOUBLE_EQ(middle.y, 1);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
       !solids.manufactured.empty())
     c.columns.displacement = add(l.displacement, true);
-  if (solids.with_colour) c.columns.colour = add(l.colour, false);
+  if (solids.with_colour || !solids.insert_file.empty()) c.columns.colour = add(l.colour, false);
   const bool loaded = solids.use_loads && !solids.loads.empty();
   if (loaded) c.columns.marks = add(l.marks, false);
   if (file_gives(material, "p.externalforce")) c.columns.given_force = add(l.given_force, false);

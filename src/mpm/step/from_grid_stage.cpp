@@ -319,7 +319,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
           fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
                       w.set->id(i), w.kind, body.material->name, p.x, p.y, p.z, reason, value));
     };
-    const int bad = deform(solids_->subcycles_of_F, dt, b,
+    // Steps of a prescribed deformation are exact at first order.
+    const int bad = deform(prescribed_ != nullptr ? 1 : solids_->subcycles_of_F, dt, b,
                            w.next->column(static_cast<std::size_t>(c.volume)) + at);
     if (bad >= 0) {
       const double J =
@@ -338,6 +339,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
+    if (!jumps_.empty()) jump(w, at, n, report.left);
     report.rate = std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
     KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
                                at + static_cast<std::size_t>(n));

@@ -109,6 +109,27 @@ void SolidStep::move_block(const NodeStep& step, int m, int block, NodeBooks& bo
   finish_block(step, m, block, nullptr, books);
 }
 
+// v* = G x, and v likewise: the velocities of particles do not change. Lanes as finish_block()
+// leaves them.
+void SolidStep::prescribe(const Matrix3& G, int m, int block) {
+  start_block(m, block);
+  Body& body = bodies_[static_cast<std::size_t>(m)];
+  const IntVec3 low = shape_.lower(body.table.block(block));
+  std::int64_t* node = body.nodes.sums(block);
+  for (int n = 0; n < block_nodes; ++n, node += lanes) {
+    if (node[count_lane] == 0) continue;
+    const Vec3 x = level_.anchor + to_real(node_of(shape_, low, n)) * level_.spacing;
+    const double mass = as_real(node[0]);
+    for (int d = 0; d < 3; ++d) {
+      const auto row = static_cast<std::size_t>(3 * d);
+      const double v = G[row] * x.x + G[row + 1] * x.y + G[row + 2] * x.z;
+      node[d] = as_bits(v - body.units.reference[d]);
+      node[4 + d] = as_bits(0.0);
+    }
+    node[3] = as_bits(mass);
+  }
+}
+
 Verdict SolidStep::move_nodes(const StageScope& scope) {
   NodeStep step;
   step.dt = scope.step.dt;
@@ -119,18 +140,24 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   step.damping = solids_->damping;
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<NodeBooks> books(static_cast<std::size_t>(team.size()));
-  list_groups();
-  std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
-  team.for_each(groups_.size(), [&](std::size_t g, int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    move_group(step, std::span(members_).subspan(groups_[g].first, groups_[g].second), scratch[t],
-               books[t]);
-  });
-  book_mirrored_changes(books[0]);
+  if (prescribed_ != nullptr) {
+    const Matrix3 rate = prescribed_->rate(scope.step.time, scope.step.dt);
+    for (std::size_t m = 0; m < bodies_.size(); ++m)
+      if (!bodies_[m].material->rigid)
+        for (int b = 0; b < bodies_[m].table.count(); ++b) prescribe(rate, static_cast<int>(m), b);
+  } else {
+    list_groups();
+    std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
+    team.for_each(groups_.size(), [&](std::size_t g, int thread) {
+      const auto t = static_cast<std::size_t>(thread);
+      move_group(step, std::span(members_).subspan(groups_[g].first, groups_[g].second), scratch[t],
+                 books[t]);
+    });
+  }
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
       books[0].sums[s].merge(books[n].sums[s]);
-  unfold();
+  if (prescribed_ == nullptr) unfold();
   books_ = std::move(books[0]);
   kick_ = step.kick;
   return Verdict::good;

@@ -6,42 +6,12 @@
 #include "framework/base/reduction.hpp"
 
 namespace sluice::mpm {
-namespace {
-
-// rho c^2 = K + 4 G/3 of a particle in its reference state gives G.
-double shear_modulus_of(const SolidMaterial& material) {
-  double one = 1, zero = 0, stress[6] = {}, energy = 0, c = 0, heating = 0, mass, volume = 1;
-  double temperature = material.constants.room_temperature;
-  const std::int64_t id = 1;
-  std::vector<double> kept(64, 0.0);
-  std::vector<double*> history;
-  for (const HistoryColumn& h : material.law->history())
-    for (int n = 0; n < h.components; ++n) history.push_back(&kept[history.size()]);
-  mass = material.constants.density;
-  Batch b;
-  b.count = 1;
-  for (std::size_t e = 0; e < 9; ++e) b.F[e] = e % 4 == 0 ? &one : &zero;
-  for (std::size_t e = 0; e < 6; ++e) b.stress[e] = &stress[e];
-  b.temperature = &temperature;
-  b.mass = &mass;
-  b.volume_0 = &volume;
-  b.id = &id;
-  b.energy = &energy;
-  b.wave_speed = &c;
-  b.heating = &heating;
-  b.history = history;
-  material.law->start(b);
-  return 0.75 * (material.constants.density * c * c - material.law->bulk_modulus());
-}
-
-}  // namespace
-
 std::unique_ptr<Manufactured> manufactured_of(const MpmScene& solids,
                                               const SolidMaterial& material, const Level& level) {
   if (solids.manufactured.empty() || solids.manufactured == "none" || material.rigid) return nullptr;
   ManufacturedConstants k;
   k.density = material.constants.density;
-  k.shear = shear_modulus_of(material);
+  k.shear = material.law->shear_modulus();
   k.lambda = material.law->bulk_modulus() - 2 * k.shear / 3;
   k.amplitude = solids.manufactured_amplitude;
   for (int d = 0; d < 3; ++d) k.active[d] = level.active[static_cast<std::size_t>(d)] ? 1 : 0;

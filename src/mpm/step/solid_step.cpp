@@ -55,6 +55,10 @@ Verdict SolidStep::begin(const StageScope& scope) {
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
     if (!solids_->contacts.empty()) contact_ = std::make_unique<Contact>(*solids_, level_);
     surface_units_ = surface_units(level_, solids_->axisymmetric);
+    if (!solids_->prescribed_file.empty())
+      prescribed_ =
+          std::make_unique<PrescribedMotion>(PrescribedMotion::read(solids_->prescribed_file));
+    if (!solids_->insert_file.empty()) insertions_ = read_insertions(solids_->insert_file);
     if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
   }
   if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
@@ -73,6 +77,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
   for (const Body& body : bodies_) far |= body.rates.extent > farthest_corner_of_neighbours;
   if (exchange_ == nullptr || !exchange_->fits(level_, far))
     exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks, far);
+  jumps_ = insertions_in(insertions_, scope.step.time, scope.step.dt);
   find_outside_forces(scope);
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     bodies_[k].units = units_of(bodies_[k], static_cast<int>(k), bodies_[k].rates);

@@ -15,6 +15,8 @@
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/contact/contact.hpp"
 #include "mpm/contact/surface_sums.hpp"
+#include "mpm/loads/insertions.hpp"
+#include "mpm/loads/prescribed_motion.hpp"
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"
@@ -185,6 +187,8 @@ class SolidStep {
               Meeting& meeting) const;
   void meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
             MeetingScratch& scratch, NodeBooks& books);
+  void prescribe(const Matrix3& rate, int body, int block);
+  void jump(const BlockWork& work, std::size_t at, int n, bool& left) const;
   struct ThreadReport;
   void read_rigid(const BlockWork& work, std::size_t at, int n, bool booked,
                   ThreadReport& report) const;
@@ -205,6 +209,8 @@ class SolidStep {
   std::unique_ptr<NodeBoundary> boundary_;
   std::unique_ptr<NodeExchange> exchange_;
   std::unique_ptr<OutsideForces> outside_;
+  std::unique_ptr<PrescribedMotion> prescribed_;  // null: the particles are free
+  std::vector<Insertion> insertions_, jumps_;     // of the run, of this step
   std::unique_ptr<Heat> heat_;  // null: heat cannot move
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts

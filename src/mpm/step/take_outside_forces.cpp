@@ -89,4 +89,20 @@ void SolidStep::corners_to_grid() {
     }
 }
 
+// InsertParticles: particles of a colour are elsewhere at the end of the step.
+void SolidStep::jump(const BlockWork& w, std::size_t at, int n, bool& left) const {
+  const Columns& c = (*carried_)[static_cast<std::size_t>(w.kind)].columns;
+  if (c.colour < 0) return;
+  const double* colour = w.set->column(static_cast<std::size_t>(c.colour)) + at;
+  for (const Insertion& i : jumps_)
+    for (int q = 0; q < n; ++q) {
+      if (colour[q] != i.colour) continue;
+      for (int d = 0; d < 3; ++d) {
+        (w.next->coordinate(d) + at)[q] += i.way[d];
+        (w.next->column(static_cast<std::size_t>(c.velocity + d)) + at)[q] = i.velocity[d];
+      }
+      left = true;  // of its block at least
+    }
+}
+
 }  // namespace sluice::mpm

@@ -1,0 +1,22 @@
+// Particles that jump: at a time, those of a colour are moved by a way and get a velocity. A file has
+// rows t, colour, way (3), velocity (3).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/base/vec3.hpp"
+
+namespace sluice::mpm {
+
+struct Insertion {
+  double time = 0, colour = 0;
+  Vec3 way{}, velocity{};
+};
+
+// InputError with file and line.
+std::vector<Insertion> read_insertions(const std::string& file);
+
+// Those of a step from `time` to time + dt (exclusive).
+std::vector<Insertion> insertions_in(const std::vector<Insertion>& all, double time, double dt);
+
+}  // namespace sluice::mpm
