@@ -48,8 +48,8 @@ Verdict SolidLevels::filter_velocities(const StageScope& scope) {
 
 // MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
 // from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236).
-// Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass they
-// would have no bound (mpm_scheme, section 14).
+// Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
+// they would have no bound (mpm_scheme, section 14).
 Verdict SolidLevels::map_back(const StageScope& scope) {
   std::vector<KindRates> bounds(kinds_->size());
   for (int l = 0; l < count(); ++l) {

@@ -11,8 +11,8 @@
 //
 // (R. B. Leavy et al., Comput. Mech. 64 (2019) 563). Along directions that are not active particles
 // have no extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for
-// itself, and the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME 107
-// (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
+// itself, and the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME
+// 107 (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
 #pragma once
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/particle_shape.hpp"

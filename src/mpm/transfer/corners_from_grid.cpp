@@ -43,9 +43,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
   int low[D];
   for (int a = 0; a < D; ++a) {
     const int d = grid.active[static_cast<std::size_t>(a)];
-    IntVec3 next{};
-    next[d] = 1;
-    stride[a] = window.at(next.x, next.y, next.z) - window.at(0, 0, 0);
+    stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
   const std::int64_t* nodes = window.at(0, 0, 0);

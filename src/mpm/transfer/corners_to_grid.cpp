@@ -8,13 +8,6 @@
 namespace sluice::mpm {
 namespace {
 
-// Distance in memory of nodes that follow each other along an active direction.
-std::ptrdiff_t stride_of(const Window& window, int d) {
-  return lanes * (d == 0   ? 1
-                  : d == 1 ? window.size(0)
-                           : static_cast<std::ptrdiff_t>(window.size(0)) * window.size(1));
-}
-
 template <int D, bool Tetrahedron, bool Affine>
 void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
                   const TransferGrid& grid, const std::ptrdiff_t (&stride)[D], std::int64_t* nodes,
@@ -65,7 +58,7 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
   int low[D];
   for (int a = 0; a < D; ++a) {
     const int d = grid.active[static_cast<std::size_t>(a)];
-    stride[a] = stride_of(window, d);
+    stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
   std::int64_t* nodes = window.at(0, 0, 0);

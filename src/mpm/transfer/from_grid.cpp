@@ -7,78 +7,108 @@
 namespace sluice::mpm {
 namespace {
 
-// A sum over the nodes of a stencil whose mirror image has the mirrored bits.
+// Sums over the nodes of a stencil so far, outside in: ((first + last) + middle), or (first + last)
+// + (second + third). A mirror image then has the mirrored bits.
 template <int N>
-inline Four paired(const Four (&v)[N]) {
-  if constexpr (N == 1) return v[0];
-  if constexpr (N == 2) return v[0] + v[1];
-  if constexpr (N == 3) return (v[0] + v[2]) + v[1];
-  if constexpr (N == 4) return (v[0] + v[3]) + (v[1] + v[2]);
-}
-
-// Sums so far of v* and its change, with the weights of the axes already summed over.
-struct Sums {
-  Four velocity, change;
-  Four slope[3];   // sum v* dS/dx_a
-  Four moment[3];  // sum S v* (x_i - x_p)_a
+struct Paired {
+  Four outer, inner;
+  [[gnu::always_inline]] void add(int i, Four term) {
+    if (i == 0)
+      outer = term;
+    else if (i == N - 1)
+      outer += term;
+    else if (N == 3)
+      inner = term;
+    else if (i == 1)
+      inner = term;
+    else
+      inner += term;
+  }
+  [[gnu::always_inline]] Four sum() const {
+    if constexpr (N == 2) return outer;
+    return outer + inner;
+  }
 };
 
-// Joins N sums along axis A, of which the axes below have been summed.
-template <int N, int A, bool Moments>
-inline Sums join(const Sums (&s)[N], const AxisWeights<N>& w, int q) {
-  Sums to{};
-  Four part[N];
-  const auto sum = [&](auto&& term) {
-    for (int i = 0; i < N; ++i) part[i] = term(i);
-    return paired<N>(part);
-  };
-  to.velocity = sum([&](int i) { return w.w[i][q] * s[i].velocity; });
-  to.change = sum([&](int i) { return w.w[i][q] * s[i].change; });
-  for (int a = 0; a < A; ++a) to.slope[a] = sum([&](int i) { return w.w[i][q] * s[i].slope[a]; });
-  to.slope[A] = sum([&](int i) { return w.d[i][q] * s[i].velocity; });
-  if constexpr (Moments) {
-    for (int a = 0; a < A; ++a)
-      to.moment[a] = sum([&](int i) { return w.w[i][q] * s[i].moment[a]; });
-    to.moment[A] = sum([&](int i) { return (w.w[i][q] * w.off[i][q]) * s[i].velocity; });
+// Sums over the first A axes: v*, its change, and (A each) sum v* dS/dx_a, sum S v* (x_i - x_p)_a.
+template <int A, bool Moments>
+struct Sums {
+  Four velocity, change;
+  Four slope[A];
+  Four moment[Moments ? A : 1];
+};
+
+template <int N, bool Moments>
+[[gnu::always_inline]] inline Sums<1, Moments> read_row(const std::int64_t* node,
+                                                        const double (&w)[N], const double (&d)[N],
+                                                        const double (&off)[N]) {
+  Paired<N> velocity, change, slope, moment;
+  for (int i = 0; i < N; ++i, node += lanes) {
+    const Four v = *reinterpret_cast<const FourAtNode*>(node);
+    const Four c = *reinterpret_cast<const FourAtNode*>(node + 4);
+    velocity.add(i, w[i] * v);
+    change.add(i, w[i] * c);
+    slope.add(i, d[i] * v);
+    if constexpr (Moments) moment.add(i, off[i] * v);
+  }
+  Sums<1, Moments> to;
+  to.velocity = velocity.sum();
+  to.change = change.sum();
+  to.slope[0] = slope.sum();
+  if constexpr (Moments) to.moment[0] = moment.sum();
+  return to;
+}
+
+// Sums over axes 0 to A from those over axes 0 to A - 1 at the N places of axis A.
+template <int N, int A, bool Moments, class At>
+[[gnu::always_inline]] inline Sums<A + 1, Moments> join(const AxisWeights<N>& axis, int q,
+                                                        const At& at) {
+  Paired<N> velocity, change, slope[A + 1], moment[Moments ? A + 1 : 1];
+  for (int i = 0; i < N; ++i) {
+    const Sums<A, Moments> s = at(i);
+    const double w = axis.w[i][q];
+    velocity.add(i, w * s.velocity);
+    change.add(i, w * s.change);
+    for (int a = 0; a < A; ++a) slope[a].add(i, w * s.slope[a]);
+    slope[A].add(i, axis.d[i][q] * s.velocity);
+    if constexpr (Moments) {
+      for (int a = 0; a < A; ++a) moment[a].add(i, w * s.moment[a]);
+      moment[A].add(i, (w * axis.off[i][q]) * s.velocity);
+    }
+  }
+  Sums<A + 1, Moments> to;
+  to.velocity = velocity.sum();
+  to.change = change.sum();
+  for (int a = 0; a <= A; ++a) {
+    to.slope[a] = slope[a].sum();
+    if constexpr (Moments) to.moment[a] = moment[a].sum();
   }
   return to;
 }
 
-template <int N, bool Moments>
-inline Sums read_row(const std::int64_t* node, const AxisWeights<N>& w, int q) {
-  Sums nodes[N];
-  for (int i = 0; i < N; ++i, node += lanes) {
-    nodes[i].velocity = *reinterpret_cast<const FourAtNode*>(node);
-    nodes[i].change = *reinterpret_cast<const FourAtNode*>(node + 4);
+template <int D, int N, bool Moments>
+[[gnu::always_inline]] inline Sums<D, Moments> read_particle(const AxisWeights<N> (&w)[D], int q,
+                                                             const std::int64_t* node,
+                                                             const std::ptrdiff_t (&stride)[D]) {
+  double wx[N], dx[N], off[N];
+  for (int i = 0; i < N; ++i) {
+    wx[i] = w[0].w[i][q];
+    dx[i] = w[0].d[i][q];
+    off[i] = Moments ? wx[i] * w[0].off[i][q] : 0.0;
   }
-  return join<N, 0, Moments>(nodes, w, q);
-}
-
-template <int D, class B, bool Moments>
-Sums read_particle(const AxisWeights<B::nodes> (&w)[D], int q, IntVec3 first,
-                   const TransferGrid& grid, const Window& window) {
-  constexpr int N = B::nodes;
-  const auto row = [&](int j, int k) {
-    IntVec3 node = first;
-    if constexpr (D > 1) node[grid.active[1]] += j;
-    if constexpr (D > 2) node[grid.active[2]] += k;
-    return read_row<N, Moments>(window.at(node.x, node.y, node.z), w[0], q);
-  };
+  const auto row = [&](const std::int64_t* at)
+                       [[gnu::always_inline]] { return read_row<N, Moments>(at, wx, dx, off); };
   if constexpr (D == 1) {
-    return row(0, 0);
+    return row(node);
+  } else if constexpr (D == 2) {
+    return join<N, 1, Moments>(
+        w[1], q, [&](int j) [[gnu::always_inline]] { return row(node + j * stride[1]); });
   } else {
-    const auto plane = [&](int k) {
-      Sums rows[N];
-      for (int j = 0; j < N; ++j) rows[j] = row(j, k);
-      return join<N, 1, Moments>(rows, w[1], q);
-    };
-    if constexpr (D == 2) {
-      return plane(0);
-    } else {
-      Sums planes[N];
-      for (int k = 0; k < N; ++k) planes[k] = plane(k);
-      return join<N, 2, Moments>(planes, w[2], q);
-    }
+    return join<N, 2, Moments>(w[2], q, [&](int k) [[gnu::always_inline]] {
+      return join<N, 1, Moments>(w[1], q, [&](int j) [[gnu::always_inline]] {
+        return row(node + k * stride[2] + j * stride[1]);
+      });
+    });
   }
 }
 
@@ -89,14 +119,18 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
   for (int a = 0; a < D; ++a)
     weights_of<B, Moments>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
                            w[a]);
-  const IntVec3 low = window.lower();
+  std::ptrdiff_t stride[D];
+  int low[D];
+  for (int a = 0; a < D; ++a) {
+    const int d = grid.active[static_cast<std::size_t>(a)];
+    stride[a] = window.stride(d);
+    low[a] = window.lower()[d];
+  }
+  const std::int64_t* nodes = window.at(0, 0, 0);
   for (int q = 0; q < n; ++q) {
-    IntVec3 first{};
-    for (int a = 0; a < D; ++a) {
-      const int d = grid.active[static_cast<std::size_t>(a)];
-      first[d] = w[a].first[q] - low[d];
-    }
-    const Sums s = read_particle<D, B, Moments>(w, q, first, grid, window);
+    const std::int64_t* node = nodes;
+    for (int a = 0; a < D; ++a) node += (w[a].first[q] - low[a]) * stride[a];
+    const Sums<D, Moments> s = read_particle<D, B::nodes, Moments>(w, q, node, stride);
     for (int e = 0; e < 3; ++e) {
       to.u[e][q] = s.velocity[e];
       to.dv[e][q] = s.change[e];

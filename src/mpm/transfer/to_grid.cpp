@@ -10,54 +10,45 @@
 namespace sluice::mpm {
 namespace {
 
-template <int D, class B>
-using Weights = AxisWeights<B::nodes>[D];
-
-// One row of nodes along the first axis.
-template <int N, bool Affine>
-inline void add_row(std::int64_t* node, const AxisWeights<N>& x, int q, Four mass, Four slope,
-                    Four force, Four pull) {
-  for (int i = 0; i < N; ++i, node += lanes) {
-    const double w = x.w[i][q], d = x.d[i][q];
-    Four momentum = mass * w;
-    if constexpr (Affine) momentum += slope * (w * x.off[i][q]);
-    add_rounded(node, momentum);
-    add_rounded(node + 4, force * w + pull * d);
-  }
-}
-
-template <int D, class B, bool Affine>
-void add_particle(const Gift& g, const Weights<D, B>& w, int q, const IntVec3& low,
-                  const TransferGrid& grid, Window& window) {
-  constexpr int N = B::nodes;
+// Adds to the nodes of one particle, a row along the first axis at a time; nodes of the first active
+// direction follow each other in memory, since those that are not active have one layer.
+template <int D, int N, bool Affine>
+[[gnu::always_inline]] inline void add_particle(const Gift& g, const AxisWeights<N> (&w)[D], int q,
+                                                std::int64_t* nodes,
+                                                const std::ptrdiff_t (&stride)[D]) {
   constexpr int rows = D > 1 ? N : 1, planes = D > 2 ? N : 1;
-  IntVec3 first{};
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
-    first[d] = w[a].first[q] - low[d];
+  double wx[N], dx[N], off[N];
+  for (int i = 0; i < N; ++i) {
+    wx[i] = w[0].w[i][q];
+    dx[i] = w[0].d[i][q];
+    if constexpr (Affine) off[i] = wx[i] * w[0].off[i][q];
   }
+  const Four mass_momentum = g.mass_momentum, load = g.load, pull_x = g.traction[0];
   for (int k = 0; k < planes; ++k) {
     const double wz = D > 2 ? w[D - 1].w[k][q] : 1.0, dz = D > 2 ? w[D - 1].d[k][q] : 0.0;
     for (int j = 0; j < rows; ++j) {
-      const double wy = D > 1 ? w[D > 1 ? 1 : 0].w[j][q] : 1.0;
-      const double dy = D > 1 ? w[D > 1 ? 1 : 0].d[j][q] : 0.0;
+      constexpr int y = D > 1 ? 1 : 0;
+      const double wy = D > 1 ? w[y].w[j][q] : 1.0, dy = D > 1 ? w[y].d[j][q] : 0.0;
       const double wyz = wy * wz;
-      Four mass = g.mass_momentum, force = g.load * wyz;
+      std::int64_t* node = nodes;
+      if constexpr (D > 1) node += j * stride[1];
+      if constexpr (D > 2) node += k * stride[2];
+      Four mass = mass_momentum, force = load * wyz, slope{};
       if constexpr (D > 1) force += g.traction[1] * (dy * wz);
       if constexpr (D > 2) force += g.traction[2] * (wy * dz);
-      Four slope{};
       if constexpr (Affine) {
         slope = g.affine[0] * wyz;
         if constexpr (D > 1) mass += g.affine[1] * w[1].off[j][q];
         if constexpr (D > 2) mass += g.affine[2] * w[2].off[k][q];
       }
-      IntVec3 node = first;
-      if constexpr (D > 1) node[grid.active[1]] += j;
-      if constexpr (D > 2) node[grid.active[2]] += k;
-      // Directions that are not active have one layer: nodes of the first active one follow each
-      // other in memory.
-      add_row<N, Affine>(window.at(node.x, node.y, node.z), w[0], q, mass * wyz, slope, force,
-                         g.traction[0] * wyz);
+      mass *= wyz;
+      const Four pull = pull_x * wyz;
+      for (int i = 0; i < N; ++i, node += lanes) {
+        Four momentum = mass * wx[i];
+        if constexpr (Affine) momentum += slope * off[i];
+        add_rounded(node, momentum);
+        add_rounded(node + 4, force * wx[i] + pull * dx[i]);
+      }
     }
   }
 }
@@ -65,16 +56,27 @@ void add_particle(const Gift& g, const Weights<D, B>& w, int q, const IntVec3& l
 template <int D, class B, bool Affine>
 void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
-  alignas(64) static thread_local Weights<D, B> weights;
+  alignas(64) static thread_local AxisWeights<B::nodes> weights[D];
   static thread_local Gift gifts[chunk_size];
+  std::ptrdiff_t stride[D];
+  int low[D];
+  for (int a = 0; a < D; ++a) {
+    const int d = grid.active[static_cast<std::size_t>(a)];
+    stride[a] = window.stride(d);
+    low[a] = window.lower()[d];
+  }
+  std::int64_t* nodes = window.at(0, 0, 0);
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     for (int a = 0; a < D; ++a)
       weights_of<B, Affine>(basis, grid, p.x, p.shape, grid.active[static_cast<std::size_t>(a)], at,
                             n, weights[a]);
     make_gifts(grid, p, at, n, units, gifts);
-    for (int q = 0; q < n; ++q)
-      add_particle<D, B, Affine>(gifts[q], weights, q, window.lower(), grid, window);
+    for (int q = 0; q < n; ++q) {
+      std::int64_t* node = nodes;
+      for (int a = 0; a < D; ++a) node += (weights[a].first[q] - low[a]) * stride[a];
+      add_particle<D, B::nodes, Affine>(gifts[q], weights, q, node, stride);
+    }
   }
 }
 

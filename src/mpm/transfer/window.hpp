@@ -27,6 +27,10 @@ class Window {
 
   IntVec3 lower() const { return lower_; }
   int size(int d) const { return size_[d]; }
+  // Distance in memory of nodes that follow each other along a direction, in lanes.
+  std::ptrdiff_t stride(int d) const {
+    return lanes * (d == 0 ? 1 : d == 1 ? size_.x : static_cast<std::ptrdiff_t>(size_.x) * size_.y);
+  }
   // Lanes of a node counted from lower().
   std::int64_t* at(int i, int j, int k) {
     return lanes_.data() + lanes * (i + size_.x * (j + static_cast<std::ptrdiff_t>(size_.y) * k));
