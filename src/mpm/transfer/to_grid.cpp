@@ -10,8 +10,8 @@
 namespace sluice::mpm {
 namespace {
 
-// Adds to the nodes of one particle, a row along the first axis at a time; nodes of the first active
-// direction follow each other in memory: those that are not active have one layer.
+// Adds to the nodes of one particle, a row along the first axis at a time. Nodes of the first
+// active direction follow each other in memory: those that are not active have one layer.
 template <int D, int N, bool Affine>
 [[gnu::always_inline]] inline void add_particle(const Gift& g, const AxisWeights<N> (&w)[D], int q,
                                                 std::int64_t* nodes,
