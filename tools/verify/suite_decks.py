@@ -11,6 +11,7 @@ what it must: every deck that the page says runs, and fails when one no longer d
 that SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
 """
 import argparse
+import concurrent.futures
 import json
 import math
 import os
@@ -385,14 +386,17 @@ def promised(suite, deck_list):
 
 def make_page(sluice, suite, deck_list):
     """The page's text, what to tell of it, the names of the decks that run"""
-    rows = []
-    for path in sorted(p for f in deck_list.folders for p in (suite / f).rglob("*.ups")):
+    def row(path):
         cells = deck_list.cells(path)
         if cells is None:
-            continue
+            return None
         good, state = state_of(sluice, suite, path, deck_list.run_deck)
         name = short_name(suite, path)
-        rows.append((good, name, f"| {' | '.join([name, *cells, state])} |\n"))
+        return good, name, f"| {' | '.join([name, *cells, state])} |\n"
+
+    paths = sorted(p for f in deck_list.folders for p in (suite / f).rglob("*.ups"))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        rows = [found for found in pool.map(row, paths) if found is not None]
     running = [line for good, _, line in rows if good]
     text = deck_list.head
     text += f"{len(running)} of {len(rows)} decks run.\n\n" + deck_list.columns
