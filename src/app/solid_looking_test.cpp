@@ -68,7 +68,8 @@ TEST_F(SolidRuns, ParticlesAboveTheThresholdAreFollowed) {
   const fs::path archive = run("plain");
   const auto files = histories(archive);
   ASSERT_EQ(files.size(), 4U);
-  const Outcome stress = run_sluice({"extract", archive.string(), "--var", "p.stress", "--csv", "-"});
+  const Outcome stress =
+      run_sluice({"extract", archive.string(), "--var", "p.stress", "--csv", "-"});
   EXPECT_THAT(stress.text, HasSubstr("value_xx,value_xy,value_xz,value_yx,value_yy,value_yz,"
                                      "value_zx,value_zy,value_zz"));
   const auto saved = table_of(stress.text);
@@ -112,7 +113,8 @@ TEST_F(SolidRuns, WhatCannotBeFollowedIsRefused) {
   };
   EXPECT_THAT(said("DataAnalysis/Module/Variables/analyze[1]/@label=p.velocitty"),
               HasSubstr("names no field of this run; did you mean 'p.velocity'"));
-  EXPECT_THAT(said("MPM/withColor=false"), HasSubstr("write <withColor>true</withColor> into <MPM>"));
+  EXPECT_THAT(said("MPM/withColor=false"),
+              HasSubstr("write <withColor>true</withColor> into <MPM>"));
 }
 
 TEST_F(SolidRuns, ThePlanCountsParticlesAndTheFirstStep) {
@@ -124,8 +126,8 @@ TEST_F(SolidRuns, ThePlanCountsParticlesAndTheFirstStep) {
   EXPECT_GT(json.at("memory").at("particles"), 0);
   EXPECT_THAT(json.at("stages").dump(), HasSubstr("particles to grid"));
   const fs::path record = folder_ / "run.json";
-  const Outcome run = run_sluice({"run", disks, "--no-output", "--max-steps", "1", "--json",
-                                  record.string()});
+  const Outcome run =
+      run_sluice({"run", disks, "--no-output", "--max-steps", "1", "--json", record.string()});
   ASSERT_EQ(run.status, 0) << run.text;
   EXPECT_THAT(run.text, HasSubstr("; 1,624 particles, "));
   EXPECT_THAT(run.text, Not(HasSubstr("ns per cell")));
@@ -147,7 +149,8 @@ TEST_F(SolidRuns, TensorsAreComparedAndExported) {
   EXPECT_EQ(differing.status, 1) << differing.text;
   EXPECT_THAT(differing.text, HasSubstr("p.stress"));
   const fs::path files = folder_ / "vtk";
-  const Outcome exported = run_sluice({"export", archive.string(), "--time", "last", "-o", files.string()});
+  const Outcome exported =
+      run_sluice({"export", archive.string(), "--time", "last", "-o", files.string()});
   ASSERT_EQ(exported.status, 0) << exported.text;
   std::string particles;
   for (const auto& entry : fs::recursive_directory_iterator(files))

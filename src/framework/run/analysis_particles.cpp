@@ -30,7 +30,8 @@ int kind_of(const AnalysisModule& m, const ParticleMethod* method) {
       names.push_back(method->kinds()[k].name);
     }
   throw DeckError(
-      m.where, fmt::format("<Module name=\"{}\">: material {} has no particles", m.name, m.material),
+      m.where,
+      fmt::format("<Module name=\"{}\">: material {} has no particles", m.name, m.material),
       names.empty() ? "this run has none" : fmt::format("{} have some", fmt::join(names, ", ")));
 }
 
@@ -42,9 +43,10 @@ std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) 
   }
   throw DeckError(
       m.where,
-      fmt::format("<Module name=\"{}\"> takes the particles with {} above colorThreshold, and those "
-                  "of '{}' carry none",
-                  m.name, colour_name, kind.name),
+      fmt::format(
+          "<Module name=\"{}\"> takes the particles with {} above colorThreshold, and those "
+          "of '{}' carry none",
+          m.name, colour_name, kind.name),
       "write <withColor>true</withColor> into <MPM>");
 }
 
@@ -154,8 +156,8 @@ AnalysisFile& ParticleHistories::file_of(int level, std::int64_t id) {
   auto file = files_.find(key);
   if (file == files_.end())
     file = files_
-               .emplace(key, AnalysisFile(fmt::format("{}/L-{}/{}", folder_name, level, id),
-                                          header_, 0))
+               .emplace(key,
+                        AnalysisFile(fmt::format("{}/L-{}/{}", folder_name, level, id), header_, 0))
                .first;
   return file->second;
 }
