@@ -1,5 +1,5 @@
-// Looking at runs of solids: histories of single particles, plans, reports, tables and files for other
-// programs, each against the archive or the run itself.
+// Looking at runs of solids: histories of single particles, plans, reports, tables and files for
+// other programs, each against the archive or the run itself.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

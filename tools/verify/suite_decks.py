@@ -4,11 +4,11 @@
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
-inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice check` finds good is run; of any other the
-first fault is told. --check writes nothing and fails when a page is not what it would write.
---test runs only
-what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
-that SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
+inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice
+check` finds good is run; of any other the first fault is told. --check writes nothing and fails
+when a page is not what it would write. --test runs only what it must: every deck that the page
+says runs, and fails when one no longer does; exit 77 means that SLUICE_DECKS is not set. Whatever
+a page says, the decks of regression/promised_decks.txt run.
 """
 import argparse
 import concurrent.futures
@@ -67,14 +67,14 @@ missing is told, as `sluice check` or the start of the run says it.
 
 MPM_HEAD = f"""# Decks of solids
 
-Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite, and
-its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite through the
-variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for {FEW_STEPS} steps, a grid of
-one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`; the last step is saved. A
-deck runs when it ends in good order, all totals and all values of its last output are finite, volumes
-and masses of particles are positive, and the mass of each material is conserved to
-{LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the first thing that is missing is told,
-as `sluice check` or the start of the run says it.
+Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite,
+and its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite
+through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+{FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
+`resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
+values of its last output are finite, volumes and masses of particles are positive, and the mass of
+each material is conserved to {LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the
+first thing that is missing is told, as `sluice check` or the start of the run says it.
 
 """
 
