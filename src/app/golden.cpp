@@ -11,6 +11,7 @@
 
 #include "framework/archive/selection.hpp"
 #include "framework/base/error.hpp"
+#include "framework/field/component_name.hpp"
 
 namespace sluice {
 namespace {
@@ -64,8 +65,10 @@ Golden golden_of(const Archive& archive, const std::vector<std::string>& variabl
     for (const FieldInfo& info : select_fields(step, variable, std::nullopt, 0)) {
       const DenseField field = step.read(info);
       for (int c = 0; c < info.components(); ++c)
-        g.columns.push_back(info.components() == 1 ? info.name
-                                                   : fmt::format("{}.{}", info.name, "xyz"[c]));
+        g.columns.push_back(
+            info.components() == 1
+                ? info.name
+                : fmt::format("{}.{}", info.name, component_name(info.components(), c)));
       std::size_t n = 0;
       for_each_cell(step.grid().levels.front().domain, [&](IntVec3 cell) {
         if (first) g.rows.push_back({0, cell, {}});

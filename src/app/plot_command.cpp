@@ -11,7 +11,9 @@ void add_plot_command(CommandLine& line) {
   Command command = line.add("plot", "Draw an archive: profiles, slices, particles, histories");
   auto request = std::make_shared<PictureRequest>();
   command.option("UDA", request->archive, "Archive (folder or link)").required();
-  command.option("--var", request->variables, "Label, or a component of it: vel_CC.x, p.stress.xy (of stresses else: von Mises)")
+  command
+      .option("--var", request->variables,
+              "Label, or a component of it: vel_CC.x, p.stress.xy (of stresses else: von Mises)")
       .quietly_repeatable();
   command
       .option("--history", request->histories,

@@ -63,9 +63,10 @@ def _widths(step, table, normal):
 
 
 def draw_panel(fig, ax, step, name, given):
-    """Particles of all materials (or of one) as squares of their own size, coloured by a variable."""
+    """Particles of all materials (or of one): squares of their own size, coloured."""
     from matplotlib.collections import PolyCollection
-    cuts = [Cut(step, name, m, given) for m in materials_of(step, given, scalars.split_name(name)[0])]
+    base, _ = scalars.split_name(name)
+    cuts = [Cut(step, name, m, given) for m in materials_of(step, given, base)]
     cuts = [cut for cut in cuts if len(cut.places)]
     if not cuts:
         raise ArchiveError("no particle lies in this plane: choose another with --slice")

@@ -307,7 +307,8 @@ def parse_slice(text):
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="sluice plot", description="Draw an archive")
     parser.add_argument("archive")
-    parser.add_argument("--var", action="append", help="label, or a component: vel_CC.x, p.stress.xy")
+    parser.add_argument("--var", action="append",
+                        help="label, or a component: vel_CC.x, p.stress.xy")
     parser.add_argument("--material", type=int)
     parser.add_argument("--time", default="last", help="last, first, #N or a time")
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")

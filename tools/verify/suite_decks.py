@@ -4,13 +4,14 @@
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
-inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice check` finds good is run; of any other the
-first fault is told. --check writes nothing and fails when a page is not what it would write.
---test runs only
-what it must: every deck that the page says runs, and fails when one no longer does; exit 77 means
-that SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
+inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice
+check` finds good is run; of any other the first fault is told. --check writes nothing and fails
+when a page is not what it would write. --test runs only what it must: every deck that the page
+says runs, and fails when one no longer does; exit 77 means that SLUICE_DECKS is not set. Whatever
+a page says, the decks of regression/promised_decks.txt run.
 """
 import argparse
+import concurrent.futures
 import json
 import math
 import os
@@ -66,14 +67,14 @@ missing is told, as `sluice check` or the start of the run says it.
 
 MPM_HEAD = f"""# Decks of solids
 
-Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite, and
-its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite through the
-variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for {FEW_STEPS} steps, a grid of
-one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`; the last step is saved. A
-deck runs when it ends in good order, all totals and all values of its last output are finite, volumes
-and masses of particles are positive, and the mass of each material is conserved to
-{LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the first thing that is missing is told,
-as `sluice check` or the start of the run says it.
+Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite,
+and its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite
+through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+{FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
+`resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
+values of its last output are finite, volumes and masses of particles are positive, and the mass of
+each material is conserved to {LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the
+first thing that is missing is told, as `sluice check` or the start of the run says it.
 
 """
 
@@ -301,15 +302,16 @@ def bad_particles(folder):
 def run_few(sluice, suite, path):
     """(good, what to tell) of the first steps of a deck of solids"""
     options, cells = coarsened(path, MOST_CELLS_OF_SOLIDS)
+    saves = load(path).find("DataArchiver/save") is not None
+    if saves:
+        options += ["--set", "DataArchiver/outputLastTimestep=true"]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(), folder,
-                            ["--max-steps", str(FEW_STEPS), "--set",
-                             "DataArchiver/outputLastTimestep=true", "--set",
-                             "DataArchiver/checkpoint/@timestepInterval=0", *options], SOLIDS_LIMIT)
+                            ["--max-steps", str(FEW_STEPS), *options], SOLIDS_LIMIT)
         if report is None:
             return False, wrong
-        wrong = bad_particles(folder)
+        wrong = bad_particles(folder) if saves else None
     for name, total in report["conservation"].items():
         if not all(math.isfinite(total[part]) for part in ("now", "defect", "scale")):
             wrong = wrong or f"{name} is not finite"
@@ -384,14 +386,17 @@ def promised(suite, deck_list):
 
 def make_page(sluice, suite, deck_list):
     """The page's text, what to tell of it, the names of the decks that run"""
-    rows = []
-    for path in sorted(p for f in deck_list.folders for p in (suite / f).rglob("*.ups")):
+    def row(path):
         cells = deck_list.cells(path)
         if cells is None:
-            continue
+            return None
         good, state = state_of(sluice, suite, path, deck_list.run_deck)
         name = short_name(suite, path)
-        rows.append((good, name, f"| {' | '.join([name, *cells, state])} |\n"))
+        return good, name, f"| {' | '.join([name, *cells, state])} |\n"
+
+    paths = sorted(p for f in deck_list.folders for p in (suite / f).rglob("*.ups"))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        rows = [found for found in pool.map(row, paths) if found is not None]
     running = [line for good, _, line in rows if good]
     text = deck_list.head
     text += f"{len(running)} of {len(rows)} decks run.\n\n" + deck_list.columns

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "framework/archive/particle_table.hpp"
+#include "framework/field/component_name.hpp"
 
 namespace sluice {
 namespace {
@@ -180,13 +181,13 @@ double Difference::size() const {
 }
 
 std::string to_string(const Difference& d) {
-  constexpr const char* axes[] = {" x", " y", " z"};
+  const char* const component = component_name(d.components, d.component);
   const std::string place = d.particle >= 0 ? fmt::format(", particle {}", d.particle)
                                             : fmt::format(" on level {} at [{}, {}, {}]", d.level,
                                                           d.index.x, d.index.y, d.index.z);
   return fmt::format(
-      "{}{} of material {}{}, step {}, time {:.17g}: {:.17g} and {:.17g}, {:.3g} apart", d.label,
-      d.components > 1 ? axes[d.component] : "", d.material, place, d.step, d.time, d.a, d.b,
+      "{}{}{} of material {}{}, step {}, time {:.17g}: {:.17g} and {:.17g}, {:.3g} apart", d.label,
+      d.components > 1 ? " " : "", component, d.material, place, d.step, d.time, d.a, d.b,
       d.size());
 }
 

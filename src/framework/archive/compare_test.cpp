@@ -131,6 +131,21 @@ TEST(Compare, WhatIsNotComparable) {
   EXPECT_EQ(compare_paths(a, more_labels, only).exit_status(), 2);
 }
 
+// A tensor has nine components, row after row.
+TEST(Compare, TellsTheComponentOfATensor) {
+  Difference d;
+  d.label = "p.stress";
+  d.components = 9;
+  d.component = 5;
+  d.particle = 7;
+  d.a = 1;
+  d.b = 2;
+  EXPECT_THAT(to_string(d), HasSubstr("p.stress yz of material 0, particle 7, "));
+  d.components = 3;
+  d.component = 2;
+  EXPECT_THAT(to_string(d), HasSubstr("p.stress z of material 0"));
+}
+
 TEST(Compare, HistoriesNumberByNumber) {
   const TemporaryFolder folder;
   auto write = [&](double last, int lines, const char* name) {

@@ -235,15 +235,14 @@ void add_analysis_tags(Schema& schema) {
   const TagSpec module =
       tag("Module", "one analysis")
           .multiple()
-          .attribute(
-              attribute("name", "which analysis")
-                  .once()
-                  .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
-                          "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
-                          "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
-                          "flatPlate_heatFlux", "spatialAvg", "vorticity", "SGS_ReynoldsStress",
-                          "particleExtract"})
-                  .not_built({"radiometer"}))
+          .attribute(attribute("name", "which analysis")
+                         .once()
+                         .words({"minMax", "lineExtract", "planeExtract", "planeAverage",
+                                 "planeAvgTurbFluxes", "controlVolFluxes", "momentumAnalysis",
+                                 "firstLawThermo", "statistics", "turbulentFluxes", "pointExtract",
+                                 "flatPlate_heatFlux", "spatialAvg", "vorticity",
+                                 "SGS_ReynoldsStress", "particleExtract"})
+                         .not_built({"radiometer"}))
           .not_both({"material", "materialIndex"})
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})

@@ -7,6 +7,7 @@
 
 #include "framework/analysis/sampler.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/field/component_name.hpp"
 #include "framework/particle/domain_ends.hpp"
 #include "framework/run/particle_archive.hpp"
 #include "framework/run/refuse_label.hpp"
@@ -20,14 +21,6 @@ constexpr const char* folder_name = "particleExtract";
 constexpr const char* colour_name = "p.color";
 constexpr std::size_t place_numbers = 5;  // of a row, before the values: level, id, x, y, z
 
-const char* suffix_of(ValueType type, int component) {
-  static constexpr const char* of_tensor[9] = {".xx", ".xy", ".xz", ".yx", ".yy",
-                                               ".yz", ".zx", ".zy", ".zz"};
-  static constexpr const char* of_vector[3] = {".x", ".y", ".z"};
-  if (type == ValueType::tensor) return of_tensor[component];
-  return type == ValueType::vector ? of_vector[component] : "";
-}
-
 // The number of the kind of particles that a module looks at.
 int kind_of(const AnalysisModule& m, const ParticleMethod* method) {
   std::vector<std::string> names;
@@ -37,7 +30,8 @@ int kind_of(const AnalysisModule& m, const ParticleMethod* method) {
       names.push_back(method->kinds()[k].name);
     }
   throw DeckError(
-      m.where, fmt::format("<Module name=\"{}\">: material {} has no particles", m.name, m.material),
+      m.where,
+      fmt::format("<Module name=\"{}\">: material {} has no particles", m.name, m.material),
       names.empty() ? "this run has none" : fmt::format("{} have some", fmt::join(names, ", ")));
 }
 
@@ -49,9 +43,10 @@ std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) 
   }
   throw DeckError(
       m.where,
-      fmt::format("<Module name=\"{}\"> takes the particles with {} above colorThreshold, and those "
-                  "of '{}' carry none",
-                  m.name, colour_name, kind.name),
+      fmt::format(
+          "<Module name=\"{}\"> takes the particles with {} above colorThreshold, and those "
+          "of '{}' carry none",
+          m.name, colour_name, kind.name),
       "write <withColor>true</withColor> into <MPM>");
 }
 
@@ -91,7 +86,8 @@ void ParticleHistories::add_source(const AnalysedVariable& v, const ParticleKind
   }
   if (!label) refuse_label(v.where, LabelUse::analyse, v.label, names);
   const int count = component_count(label->info().type);
-  for (int c = 0; c < count; ++c) header_ += " " + v.label + suffix_of(label->info().type, c);
+  for (int c = 0; c < count; ++c)
+    header_ += fmt::format(" {}{}{}", v.label, count > 1 ? "." : "", component_name(count, c));
   components_ += static_cast<std::size_t>(count);
   sources_.push_back(std::move(source));
 }
@@ -101,7 +97,7 @@ void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map,
   const double* colour = set.column(colour_);
   std::vector<std::size_t> chosen;
   for (std::size_t p = 0; p < set.size(); ++p)
-    if (colour[p] > module_->energy_factor) chosen.push_back(p);
+    if (colour[p] > module_->colour_threshold) chosen.push_back(p);
   if (chosen.empty()) return;
   std::vector<std::vector<std::vector<double>>> derived(sources_.size());  // by source, component
   for (std::size_t s = 0; s < sources_.size(); ++s) {
@@ -160,8 +156,8 @@ AnalysisFile& ParticleHistories::file_of(int level, std::int64_t id) {
   auto file = files_.find(key);
   if (file == files_.end())
     file = files_
-               .emplace(key, AnalysisFile(fmt::format("{}/L-{}/{}", folder_name, level, id),
-                                          header_, 0))
+               .emplace(key,
+                        AnalysisFile(fmt::format("{}/L-{}/{}", folder_name, level, id), header_, 0))
                .first;
   return file->second;
 }

@@ -4,8 +4,8 @@
 //
 // of the particles of one material with p.color above colorThreshold, on the level on which they
 // live at the time; components of vectors .x .y .z, of tensors .xx to .zz, row after row. Nothing
-// depends on ranks and boxes. A file is open only while lines are appended, so that there may be any
-// number of them.
+// depends on ranks and boxes. A file is open only while lines are appended, so that there may be
+// any number of them.
 #pragma once
 #include <cstdint>
 #include <filesystem>

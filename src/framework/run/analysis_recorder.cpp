@@ -19,9 +19,9 @@ constexpr std::size_t most_pending_lines = 50000;  // in memory before they are 
 
 // Names in an archive's folder that belong to others.
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string> others = {"MinMax",    "planeAverage", "planarAveTurbFluxes",
-                                               "points",    "checkpoints",  "index.xml", "particleExtract",
-                                               "input.xml", "levels.txt",   "run.json"};
+  static const std::set<std::string> others = {
+      "MinMax",    "planeAverage",    "planarAveTurbFluxes", "points",     "checkpoints",
+      "index.xml", "particleExtract", "input.xml",           "levels.txt", "run.json"};
   return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
                                     name.find_first_not_of("0123456789", 1) == name.npos);
 }

@@ -86,9 +86,9 @@ class AnalysisRecorder {
     const AnalysisModule* settings = nullptr;
     // By level that may exist; null where nothing is asked for.
     std::vector<std::unique_ptr<LevelSampler>> levels;
-    std::unique_ptr<VolumeBudgets> budgets;  // of its control volumes, if it keeps some
-    std::unique_ptr<Statistics> statistics;  // if it keeps some
-    std::unique_ptr<CellAverages> averages;  // of boxes of cells, if it takes them
+    std::unique_ptr<VolumeBudgets> budgets;        // of its control volumes, if it keeps some
+    std::unique_ptr<Statistics> statistics;        // if it keeps some
+    std::unique_ptr<CellAverages> averages;        // of boxes of cells, if it takes them
     std::unique_ptr<ParticleHistories> particles;  // if it follows some
     std::optional<double> last;
     // Averages are taken when they are written.

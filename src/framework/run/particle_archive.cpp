@@ -141,8 +141,8 @@ void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
     for (int l = 0; l < store.level_count(); ++l) {
       const auto asked = [&](Label label) { return wanted(label, kind.material, l); };
       const std::vector<Label> labels = labels_of(kind);
-      if (std::none_of(labels.begin(), labels.end(), asked) &&
-          !asked(particle_labels().position) && !asked(particle_labels().id))
+      if (std::none_of(labels.begin(), labels.end(), asked) && !asked(particle_labels().position) &&
+          !asked(particle_labels().id))
         continue;
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
@@ -152,8 +152,7 @@ void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
         place.level = l;
         place.box_id = store.box(l, b).id;
         BoxPieces pieces(place, store, b, to);
-        for (int d = 0; d < 3; ++d)
-          pieces.add(particle_labels().position, d, set.coordinates(d));
+        for (int d = 0; d < 3; ++d) pieces.add(particle_labels().position, d, set.coordinates(d));
         pieces.add_own(particle_labels().id, 0, {set.ids().begin(), set.ids().end()});
         std::size_t column = 0;
         for (const ParticleAttribute& a : kind.attributes) {

@@ -137,10 +137,11 @@ std::string work_text(const RunReport& r) {
 }  // namespace
 
 std::string summary(const RunReport& r) {
-  std::string text = fmt::format(
-      "{}: {} steps to t = {:g} in {}; {}, peak memory {}{}\n", to_string(r.status), r.steps,
-      r.time, human_duration(r.wall_seconds), work_text(r), human_bytes(static_cast<double>(r.peak_memory_bytes)),
-      r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
+  std::string text =
+      fmt::format("{}: {} steps to t = {:g} in {}; {}, peak memory {}{}\n", to_string(r.status),
+                  r.steps, r.time, human_duration(r.wall_seconds), work_text(r),
+                  human_bytes(static_cast<double>(r.peak_memory_bytes)),
+                  r.ranks > 1 ? fmt::format(" on {} ranks", r.ranks) : "");
   text += fmt::format("time: start {}, stepping {}, output {}\n", human_duration(r.start_seconds),
                       human_duration(r.stepping_seconds), human_duration(r.output_seconds));
   if (r.levels.size() > 1) text += levels_text(r);

@@ -87,7 +87,7 @@ void read_module(const DeckNode& node, const std::vector<std::string>& materials
               [&] { m.variables.push_back(read_variable(*v, m.material, materials)); });
   m.higher_order = boolean_or(node, "computeHigherOrderStats", false);
   m.energy_factor = real_or(node, "engy_convt_factor", 1);
-  if (m.name == "particleExtract") m.energy_factor = real_or(node, "colorThreshold", 0);
+  m.colour_threshold = real_or(node, "colorThreshold", 0);
   read_averages(node, materials, m, faults);
   m.average_cells = int_vector_or(node, "avgBoxCells", {1, 1, 1});
   m.average_where = average_where(text_or(node, "domain", "everywhere"));

@@ -78,6 +78,7 @@ struct AnalysisModule {
   std::optional<AnalysedVariable> velocity;  // of planeAvgTurbFluxes
   bool higher_order = false;                 // computeHigherOrderStats
   double energy_factor = 1;                  // engy_convt_factor
+  double colour_threshold = 0;               // colorThreshold of particleExtract
   IntVec3 average_cells{1, 1, 1};            // avgBoxCells, odd
   // Where cells have averages: all, those whose box is whole, or the others.
   enum class AverageWhere { everywhere, interior, boundaries };
