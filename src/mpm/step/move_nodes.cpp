@@ -112,7 +112,8 @@ void SolidStep::move_block(const NodeStep& step, int m, int block, NodeBooks& bo
 // v* = G x, and v likewise: the velocities of particles do not change. Lanes as finish_block()
 // leaves them.
 void SolidStep::prescribe(const Matrix3& G, int m, int block) {
-  start_block(m, block);
+  NodeBooks unused;  // what is prescribed is no balance of forces
+  start_block({}, m, block, unused);
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
   std::int64_t* node = body.nodes.sums(block);
