@@ -57,8 +57,8 @@ void SolidStep::kick_block(const NodeStep& step, int m, int block, const Vec3* c
     for (int d = 0; d < 3; ++d) {
       double v = as_real(node[1 + d]);
       if (change != nullptr) v += change[n][d];
-      node[4 + d] = as_bits(v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v +
-                                             step.gravity[d]));
+      node[4 + d] = as_bits(
+          v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v + step.gravity[d]));
     }
   }
 }
