@@ -153,6 +153,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
       move_group(step, std::span(members_).subspan(groups_[g].first, groups_[g].second), scratch[t],
                  books[t]);
     });
+    book_mirrored_changes(books[0]);
   }
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s)
