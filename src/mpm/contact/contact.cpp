@@ -24,8 +24,7 @@ std::array<double, 3> half_widths(const SolidMaterial& material) {
   std::array<double, 3> half{};
   for (const SeedObject& o : material.objects)
     for (std::size_t d = 0; d < 3; ++d)
-      half[d] = std::max(half[d], 0.5 * std::fabs(o.map[4 * d]) /
-                                      o.per_cell[static_cast<int>(d)]);
+      half[d] = std::max(half[d], 0.5 * std::fabs(o.map[4 * d]) / o.per_cell[static_cast<int>(d)]);
   for (double& h : half) h = h > 0 ? std::min(h, 0.5) : 0.25;
   return half;
 }
@@ -51,15 +50,17 @@ double friction_of(const ContactRule& rule, const MpmScene& scene) {
     if (colour && *colour != o.colour)
       throw InputError(fmt::format(
           "{}: <variable_friction> where material {} has the colours {:g} and {:g}: friction that "
-          "varies over one material is not built; give each colour a material of its own",
+          "varies over one material is not supported yet; give each colour a material of its own",
           to_string(rule.where), rule.master, *colour, o.colour));
     colour = o.colour;
   }
   const auto& list = rule.friction_of_colour;
   const double wanted = colour.value_or(0);
-  return std::min_element(list.begin(), list.end(), [&](const auto& a, const auto& b) {
-           return std::fabs(a.first - wanted) < std::fabs(b.first - wanted);
-         })->second;
+  return std::min_element(list.begin(), list.end(),
+                          [&](const auto& a, const auto& b) {
+                            return std::fabs(a.first - wanted) < std::fabs(b.first - wanted);
+                          })
+      ->second;
 }
 
 Contact::Contact(const MpmScene& scene, const Level& level)
@@ -107,8 +108,7 @@ const MasterMotion* Contact::motion_of(int material) const {
 }
 
 // The bodies of a rule at a node; false: it does not act there.
-bool Contact::gather(const ContactRule& rule, Meeting& meeting,
-                     std::vector<Party>& parties) const {
+bool Contact::gather(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const {
   parties.clear();
   double filled = 0;
   for (AtNode& b : meeting.bodies) {
@@ -161,8 +161,8 @@ void Contact::act(const ContactRule& rule, Meeting& meeting, std::vector<Party>&
       slide(parties, {friction_[r], scene_->colinear_normals, spacing_});
     }
   }
-  const bool outside = std::any_of(parties.begin(), parties.end(),
-                                   [](const Party& p) { return p.held; });
+  const bool outside =
+      std::any_of(parties.begin(), parties.end(), [](const Party& p) { return p.held; });
   if (!outside) return;
   OutsideBooks& books = meeting.outside;
   const MasterMotion* motion = master != nullptr ? motion_of(rule.master) : nullptr;

@@ -50,11 +50,11 @@ class Contact {
   const MpmScene* scene_;
   Vec3 spacing_;
   bool needs_surfaces_ = false;
-  std::vector<bool> taken_, leads_;                // by material
-  std::vector<std::array<double, 3>> halves_;      // by material
-  std::vector<SurfaceTable> tables_;               // by material
+  std::vector<bool> taken_, leads_;                  // by material
+  std::vector<std::array<double, 3>> halves_;        // by material
+  std::vector<SurfaceTable> tables_;                 // by material
   std::vector<std::optional<MasterMotion>> motion_;  // by material, of this step
-  std::vector<double> friction_;                   // by rule
+  std::vector<double> friction_;                     // by rule
 };
 
 // mu of a rule; InputError when it varies by colour and the master has several colours.

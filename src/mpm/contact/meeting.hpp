@@ -14,17 +14,17 @@ struct AtNode {
   Vec3 v{};            // as the rules leave it
   bool rigid = false;  // moves by itself: takes no impulse
   // With GIMP weights S of the particles' own widths, whatever the basis of the transfers:
-  double volume = 0;   // sum V S, m^3; 0: the body does not reach the node
-  Vec3 gradient{};     // N = sum V grad S, m^2: out of the body
-  Vec3 place{};        // sum V (x_p - x_i) S / sum V S, m
+  double volume = 0;  // sum V S, m^3; 0: the body does not reach the node
+  Vec3 gradient{};    // N = sum V grad S, m^2: out of the body
+  Vec3 place{};       // sum V (x_p - x_i) S / sum V S, m
 };
 
 // What acts from outside at a node: rigid bodies, and masters whose motion is prescribed.
 struct OutsideBooks {
-  Vec3 impulse{};      // on all bodies that are not rigid, N s
-  double work = 0;     // J
-  Vec3 reaction{};     // impulse of the others on masters of specified contacts, N s
-  Vec3 torque{};       // of that, about the origin of the master's motion, N m s
+  Vec3 impulse{};   // on all bodies that are not rigid, N s
+  double work = 0;  // J
+  Vec3 reaction{};  // impulse of the others on masters of specified contacts, N s
+  Vec3 torque{};    // of that, about the origin of the master's motion, N m s
 };
 
 struct Meeting {

@@ -26,13 +26,15 @@ static bool mean_velocity(std::span<const Party> parties, Counts&& counts, Vec3&
 }
 
 bool held_velocity(std::span<const Party> parties, Vec3& v) {
-  return mean_velocity(parties, [](const Party& p) { return p.held; }, v);
+  return mean_velocity(
+      parties, [](const Party& p) { return p.held; }, v);
 }
 
 void stick(std::span<Party> parties) {
   Vec3 v;
   if (!held_velocity(parties, v))
-    mean_velocity(parties, [](const Party&) { return true; }, v);
+    mean_velocity(
+        parties, [](const Party&) { return true; }, v);
   for (Party& p : parties)
     if (!p.held) p.at->v = v;
 }

@@ -19,9 +19,9 @@ struct Party {
 };
 
 struct Slip {
-  double friction = 0;        // mu
+  double friction = 0;         // mu
   bool common_normals = true;  // the larger of a body's normal and that of the others
-  Vec3 spacing{1, 1, 1};      // of nodes, m
+  Vec3 spacing{1, 1, 1};       // of nodes, m
 };
 
 // Surfaces nearer than this touch, in cells.

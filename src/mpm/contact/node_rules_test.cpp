@@ -160,8 +160,9 @@ double mean_of_half_space(double s, double l) {
   double sum = 0, moment = 0;
   for (double u = s + l; u < 1 + l; u += step) {
     const double r = std::fabs(u);
-    const double w = r < l ? 1 - (r * r + l * l) / (2 * l) : r < 1 - l ? 1 - r
-                                                                        : (1 + l - r) * (1 + l - r) / (4 * l);
+    const double w = r < l       ? 1 - (r * r + l * l) / (2 * l)
+                     : r < 1 - l ? 1 - r
+                                 : (1 + l - r) * (1 + l - r) / (4 * l);
     sum += w;
     moment += w * u;
   }

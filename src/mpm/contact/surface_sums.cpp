@@ -58,9 +58,8 @@ void add_particle(double v, const Weights<D>& w, int q, const TransferGrid& grid
 }
 
 template <int D>
-void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x,
-             const double* volume, int begin, int end, const SurfaceUnits& units,
-             Window& window) {
+void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x, const double* volume,
+             int begin, int end, const SurfaceUnits& units, Window& window) {
   alignas(64) static thread_local Weights<D> weights;
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
@@ -69,8 +68,7 @@ void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x,
       Gimp::weights<true>(grid.axes[d], x[d] + at, grid.half[d], n, weights[a]);
     }
     for (int q = 0; q < n; ++q)
-      add_particle<D>(std::min(volume[at + q], units.most_volume), weights, q, grid, units,
-                      window);
+      add_particle<D>(std::min(volume[at + q], units.most_volume), weights, q, grid, units, window);
   }
 }
 

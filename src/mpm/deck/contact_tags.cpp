@@ -59,7 +59,8 @@ TagSpec contact_tag() {
                .real()
                .at_least(0)
                .by_default("0"),
-           tag("separation_factor", "acts where materials are nearer than this")
+           tag("separation_factor",
+               "accepted without effect: whether surfaces touch is told from the particles")
                .real()
                .above(0)
                .by_default("9.9e99")
