@@ -57,8 +57,8 @@ void SolidStep::kick_block(const NodeStep& step, int m, int block, const Vec3* c
     for (int d = 0; d < 3; ++d) {
       double v = as_real(node[1 + d]);
       if (change != nullptr) v += change[n][d];
-      node[4 + d] = as_bits(v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v +
-                                             step.gravity[d]));
+      node[4 + d] = as_bits(
+          v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v + step.gravity[d]));
     }
   }
 }
@@ -155,8 +155,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     });
   }
   for (std::size_t n = 1; n < books.size(); ++n)
-    for (std::size_t s = 0; s < books[0].sums.size(); ++s)
-      books[0].sums[s].merge(books[n].sums[s]);
+    for (std::size_t s = 0; s < books[0].sums.size(); ++s) books[0].sums[s].merge(books[n].sums[s]);
   if (prescribed_ == nullptr) unfold();
   books_ = std::move(books[0]);
   kick_ = step.kick;
