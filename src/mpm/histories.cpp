@@ -34,11 +34,13 @@ SideHistories declare_side(const std::string& side) {
           declare("BndyTraction_" + side, ValueType::vector, "Pa",
                   "Force of " + of + " on the solids over the area of contact; 0 without any."),
           declare("BndyContactArea_" + side, ValueType::real, "m^2",
-                  "Area over which solids touch " + of + ": twice the volume of its nodes over "
-                  "the width of a cell."),
+                  "Area over which solids touch " + of +
+                      ": twice the volume of its nodes over "
+                      "the width of a cell."),
           declare("BndyContactCellArea_" + side, ValueType::real, "m^2",
-                  "Area over which solids touch " + of + ": twice the volume of its nodes over "
-                  "the width of a cell.")};
+                  "Area over which solids touch " + of +
+                      ": twice the volume of its nodes over "
+                      "the width of a cell.")};
 }
 
 Histories declare_all() {
@@ -151,8 +153,7 @@ Vec3 vector_history_of(Label label, const Totals& totals, const HistorySums& sum
     const double mass = total_mass(totals);
     return mass > 0 ? (1 / mass) * momentum_of(totals) : Vec3{};
   }
-  if (label == h.reaction || label == h.transmitted)
-    return step_sum(totals, StepSums::reaction_x);
+  if (label == h.reaction || label == h.transmitted) return step_sum(totals, StepSums::reaction_x);
   if (label == h.torque) return step_sum(totals, StepSums::torque_x);
   for (const Side side : all_sides) {
     const SideHistories& s = h.sides[static_cast<std::size_t>(side)];

@@ -27,8 +27,8 @@ void HistorySums::need(HistorySum kind, Side side) {
   count_ += components_of(kind);
 }
 
-void HistorySums::add_set(const Entry& entry, const Level& level, int kind,
-                          const ParticleSet& set, const Carried& carried, Totals& totals) const {
+void HistorySums::add_set(const Entry& entry, const Level& level, int kind, const ParticleSet& set,
+                          const Carried& carried, Totals& totals) const {
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
   const Columns& c = carried.columns;
   ConservedTotal* to = totals.amounts.data() + entry.first;
@@ -51,8 +51,8 @@ void HistorySums::add_set(const Entry& entry, const Level& level, int kind,
         to->add(m[p] * material.constants.specific_heat * T[p]);
       break;
     case HistorySum::face_force:
-      add_face(*solids_, level, entry.side, is_mirror(*solids_, entry.side, kind), set, carried,
-               to, nullptr);
+      add_face(*solids_, level, entry.side, is_mirror(*solids_, entry.side, kind), set, carried, to,
+               nullptr);
       break;
     case HistorySum::face_area:
       add_face(*solids_, level, entry.side, is_mirror(*solids_, entry.side, kind), set, carried,

@@ -28,9 +28,9 @@ std::array<CornerForce, 4> corner_forces(Vec3 x, Vec3 force, Vec3 n,
   const double growth = length(cross(edges[a], edges[b])) / length(cross(rest[a], rest[b]));
   std::array<CornerForce, 4> corners;
   for (std::size_t c = 0; c < 4; ++c)
-    corners[c] = {centre + (c % 2 == 0 ? -0.5 : 0.5) * edges[a] +
-                      (c / 2 == 0 ? -0.5 : 0.5) * edges[b],
-                  (0.25 * growth) * force};
+    corners[c] = {
+        centre + (c % 2 == 0 ? -0.5 : 0.5) * edges[a] + (c / 2 == 0 ? -0.5 : 0.5) * edges[b],
+        (0.25 * growth) * force};
   return corners;
 }
 

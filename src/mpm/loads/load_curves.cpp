@@ -28,7 +28,8 @@ std::array<double, 9> rotation_of(const std::array<double, 9>& F) {
 }
 
 LoadCurves::LoadCurves(const MpmScene& solids) : solids_(&solids) {
-  for (const LoadCurve& l : solids.loads) loads_.push_back({&l, LoadSurface(l, solids.axisymmetric)});
+  for (const LoadCurve& l : solids.loads)
+    loads_.push_back({&l, LoadSurface(l, solids.axisymmetric)});
 }
 
 bool LoadCurves::concerns(const LoadCurve& curve, int material) const {
@@ -48,8 +49,7 @@ bool LoadCurves::heats(int material) const {
   return false;
 }
 
-std::array<int, most_marks> LoadCurves::marks_of(int material, Vec3 x, Vec3 width,
-                                                 bool at_surface,
+std::array<int, most_marks> LoadCurves::marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
                                                  const std::array<int, most_marks>& named) const {
   std::array<int, most_marks> marks{};
   std::size_t found = 0;
@@ -130,8 +130,8 @@ Vec3 LoadCurves::face_of(const LoadedParticles& p, std::size_t i) const {
   return {};
 }
 
-void LoadCurves::add_heat(double time, const std::vector<double>& counts,
-                          const LoadedParticles& p, double* heat) const {
+void LoadCurves::add_heat(double time, const std::vector<double>& counts, const LoadedParticles& p,
+                          double* heat) const {
   for (const double* marks : p.marks)
     for (std::size_t i = p.begin; i < p.end; ++i) {
       if (marks[i] == 0) continue;

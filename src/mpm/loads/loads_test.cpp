@@ -168,9 +168,8 @@ TEST(Loads, AForceIsSharedByTheParticlesOfItsBox) {
 TEST(Loads, TheRotationOfAStretchedRotationIsTheRotation) {
   const double c = std::cos(0.7), s = std::sin(0.7);
   // R U, R about z, U = [[2, .3, 0], [.3, .5, 0], [0, 0, 1.5]].
-  const std::array<double, 9> F = {c * 2 - s * 0.3, c * 0.3 - s * 0.5, 0,  s * 2 + c * 0.3,
-                                   s * 0.3 + c * 0.5, 0,                0,  0,
-                                   1.5};
+  const std::array<double, 9> F = {
+      c * 2 - s * 0.3, c * 0.3 - s * 0.5, 0, s * 2 + c * 0.3, s * 0.3 + c * 0.5, 0, 0, 0, 1.5};
   const std::array<double, 9> R = rotation_of(F), exact = {c, -s, 0, s, c, 0, 0, 0, 1};
   for (std::size_t e = 0; e < 9; ++e) EXPECT_NEAR(R[e], exact[e], 1e-14);
 }
@@ -222,13 +221,14 @@ TEST_P(ManufacturedForce, BalancesStressAndInertia) {
         const auto p = first_stress(gradient(*motion, high, t, h), lambda, G);
         const auto q = first_stress(gradient(*motion, low, t, h), lambda, G);
         for (int i = 0; i < 3; ++i)
-          force[i] += (p[static_cast<std::size_t>(3 * i + k)] -
-                       q[static_cast<std::size_t>(3 * i + k)]) / (2 * h);
+          force[i] +=
+              (p[static_cast<std::size_t>(3 * i + k)] - q[static_cast<std::size_t>(3 * i + k)]) /
+              (2 * h);
       }
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(b[i], bend[i] / (h * h) - force[i] / rho, 2e-4 * (1 + std::sqrt(dot(b, b))));
-      const Vec3 v = (1 / (2 * h)) *
-                     (motion->displacement(X, t + h) - motion->displacement(X, t - h));
+      const Vec3 v =
+          (1 / (2 * h)) * (motion->displacement(X, t + h) - motion->displacement(X, t - h));
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(motion->velocity(X, t)[i], v[i], 1e-5);
     }
 }

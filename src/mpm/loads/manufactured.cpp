@@ -28,7 +28,8 @@ class AxisAligned final : public Manufactured {
       : k_(k), A_(k.amplitude != 0 ? k.amplitude : 0.05), rate_(bar_speed(k) * pi) {}
 
   Vec3 displacement(Vec3 X, double t) const override {
-    return along([&](int d) { return A_ * std::sin(2 * pi * X[d]) * sign(d) * std::sin(rate_ * t); });
+    return along(
+        [&](int d) { return A_ * std::sin(2 * pi * X[d]) * sign(d) * std::sin(rate_ * t); });
   }
   Vec3 velocity(Vec3 X, double t) const override {
     return along([&](int d) {

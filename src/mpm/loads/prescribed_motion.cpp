@@ -58,7 +58,8 @@ PrescribedMotion::PrescribedMotion(std::vector<Row> rows) : rows_(std::move(rows
       throw std::invalid_argument(
           fmt::format("time {:g} is not after the one before, {:g}", row.time, rows_[n - 1].time));
     if (row.angle != 0 && std::hypot(row.axis[0], row.axis[1], row.axis[2]) == 0)
-      throw std::invalid_argument(fmt::format("the axis of the row at {:g} has no length", row.time));
+      throw std::invalid_argument(
+          fmt::format("the axis of the row at {:g} has no length", row.time));
     turned_.push_back(product(rotation(row.axis, row.angle), turned_.back()));
   }
 }

@@ -10,8 +10,7 @@
 namespace sluice::mpm {
 
 // Particles at, ..., at + n - 1 after their law: q, energy, and dT/dt in `heating`.
-void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& work,
-                   std::size_t at, int n, double dt, Vec3 spacing, const GridAtParticles& read,
-                   double* heating);
+void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& work, std::size_t at,
+                   int n, double dt, Vec3 spacing, const GridAtParticles& read, double* heating);
 
 }  // namespace sluice::mpm

@@ -45,7 +45,8 @@ bool on_side(const Level& level, Side side, IntVec3 node) {
 bool Heat::possible(const MpmScene& solids) {
   if (!solids.heat_conduction) return false;
   return std::any_of(solids.materials.begin(), solids.materials.end(), [&](const SolidMaterial& m) {
-    return m.constants.specific_heat > 0 && (conducts(m) || solids.thermal_contact || solids.use_loads);
+    return m.constants.specific_heat > 0 &&
+           (conducts(m) || solids.thermal_contact || solids.use_loads);
   });
 }
 
@@ -95,8 +96,8 @@ void Heat::make_room(const HeatLoan& loan) {
       boxes.resize(static_cast<std::size_t>(w.box) + 1);
     Scratch& s = boxes[static_cast<std::size_t>(w.box)];
     const std::size_t n = w.set->size();
-    for (std::vector<double>* column : {&s.rate, &s.source, &s.gradient[0], &s.gradient[1],
-                                        &s.gradient[2], &s.zero})
+    for (std::vector<double>* column :
+         {&s.rate, &s.source, &s.gradient[0], &s.gradient[1], &s.gradient[2], &s.zero})
       column->assign(n, 0.0);
   }
 }
@@ -114,9 +115,9 @@ Heat::Ranges Heat::find_ranges(const HeatLoan& loan) {
     const double* V = w.set->column(static_cast<std::size_t>(c.volume));
     double* q = scratch(w.kind, w.box).source.data();
     if (c.marks >= 0 && loan.outside->loads().heats(w.kind))
-      loan.outside->loads().add_heat(
-          time, loan.outside->counts(),
-          loan.outside->loaded(w.kind, *w.set, w.run.begin, w.run.end), q);
+      loan.outside->loads().add_heat(time, loan.outside->counts(),
+                                     loan.outside->loaded(w.kind, *w.set, w.run.begin, w.run.end),
+                                     q);
     for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
       r.low = std::min(r.low, T[p]);
       r.high = std::max(r.high, T[p]);
@@ -221,7 +222,8 @@ void Heat::set_sides(const HeatLoan& loan) {
 }
 
 double Heat::inner_temperature(const Body& body, IntVec3 at, const SolidBoundary& b) const {
-  const NodeLanes& nodes = nodes_[static_cast<std::size_t>(body.material - solids_->materials.data())];
+  const NodeLanes& nodes =
+      nodes_[static_cast<std::size_t>(body.material - solids_->materials.data())];
   const int d = direction_of(b.side);
   const BlockShape& shape = body.table.shape();
   const auto lane_of = [&](IntVec3 node, bool& there) {
@@ -260,8 +262,8 @@ std::vector<double> Heat::find_gradients(const HeatLoan& loan) {
     const ParticleShape shape = shape_of(*w.set, body.carried->columns);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false, windows[t],
-                  reads[t]);
+      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false,
+                  windows[t], reads[t]);
       for (int d = 0; d < 3; ++d)
         for (int q = 0; q < count; ++q) {
           const std::size_t p = at + static_cast<std::size_t>(q);
@@ -334,8 +336,8 @@ void Heat::take_part(const HeatLoan& loan, double dt) {
     if (!(c > 0)) continue;
     for_each_node(body, nodes_[k], [&](int b, int n, IntVec3, std::int64_t* node) {
       const double Q = sum_in(flux_[k].sums(b) + n * lanes, 4) / flux_units_[k].force;
-      node[temperature_lane] = as_bits(as_real(node[temperature_lane]) +
-                                       dt * Q / (c * as_real(node[mass_lane])));
+      node[temperature_lane] =
+          as_bits(as_real(node[temperature_lane]) + dt * Q / (c * as_real(node[mass_lane])));
     });
   }
 }
@@ -367,8 +369,7 @@ void Heat::meet(const HeatLoan& loan) {
 void Heat::to_particles(const HeatLoan& loan, double dt) {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     for_each_node((*loan.bodies)[k], nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
-      node[rate_lane] =
-          as_bits((as_real(node[temperature_lane]) - as_real(node[first_lane])) / dt);
+      node[rate_lane] = as_bits((as_real(node[temperature_lane]) - as_real(node[first_lane])) / dt);
       node[first_lane] = node[met_lane] = as_bits(0.0);
     });
   const int reach = reach_of(solids_->basis);
@@ -386,8 +387,8 @@ void Heat::to_particles(const HeatLoan& loan, double dt) {
     double* rate = scratch(w.kind, w.box).rate.data();
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false, windows[t],
-                  reads[t]);
+      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false,
+                  windows[t], reads[t]);
       std::copy_n(reads[t].dv[0], count, rate + at);
     }
   });

@@ -49,10 +49,10 @@ class Heat {
     std::vector<double> rate, source, gradient[3], zero;
   };
   struct Ranges {
-    double low = 1e300, high = -1e300;     // temperatures, those of sides too
-    std::vector<double> specific_volume;   // by kind, largest V/m
-    std::vector<double> source;            // by kind, largest |q_p|
-    bool driven = false;                   // a source or a gradient at a side
+    double low = 1e300, high = -1e300;    // temperatures, those of sides too
+    std::vector<double> specific_volume;  // by kind, largest V/m
+    std::vector<double> source;           // by kind, largest |q_p|
+    bool driven = false;                  // a source or a gradient at a side
   };
   Scratch& scratch(int kind, int box) {
     return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];

@@ -157,8 +157,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     book_mirrored_changes(books[0]);
   }
   for (std::size_t n = 1; n < books.size(); ++n)
-    for (std::size_t s = 0; s < books[0].sums.size(); ++s)
-      books[0].sums[s].merge(books[n].sums[s]);
+    for (std::size_t s = 0; s < books[0].sums.size(); ++s) books[0].sums[s].merge(books[n].sums[s]);
   if (prescribed_ == nullptr) unfold();
   books_ = std::move(books[0]);
   kick_ = step.kick;

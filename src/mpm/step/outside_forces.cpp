@@ -6,9 +6,10 @@
 #include "framework/base/reduction.hpp"
 
 namespace sluice::mpm {
-std::unique_ptr<Manufactured> manufactured_of(const MpmScene& solids,
-                                              const SolidMaterial& material, const Level& level) {
-  if (solids.manufactured.empty() || solids.manufactured == "none" || material.rigid) return nullptr;
+std::unique_ptr<Manufactured> manufactured_of(const MpmScene& solids, const SolidMaterial& material,
+                                              const Level& level) {
+  if (solids.manufactured.empty() || solids.manufactured == "none" || material.rigid)
+    return nullptr;
   ManufacturedConstants k;
   k.density = material.constants.density;
   k.shear = material.law->shear_modulus();

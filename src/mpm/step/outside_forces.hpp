@@ -19,8 +19,8 @@
 namespace sluice::mpm {
 
 // The motion of RunMMSProblem in a material; null: there is none.
-std::unique_ptr<Manufactured> manufactured_of(const MpmScene& solids,
-                                              const SolidMaterial& material, const Level& level);
+std::unique_ptr<Manufactured> manufactured_of(const MpmScene& solids, const SolidMaterial& material,
+                                              const Level& level);
 
 class OutsideForces {
  public:
