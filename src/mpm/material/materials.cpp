@@ -125,7 +125,7 @@ TagSpec constitutive_model_tag() {
 }
 
 std::vector<TagSpec> failure_tags() {
-  return {};
+  return {damage_model_tag(), erosion_tag()};
 }
 
 std::shared_ptr<const Material> make_material(const DeckNode& constitutive_model,
