@@ -37,7 +37,8 @@ class MirrorImageOfDecks : public testing::TestWithParam<PropertyDeck> {
              std::string(u.axes).find("xyz"[axis]) != std::string::npos;
     });
   }
-  // With a pressure solve the image of a state is what the tolerance of the linear solver says of it:
+  // With a pressure solve the image of a state is what the tolerance of the linear solver says
+  // of it:
   // no solver keeps its order of cells in a mirror.
   static double allowed(const Deck& deck) {
     constexpr double tolerances = 100;

@@ -55,8 +55,8 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   if (o.implicit) pressure::declare_variables(list, o, v);
   scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
   // task                    reads                              writes
-  add_primitives(list, v, o, effect_flow);      // state                    u, p, c
-  add_face_states(list, v, o);                  // u, p, c                  slopes, u_f, p_f
+  add_primitives(list, v, o, effect_flow);  // state                    u, p, c
+  add_face_states(list, v, o);              // u, p, c                  slopes, u_f, p_f
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
   add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
@@ -68,7 +68,7 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
   if (o.implicit)
     pressure::add_end_of_one(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
-  add_accounts(list, v, o, effects);                      // fluxes, m, dp   sums, face tables
+  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
 }
 
@@ -94,7 +94,7 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
   mixture::add_one_pressure(list, m, o, effect_equilibration);  // remap, f  new state, rates
   if (o.implicit)
     pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
-  add_accounts(list, v, o, effects);                            // fluxes, m, dp   sums, face tables
+  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 

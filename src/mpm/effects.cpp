@@ -6,7 +6,7 @@ namespace sluice::mpm {
 namespace {
 
 std::string_view name_of(Basis b) {
-  constexpr std::string_view names[] = {"linear", "GIMP", "GIMP", "quadratic B-spline",
+  constexpr std::string_view names[] = {"linear",         "GIMP", "GIMP", "quadratic B-spline",
                                         "cubic B-spline", "CPDI", "CPDI", "CPTI"};
   return names[static_cast<int>(b)];
 }
@@ -19,23 +19,23 @@ std::string_view name_of(Transfer t) {
 
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
   EffectList list;
-  list.add({"solids", true,
+  list.add({"solids",
+            true,
             fmt::format("{} material{}, {} shape functions, {} transfer", s.materials.size(),
-                        s.materials.size() == 1 ? "" : "s", name_of(s.basis),
-                        name_of(s.transfer)),
+                        s.materials.size() == 1 ? "" : "s", name_of(s.basis), name_of(s.transfer)),
             {}});
   const bool contact = s.materials.size() > 1 && !s.contacts.empty();
   list.add({"contact", contact,
             s.materials.size() < 2 ? "one material"
             : contact              ? fmt::format("{} contact rule{}", s.contacts.size(),
-                                                 s.contacts.size() == 1 ? "" : "s")
+                                    s.contacts.size() == 1 ? "" : "s")
                                    : "no <contact> acts: velocities of their own",
             s.contacts.empty() ? Location{} : s.contacts.front().where});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});
-  list.add({"damping", s.damping > 0,
-            fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
+  list.add(
+      {"damping", s.damping > 0, fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
   return list;
 }
 

@@ -75,8 +75,10 @@ TEST_P(AxisAligned, ConvergesWithTheGrid) {
   RecordProperty("order", fmt::format("{:.2f}", std::log2(a / b)));
   EXPECT_GT(std::log2(a / b), GetParam().order) << a << ' ' << b;
 }
-// Measured, total Lagrangian in 1-D: 1.93, 1.93, 2.06, and 1.98 to 2.01 from 32 to 64 cells. Particles
-// that cross cells leave an error of their spacing: 1.17 and 1.21, and nothing is gained beyond 64 cells.
+// Measured, total Lagrangian in 1-D: 1.93, 1.93, 2.06, and 1.98 to 2.01 from 32 to 64 cells.
+// Particles
+// that cross cells leave an error of their spacing: 1.17 and 1.21, and nothing is gained
+// beyond 64 cells.
 INSTANTIATE_TEST_SUITE_P(Bases, AxisAligned,
                          testing::Values(Study{"gimp", 1, true, 1.85},
                                          Study{"3rdorderBS", 1, true, 1.85},
@@ -122,8 +124,10 @@ TEST(Loads, AFreeBlockTakesTheImpulseOfItsPressure) {
   EXPECT_NEAR(last[3], 0, 1e-12 * impulse);
 }
 
-// A column at rest on its floor. The force of a side is that of the stresses: all of the weight but that
-// of the nodes on the side, half a cell of eight (a little more, for the column is compressed there).
+// A column at rest on its floor. The force of a side is that of the stresses: all of the
+// weight but that
+// of the nodes on the side, half a cell of eight (a little more, for the column is compressed
+// there).
 TEST(Gravity, TheFloorCarriesTheWeightOfAColumn) {
   SolidDeck deck;
   deck.upper = "[0.1,0.1,1]";
@@ -196,7 +200,8 @@ std::string half(double from, double to, double temperature) {
 }
 
 // Two halves of a bar at 400 and 300 K: the part of T along cos(pi x), 200/pi at first, dies out as
-// e^(-alpha pi^2 t). (Particles keep what nodes do not see: each keeps a share of the jump beside it.)
+// e^(-alpha pi^2 t). (Particles keep what nodes do not see: each keeps a share of the jump
+// beside it.)
 TEST(Heat, TheFirstModeOfABarDiesOutAsFourierSaysAndNoHeatIsLost) {
   SolidDeck deck;
   deck.upper = "[1,0.05,0.05]";

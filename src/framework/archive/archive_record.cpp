@@ -14,7 +14,8 @@ constexpr std::array<std::string_view, 4> stored_names = {"float64", "float32", 
 constexpr std::array<std::string_view, 7> kind_names = {
     "CCVariable",   "NCVariable",       "SFCXVariable",     "SFCYVariable",
     "SFCZVariable", "ParticleVariable", "ReductionVariable"};
-constexpr std::array<std::string_view, 5> value_names = {"double", "Vector", "int", "long64", "Matrix3"};
+constexpr std::array<std::string_view, 5> value_names = {"double", "Vector", "int", "long64",
+                                                         "Matrix3"};
 // What positions are called; archives of before call them vectors.
 constexpr std::string_view point = "Point";
 

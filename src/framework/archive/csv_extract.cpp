@@ -59,8 +59,7 @@ std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& op
     const ParticleColumn* column = table.find(options.label);
     if (column == nullptr) continue;
     if (!headed)
-      fmt::format_to(out, "time,level,material,id,x,y,z,{}\n",
-                     value_columns(column->info.type));
+      fmt::format_to(out, "time,level,material,id,x,y,z,{}\n", value_columns(column->info.type));
     headed = true;
     for (std::size_t n = 0; n < table.size(); ++n) {
       const Vec3 p = table.position(n);

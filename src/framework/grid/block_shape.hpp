@@ -10,14 +10,13 @@ struct BlockShape {
   IntVec3 edge{4, 4, 4};   // powers of two
   IntVec3 shift{2, 2, 2};  // their exponents
 
-  IntVec3 block_of(IntVec3 at) const {
-    return {at.x >> shift.x, at.y >> shift.y, at.z >> shift.z};
-  }
+  IntVec3 block_of(IntVec3 at) const { return {at.x >> shift.x, at.y >> shift.y, at.z >> shift.z}; }
   IntVec3 lower(IntVec3 block) const {
     return {block.x * edge.x, block.y * edge.y, block.z * edge.z};
   }
   int place(IntVec3 at) const {  // within its block, x fastest
-    return (at.x & (edge.x - 1)) + edge.x * ((at.y & (edge.y - 1)) + edge.y * (at.z & (edge.z - 1)));
+    return (at.x & (edge.x - 1)) +
+           edge.x * ((at.y & (edge.y - 1)) + edge.y * (at.z & (edge.z - 1)));
   }
 };
 

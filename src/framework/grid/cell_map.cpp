@@ -8,8 +8,7 @@ CellMap::CellMap(const Level& level) : domain_(level.domain), periodic_(level.pe
   for (const GridBox& b : level.boxes) window_ = bounding(window_, b.cells);
   boxes_.assign(static_cast<std::size_t>(window_.volume()), -1);
   for (std::size_t n = 0; n < level.boxes.size(); ++n)
-    for_each_cell(level.boxes[n].cells,
-                  [&](IntVec3 c) { boxes_[place(c)] = static_cast<int>(n); });
+    for_each_cell(level.boxes[n].cells, [&](IntVec3 c) { boxes_[place(c)] = static_cast<int>(n); });
 }
 
 IntVec3 CellMap::image(IntVec3 cell) const {

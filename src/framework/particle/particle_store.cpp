@@ -24,7 +24,8 @@ void ParticleStore::lay_out(const ParticleMap& map) {
     auto& locals = locals_.emplace_back();
     for (const GridBox& b : level.boxes) {
       locals.push_back(b.owner == rank_ ? static_cast<int>(sets.size()) : -1);
-      if (b.owner == rank_) sets.push_back({b.id, ParticleSet(attributes_), ParticleSet(attributes_), {}});
+      if (b.owner == rank_)
+        sets.push_back({b.id, ParticleSet(attributes_), ParticleSet(attributes_), {}});
     }
   }
 }

@@ -99,10 +99,10 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
                            return this->sweep(l, scope, stored);
                          });
   const auto& solve = std::get<StepShape::Solve>(stage);
-  return {Stage{solve.name,
-                [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
-                  return act(stage_scope(scope, journal));
-                }}};
+  return {
+      Stage{solve.name, [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
+              return act(stage_scope(scope, journal));
+            }}};
 }
 
 // The pass is counted where it begins, so that stages of the body know it. An answer that rejects

@@ -22,8 +22,8 @@ bool same_boxes(const std::vector<GridBox>& a, const std::vector<GridBox>& b) {
 void add_start_boxes(const RefinementSettings& settings, std::vector<FlagField>& flags) {
   for (std::size_t l = 0; l < std::min(flags.size(), settings.start_boxes.size()); ++l)
     for (const IndexBox& fine : settings.start_boxes[l].boxes) {
-      const IndexBox cells = intersection(coarsen(fine, settings.start_boxes[l].ratio),
-                                          flags[l].domain());
+      const IndexBox cells =
+          intersection(coarsen(fine, settings.start_boxes[l].ratio), flags[l].domain());
       for_each_cell(cells, [&](IntVec3 c) { flags[l].set(c); });
     }
 }

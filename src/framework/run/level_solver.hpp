@@ -187,9 +187,9 @@ class LevelSolver {
   bool masked_ = false, ghosts_filled_ = false;
   bool start_kept_ = false;  // in start_; else in state_ or, after one substep, in next_
   double previous_dt_ = 0;
-  int advanced_ = 0;         // substeps of this coarse step
-  int layout_ = 0;           // counts the calls of lay_out and join
-  int boxes_ = 0;            // counts the calls of lay_out
+  int advanced_ = 0;  // substeps of this coarse step
+  int layout_ = 0;    // counts the calls of lay_out and join
+  int boxes_ = 0;     // counts the calls of lay_out
 };
 
 }  // namespace sluice

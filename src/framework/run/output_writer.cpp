@@ -197,9 +197,10 @@ void OutputWriter::write_output(const StepInfo& info, bool initial) {
   std::vector<GridFields> on_grid;
   if (!saved_.on_grid.empty()) {
     const SaveRequest* request = nullptr;
-    on_grid = hierarchy_->particle_fields(saved_.on_grid, [&](Label label, int material, int level) {
-      return wants(label, material, level, request);
-    });
+    on_grid =
+        hierarchy_->particle_fields(saved_.on_grid, [&](Label label, int material, int level) {
+          return wants(label, material, level, request);
+        });
     for (const GridFields& of_level : on_grid) {
       const std::vector<FieldPiece> more = of_level.pieces();
       pieces.insert(pieces.end(), more.begin(), more.end());

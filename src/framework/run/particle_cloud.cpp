@@ -175,7 +175,7 @@ std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
         for (std::size_t n = 0; n < set.size(); ++n)
           if (method_->asks_refinement(static_cast<int>(k), set, n, f, l))
             of_kind.cells.push_back(
-              cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
+                cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
       }
   }
   return all;

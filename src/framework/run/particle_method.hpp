@@ -25,9 +25,7 @@ struct ParticleAttribute {
 
   ParticleAttribute(Label of, bool is_advanced = false, bool is_symmetric = false)
       : label(of), advanced(is_advanced), symmetric(is_symmetric) {}
-  int columns() const {
-    return symmetric ? 6 : component_count(label.info().type);
-  }
+  int columns() const { return symmetric ? 6 : component_count(label.info().type); }
 };
 
 // What is saved of particles and follows from what they carry; `columns` are of its components.

@@ -38,7 +38,7 @@ struct StageScope {
   double dt_before = 0;  // length of the step before; 0: there was none
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
-  std::string* reason = nullptr;  // why it rejects the step, for the message
+  std::string* reason = nullptr;       // why it rejects the step, for the message
   ParticleCloud* particles = nullptr;  // of the run; null: it has none
   // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and
   // by level the maxima on which the next step's length rests.

@@ -23,8 +23,8 @@ bool good_ratio(int ratio) {
 
 // The ratio between a level and the next finer one; false when a fault was found. A level that a
 // deck lays out itself may be no finer.
-bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& active,
-                 bool by_hand, const Location& where, std::vector<Fault>& faults) {
+bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& active, bool by_hand,
+                 const Location& where, std::vector<Fault>& faults) {
   bool refines = false;
   for (int d = 0; d < 3; ++d) {
     if (!active[static_cast<std::size_t>(d)]) {

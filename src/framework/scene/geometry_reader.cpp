@@ -20,28 +20,13 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
-constexpr std::array<std::string_view, 22> piece_tags = {"box",
-                                                         "sphere",
-                                                         "cylinder",
-                                                         "cone",
-                                                         "ellipsoid",
-                                                         "torus",
-                                                         "parallelepiped",
-                                                         "tri",
-                                                         "line_segment",
-                                                         "polyhedron",
-                                                         "smoothcyl",
-                                                         "file",
-                                                         "image",
-                                                         "plane_shell",
-                                                         "sphere_shell",
-                                                         "cylinder_shell",
-                                                         "null",
-                                                         "sphere_membrane",
-                                                         "corrugated",
-                                                         "union",
-                                                         "intersection",
-                                                         "difference"};
+constexpr std::array<std::string_view, 22> piece_tags = {
+    "box",          "sphere",          "cylinder",       "cone",
+    "ellipsoid",    "torus",           "parallelepiped", "tri",
+    "line_segment", "polyhedron",      "smoothcyl",      "file",
+    "image",        "plane_shell",     "sphere_shell",   "cylinder_shell",
+    "null",         "sphere_membrane", "corrugated",     "union",
+    "intersection", "difference"};
 
 std::string label_of(const DeckNode& node) {
   const std::optional<std::string> label = node.attribute("label");

@@ -49,10 +49,10 @@ struct RefinementSettings {
   IntVec3 min_boundary_cells{1, 1, 1};
   int max_interval = 50;  // coarse steps between regrids; 0: by flags only
   int min_interval = 1;
-  bool once = false;            // only at the start
-  int interpolation_order = 1;  // of new cells
-  int interface_order = 1;      // of ghost cells where levels meet
-  bool reflux = true;           // honoured by the classic scheme only
+  bool once = false;                    // only at the start
+  int interpolation_order = 1;          // of new cells
+  int interface_order = 1;              // of ghost cells where levels meet
+  bool reflux = true;                   // honoured by the classic scheme only
   std::vector<StartBoxes> start_boxes;  // with a regridder: of level 1 and finer
   std::vector<RefinedRegion> regions;
   std::vector<ErrorCriterion> errors;

@@ -50,10 +50,9 @@ const std::vector<std::string>& hypre_preconditioners() {
 }
 
 std::string describe(const SolverSettings& s) {
-  const std::string goal =
-      s.absolute_tolerance > 0
-          ? fmt::format(" to {:g} (absolute)", s.absolute_tolerance)
-          : fmt::format(" to {:g}", s.tolerance);
+  const std::string goal = s.absolute_tolerance > 0
+                               ? fmt::format(" to {:g} (absolute)", s.absolute_tolerance)
+                               : fmt::format(" to {:g}", s.tolerance);
   if (s.type == "CGSolver") return "conjugate gradients with multigrid" + goal;
   if (s.type == "hypreamr" || s.solver == "amg") return "hypre BoomerAMG" + goal;
   const bool alone = s.preconditioner == "none";

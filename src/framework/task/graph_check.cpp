@@ -60,8 +60,7 @@ void check(const TaskList& list, const EffectList& effects) {
   order(list, std::vector<bool>(list.tasks().size(), true));
 }
 
-std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted,
-                        bool reduces) {
+std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted, bool reduces) {
   const std::vector<int> writer = writers(list);
   std::vector<bool> keep(list.tasks().size(), false);
   std::vector<int> todo;

@@ -51,7 +51,7 @@ struct StepConstants {
   double dt = 0.0;        // length of the step
   Vec3 spacing{1, 1, 1};  // of the level
   int level = 0;
-  bool rates = true;  // whether the rates of the new state are asked for
+  bool rates = true;       // whether the rates of the new state are asked for
   double dt_before = 0.0;  // length of the step before; 0: there was none
 };
 

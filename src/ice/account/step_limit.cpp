@@ -27,12 +27,12 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
       at_most(o.cfl / maxima[StepSlots::sound_rate], "start from rest: cfl dx/c");
   } else
     at_most(sound_share / maxima[StepSlots::sound_rate],
-          o.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
-                    : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
+            o.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
+                      : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
   const double diffusion = maxima[StepSlots::diffusion_rate];
   at_most(o.cfl / (o.diffusion_knob * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
-  at_most(diffusion_share / diffusion, o.implicit ? "scheme: 0.6/(2 D sum 1/dx^2)"
-                                                 : "scheme: 0.7/(2 D sum 1/dx^2)");
+  at_most(diffusion_share / diffusion,
+          o.implicit ? "scheme: 0.6/(2 D sum 1/dx^2)" : "scheme: 0.7/(2 D sum 1/dx^2)");
   return limit;
 }
 

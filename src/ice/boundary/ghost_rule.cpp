@@ -21,8 +21,8 @@ SideKind GhostRule::side_kind() const {
   if (waves) return SideKind::open;
   if (vortex_pressure) return SideKind::pressure;  // and the velocity: as between cells
   if (velocity_kind != Velocity::copy) return SideKind::velocity;
-  const bool given = fixed_pressure || sine_pressure || vortex_pressure ||
-                     (fixed_density && fixed_temperature);
+  const bool given =
+      fixed_pressure || sine_pressure || vortex_pressure || (fixed_density && fixed_temperature);
   return given ? SideKind::pressure : SideKind::copied;
 }
 

@@ -294,7 +294,7 @@ const Labels& labels() {
   static const Labels all = [] {
     Labels l;
     declare_state(l);
-  declare_solve(l);
+    declare_solve(l);
     declare_primitives(l);
     declare_derivatives(l);
     declare_waves(l);

@@ -179,8 +179,7 @@ inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVaria
   if (h.solved)
     for (int d = 0; d < o.axes.count; ++d) {
       const auto a = static_cast<std::size_t>(d);
-      h.face_pressure[a] =
-          task.read(v.face_pressure[a], Stencil::along(o.axes.direction[d], 0, 1));
+      h.face_pressure[a] = task.read(v.face_pressure[a], Stencil::along(o.axes.direction[d], 0, 1));
     }
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);

@@ -3,7 +3,8 @@
 //   F = sum_p V sigma . D_p,   A = sum_p 2 V w_p/h
 //
 // w is the weight of a particle on the nodes of the side, which along the side add up to that of
-// the normal direction alone; D is its gradient. So F is minus the internal force of these nodes. Of
+// the normal direction alone; D is its gradient. So F is minus the internal force of these
+// nodes. Of
 // the nodes beyond (of wide shape functions) a wall takes the force whole; a mirror throws it back:
 // its normal part counts twice, the tangential one stays with the body.
 #pragma once

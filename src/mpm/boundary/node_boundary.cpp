@@ -7,8 +7,8 @@ namespace sluice::mpm {
 NodeBoundary::NodeBoundary(const Scene& scene, const MpmScene& solids, const Level& level)
     : scene_(&scene), solids_(&solids), level_(level), mirror_(solids.materials.size()) {
   for (const SolidBoundary& b : solids.boundaries) {
-    if (b.kind != SolidBoundary::Kind::symmetric || !level.active[static_cast<std::size_t>(
-                                                        direction_of(b.side))])
+    if (b.kind != SolidBoundary::Kind::symmetric ||
+        !level.active[static_cast<std::size_t>(direction_of(b.side))])
       continue;
     for (std::size_t m = 0; m < mirror_.size(); ++m)
       if (b.material < 0 || b.material == static_cast<int>(m))
@@ -29,11 +29,10 @@ GivenVelocity NodeBoundary::at(IntVec3 node, int material) const {
   GivenVelocity g;
   for (const SolidBoundary& b : solids_->boundaries) {
     const int d = direction_of(b.side);
-    if (!level_.active[static_cast<std::size_t>(d)] ||
-        (b.material >= 0 && b.material != material))
+    if (!level_.active[static_cast<std::size_t>(d)] || (b.material >= 0 && b.material != material))
       continue;
-    const bool on = is_plus(b.side) ? node[d] >= level_.domain.upper[d]
-                                    : node[d] <= level_.domain.lower[d];
+    const bool on =
+        is_plus(b.side) ? node[d] >= level_.domain.upper[d] : node[d] <= level_.domain.lower[d];
     if (!on) continue;
     if (b.kind == SolidBoundary::Kind::symmetric) {
       g.given[static_cast<std::size_t>(d)] = true;
@@ -57,9 +56,9 @@ bool NodeBoundary::is_image(IntVec3 node, int material) const {
     const auto n = static_cast<std::size_t>(d);
     if (!level_.active[n]) continue;
     const int low = level_.domain.lower[d], high = level_.domain.upper[d];
-    if (level_.periodic[n] ? node[d] < low || node[d] >= high
-                           : (mirror[2 * n] && node[d] < low) ||
-                                 (mirror[2 * n + 1] && node[d] > high))
+    if (level_.periodic[n]
+            ? node[d] < low || node[d] >= high
+            : (mirror[2 * n] && node[d] < low) || (mirror[2 * n + 1] && node[d] > high))
       return true;
   }
   return false;

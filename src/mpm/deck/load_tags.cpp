@@ -27,8 +27,10 @@ TagSpec surface() {
 TagSpec on_surface(const std::string& name, const std::string& doc, const std::string& unit) {
   return tag(name, doc).multiple().with_children(
       {surface(), load_curve(unit),
-       tag("outward_normal", "with use_CBDI_boundary_condition: the face of the body "
-                             "looks outward from the piece, else inward").boolean(),
+       tag("outward_normal",
+           "with use_CBDI_boundary_condition: the face of the body "
+           "looks outward from the piece, else inward")
+           .boolean(),
        tag("res", "particles per cell near the surface; absent: as they are").vector().above(0)});
 }
 

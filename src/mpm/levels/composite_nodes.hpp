@@ -28,7 +28,8 @@ class CompositeNodes {
   template <class Mine>
   void to_coarse(const BlockTable& fine, NodeLanes& fine_nodes, const BlockTable& coarse,
                  NodeLanes& coarse_nodes, Mine&& mine) const {
-    for (int b = 0; b < fine.count(); ++b) hang_block(fine, fine_nodes, coarse, coarse_nodes, b, mine(b));
+    for (int b = 0; b < fine.count(); ++b)
+      hang_block(fine, fine_nodes, coarse, coarse_nodes, b, mine(b));
   }
   // Velocities of hanging nodes; of covered ones (lanes v, . | dv, .).
   void from_coarse(const BlockTable& fine, NodeLanes& fine_nodes, const BlockTable& coarse,

@@ -6,10 +6,9 @@ namespace sluice::mpm {
 namespace {
 
 bool same_boxes(const Level& a, const Level& b) {
-  return std::equal(a.boxes.begin(), a.boxes.end(), b.boxes.begin(), b.boxes.end(),
-                    [](const GridBox& x, const GridBox& y) {
-                      return x.cells == y.cells && x.owner == y.owner;
-                    });
+  return std::equal(
+      a.boxes.begin(), a.boxes.end(), b.boxes.begin(), b.boxes.end(),
+      [](const GridBox& x, const GridBox& y) { return x.cells == y.cells && x.owner == y.owner; });
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ Verdict SolidLevels::begin(const StageScope& scope) {
       all[n] = l == 0 ? own[n] : std::max(all[n], own[n]);
   }
   maxima_.assign(steps_.size(), {all});
-  for (const auto& step : steps_) 
+  for (const auto& step : steps_)
     step->set_spacings(present_.back().spacing, present_.front().spacing);
   const Verdict verdict = on_levels(scope, &SolidStep::begin);
   if (count() > 1)
@@ -95,9 +94,8 @@ void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
     for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
       Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
       joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
-      joint.to_coarse(fine.table, fine.*group, coarse.table, coarse.*group, [&](int block) {
-        return level(l).exchange().is_home(fine.table, block);
-      });
+      joint.to_coarse(fine.table, fine.*group, coarse.table, coarse.*group,
+                      [&](int block) { return level(l).exchange().is_home(fine.table, block); });
     }
   }
 }

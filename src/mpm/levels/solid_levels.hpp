@@ -43,10 +43,10 @@ class SolidLevels {
   const std::vector<Carried>* carried_;
   const std::vector<ParticleKind>* kinds_;
   std::vector<std::unique_ptr<SolidStep>> steps_;
-  std::vector<Level> present_;                         // as they were when last looked at
-  std::vector<std::unique_ptr<CompositeNodes>> joints_;  // by coarser level
+  std::vector<Level> present_;                            // as they were when last looked at
+  std::vector<std::unique_ptr<CompositeNodes>> joints_;   // by coarser level
   std::vector<std::vector<std::vector<double>>> maxima_;  // by level: what its step is handed
-  double strayed_ = 0;  // since the particles were sorted, cells
+  double strayed_ = 0;                                    // since the particles were sorted, cells
 };
 
 }  // namespace sluice::mpm

@@ -1,4 +1,5 @@
-// Loads on the corners of particles: the force of a surface, a quarter on each corner of that face of
+// Loads on the corners of particles: the force of a surface, a quarter on each corner of that
+// face of
 // the particle that lies in the surface. It follows the area of the face:
 //
 //   f_c = f/4 |e_a x e_b|/|e_a x e_b|_0 at x + s e_n/2 +- e_a/2 +- e_b/2,   e = F e_0 the edges

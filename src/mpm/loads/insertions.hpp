@@ -1,4 +1,5 @@
-// Particles that jump: at a time, those of a colour are moved by a way and get a velocity. A file has
+// Particles that jump: at a time, those of a colour are moved by a way and get a velocity. A
+// file has
 // rows t, colour, way (3), velocity (3).
 #pragma once
 #include <string>

@@ -65,7 +65,8 @@ class AxisAligned final : public Manufactured {
   double A_, rate_;
 };
 
-// A ring of radii 0.4 and 0.6 whose radial displacement is T(t) (c_3 R^3 + c_2 R^2 + c_1 R): without
+// A ring of radii 0.4 and 0.6 whose radial displacement is T(t) (c_3 R^3 + c_2 R^2 + c_1 R):
+// without
 // strain along r, and so (with lambda = 0) without traction, at both edges. T = A sin(c pi t).
 class ExpandingRing final : public Manufactured {
  public:

@@ -25,7 +25,8 @@ class Manufactured {
   virtual Vec3 body_force(Vec3 X, double t) const = 0;    // per mass, m/s^2
 };
 
-// RunMMSProblem: AxisAligned, AxisAligned3L, GeneralizedVortex, ExpandingRing. std::invalid_argument
+// RunMMSProblem: AxisAligned, AxisAligned3L, GeneralizedVortex, ExpandingRing.
+// std::invalid_argument
 // for any other name.
 std::unique_ptr<Manufactured> manufactured(const std::string& name,
                                            const ManufacturedConstants& constants);

@@ -1,7 +1,8 @@
 // A deformation that a file prescribes for all particles: rows t, F (9, row after row), angle in
 // degrees, axis (3).
 //
-// Between two rows F is straight in time, while the body turns steadily by the angle of the later row
+// Between two rows F is straight in time, while the body turns steadily by the angle of the
+// later row
 // about its axis, on top of the turns before: A(t) = Q(t) Q_before F(t). Places go from x to
 // A(t + dt) A(t)^-1 x, about the origin; after the last row nothing moves.
 #pragma once

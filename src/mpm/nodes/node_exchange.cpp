@@ -140,8 +140,7 @@ void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) 
   for (int b = 0; b < table.count(); ++b) {
     const int to = home(table.shape(), table.block(b));
     if (to != ranks_->rank())
-      pack(table, b, groups,
-           out[static_cast<std::size_t>(number_[static_cast<std::size_t>(to)])]);
+      pack(table, b, groups, out[static_cast<std::size_t>(number_[static_cast<std::size_t>(to)])]);
   }
   const Buffers arrived = swap(out);
   for (const std::vector<double>& from : arrived)

@@ -37,8 +37,8 @@ class NodeExchange {
   Communicator* ranks_;
   bool everywhere_;
   BoxFinder finder_;
-  std::vector<int> neighbours_;        // ranks
-  std::vector<int> number_;            // of a rank among them; -1
+  std::vector<int> neighbours_;  // ranks
+  std::vector<int> number_;      // of a rank among them; -1
 };
 
 }  // namespace sluice::mpm

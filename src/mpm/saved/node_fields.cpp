@@ -23,14 +23,16 @@ const NodeLabels& labels() {
   static const NodeLabels l = {
       declare("g.mass", real, "kg", "Mass of a material at a node: sum m S."),
       declare("g.volume", real, "m^3", "Volume of a material at a node: sum V S."),
-      declare("g.velocity", vector, "m/s", "Velocity of a material at a node: sum m v S over its "
-                                           "mass."),
+      declare("g.velocity", vector, "m/s",
+              "Velocity of a material at a node: sum m v S over its "
+              "mass."),
       declare("g.velocity_star", vector, "m/s",
               "Velocity of a material at a node after another step as long as the last, before "
               "contact and boundary values."),
       declare("g.acceleration", vector, "m/s^2",
               "Acceleration of a material at a node by stress, loads and gravity."),
-      declare("g.internalforce", vector, "N", "Force of the stress on a node: -sum V sigma grad S."),
+      declare("g.internalforce", vector, "N",
+              "Force of the stress on a node: -sum V sigma grad S."),
       declare("g.externalforce", vector, "N", "Force of loads on a node: sum f S."),
       declare("g.stressFS", tensor, "Pa", "Mean stress of a material around a node, by volume."),
       declare("g.temperature", real, "K", "Mean temperature of a material around a node, by mass."),
@@ -58,8 +60,13 @@ class BodyFields {
  public:
   BodyFields(const Scene& scene, SolidStep& step, const StageScope& scope, int body,
              GridFields& fields)
-      : scene_(scene), step_(step), scope_(scope), number_(body), body_(step.bodies()[body]),
-        material_(body_.material->index), fields_(fields) {}
+      : scene_(scene),
+        step_(step),
+        scope_(scope),
+        number_(body),
+        body_(step.bodies()[body]),
+        material_(body_.material->index),
+        fields_(fields) {}
 
   void store() {
     store_motion();

@@ -3,7 +3,8 @@
 //
 //   tr D < 0:  q = rho (A_1 c_b |tr D| h + A_2 (tr D h)^2),  c_b^2 = K/rho,  h the mean cell width
 //
-// Its work -q V tr D dt joins the energy of the particle; in materials with plastic flow it is heat.
+// Its work -q V tr D dt joins the energy of the particle; in materials with plastic flow it is
+// heat.
 #pragma once
 #include "mpm/step/solid_step.hpp"
 

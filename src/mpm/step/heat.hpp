@@ -6,7 +6,8 @@
 //   T_i <- T_i + dt Q_i/(c_v M);  thermal contact T_i = sum m c T/sum m c;  temperatures of sides
 //   dT/dt = (T_i - T_i of the start)/dt, which the particles gather
 //
-// In as many parts of a step as the explicit conduction needs, k dt/(rho c_v) sum 2/h^2 <= 1 a part,
+// In as many parts of a step as the explicit conduction needs, k dt/(rho c_v) sum 2/h^2 <= 1 a
+// part,
 // so that conduction never limits the step of the waves. Nothing happens while all temperatures are
 // equal. The transfers are those of the momentum: -V k grad T stands for a row of the stress.
 #pragma once

@@ -25,11 +25,12 @@ SolidLabels declare_all() {
   l.half = declare("p.halfWidths", vector, "1", "Half widths of a particle, in cells.");
   l.size = declare("p.size", tensor, "1",
                    "Edges of a particle in the reference state, in cells (columns).");
-  l.displacement = declare("p.displacement", vector, "m",
-                           "Way of a particle from where it was at the start.");
+  l.displacement =
+      declare("p.displacement", vector, "m", "Way of a particle from where it was at the start.");
   l.colour = declare("p.color", real, "1", "Colour that the deck gave to a particle.");
-  l.marks = declare("p.loadCurveID", vector, "1",
-                    "Loads on a particle, up to three: number in the deck, counted from 1; 0: none.");
+  l.marks =
+      declare("p.loadCurveID", vector, "1",
+              "Loads on a particle, up to three: number in the deck, counted from 1; 0: none.");
   l.given_force = declare("p.givenForce", vector, "N", "Force that a point file gives a particle.");
   l.normal = declare("p.normal", vector, "1", "Normal of a particle's surface, from a point file.");
   l.outside_force = declare("p.externalforce", vector, "N",
@@ -41,8 +42,8 @@ SolidLabels declare_all() {
   l.reference = declare("p.referencePlace", vector, "m",
                         "Place of a particle at the start, at which a total Lagrangian run takes "
                         "shape functions.");
-  l.scale_factor = declare("p.scalefactor", tensor, "m",
-                           "Edges of a particle as it is deformed (columns).");
+  l.scale_factor =
+      declare("p.scalefactor", tensor, "m", "Edges of a particle as it is deformed (columns).");
   return l;
 }
 

@@ -50,8 +50,7 @@ std::vector<NodeMean> SolidStep::mean_on_nodes(const StageScope& scope, int numb
   for (const BlockWork& w : work_) {
     if (w.kind != number) continue;
     const Columns& c = body.carried->columns;
-    for (std::size_t n = 0; n < lanes_of.size(); ++n)
-      lanes_of[n].values = columns[w.set][n].data();
+    for (std::size_t n = 0; n < lanes_of.size(); ++n) lanes_of[n].values = columns[w.set][n].data();
     window.begin(w.lowest, w.highest);
     add_values_to_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
                          lanes_of, static_cast<int>(w.run.begin), static_cast<int>(w.run.end),

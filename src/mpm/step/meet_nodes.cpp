@@ -149,7 +149,8 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
       if (b.rigid) continue;
       const auto [m, block] = members[static_cast<std::size_t>(b.member)];
       std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block) + n * lanes;
-      Vec3& change = scratch.change[static_cast<std::size_t>(b.member)][static_cast<std::size_t>(n)];
+      Vec3& change =
+          scratch.change[static_cast<std::size_t>(b.member)][static_cast<std::size_t>(n)];
       if (hook == Hook::before_forces) {
         change = b.v - b.before;
         continue;

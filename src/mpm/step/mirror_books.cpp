@@ -30,8 +30,7 @@ void for_each_image(const NodeBoundary& boundary, const BlockShape& shape, IntVe
 void SolidStep::book_mirrored_forces(const NodeStep& step, int m, int block,
                                      NodeBooks& books) const {
   const Body& body = bodies_[static_cast<std::size_t>(m)];
-  if (!has_mirror(*boundary_, m) || body.material->rigid ||
-      !exchange_->is_home(body.table, block))
+  if (!has_mirror(*boundary_, m) || body.material->rigid || !exchange_->is_home(body.table, block))
     return;
   const std::int64_t* nodes = body.nodes.sums(block);
   for_each_image(*boundary_, shape_, shape_.lower(body.table.block(block)), m, nodes,
@@ -53,18 +52,17 @@ void SolidStep::book_mirrored_changes(NodeBooks& books) const {
       const IntVec3 low = shape_.lower(body.table.block(b));
       if (!boundary_->meets(low, shape_.edge) || !exchange_->is_home(body.table, b)) continue;
       const std::int64_t* nodes = body.nodes.sums(b);
-      for_each_image(*boundary_, shape_, low, m, nodes,
-                     [&](int n, const NodeBoundary::Image& image) {
-                       const int block = body.table.find(shape_.block_of(image.of));
-                       if (block < 0) return;
-                       const std::int64_t* node =
-                           body.nodes.sums(block) + shape_.place(image.of) * lanes;
-                       const double mass = as_real(nodes[n * lanes + 3]);
-                       for (int d = 0; d < 3; ++d)
-                         if (image.flipped[static_cast<std::size_t>(d)])
-                           books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(
-                               -2 * mass * as_real(node[4 + d]));
-                     });
+      for_each_image(
+          *boundary_, shape_, low, m, nodes, [&](int n, const NodeBoundary::Image& image) {
+            const int block = body.table.find(shape_.block_of(image.of));
+            if (block < 0) return;
+            const std::int64_t* node = body.nodes.sums(block) + shape_.place(image.of) * lanes;
+            const double mass = as_real(nodes[n * lanes + 3]);
+            for (int d = 0; d < 3; ++d)
+              if (image.flipped[static_cast<std::size_t>(d)])
+                books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(
+                    -2 * mass * as_real(node[4 + d]));
+          });
     }
   }
 }

@@ -211,7 +211,7 @@ class SolidStep {
   std::unique_ptr<OutsideForces> outside_;
   std::unique_ptr<PrescribedMotion> prescribed_;  // null: the particles are free
   std::vector<Insertion> insertions_, jumps_;     // of the run, of this step
-  std::unique_ptr<Heat> heat_;  // null: heat cannot move
+  std::unique_ptr<Heat> heat_;                    // null: heat cannot move
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
   SurfaceUnits surface_units_;
