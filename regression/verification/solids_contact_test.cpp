@@ -122,9 +122,9 @@ TEST(SolidsContact, ThreeDisksKeepTheirMomentumAndFollowTheirMirrorImage) {
     for (std::size_t at = 0; (at = mirrored.find(from, at)) != std::string::npos; at += to.size())
       mirrored.replace(at, from.size(), to);
   };
-  swap("[0.55,", "[#,");
-  swap("[1.45,", "[0.55,");
-  swap("[#,", "[1.45,");
+  swap("[-0.45,", "[#,");
+  swap("[0.45,", "[-0.45,");
+  swap("[#,", "[0.45,");
   swap("[1,0.3,0]", "[#1,0.3,0]");
   swap("[-1,0.1,0]", "[1,0.1,0]");
   swap("[#1,0.3,0]", "[-1,0.3,0]");
@@ -136,9 +136,10 @@ TEST(SolidsContact, ThreeDisksKeepTheirMomentumAndFollowTheirMirrorImage) {
   const auto p = history(run, "TotalMomentum"), q = history(other, "TotalMomentum");
   ASSERT_EQ(p.size(), q.size());
   for (std::size_t n = 0; n < p.size(); ++n) {
-    ASSERT_EQ(p[n][0], q[n][0]);
-    ASSERT_EQ(p[n][1], -q[n][1]);
-    ASSERT_EQ(p[n][2], q[n][2]);
+    // To round-off alone: contact still sums in an order that a mirror image changes.
+    ASSERT_NEAR(p[n][0], q[n][0], 1e-13);
+    ASSERT_NEAR(p[n][1], -q[n][1], 1e-11);
+    ASSERT_NEAR(p[n][2], q[n][2], 1e-11);
   }
 }
 

@@ -25,6 +25,10 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/ICE/DNS_Moser_Re_tau395.ups", "there is no variable 'scalar-f'"},  // no model has it
     {"inputs/ICE/impVortex.ups", "there is no material 'atmosphere'"},
     {"inputs/ICE/rayleigh.ups", "there is no variable 'press_force'"},
+    {"inputs/MPM/ARL/AMR_nano_pillar.ups", "'explicit' is neither true nor false"},
+    {"inputs/MPM/exp-imp.ups", "nothing to run"},
+    {"inputs/MPM/sidecrack.ups", "<crack> does not exist in <MPM>"},
+    {"inputs/MPM/suvic_10minus4_failure.ups", "side x- has no conditions"},
     {"inputs/MPM/GranularMPM/Silo_empty03_ConialHopper03.ups", "leads out of the folder"},
     {"inputs/MPM/GranularMPM/Silo_empty_MPM_ConialHopper.ups", "XML: StartTag"},
     {"inputs/MPM/GranularMPM/Y_Pipe_05.ups", "does not exist"},
@@ -99,6 +103,7 @@ TEST(OwnDecks, AreGoodWithoutAWarning) {
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(SLUICE_SOURCE_DIR "/inputs")) {
     if (entry.path().extension() != ".ups") continue;
+    if (entry.path().parent_path().filename() == "drive") continue;  // of `sluice drive`
     ++count;
     const Deck deck = load_deck(entry.path().string(), {}, schema);
     EXPECT_TRUE(deck.good()) << entry.path();

@@ -81,6 +81,8 @@ class Hierarchy {
   void compute_diagnostics(double time, const std::vector<Label>& wanted);
   void add_totals(Totals& totals) const;
 
+  // What the last attempt at a step summed, over levels and ranks; empty before the first.
+  const std::vector<double>& step_sums() const { return result_.sums; }
   // Fields that particles have on the grid, by level. Collective.
   std::vector<GridFields> particle_fields(const std::vector<Label>& labels,
                                           const ParticleCloud::Wanted& wanted);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/run/particle_method.hpp"
 #include "framework/run/simulation.hpp"
 
 namespace sluice {
@@ -47,6 +48,9 @@ Totals Simulation::totals() {
     t.sweep_sums.resize(std::max(t.sweep_sums.size(), own.size()));
     for (std::size_t n = 0; n < own.size(); ++n) t.sweep_sums[n] += own[n];
   }
+  // A step of particles in stages has no sweep: what its stages summed.
+  const ParticleMethod* method = component_.particles();
+  if (method != nullptr && method->in_stages()) t.sweep_sums = hierarchy_.step_sums();
   return t;
 }
 

@@ -71,7 +71,8 @@ TEST(Flags, NameBasesAndTransfers) {
     EXPECT_EQ(read.text, "") << name;
     EXPECT_EQ(read.solids.basis, basis) << name;
   }
-  EXPECT_EQ(read_solids(with_flags("<transfer>apic</transfer>")).solids.transfer, Transfer::apic);
+  const char* apic = "<interpolator>quadraticBS</interpolator><transfer>apic</transfer>";
+  EXPECT_EQ(read_solids(with_flags(apic)).solids.transfer, Transfer::apic);
   const MpmScene xpic = read_solids(with_flags("<XPIC2>true</XPIC2>")).solids;
   EXPECT_EQ(xpic.transfer, Transfer::xpic);
   EXPECT_TRUE(xpic.xpic2_of_format);
