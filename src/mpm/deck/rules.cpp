@@ -109,7 +109,8 @@ void check_solid_blocks(const DeckNode& root, std::vector<Fault>& faults) {
                   "remove them, or write <SimulationComponent type=\"mpm\"/>");
     return;
   }
-  if (mpm_materials(root).empty())
+  // The materials of a switcher stand in the decks that it names.
+  if (mpm_materials(root).empty() && type != "switcher")
     add_error(faults, component->where, "no <MaterialProperties><MPM><material>: nothing to run");
 }
 
