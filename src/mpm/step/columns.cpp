@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "framework/geometry/point_file.hpp"
 #include "mpm/step/labels.hpp"
@@ -29,6 +30,21 @@ std::array<double, 3> half_of(const SeedObject& o) {
     half[static_cast<std::size_t>(d)] =
         0.5 * std::fabs(o.map[static_cast<std::size_t>(4 * d)]) / o.per_cell[d];
   return half;
+}
+
+// The labels of what a law remembers: its own where that has as many components (six of a symmetric
+// tensor), else one for each, numbered from 1.
+std::vector<Label> labels_of(const HistoryColumn& h) {
+  const LabelInfo info = h.label.info();
+  if (h.components == component_count(info.type) ||
+      (h.components == 6 && info.type == ValueType::tensor))
+    return {h.label};
+  std::vector<Label> labels;
+  for (int c = 1; c <= h.components; ++c)
+    labels.push_back(declare_label({info.name + "_" + std::to_string(c), ValueType::real,
+                                    Centring::particle, info.unit,
+                                    info.definition + ", component " + std::to_string(c)}));
+  return labels;
 }
 
 // Do all particles have the widths of the first object's.
@@ -82,7 +98,8 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (is_saved(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   c.columns.history = next;
-  for (const HistoryColumn& h : material.law->history()) add(h.label, true, h.components == 6);
+  for (const HistoryColumn& h : material.law->history())
+    for (const Label label : labels_of(h)) add(label, true, h.components == 6 && label == h.label);
   c.history_columns = next - c.columns.history;
   return c;
 }
