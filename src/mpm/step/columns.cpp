@@ -41,9 +41,9 @@ std::vector<Label> labels_of(const HistoryColumn& h) {
     return {h.label};
   std::vector<Label> labels;
   for (int c = 1; c <= h.components; ++c)
-    labels.push_back(declare_label({info.name + "_" + std::to_string(c), ValueType::real,
-                                    Centring::particle, info.unit,
-                                    info.definition + ", component " + std::to_string(c)}));
+    labels.push_back(
+        declare_label({info.name + "_" + std::to_string(c), ValueType::real, Centring::particle,
+                       info.unit, info.definition + ", component " + std::to_string(c)}));
   return labels;
 }
 
