@@ -29,7 +29,9 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
   if (any_error(faults)) return nullptr;
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
-  return std::make_unique<mpm::Mpm>(scene, std::move(solids));
+  auto component = std::make_unique<mpm::Mpm>(scene, std::move(solids));
+  component->warn_of_absent_labels(faults);
+  return component;
 }
 
 constexpr ComponentKind kinds[] = {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "framework/deck/faults.hpp"
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/contact/contact.hpp"
 #include "mpm/effects.hpp"
@@ -19,6 +20,15 @@ Mpm::Mpm(const Scene& scene, MpmScene solids)
   declare_histories();
   need_sums(scene_, history_sums_);
   for (const ContactRule& rule : solids_.contacts) friction_of(rule, solids_);  // or InputError
+}
+
+void Mpm::warn_of_absent_labels(std::vector<Fault>& faults) const {
+  for (const SaveRequest& save : scene_.output.saves)
+    if (particles_.is_absent(save.label))
+      add_warning(faults, save.where,
+                  "<save label=\"" + save.label +
+                      "\">: no material of this deck has it; nothing "
+                      "is saved of it");
 }
 
 // The step, as a table.

@@ -14,6 +14,9 @@ class Mpm final : public Component {
  public:
   Mpm(const Scene& scene, MpmScene solids);
 
+  // A warning for each label that the deck saves and none of its particles has.
+  void warn_of_absent_labels(std::vector<Fault>& faults) const;
+
   std::string name() const override { return "mpm"; }
   const EffectList& effects() const override { return effects_; }
   int material_count() const override { return static_cast<int>(solids_.materials.size()); }

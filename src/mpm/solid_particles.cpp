@@ -7,6 +7,7 @@
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
+#include "mpm/step/labels.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -155,6 +156,14 @@ bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size
     if (norm > s.value * s.value) return true;
   }
   return false;
+}
+
+bool SolidParticles::is_absent(const std::string& name) const {
+  return is_label_of_laws(name) &&
+         std::none_of(kinds_.begin(), kinds_.end(), [&](const ParticleKind& kind) {
+           return std::any_of(kind.attributes.begin(), kind.attributes.end(),
+                              [&](const ParticleAttribute& a) { return a.label.name() == name; });
+         });
 }
 
 std::vector<Label> SolidParticles::grid_labels() const {

@@ -54,6 +54,9 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
       add(saved.step);
     } else if (label && solver.is_diagnostic_label(*label)) {
       add(saved.diagnostic);
+    } else if (const ParticleMethod* method = hierarchy.component().particles();
+               method != nullptr && method->is_absent(request.label)) {
+      continue;
     } else {
       std::vector<std::string> names;
       for (Label l : all_labels())

@@ -91,6 +91,8 @@ class ParticleMethod {
   // What particles have on the grid, computed when it is saved, of a state between two steps: into
   // the labels that the fields of each level have. Collective.
   virtual std::vector<Label> grid_labels() const { return {}; }
+  // Is it a label that particles have in other scenes alone: nothing is saved of it.
+  virtual bool is_absent(const std::string& /*name*/) const { return false; }
   virtual void store_on_grid(const StageScope& /*scope*/,
                              std::vector<GridFields>& /*by_level*/) const {}
   // Does the boundary throw particles back at the face of this cell; else it lets them out.

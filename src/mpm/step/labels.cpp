@@ -1,5 +1,8 @@
 #include "mpm/step/labels.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 namespace sluice::mpm {
 namespace {
 
@@ -48,6 +51,14 @@ SolidLabels declare_all() {
 }
 
 }  // namespace
+
+bool is_label_of_laws(const std::string& name) {
+  constexpr std::string_view names[] = {
+      "p.damage",     "p.localizedMPM", "p.porosity",  "p.plasticStrain", "p.plasticStrainRate",
+      "p.strainRate", "p.epsf",         "p.timeofloc", "p.dTdt+",         "p.dTdt",
+      "p.q",          "p.JThermal",     "p.lastlevel", "p.refinedMPM",    "refineFlag"};
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 const SolidLabels& solid_labels() {
   static const SolidLabels labels = declare_all();

@@ -1,5 +1,7 @@
 // Names of what particles carry, as decks save it.
 #pragma once
+#include <string>
+
 #include "framework/field/label.hpp"
 
 namespace sluice::mpm {
@@ -10,5 +12,7 @@ struct SolidLabels {
       scale_factor, heat_source;
 };
 const SolidLabels& solid_labels();
+// Does a constitutive model, damage or heating give particles this label in some scenes.
+bool is_label_of_laws(const std::string& name);
 
 }  // namespace sluice::mpm
