@@ -8,6 +8,7 @@
 #include "framework/base/communicator.hpp"
 #include "framework/base/error.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/grid/grid_boxes.hpp"
 #include "framework/run/level_solver.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/solve/linear_solver.hpp"
@@ -55,12 +56,7 @@ class PressureSystem {
     solver_->set_up(matrix_);
   }
   // Of all ranks: they answer alike.
-  bool fits(const Level& level) const {
-    return std::equal(boxes_.begin(), boxes_.end(), level.boxes.begin(), level.boxes.end(),
-                      [](const GridBox& a, const GridBox& b) {
-                        return a.cells == b.cells && a.owner == b.owner;
-                      });
-  }
+  bool fits(const Level& level) const { return same_boxes(boxes_, level.boxes); }
   solve::SolveReport run(const solve::BoxViews& x) {
     return solver_->solve(right_side_.values(), x);
   }

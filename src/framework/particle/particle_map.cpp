@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/grid/grid_boxes.hpp"
+
 namespace sluice {
 
 IntVec3 cell_at(const Level& level, Vec3 point) {
@@ -15,11 +17,7 @@ IntVec3 cell_at(const Level& level, Vec3 point) {
 }
 
 ParticleMap::ParticleMap(std::vector<Level> levels) : levels_(std::move(levels)) {
-  for (const Level& level : levels_) {
-    std::vector<IndexBox> boxes;
-    for (const GridBox& b : level.boxes) boxes.push_back(b.cells);
-    finders_.emplace_back(std::move(boxes));
-  }
+  for (const Level& level : levels_) finders_.emplace_back(cells_of(level.boxes));
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     auto& of_level = finer_.emplace_back();
     for (const GridBox& b : levels_[l].boxes) {

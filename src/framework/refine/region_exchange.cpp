@@ -2,6 +2,7 @@
 #include "framework/refine/region_exchange.hpp"
 
 #include "framework/field/region_rows.hpp"
+#include "framework/grid/grid_boxes.hpp"
 
 namespace sluice {
 namespace {
@@ -50,13 +51,6 @@ std::vector<int> local_numbers(const Level& level, int rank) {
   int count = 0;
   for (const GridBox& b : level.boxes) numbers.push_back(b.owner == rank ? count++ : -1);
   return numbers;
-}
-
-std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes) {
-  std::vector<IndexBox> cells;
-  cells.reserve(boxes.size());
-  for (const GridBox& b : boxes) cells.push_back(b.cells);
-  return cells;
 }
 
 void copy_state(const StateViews& to, const IndexBox& region, const StateViews& from,

@@ -7,6 +7,7 @@
 
 #include "framework/base/communicator.hpp"
 #include "framework/field/warehouse.hpp"
+#include "framework/grid/grid_boxes.hpp"
 #include "framework/refine/transfer_operators.hpp"
 
 namespace sluice {
@@ -23,7 +24,6 @@ void view_array(double* data, const IndexBox& cells, const Level& level, int com
 Level without_boxes(const Level& level);
 // Local numbers of a level's boxes, as a Warehouse counts them; -1 for those of other ranks.
 std::vector<int> local_numbers(const Level& level, int rank);
-std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes);
 
 // to = from at the cells of `region` (indices of `to`); `shift` leads to the cells of `from`.
 void copy_state(const StateViews& to, const IndexBox& region, const StateViews& from,

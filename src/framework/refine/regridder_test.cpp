@@ -8,6 +8,7 @@
 
 #include "framework/base/error.hpp"
 #include "framework/grid/box_list.hpp"
+#include "framework/grid/grid_boxes.hpp"
 
 namespace sluice::regridder_test {
 namespace {
@@ -48,12 +49,6 @@ Case make_case(IntVec3 coarse, int levels, IntVec3 ratio, IntVec3 tile,
     c.levels.push_back(level);
   }
   return c;
-}
-
-std::vector<IndexBox> cells_of(const std::vector<GridBox>& boxes) {
-  std::vector<IndexBox> cells;
-  for (const GridBox& b : boxes) cells.push_back(b.cells);
-  return cells;
 }
 
 // Each level lies inside the coarser one with the margin that was asked for.

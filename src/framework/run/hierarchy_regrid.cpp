@@ -6,17 +6,12 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/base/memory.hpp"
+#include "framework/grid/grid_boxes.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/run/load_balance.hpp"
 
 namespace sluice {
 namespace {
-
-bool same_boxes(const std::vector<GridBox>& a, const std::vector<GridBox>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const GridBox& x, const GridBox& y) {
-    return x.cells == y.cells && x.owner == y.owner;
-  });
-}
 
 // The cells that the deck's own finer levels cover.
 void add_start_boxes(const RefinementSettings& settings, std::vector<FlagField>& flags) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "framework/grid/cell_map.hpp"
+#include "framework/grid/grid_boxes.hpp"
 #include "framework/solve/all_boxes.hpp"
 
 namespace sluice::solve {
@@ -46,8 +47,7 @@ struct WholeLevel {
 
  private:
   static BoxArrays copied(const Level& level, const BoxArrays& own) {
-    std::vector<IndexBox> boxes;
-    for (const GridBox& b : level.boxes) boxes.push_back(b.cells);
+    const std::vector<IndexBox> boxes = cells_of(level.boxes);
     BoxArrays all(boxes);
     const AllBoxes from(level, own.values());
     for (std::size_t n = 0; n < boxes.size(); ++n)
@@ -103,8 +103,8 @@ class LevelRows {
     }
   };
   LevelRows(const WholeLevel& whole_level, const WholeLevel* finer)
-      : rows(boxes_of_all(whole_level.level)),
-        whole(boxes_of_all(whole_level.level)),
+      : rows(cells_of(whole_level.level.boxes)),
+        whole(cells_of(whole_level.level.boxes)),
         from_(whole_level),
         finer_(finer) {
     for (std::size_t b = 0; b < from_.level.boxes.size(); ++b)
@@ -118,11 +118,6 @@ class LevelRows {
   std::vector<InterfaceFace> faces;
 
  private:
-  static std::vector<IndexBox> boxes_of_all(const Level& level) {
-    std::vector<IndexBox> boxes;
-    for (const GridBox& b : level.boxes) boxes.push_back(b.cells);
-    return boxes;
-  }
   void fill_row(std::size_t b, IntVec3 cell) {
     const Level& level = from_.level;
     const bool under = covered(cell);

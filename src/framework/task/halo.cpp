@@ -7,6 +7,7 @@
 
 #include "framework/field/region_rows.hpp"
 #include "framework/grid/box_list.hpp"
+#include "framework/grid/grid_boxes.hpp"
 
 namespace sluice {
 namespace {
@@ -49,10 +50,7 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width) {
   std::vector<HaloCopy> copies;
   const IntVec3 ghosts = level.ghosts(width);
   const std::vector<IntVec3> shifts = periodic_shifts(level, ghosts);
-  std::vector<IndexBox> cells;
-  cells.reserve(level.boxes.size());
-  for (const GridBox& b : level.boxes) cells.push_back(b.cells);
-  const BoxFinder finder(std::move(cells));
+  const BoxFinder finder(cells_of(level.boxes));
   std::vector<int> found;
   for (const GridBox& to : level.boxes) {
     const IndexBox grown = to.cells.grown(ghosts);

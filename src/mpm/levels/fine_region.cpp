@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "framework/grid/grid_boxes.hpp"
+
 namespace sluice::mpm {
-namespace {
-
-std::vector<IndexBox> cells_of(const Level& level) {
-  std::vector<IndexBox> boxes;
-  for (const GridBox& b : level.boxes) boxes.push_back(b.cells);
-  return boxes;
-}
-
-}  // namespace
-
-FineRegion::FineRegion(const Level& fine) : level_(fine), finder_(cells_of(fine)) {}
+FineRegion::FineRegion(const Level& fine) : level_(fine), finder_(cells_of(fine.boxes)) {}
 
 // Cells that touch the nodes [low, high), in the domain.
 IndexBox FineRegion::cells_around(IntVec3 low, IntVec3 high) const {

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "framework/grid/grid_boxes.hpp"
+
 namespace sluice::mpm {
-namespace {
-
-bool same_boxes(const Level& a, const Level& b) {
-  return std::equal(
-      a.boxes.begin(), a.boxes.end(), b.boxes.begin(), b.boxes.end(),
-      [](const GridBox& x, const GridBox& y) { return x.cells == y.cells && x.owner == y.owner; });
-}
-
-}  // namespace
-
 SolidLevels::SolidLevels(const Scene& scene, const MpmScene& solids,
                          const std::vector<Carried>& carried,
                          const std::vector<ParticleKind>& kinds)
@@ -24,7 +16,7 @@ void SolidLevels::look_at_levels(const StageScope& scope) {
   joints_.resize(count - 1);
   for (std::size_t l = 0; l < count; ++l) {
     const Level& now = scope.levels[l]->level();
-    const bool same = l < steps_.size() && same_boxes(present_[l], now);
+    const bool same = l < steps_.size() && same_boxes(present_[l].boxes, now.boxes);
     if (l >= steps_.size())
       steps_.push_back(std::make_unique<SolidStep>(*scene_, *solids_, *carried_, *kinds_));
     if (!same && l > 0) joints_[l - 1] = std::make_unique<CompositeNodes>(now);

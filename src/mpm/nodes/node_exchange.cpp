@@ -5,6 +5,8 @@
 #include <cstring>
 #include <set>
 
+#include "framework/grid/grid_boxes.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -12,12 +14,6 @@ constexpr int count_tag = 51, block_tag = 52;
 // Layers of blocks around a box in which its particles may reach nodes, and by which the home of a
 // block may lie beside it.
 constexpr int block_layers = 3;
-
-std::vector<IndexBox> cells_of(const Level& level) {
-  std::vector<IndexBox> boxes;
-  for (const GridBox& b : level.boxes) boxes.push_back(b.cells);
-  return boxes;
-}
 
 // The box grown by some layers, and its images across periodic sides.
 std::vector<IndexBox> images_of(const Level& level, IndexBox box, IntVec3 layers) {
@@ -62,7 +58,7 @@ void pack(const BlockTable& table, int block, std::span<NodeLanes* const> groups
 }  // namespace
 
 NodeExchange::NodeExchange(const Level& level, Communicator& ranks, bool everywhere)
-    : level_(level), ranks_(&ranks), everywhere_(everywhere), finder_(cells_of(level)) {
+    : level_(level), ranks_(&ranks), everywhere_(everywhere), finder_(cells_of(level.boxes)) {
   number_.assign(static_cast<std::size_t>(ranks.size()), -1);
   if (ranks.size() == 1) return;
   const BlockShape shape = block_shape(level.active);
@@ -85,12 +81,7 @@ NodeExchange::NodeExchange(const Level& level, Communicator& ranks, bool everywh
 
 bool NodeExchange::fits(const Level& level, bool everywhere) const {
   if (everywhere && !everywhere_) return false;
-  if (level.boxes.size() != level_.boxes.size()) return false;
-  for (std::size_t n = 0; n < level.boxes.size(); ++n)
-    if (level.boxes[n].owner != level_.boxes[n].owner ||
-        !(level.boxes[n].cells == level_.boxes[n].cells))
-      return false;
-  return true;
+  return same_boxes(level.boxes, level_.boxes);
 }
 
 int NodeExchange::home(const BlockShape& shape, IntVec3 block) const {
