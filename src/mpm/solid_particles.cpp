@@ -8,45 +8,13 @@
 #include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/labels.hpp"
+#include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
 namespace {
-
-// Columns of particles begin to end as a law takes them, at rest in the state they have.
-struct LawColumns {
-  Batch batch;
-  std::vector<double*> history;
-  std::vector<const double*> old_history;
-};
-
-void fill_batch(ParticleSet& set, const Carried& carried, std::size_t at, int n, LawColumns& to) {
-  const Columns& c = carried.columns;
-  const auto column = [&](int first) { return set.column(static_cast<std::size_t>(first)) + at; };
-  Batch& b = to.batch;
-  b = {};
-  b.count = n;
-  for (int e = 0; e < 9; ++e)
-    b.F[static_cast<std::size_t>(e)] = b.old_F[static_cast<std::size_t>(e)] = column(c.F + e);
-  for (int e = 0; e < 6; ++e)
-    b.old_stress[static_cast<std::size_t>(e)] = b.stress[static_cast<std::size_t>(e)] =
-        column(c.stress + e);
-  b.temperature = column(c.temperature);
-  b.mass = column(c.mass);
-  b.volume_0 = column(c.volume_0);
-  b.id = set.ids().data() + at;
-  b.old_energy = b.energy = column(c.energy);
-  to.history.clear();
-  to.old_history.clear();
-  for (int h = 0; h < carried.history_columns; ++h) {
-    to.history.push_back(column(c.history + h));
-    to.old_history.push_back(column(c.history + h));
-  }
-  b.history = to.history;
-  b.old_history = to.old_history;
-}
 
 double optional(const std::vector<double>& column, std::size_t p) {
   return column.empty() ? 0.0 : column[p];
@@ -130,14 +98,14 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
           set.attribute(static_cast<std::size_t>(c.velocity + d), n) = v[d];
     }
   double wave_speed[chunk_size], heating[chunk_size] = {};
-  LawColumns columns;
+  LawBatch columns;
   for (std::size_t at = begin; at < set.size(); at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, set.size() - at));
-    fill_batch(set, carried, at, n, columns);
-    columns.batch.time = scene_->time.initial_time;
-    columns.batch.wave_speed = wave_speed;
-    columns.batch.heating = heating;
-    material.law->start(columns.batch);
+    Batch& b = columns.between(set, set, carried, at, n);
+    b.time = scene_->time.initial_time;
+    b.wave_speed = wave_speed;
+    b.heating = heating;
+    material.law->start(b);
   }
 }
 
@@ -208,18 +176,12 @@ double SolidParticles::rate_of_step(int kind, const Level& level, const Particle
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
-  ParticleSet from = set, to = set;  // a law writes beside what it reads
+  ParticleSet to = set;  // a law writes beside what it reads
   double wave_speed[chunk_size], heating[chunk_size], still[chunk_size] = {}, rate = 0;
-  LawColumns old, now;
+  LawBatch columns;
   for (std::size_t at = 0; at < set.size(); at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, set.size() - at));
-    fill_batch(from, carried, at, n, old);
-    fill_batch(to, carried, at, n, now);
-    Batch& b = now.batch;
-    b.old_F = old.batch.old_F;
-    b.old_stress = old.batch.old_stress;
-    b.old_energy = old.batch.old_energy;
-    b.old_history = old.batch.old_history;
+    Batch& b = columns.between(set, to, carried, at, n);
     for (const double*& l : b.L) l = still;
     b.wave_speed = wave_speed;
     b.heating = heating;

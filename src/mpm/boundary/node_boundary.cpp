@@ -104,10 +104,7 @@ void for_each_side_node(const NodeBoundary& boundary, const BlockTable& table, A
   for (int b = 0, blocks = table.count(); b < blocks; ++b) {
     const IntVec3 low = shape.lower(table.block(b));
     if (!boundary.meets(low, shape.edge)) continue;
-    int n = 0;
-    for (int k = 0; k < shape.edge.z; ++k)
-      for (int j = 0; j < shape.edge.y; ++j)
-        for (int i = 0; i < shape.edge.x; ++i, ++n) act(b, n, low + IntVec3{i, j, k});
+    for_each_node(shape, low, [&](int n, IntVec3 node) { act(b, n, node); });
   }
 }
 

@@ -7,15 +7,6 @@
 namespace sluice::mpm {
 namespace {
 
-// act(number in the block, node) for all nodes of a block.
-template <class Act>
-void for_each_node(const BlockShape& shape, IntVec3 low, Act&& act) {
-  int n = 0;
-  for (int k = 0; k < shape.edge.z; ++k)
-    for (int j = 0; j < shape.edge.y; ++j)
-      for (int i = 0; i < shape.edge.x; ++i, ++n) act(n, low + IntVec3{i, j, k});
-}
-
 int floor_ratio(int i, int r) {
   return i >= 0 ? i / r : -((-i + r - 1) / r);
 }

@@ -24,6 +24,12 @@ inline IntVec3 node_of(const BlockShape& shape, IntVec3 low, int n) {
   return low + IntVec3{n & (edge.x - 1), (n >> shift.x) & (edge.y - 1), n >> (shift.x + shift.y)};
 }
 
+// act(number in the block, node) for all nodes of a block whose lowest node is `low`.
+template <class Act>
+void for_each_node(const BlockShape& shape, IntVec3 low, Act&& act) {
+  for (int n = 0; n < block_nodes; ++n) act(n, node_of(shape, low, n));
+}
+
 // Blocks are numbered in the order in which they were added.
 class BlockTable {
  public:

@@ -43,16 +43,14 @@ const NodeLabels& labels() {
 }
 
 // act(node index, lanes) for the nodes that hold particles' contributions.
-void for_each_node(const BlockTable& table, const NodeLanes& nodes,
-                   const std::function<void(IntVec3, const std::int64_t*)>& act) {
+void for_each_full_node(const BlockTable& table, const NodeLanes& nodes,
+                        const std::function<void(IntVec3, const std::int64_t*)>& act) {
   const BlockShape& shape = table.shape();
   for (int b = 0; b < table.count(); ++b) {
-    const IntVec3 low = shape.lower(table.block(b));
-    const std::int64_t* node = nodes.sums(b);
-    for (int k = 0; k < shape.edge.z; ++k)
-      for (int j = 0; j < shape.edge.y; ++j)
-        for (int i = 0; i < shape.edge.x; ++i, node += lanes)
-          if (node[count_lane] != 0 && sum_in(node, 0) > 0) act(low + IntVec3{i, j, k}, node);
+    for_each_node(shape, shape.lower(table.block(b)), [&](int n, IntVec3 at) {
+      const std::int64_t* node = nodes.sums(b) + n * lanes;
+      if (node[count_lane] != 0 && sum_in(node, 0) > 0) act(at, node);
+    });
   }
 }
 
@@ -84,7 +82,7 @@ class BodyFields {
 
   void store_motion() {
     const NodeLabels& l = labels();
-    for_each_node(body_.table, body_.nodes, [&](IntVec3 at, const std::int64_t* node) {
+    for_each_full_node(body_.table, body_.nodes, [&](IntVec3 at, const std::int64_t* node) {
       const double mass = sum_in(node, 0) / body_.units.mass;
       Vec3 v, f;
       for (int d = 0; d < 3; ++d) {

@@ -8,6 +8,7 @@
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/step/artificial_viscosity.hpp"
 #include "mpm/step/deformation.hpp"
+#include "mpm/step/law_batch.hpp"
 #include "mpm/step/solid_step.hpp"
 #include "mpm/transfer/from_grid.hpp"
 
@@ -25,8 +26,7 @@ struct SolidStep::ThreadReport {
   bool left = false;
   std::vector<KindRates> rates;
   NodeBooks books;  // of loads, and of rigid bodies with a prescribed motion
-  std::vector<const double*> old_history;
-  std::vector<double*> history;
+  LawBatch columns;
   std::string fault;  // of the particle with the lowest id; empty: none
   std::int64_t fault_id = 0;
 
@@ -158,34 +158,6 @@ bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, in
   return out;
 }
 
-Batch batch_of(const Body& body, const BlockWork& w, std::size_t at, int n, const StageScope& scope,
-               GridAtParticles& read) {
-  const Columns& c = body.carried->columns;
-  const auto old = [&](int first) { return w.set->column(static_cast<std::size_t>(first)) + at; };
-  const auto made = [&](int first) { return w.next->column(static_cast<std::size_t>(first)) + at; };
-  Batch b;
-  b.count = n;
-  b.time = scope.step.time;
-  b.dt = scope.step.dt;
-  for (std::size_t e = 0; e < 9; ++e) {
-    const int i = static_cast<int>(e);
-    b.old_F[e] = old(c.F + i);
-    b.F[e] = made(c.F + i);
-    b.L[e] = read.L[e];
-  }
-  for (int e = 0; e < 6; ++e) {
-    b.old_stress[static_cast<std::size_t>(e)] = old(c.stress + e);
-    b.stress[static_cast<std::size_t>(e)] = made(c.stress + e);
-  }
-  b.temperature = old(c.temperature);
-  b.mass = old(c.mass);
-  b.volume_0 = old(c.volume_0);
-  b.id = w.set->ids().data() + at;
-  b.old_energy = old(c.energy);
-  b.energy = made(c.energy);
-  return b;
-}
-
 }  // namespace
 
 // Rigid bodies go with their own velocity, or with that which a rule of contact prescribes.
@@ -280,8 +252,6 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   if (!body.material->rigid)
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
-  std::vector<const double*>& old_history = report.old_history;
-  std::vector<double*>& history = report.history;
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
     const bool rigid = body.material->rigid;
@@ -299,15 +269,10 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     carry_affine(*solids_, body, w, at, n, level_.spacing, report.read);
     if (solids_->total_lagrangian && !rigid)
       to_spatial_gradient(shape_of(*w.set, c), at, n, report.read);
-    Batch b = batch_of(body, w, at, n, scope, report.read);
-    old_history.clear();
-    history.clear();
-    for (int h = 0; h < body.carried->history_columns; ++h) {
-      old_history.push_back(w.set->column(static_cast<std::size_t>(c.history + h)) + at);
-      history.push_back(w.next->column(static_cast<std::size_t>(c.history + h)) + at);
-    }
-    b.old_history = old_history;
-    b.history = history;
+    Batch& b = report.columns.between(*w.set, *w.next, *body.carried, at, n);
+    b.time = scope.step.time;
+    b.dt = dt;
+    for (std::size_t e = 0; e < 9; ++e) b.L[e] = report.read.L[e];
     std::fill_n(report.heating, n, 0.0);
     b.wave_speed = report.wave_speed;
     b.heating = report.heating;

@@ -19,18 +19,13 @@ bool conducts(const SolidMaterial& m) {
 
 // act(block, number of the node in it, its index, its lanes) for nodes with mass.
 template <class Act>
-void for_each_node(const Body& body, NodeLanes& nodes, Act&& act) {
+void for_each_full_node(const Body& body, NodeLanes& nodes, Act&& act) {
   const BlockShape& shape = body.table.shape();
   for (int b = 0; b < body.table.count(); ++b) {
-    const IntVec3 low = shape.lower(body.table.block(b));
-    std::int64_t* node = nodes.sums(b);
-    for (int n = 0; n < block_nodes; ++n, node += lanes) {
-      if (node[count_lane] == 0) continue;
-      act(b, n,
-          low + IntVec3{n % shape.edge.x, n / shape.edge.x % shape.edge.y,
-                        n / (shape.edge.x * shape.edge.y)},
-          node);
-    }
+    for_each_node(shape, shape.lower(body.table.block(b)), [&](int n, IntVec3 at) {
+      std::int64_t* node = nodes.sums(b) + n * lanes;
+      if (node[count_lane] != 0) act(b, n, at, node);
+    });
   }
 }
 
@@ -191,7 +186,7 @@ void Heat::to_nodes(const HeatLoan& loan, const Ranges& ranges) {
     NodeLanes* const groups[] = {&nodes_[k]};
     loan.exchange->share(body.table, groups);
     body.nodes.fit(body.table);
-    for_each_node(body, nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
+    for_each_full_node(body, nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
       const double mass = sum_in(node, 0) / units[k].mass;
       const double T = mass > 0 ? sum_in(node, 1) / units[k].momentum / mass : 0.0;
       for (int l = 0; l < lanes; ++l) node[l] = 0;
@@ -208,7 +203,7 @@ void Heat::to_nodes(const HeatLoan& loan, const Ranges& ranges) {
 void Heat::set_sides(const HeatLoan& loan) {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Body& body = (*loan.bodies)[k];
-    for_each_node(body, nodes_[k], [&](int, int, IntVec3 at, std::int64_t* node) {
+    for_each_full_node(body, nodes_[k], [&](int, int, IntVec3 at, std::int64_t* node) {
       for (const SolidBoundary& b : solids_->boundaries)
         if (b.kind == SolidBoundary::Kind::temperature_gradient && on_side(level_, b.side, at) &&
             (b.material < 0 || b.material == static_cast<int>(k)))
@@ -334,7 +329,7 @@ void Heat::take_part(const HeatLoan& loan, double dt) {
     const Body& body = (*loan.bodies)[k];
     const double c = body.material->constants.specific_heat;
     if (!(c > 0)) continue;
-    for_each_node(body, nodes_[k], [&](int b, int n, IntVec3, std::int64_t* node) {
+    for_each_full_node(body, nodes_[k], [&](int b, int n, IntVec3, std::int64_t* node) {
       const double Q = sum_in(flux_[k].sums(b) + n * lanes, 4) / flux_units_[k].force;
       node[temperature_lane] =
           as_bits(as_real(node[temperature_lane]) + dt * Q / (c * as_real(node[mass_lane])));
@@ -346,7 +341,7 @@ void Heat::take_part(const HeatLoan& loan, double dt) {
 void Heat::meet(const HeatLoan& loan) {
   std::vector<Body>& bodies = *loan.bodies;
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for_each_node(bodies[k], nodes_[k], [&](int, int, IntVec3 at, std::int64_t* node) {
+    for_each_full_node(bodies[k], nodes_[k], [&](int, int, IntVec3 at, std::int64_t* node) {
       double capacity = 0, heat = 0;
       for (std::size_t o = 0; o < nodes_.size(); ++o) {
         const BlockShape& shape = bodies[o].table.shape();
@@ -361,14 +356,14 @@ void Heat::meet(const HeatLoan& loan) {
       node[met_lane] = capacity > 0 ? as_bits(heat / capacity) : node[temperature_lane];
     });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for_each_node(bodies[k], nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
+    for_each_full_node(bodies[k], nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
       node[temperature_lane] = node[met_lane];
     });
 }
 
 void Heat::to_particles(const HeatLoan& loan, double dt) {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for_each_node((*loan.bodies)[k], nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
+    for_each_full_node((*loan.bodies)[k], nodes_[k], [&](int, int, IntVec3, std::int64_t* node) {
       node[rate_lane] = as_bits((as_real(node[temperature_lane]) - as_real(node[first_lane])) / dt);
       node[first_lane] = node[met_lane] = as_bits(0.0);
     });

@@ -67,8 +67,7 @@ std::vector<NodeMean> SolidStep::mean_on_nodes(const StageScope& scope, int numb
     for (int n = 0; n < block_nodes; ++n, node += lanes) {
       if (node[count_lane] == 0 || sum_in(node, 0) <= 0) continue;
       NodeMean& m = means.emplace_back();
-      m.node = low + IntVec3{n % shape_.edge.x, n / shape_.edge.x % shape_.edge.y,
-                             n / (shape_.edge.x * shape_.edge.y)};
+      m.node = node_of(shape_, low, n);
       m.weight = sum_in(node, 0) / lanes_of[0].unit;
       for (int q = 0; q < count; ++q)
         m.mean[static_cast<std::size_t>(q)] =
