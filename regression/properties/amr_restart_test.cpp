@@ -10,6 +10,7 @@
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "properties/deck_run.hpp"
+#include "properties/shell_run.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::properties::amr_restart_test {
@@ -121,19 +122,6 @@ TEST(RestartAfterARegrid, OnFewerRanks) {
     EXPECT_EQ(difference(reference, rest, false, true), "");
     EXPECT_EQ(difference(reference, rest, true, true), "");
   }
-}
-
-nlohmann::json record(const fs::path& file) {
-  std::ifstream in(file);
-  return nlohmann::json::parse(in);
-}
-
-ProcessRequest shell(const fs::path& folder, const std::string& script) {
-  ProcessRequest request;
-  request.words = {"/bin/sh", "-c", "cd '" + folder.string() + "'\n" + script};
-  request.environment = {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"};
-  request.output = folder / "log";
-  return request;
 }
 
 // By the command itself, soon after these outputs, at moments that are not chosen: between whatever

@@ -10,6 +10,7 @@
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"
+#include "properties/shell_run.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::properties::implicit_hard_cases_test {
@@ -53,19 +54,6 @@ INSTANTIATE_TEST_SUITE_P(Full, ImplicitRestart,
                          [](const auto& test) { return std::string(test.param); });
 
 // --- SIGTERM inside a solve ---
-
-nlohmann::json record(const fs::path& file) {
-  std::ifstream in(file);
-  return nlohmann::json::parse(in);
-}
-
-ProcessRequest shell(const fs::path& folder, const std::string& script) {
-  ProcessRequest request;
-  request.words = {"/bin/sh", "-c", "cd '" + folder.string() + "'\n" + script};
-  request.environment = {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"};
-  request.output = folder / "log";
-  return request;
-}
 
 // Nearly all of such a step is the solve, by a solver that takes hundreds of iterations.
 const std::string slow_solves =

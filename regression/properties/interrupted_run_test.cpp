@@ -11,6 +11,7 @@
 #include "app/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "properties/deck_run.hpp"
+#include "properties/shell_run.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::properties::interrupted_run_test {
@@ -46,11 +47,6 @@ Shell shell(const fs::path& folder, const std::string& script) {
 
 std::string run_command() {
   return std::string(SLUICE_COMMAND) + " run " + deck + control;
-}
-
-nlohmann::json record(const fs::path& file) {
-  std::ifstream in(file);
-  return nlohmann::json::parse(in);
 }
 
 std::size_t expect_undamaged(const fs::path& folder) {
