@@ -36,7 +36,11 @@ class Work:
         self.process = self.start(scratch)
 
     def start(self, scratch):
-        suite, environment = self.part.suite, dict(os.environ, **self.part.suite.environment)
+        # Launchers of ranks keep their session under a folder that all of a user share unless told
+        # otherwise; one that ends removes what another that starts has just made.
+        suite = self.part.suite
+        environment = {**os.environ, "OMPI_MCA_orte_tmpdir_base": str(scratch),
+                       **suite.environment}
         command = list(suite.command)
         if self.part.cases is not None:
             flags = pathlib.Path(scratch) / "flags"
