@@ -33,7 +33,8 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
   std::vector<std::size_t> by_volume;  // views of scalars
   const std::size_t materials = o.fluids.size();
   std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
-  const std::size_t beside = ice.models.scalars.size() + (o.implicit ? 1 : 0);
+  const std::size_t beside =
+      ice.models.scalars.size() + (o.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
   for (std::size_t s = 0; s + beside < slots.size(); ++s)
     views += static_cast<std::size_t>(slots[s].components);
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
@@ -85,6 +86,9 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
                                                        level, ice_.conditions, ice_.models.scalars,
                                                        options_.mixed));
   effects_.add(open_faces(ice_, *boundary_.front()));
+  if (ice_.solids > 0)
+    effects_.add({"solids in the flow", true, "cells that solids share and faces that they cover",
+                  ice_.materials.front().where});
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, scene.grid, boundary_,
@@ -151,6 +155,7 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   for (const models::TransportedScalar& s : ice_.models.scalars)
     slots.push_back({s.state(), options_.place(s.material), 1, ghosts});
   if (options_.implicit) slots.push_back({labels().pressure_offset, options_.place(0), 1, ghosts});
+  if (ice_.solids > 0) slots.push_back({labels().solid_fraction, options_.place(0), 1, ghosts});
   return slots;
 }
 
@@ -186,6 +191,11 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   o.volumes = variant.volumes;
   o.first_volume_sum = first_volume_sum();
   if (o.classic) return o;
+  if (ice_.solids > 0 && variant.kind == walled_kind()) o.walled = true;
+  if (o.walled && o.fluids.size() == 1) {
+    o.material = 0;
+    return o;
+  }
   if (variant.kind == static_cast<int>(o.fluids.size())) {
     o.mixture = true;
     o.viscosity_varies = o.viscous;
@@ -214,7 +224,9 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   const SchemeOptions o = of_graph(variant);
   list.enter(o.places);
   if (o.classic) return declare_classic(list, o, effects_);
-  if (!o.mixture) return declare_one_material(list, o, effects_);
+  if (!o.mixture)
+    return o.walled ? declare_walled_material(list, o, effects_)
+                    : declare_one_material(list, o, effects_);
   if (o.own_velocities) return declare_own_velocities(list, o, effects_);
   declare_mixture(list, o, effects_);
 }
@@ -257,10 +269,25 @@ void FluidPart::shape_step(StepShape& shape) const {
   shape.take_over();
 }
 
+// What the sweep is told of solids.
+void FluidPart::add_wall_slots(std::vector<SlotInfo>& slots) const {
+  const Labels& l = labels();
+  for (const Label label : {l.solid_fraction_next, l.wall_pressure})
+    slots.push_back({label, options_.place(0), 1, 0});
+  for (int a = 0; a < options_.axes.count; ++a) {
+    const int d = options_.axes.direction[a];
+    for (const Label label :
+         {l.covered[d], l.mean_covered[d], l.swept[d], l.solid_face_velocity[d]})
+      slots.push_back({label, options_.place(0), 1, 0});
+  }
+}
+
 std::vector<SlotInfo> FluidPart::work_slots() const {
-  if (!options_.implicit) return {};
-  std::vector<SlotInfo> slots{{labels().pressure_increment, options_.place(0), 1, 0},
-                              {labels().pressure_correction, options_.place(0), 1, 0}};
+  std::vector<SlotInfo> slots;
+  if (ice_.solids > 0) add_wall_slots(slots);
+  if (!options_.implicit) return slots;
+  slots.insert(slots.end(), {{labels().pressure_increment, options_.place(0), 1, 0},
+                             {labels().pressure_correction, options_.place(0), 1, 0}});
   if (scene_->grid.levels.size() == 1) return slots;
   slots.push_back({labels().interface_pressure, options_.place(0), 1, 0});
   for (int a = 0; a < options_.axes.count; ++a) {
@@ -273,11 +300,20 @@ std::vector<SlotInfo> FluidPart::work_slots() const {
 
 // A block with one material alone needs the graph of that material only.
 int FluidPart::step_kinds() const {
-  return material_count() == 1 ? 1 : material_count() + 1;
+  const int of_fluids = material_count() == 1 ? 1 : material_count() + 1;
+  return of_fluids + (ice_.solids > 0 ? 1 : 0);
+}
+
+// Does a solid meet these cells in this step.
+bool FluidPart::meets_solid(const Warehouse& state, int box, const IndexBox& cells) const {
+  for (const Label label : {labels().solid_fraction, labels().solid_fraction_next})
+    if (state.any_nonzero(state.find(label, options_.place(0)), 0, box, cells)) return true;
+  return false;
 }
 
 int FluidPart::step_kind(const Warehouse& old_state, int local_box,
                          const IndexBox& cells_with_halo) const {
+  if (ice_.solids > 0 && meets_solid(old_state, local_box, cells_with_halo)) return walled_kind();
   const int mixed = material_count();
   if (mixed == 1) return 0;
   int only = -1;
@@ -309,6 +345,11 @@ int FluidPart::reduction_sums() const {
 
 void FluidPart::initialise(Warehouse& state) const {
   ice::initialise(state, *scene_, ice_, options_);
+  if (ice_.solids > 0) {
+    const int fraction = state.find(labels().solid_fraction, options_.place(0));
+    for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
+      fill(state.view(fraction, 0, box), state.view(fraction, 0, box).box, 0.0);
+  }
   if (!options_.implicit) return;
   // The work pressure begins as that of the state.
   const int offset = state.find(labels().pressure_offset, options_.place(0));
@@ -322,6 +363,7 @@ void FluidPart::initialise(Warehouse& state) const {
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
 bool FluidPart::quiet_blocks_allowed() const {
+  if (ice_.solids > 0) return false;
   if (material_count() > 1 &&
       (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))
     return false;

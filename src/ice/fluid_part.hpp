@@ -54,6 +54,10 @@ class FluidPart {
   std::string describe_fault(int kind) const;
 
  private:
+  int walled_kind() const { return step_kinds() - 1; }
+  bool meets_solid(const Warehouse& state, int box, const IndexBox& cells) const;
+  void add_wall_slots(std::vector<SlotInfo>& slots) const;
+
   const Scene* scene_;
   IceScene ice_;
   EffectList effects_;

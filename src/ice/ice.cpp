@@ -28,7 +28,8 @@ void Ice::add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) co
 }
 
 std::optional<double> Ice::absent_value(Label label, int material, int kind) const {
-  return label == labels().volume && material == kind ? 1.0 : 0.0;
+  const Places& places = fluid_.options().places;
+  return label == labels().volume && material == places.material_of(kind) ? 1.0 : 0.0;
 }
 
 Label Ice::refine_flag() const {

@@ -6,9 +6,12 @@ namespace sluice::ice {
 
 class Ice : public Component {
  public:
-  Ice(const Scene& scene, IceScene ice_scene) : fluid_(scene, std::move(ice_scene)) {}
+  // `places`: of the fluid among the parts of a component that has others too.
+  Ice(const Scene& scene, IceScene ice_scene, Places places = {})
+      : fluid_(scene, std::move(ice_scene), std::move(places)) {}
 
   std::string name() const override { return "ice"; }
+  const FluidPart& part() const { return fluid_; }
   const EffectList& effects() const override { return fluid_.effects(); }
   int material_count() const override { return fluid_.material_count(); }
 

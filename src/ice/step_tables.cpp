@@ -10,6 +10,7 @@
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/transport/viscosity.hpp"
+#include "ice/walls/variables.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -33,6 +34,15 @@ void add_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptio
   if (o.implicit) return pressure::add_solved_faces(list, v, o, effect_pressure_solve);
   add_slopes(list, v, o, effect_second_order);
   add_faces(list, v, o, effect_flow);
+}
+
+// Steps 7 and 8 of donors beside solids.
+void add_bases_and_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+  SchemeOptions masked = o;
+  masked.masked = true;  // weights of slopes take the place of the mask of a redone step
+  add_remap_bases(list, walls::of_bases(v), masked, effect_second_order);
+  for (int axis = 0; axis < o.axes.count; ++axis)
+    add_remap_flux(list, walls::of_remap(v, axis), masked, effect_flow, axis);
 }
 
 // What leaves through sides and levels, and what forces and models add: all steps alike.
@@ -70,6 +80,36 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
     pressure::add_end_of_one(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
+}
+
+// The same where solids are in the fluid; the tasks under walls/ but for those of whole cells.
+void declare_walled_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  SchemeVariables v = declare_conservative_variables(list, o);
+  walls::declare_variables(list, o, v);
+  const SchemeVariables fluid = walls::of_fluid_faces(v);
+  SchemeVariables open = v;
+  open.stress = v.walls.whole_stress;
+  open.heat_flux = v.walls.whole_heat_flux;
+  // task                    reads                              writes
+  walls::add_openness(list, v, o, effect_solids);          // theta, a           where slopes count
+  add_primitives(list, v, o, effect_flow);                 // state              u, p, c
+  add_face_states(list, fluid, o);                         // u, p, c            slopes, u_f, p_f
+  walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
+  add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
+  add_viscous_stress(list, open, o, effect_viscosity);     // u                  t_f
+  add_heat_flux(list, open, o, effect_conduction);         // rho, E             T, q_f
+  walls::add_shares(list, open, v, o, effect_solids);      // t_f, q_f, a        of open faces
+  walls::add_lagrangian(list, v, o, effect_solids);        // state, faces       Lagrange, donors
+  add_bases_and_fluxes(list, v, o);                        // Lagrange, slopes   F, G, U
+  walls::add_update(list, v, o, effect_solids);            // Lagrange, fluxes   new state, rates
+  SchemeVariables sides = v;  // what passes through the sides of the domain
+  sides.face_velocity = v.walls.flow;
+  add_accounts(list, sides, o, effects);  // fluxes, m, dp   sums, face tables
+  SchemeVariables saved = v;
+  saved.rho_new = v.walls.after_rho;
+  saved.momentum_new = v.walls.after_momentum;
+  saved.energy_new = v.walls.after_energy;
+  declare_step_outputs(list, saved, o, material_alone(list, saved, o));  // what a deck saves
 }
 
 // The same where several materials may meet; the tasks of that name under mixture/, but for those

@@ -8,6 +8,9 @@ namespace sluice::ice {
 
 // `options`: of the graph; `effects`: of the scene.
 void declare_one_material(TaskList& list, const SchemeOptions& options, const EffectList& effects);
+// Of blocks that solids meet; one fluid.
+void declare_walled_material(TaskList& list, const SchemeOptions& options,
+                             const EffectList& effects);
 void declare_mixture(TaskList& list, const SchemeOptions& options, const EffectList& effects);
 // A mixture whose materials each have a velocity.
 void declare_own_velocities(TaskList& list, const SchemeOptions& options,

@@ -34,7 +34,7 @@ FLOORS = {
         ["start", "sources", "transport", "tracers"],
         ["one_material", "classic"],
         ["mixture"],
-        ["pressure"],
+        ["pressure", "walls"],
         ["scalars"],
         ["levels", "account"],
         ["saved"],

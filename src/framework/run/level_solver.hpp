@@ -100,6 +100,8 @@ class LevelSolver {
   // Length of the step before the next attempt; 0: none.
   void set_previous_dt(double dt) { previous_dt_ = dt; }
   const StepAttempt& attempt_result() const { return attempt_; }
+  // The new state of the last attempt, interior cells: stages behind a sweep may change it.
+  Warehouse& attempted() { return next_; }
   // The last attempt becomes the current state; masks are forgotten.
   void advance();
   // The coarse step is accepted: what it began with is no longer needed.

@@ -22,6 +22,7 @@ class TotalsOfRows {
       energy_.push_back(state.find(labels().energy, options.place(m)));
       if (options.own_velocities) slip_.push_back(state.find(labels().slip, options.place(m)));
     }
+    fraction_ = state.find(labels().solid_fraction, options.place(0));
     for (const models::TransportedScalar& s : options.scalars)
       scalars_.push_back(
           {state.find(s.state(), options.place(s.material)), static_cast<std::size_t>(s.material)});
@@ -43,9 +44,12 @@ class TotalsOfRows {
   }
   void add(ConservedTotal& total, const double* q) {
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = q[i] * volume_;
+    for (std::size_t i = 0; i < values_.size() && solid_ != nullptr; ++i)
+      values_[i] *= 1.0 - solid_[i];
     total.add(values_.data(), values_.size());
   }
   void add_row(int box, IntVec3 start) {
+    if (fraction_ >= 0) solid_ = row(fraction_, 0, box, start);
     const double* rho = density(box, start);
     for (const int energy : energy_) add(totals_.internal_energy, row(energy, 0, box, start));
     std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
@@ -95,6 +99,8 @@ class TotalsOfRows {
   const SchemeOptions& options_;
   Totals& totals_;
   int momentum_;
+  int fraction_ = -1;              // of solids; -1: the scene has none
+  const double* solid_ = nullptr;  // its row
   std::vector<int> mass_, energy_, slip_;  // by material
   struct Scalar {
     int slot;

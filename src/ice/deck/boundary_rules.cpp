@@ -174,7 +174,7 @@ bool applies_to(const DeckNode& condition, int material) {
 
 // Names of the variables that these faces leave without condition, "Density (material 1)" where
 // it is not so for all.
-std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
+std::string missing_on(const std::vector<const DeckNode*>& faces, int first, int materials,
                        const std::vector<std::string>& scalars) {
   const auto has = [&](std::string_view label, int material) {
     for (const DeckNode* face : faces)
@@ -185,7 +185,7 @@ std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
   std::vector<std::string> missing;
   for (const char* label : needed) {
     std::vector<int> without;
-    for (int m = 0; m < std::max(materials, 1); ++m)
+    for (int m = first; m < first + std::max(materials, 1); ++m)
       if (!has("Symmetric", m) && !has(label, m)) without.push_back(m);
     if (without.empty()) continue;
     if (static_cast<int>(without.size()) >= materials)
@@ -196,7 +196,7 @@ std::string missing_on(const std::vector<const DeckNode*>& faces, int materials,
   for (const std::string& scalar : scalars) {
     if (scalar == models::cumulative_energy) continue;  // boundary/scalar_ghosts.hpp
     bool found = false;
-    for (int m = 0; m < std::max(materials, 1); ++m)
+    for (int m = first; m < first + std::max(materials, 1); ++m)
       found = found || has("Symmetric", m) || has(scalar, m);
     if (!found) missing.push_back(scalar);
   }
@@ -216,7 +216,8 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {
       check_label(*face, *condition, scalars, models::all_built(root), faults);
       check_kind(*face, *condition, faults);
       check_value(*face, *condition, scalars, faults);
-      if (materials > 0) check_material(*face, *condition, materials, has_default, faults);
+      if (materials > 0)
+        check_material(*face, *condition, solids_beside_ice(root) + materials, has_default, faults);
     }
   }
 }
@@ -226,6 +227,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root) || grid == nullptr) return;
   const DeckNode* conditions = grid->child("BoundaryConditions");
   const auto materials = static_cast<int>(ice_materials(root).size());
+  const int first = solids_beside_ice(root);
   const auto periodic = periodic_directions(*grid);
   const std::vector<std::string> scalars = scalar_variables(root);
   for (std::size_t s = 0; s < 6; ++s) {
@@ -245,7 +247,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
                       side_names[s], direction_names[s / 2]));
       continue;
     }
-    const std::string missing = missing_on(whole, materials, scalars);
+    const std::string missing = missing_on(whole, first, materials, scalars);
     if (!missing.empty()) {
       add_error(faults, whole.front()->where,
                 fmt::format("side {} has no condition for {}", side_names[s], missing),
@@ -255,7 +257,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   if (conditions == nullptr) return;
   for (const DeckNode* face : conditions->all("Face")) {
     if (face->attribute("side")) continue;
-    const std::string missing = missing_on({face}, materials, scalars);
+    const std::string missing = missing_on({face}, first, materials, scalars);
     if (!missing.empty()) {
       add_error(faults, face->where,
                 fmt::format("{} has no condition for {}", face_name(*face), missing),

@@ -158,6 +158,14 @@ double SlipExchange::heat_transfer(const Fluid& gas, double rho, double T, doubl
          (0.5 * (gas.gamma + 1.0));
 }
 
+PairCoefficients PairCoefficients::of(int first, int count) const {
+  PairCoefficients k(count);
+  for (int m = 0; m < count; ++m)
+    for (int n = m + 1; n < count; ++n) k.set(m, n, (*this)(first + m, first + n));
+  if (varies()) k.vary_with_mass();
+  return k;
+}
+
 bool PairCoefficients::any() const {
   return std::any_of(values_.begin(), values_.end(), [](double k) { return k > 0; });
 }
@@ -247,7 +255,8 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* exchange = exchange_node(root);
   if (!runs_ice(root)) return;
   const auto nodes = ice_materials(root);
-  const auto materials = static_cast<int>(nodes.size());
+  const int solids = solids_beside_ice(root);
+  const int materials = solids + static_cast<int>(nodes.size());
   const DeckNode* coefficients =
       exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
   if (coefficients != nullptr) {
@@ -255,7 +264,7 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
     check_count(*coefficients, "heat", materials, faults);
   }
   if (materials > 1) warn_of_no_exchange(*nodes.front(), exchange, faults);
-  if (exchange != nullptr) check_models(*exchange, nodes, faults);
+  if (exchange != nullptr && solids == 0) check_models(*exchange, nodes, faults);
 }
 
 }  // namespace sluice::ice

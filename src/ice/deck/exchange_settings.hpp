@@ -39,6 +39,7 @@ class PairCoefficients {
     const double k = (*this)(m, n);
     return varies_ && k > 0.0 ? k * growth_with_mass_ratio(M_m, M_n) : k;
   }
+  PairCoefficients of(int first, int count) const;  // of some that follow each other
   bool any() const;               // one pair at least exchanges
   double least_of_pairs() const;  // 0 when there is no pair
 

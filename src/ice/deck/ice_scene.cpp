@@ -42,6 +42,7 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
                           std::vector<Fault>& faults) {
   IceMaterial m;
   m.index = index;
+  m.number = index;
   m.name = node.attribute("name").value_or("");
   m.where = node.where;
   m.fluid = read_fluid(node, faults);
@@ -97,7 +98,7 @@ void read_criteria(const DeckNode& root, IceScene& s) {
     const std::string material = v->attribute("matl").value_or("all");
     for (const IceMaterial& m : s.materials) {
       c.material = m.index;
-      if (material == "all" || std::stoi(material) == m.index) s.criteria.push_back(c);
+      if (material == "all" || std::stoi(material) == m.number) s.criteria.push_back(c);
     }
   }
 }
@@ -207,9 +208,12 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const DeckNode& root = *deck.root;
   if (const DeckNode* cfd = root.child("CFD")) read_numerics(*cfd, s);
   const GeometryReader geometry(root, faults);
-  for (const DeckNode* node : ice_materials(root))
+  s.solids = solids_beside_ice(root);
+  for (const DeckNode* node : ice_materials(root)) {
     s.materials.push_back(
         read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
+    s.materials.back().number += s.solids;
+  }
   if (const DeckNode* ice = root.find("CFD/ICE")) {
     s.turbulence = read_turbulence(*ice);
     s.wall_shear = read_wall_shear(*ice, scene, faults);
@@ -217,7 +221,11 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (IceMaterial& m : s.materials) m.subgrid = s.turbulence || !s.wall_shear.empty();
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
-  s.exchange = read_exchange(root, count);
+  s.exchange = read_exchange(root, s.solids + count);
+  s.momentum_of_all = s.exchange.momentum;
+  s.heat_of_all = s.exchange.heat;
+  s.exchange.momentum = s.exchange.momentum.of(s.solids, count);
+  s.exchange.heat = s.exchange.heat.of(s.solids, count);
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, names, geometry, faults);

@@ -20,7 +20,8 @@ namespace sluice::ice {
 
 struct IceMaterial {
   std::string name;
-  int index = 0;
+  int index = 0;  // among the fluids
+  int number = 0;  // among all materials of the scene, as decks count them
   Fluid fluid;
   double viscosity = 0;     // dynamic, Pa s
   double conductivity = 0;  // W/(m K)
@@ -47,6 +48,7 @@ struct RefinementCriterion {
 };
 
 struct IceScene {
+  int solids = 0;  // materials of solids, which come first among those of the scene
   bool classic = false;      // <scheme>classic</scheme>
   bool second_order = true;  // <advection type=>
   bool compatible_fluxes = true;
@@ -63,7 +65,8 @@ struct IceScene {
   std::vector<CustomStart> custom;  // in the order in which they act
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;
-  ExchangeSettings exchange;
+  ExchangeSettings exchange;  // among the fluids
+  PairCoefficients momentum_of_all, heat_of_all;  // with the solids, as decks count
   models::ModelList models;
   std::vector<models::AddedHeat> added_heat;
   DrivingForce driving_force;

@@ -200,7 +200,19 @@ TagSpec refinement() {
 
 bool runs_ice(const DeckNode& root) {
   const DeckNode* component = root.child("SimulationComponent");
-  return component != nullptr && component->attribute("type") == "ice";
+  if (component == nullptr) return false;
+  const std::string type = component->attribute("type").value_or("");
+  return type == "ice" || type == "mpmice" || type == "rmpmice" || type == "rigidmpmice";
+}
+
+int solids_beside_ice(const DeckNode& root) {
+  const DeckNode* component = root.child("SimulationComponent");
+  if (component == nullptr || component->attribute("type") == "ice") return 0;
+  int count = 0;
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* solids = properties->child("MPM"))
+      count += static_cast<int>(solids->all("material").size());
+  return count;
 }
 
 std::vector<const DeckNode*> ice_materials(const DeckNode& root) {

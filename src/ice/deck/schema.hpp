@@ -30,6 +30,8 @@ void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);
 
 // Whether the deck runs ICE, as far as can be seen.
 bool runs_ice(const DeckNode& root);
+// Materials of solids in the same deck: they come before those of ICE in all numbering.
+int solids_beside_ice(const DeckNode& root);
 // The <material> nodes of ICE, in index order.
 std::vector<const DeckNode*> ice_materials(const DeckNode& root);
 

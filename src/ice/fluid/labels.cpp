@@ -98,6 +98,27 @@ void declare_solve(Labels& l) {
                         "last solve; the largest is held below outer_iteration_tolerance.");
 }
 
+void declare_walls(Labels& l) {
+  l.solid_fraction =
+      cell("solid.fraction", "1", "Share of the cell that solids fill; the rest is the fluid's.");
+  l.solid_fraction_next =
+      cell("work.solid_fraction_next", "1", "The same at the end of the step.");
+  l.wall_pressure = cell("solid.wall_pressure", "Pa",
+                         "Pressure between the fluid of a cell and the solid in it.");
+  constexpr const char* axes[] = {"x", "y", "z"};
+  for (int d = 0; d < 3; ++d) {
+    const std::string axis = axes[d];
+    l.covered[d] = cell(("work.covered_" + axis).c_str(), "1",
+                        "Share of the low face that solids cover at the start of the step.");
+    l.mean_covered[d] =
+        cell(("work.mean_covered_" + axis).c_str(), "1", "The same, its mean over the step.");
+    l.swept[d] = cell(("work.swept_" + axis).c_str(), "1",
+                      "Volume that surfaces of solids sweep through the low face, cells.");
+    l.solid_face_velocity[d] =
+        cell(("work.solid_velocity_" + axis).c_str(), "m/s", "Velocity of the solid at the low face.");
+  }
+}
+
 void declare_primitives(Labels& l) {
   l.rho = cell("rho_CC", "kg/m^3", "Mass of the material per volume of the cell.");
   l.rho_micro = cell("rho_micro_CC", "kg/m^3", "True density: mass per volume of the material.");
@@ -295,6 +316,7 @@ const Labels& labels() {
     Labels l;
     declare_state(l);
     declare_solve(l);
+    declare_walls(l);
     declare_primitives(l);
     declare_derivatives(l);
     declare_waves(l);

@@ -24,6 +24,9 @@ struct Labels {
   // Where a finer level begins: means over its faces, in the cell above.
   Label finer_face_velocity[3], finer_face_pressure[3];
   Label work_pressure, interface_pressure;  // X-; its ghosts where a coarser level begins
+  // Where solids stand in the fluid: walls/variables.hpp.
+  Label solid_fraction, solid_fraction_next, wall_pressure;
+  Label covered[3], mean_covered[3], swept[3], solid_face_velocity[3];
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

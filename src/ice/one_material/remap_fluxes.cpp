@@ -134,25 +134,28 @@ template void flux_row_of<2, 3>(const Row&, const RemapFluxHandles&, int, double
 template void flux_row_of<3, 3>(const Row&, const RemapFluxHandles&, int, double,
                                 const SchemeOptions&, RemapLaw);
 
+void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+                    int axis) {
+  static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
+  const int direction = o.axes.direction[axis];
+  const auto face = static_cast<std::size_t>(axis);
+  const RemapLaw law = o.fluid.ideal() == nullptr                   ? RemapLaw::scaled
+                       : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
+                                                                    : RemapLaw::ideal;
+  TaskBuilder task = list.task(names[axis], effect);
+  RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
+  h.flux = task.write(v.flux[face]);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      const double l = row.step().dt / row.step().spacing[direction];
+      flux_row_of<D, C>(row, h, axis, l, o, law);
+    });
+  });
+}
+
 void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
-  static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
-    const auto face = static_cast<std::size_t>(axis);
-    const RemapLaw law = o.fluid.ideal() == nullptr                   ? RemapLaw::scaled
-                         : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
-                                                                      : RemapLaw::ideal;
-    TaskBuilder task = list.task(names[axis], effect);
-    RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
-    h.flux = task.write(v.flux[face]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-      task.kernel([=](const Row& row) {
-        const double l = row.step().dt / row.step().spacing[direction];
-        flux_row_of<D, C>(row, h, axis, l, o, law);
-      });
-    });
-  }
+  for (int axis = 0; axis < o.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 
 }  // namespace sluice::ice

@@ -17,7 +17,7 @@ namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In rho, velocity, pressure, sound, mask;
+  In rho, velocity, pressure, sound, mask, open;
   Out velocity_slope, pressure_slope, predicted, transverse;
 };
 
@@ -120,6 +120,26 @@ void mask_rows(const Row& row, const Handles& h) {
     }
 }
 
+// Beside solids: along axes that are open, transverse advection by those across.
+template <int D>
+void close_rows(const Row& row, const Handles& h) {
+  const int n = row.count();
+  for (int d = 0; d < D; ++d) {
+    const double* open = row(h.open, d);
+    double *su = row(h.velocity_slope, d), *sp = row(h.pressure_slope, d);
+    for (int i = 0; i < n; ++i) {
+      su[i] *= open[i];
+      sp[i] *= open[i];
+    }
+    for (int t = 0; t < D && D > 1; ++t) {
+      if (t == d) continue;
+      const double* across = row(h.open, t);
+      double* UT = row(h.transverse, d);
+      for (int i = 0; i < n; ++i) UT[i] *= across[i];
+    }
+  }
+}
+
 template <int D>
 void damp_rows(const Row& row, const Handles& h, const InterfaceDistance& ends) {
   for (int d = 0; d < D; ++d)
@@ -139,7 +159,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   h.velocity = task.read(v.velocity, Stencil::box(1));
   h.pressure = task.read(v.pressure, Stencil::box(1));
   h.sound = task.read(v.sound);
-  if (o.masked) h.mask = task.read(v.mask);
+  if (o.masked && !o.walled) h.mask = task.read(v.mask);
+  if (o.walled) h.open = task.read(v.walls.open);
   if (o.shocks_leave) task.by_box();
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
@@ -152,7 +173,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         slope_rows<D, true>(row, h, k);
       else
         slope_rows<D, false>(row, h, k);
-      if (o.masked) mask_rows<D>(row, h);
+      if (o.masked && !o.walled) mask_rows<D>(row, h);
+      if (o.walled) close_rows<D>(row, h);
       if (o.shocks_leave && o.recorder->ends != nullptr) damp_rows<D>(row, h, *o.recorder->ends);
       predict_row<D>(row, h, k);
     });

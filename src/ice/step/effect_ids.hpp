@@ -24,7 +24,8 @@ enum EffectId {
   effect_reactions,
   effect_tracers,
   effect_pressure_solve,
-  effect_open_faces
+  effect_open_faces,
+  effect_solids  // of scenes with solids alone
 };
 
 // Whose task the account of forces is.

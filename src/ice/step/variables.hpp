@@ -54,6 +54,7 @@ struct SchemeOptions {
   int sums = 8;           // exact sums before those of further materials: see StepSlots
   bool classic = false;   // the classic form, see classic/
   bool implicit = false;  // one pressure is solved for, see pressure/
+  bool walled = false;    // the graph of blocks that solids meet: walls/
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
@@ -145,6 +146,24 @@ struct PressureVariables {
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
+// Where solids stand in the fluid: walls/variables.hpp.
+struct WallVariables {
+  VariableId fraction, fraction_new;  // state: theta
+  // Given, of this step: theta' at its end, p_w, and by axis a, its mean A, the swept volume C (of
+  // a cell), the velocity of the solid at the face.
+  VariableId next, pressure;
+  std::array<VariableId, 3> covered, mean_covered, swept, solid_velocity;
+  // 1 where slopes along an axis count (by component); of faces that meet fluid alone u_f and p_f;
+  // correction of what flows out of cells without fluid; velocity of the volume that passes.
+  VariableId open, outflow;
+  std::array<VariableId, 3> fluid_velocity, fluid_pressure, raw_flow, flow;
+  std::array<VariableId, 3> whole_stress, whole_heat_flux;
+  // Amounts of the cell: M, P; 1/M; of donors: velocity, weight of slopes along each axis.
+  VariableId mass, momentum, inverse_mass, donor_velocity, base_mask;
+  std::array<VariableId, 3> remap_mask;
+  VariableId after_rho, after_momentum, after_energy;
+};
+
 struct SchemeVariables {
   // State: mass, momentum and internal energy per volume.
   VariableId rho, momentum, energy, mask;        // old
@@ -182,6 +201,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> material_velocity;  // with which it passes, if each has its own
   ScalarVariables scalars;
   PressureVariables solve;
+  WallVariables walls;
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.
@@ -255,6 +275,7 @@ void add_heat_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int 
 void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_remap_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect, int axis);
 void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);

@@ -1,0 +1,234 @@
+// Step 6 where solids are, per volume of the cell (l = dt/dx, alpha = 1 - a at the start):
+//
+//   V_L  = V' + sum_d l_d (w+ - w-)
+//   dP_d = l_d [alpha+ p+ - alpha- p- - p_w (alpha+ - alpha-)] - dt V (rho g + f) - friction
+//   u_L  = u - dP/M,  ub = u - dP/(2M)                                          (M = V rho)
+//   E_L  = V E - sum_d l_d [p+ (w+ - alpha+ ub) - p- (w- - alpha- ub)]
+//          + p_w [(V - V') - sum_d l_d (alpha+ - alpha-) ub_d] + friction, conduction
+// The wall pressure p_w acts on the surface in the cell, which closes its open faces. A cell
+// without fluid has neither M nor ub. With V = V' = 1 and open faces all is as in
+// one_material/lagrangian.cpp, to the bit.
+//
+// What donors give to the remap: rho V/V_L, E_L/V_L, u_L; but the old rho, E and u, without
+// slopes, where little fluid is left of the cell, or its volume changes much, or E_L is spent: what
+// happens in such a cell in one step says nothing about what passes its faces.
+#include "framework/base/infinity.hpp"
+#include "ice/fluid/closure_rows.hpp"
+#include "ice/fluid/limiters.hpp"
+#include "ice/step/impulse.hpp"
+#include "ice/walls/variables.hpp"
+
+namespace sluice::ice::walls {
+namespace {
+
+constexpr double least_donor = 0.5;  // V of a cell that gives what the step makes of it
+constexpr double most_squeeze = 0.3, most_stretch = 3.0;  // V_L/V, likewise
+
+struct Handles {
+  In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
+  std::array<In, 3> face_pressure, flow, covered, stress, heat_flux;
+  Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, scale;
+  Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
+  std::array<Out, 3> remap_mask;
+};
+
+// Rows along every axis, low and high faces.
+template <int D>
+struct FaceRows {
+  const double *pm[D], *pp[D], *wm[D], *wp[D], *am[D], *ap[D];
+
+  FaceRows(const Row& row, const Handles& h) {
+    for (int d = 0; d < D; ++d) {
+      const auto n = static_cast<std::size_t>(d);
+      pm[d] = row(h.face_pressure[n]);
+      pp[d] = row(h.face_pressure[n], 0, d, 1);
+      wm[d] = row(h.flow[n]);
+      wp[d] = row(h.flow[n], 0, d, 1);
+      am[d] = row(h.covered[n]);
+      ap[d] = row(h.covered[n], 0, d, 1);
+    }
+  }
+};
+
+// dP of the cell, by component; M, P.
+template <int D, int C>
+void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                  const SchemeOptions& o) {
+  const int n = row.count();
+  const FaceRows<D> f(row, h);
+  const double *r = row(h.rho), *theta = row(h.fraction), *pw = row(h.wall_pressure);
+  double* M = row(h.mass);
+  for (int i = 0; i < n; ++i) M[i] = r[i] * (1.0 - theta[i]);
+  for (int c = 0; c < C; ++c) {
+    const double* m = row(h.momentum, c);
+    double *dP = row(h.impulse, c), *P = row(h.cell_momentum, c);
+    for (int i = 0; i < n; ++i) {
+      const double V = 1.0 - theta[i];
+      P[i] = m[i] * V;
+      const double weight = s.kick[c] * M[i] + s.push[c] * V;
+      if (c >= D) {
+        dP[i] = -weight;
+        continue;
+      }
+      const int d = c % D;
+      const double low = 1.0 - f.am[d][i], high = 1.0 - f.ap[d][i];
+      dP[i] = s.l[c] * ((high * f.pp[d][i] - low * f.pm[d][i]) - pw[i] * (high - low)) - weight;
+    }
+    if (!o.viscous) continue;
+    for (int i = 0; i < n; ++i) {
+      double pull = 0;
+      for (int d = 0; d < D; ++d) {
+        const In t = h.stress[static_cast<std::size_t>(d)];
+        pull += s.l[d] * (row(t, c, d, 1)[i] - row(t, c)[i]);
+      }
+      dP[i] -= pull;
+    }
+  }
+}
+
+// Heat of friction and conduction.
+template <int D, int C>
+void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const SchemeOptions& o,
+              double* energy) {
+  const int n = row.count();
+  const double* W = row(h.inverse_mass);
+  for (int d = 0; d < D && o.viscous; ++d) {
+    const In t = h.stress[static_cast<std::size_t>(d)];
+    for (int c = 0; c < C; ++c) {
+      const double *u = row(h.velocity, c), *um = row(h.velocity, c, d, -1),
+                   *up = row(h.velocity, c, d, 1), *dP = row(h.impulse, c);
+      const double *tm = row(t, c), *tp = row(t, c, d, 1);
+      for (int i = 0; i < n; ++i) {
+        const double ub = u[i] - 0.5 * dP[i] * W[i];
+        energy[i] += s.l[d] * (tp[i] * (0.5 * (u[i] + up[i]) - ub) -
+                               tm[i] * (0.5 * (um[i] + u[i]) - ub));
+      }
+    }
+  }
+  for (int d = 0; d < D && o.conducting; ++d) {
+    const In q = h.heat_flux[static_cast<std::size_t>(d)];
+    const double *low = row(q), *high = row(q, 0, d, 1);
+    for (int i = 0; i < n; ++i) energy[i] += s.l[d] * (low[i] - high[i]);
+  }
+}
+
+template <int D, int C>
+void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+               const SchemeOptions& o) {
+  const int n = row.count();
+  impulse_rows<D, C>(row, h, s, o);
+  const FaceRows<D> f(row, h);
+  const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
+  const double *theta = row(h.fraction), *after = row(h.next), *pw = row(h.wall_pressure);
+  const double *u[C], *dP[C];
+  double *v[C], *given[C];
+  for (int c = 0; c < C; ++c) {
+    u[c] = row(h.velocity, c);
+    dP[c] = row(h.impulse, c);
+    v[c] = row(h.velocity_L, c);
+    given[c] = row(h.donor_velocity, c);
+  }
+  double *W = row(h.inverse_mass), *Es = row(h.energy_star);
+  for (int i = 0; i < n; ++i) {
+    const double V = 1.0 - theta[i];
+    W[i] = V > 0 ? (V == 1.0 ? w[i] : w[i] / V) : 1e300;
+    double work = 0, closing = 0;
+    for (int d = 0; d < D; ++d) {
+      const double ub = V > 0 ? u[d][i] - 0.5 * dP[d][i] * W[i] : 0.0;
+      const double low = 1.0 - f.am[d][i], high = 1.0 - f.ap[d][i];
+      work += s.l[d] * (f.pp[d][i] * (f.wp[d][i] - high * ub) -
+                        f.pm[d][i] * (f.wm[d][i] - low * ub));
+      closing += s.l[d] * (high - low) * ub;
+    }
+    Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
+  }
+  add_heat<D, C>(row, h, s, o, Es);
+  double *iJ = row(h.inverse_J), *rL = row(h.rho_L), *EL = row(h.energy_L);
+  double *N = row(h.courant), *iN = row(h.inverse_courant), *whole = row(h.base_mask);
+  for (int i = 0; i < n; ++i) {
+    const double V = 1.0 - theta[i];
+    double stretch = 0, out = 0;
+    for (int d = 0; d < D; ++d) {
+      stretch += s.l[d] * (f.wp[d][i] - f.wm[d][i]);
+      out += s.l[d] * (larger(0.0, f.wp[d][i]) + larger(0.0, -f.wm[d][i]));
+    }
+    double carried = 0;
+    for (int c = D; c < C; ++c) carried += s.l[c] * std::fabs(u[c][i]);
+    if constexpr (C > D) out += V * carried;
+    const double volume = (1.0 - after[i]) + stretch;
+    const bool solid = theta[i] > 0 || after[i] > 0;
+    const bool old = solid && !(V >= least_donor && volume > most_squeeze * V &&
+                                volume < most_stretch * V && Es[i] > 0);
+    const double inverse = 1.0 / (solid ? larger(volume, least_volume) : volume);
+    iJ[i] = inverse;
+    rL[i] = old ? r[i] : (r[i] * V) * inverse;
+    EL[i] = old ? E[i] : Es[i] * inverse;
+    N[i] = smaller(out * inverse, 1.0);
+    iN[i] = 1.0 / larger(N[i], 0.05);
+    whole[i] = old ? 0.0 : V;
+    for (int c = 0; c < C; ++c) {
+      v[c][i] = V > 0 ? u[c][i] - dP[c][i] * W[i] : 0.0;
+      given[c][i] = old ? u[c][i] : v[c][i];
+    }
+  }
+  for (int d = 0; d < D; ++d) {
+    const double* open = row(h.open, d);
+    double* mask = row(h.remap_mask[static_cast<std::size_t>(d)]);
+    for (int i = 0; i < n; ++i) mask[i] = whole[i] * open[i];
+  }
+  for (int d = 0; d < D; ++d) {
+    const double* open = row(h.open, d);
+    for (int i = 0; i < n; ++i) whole[i] *= open[i];
+  }
+}
+
+}  // namespace
+
+void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("Lagrangian phase with solids", effect);
+  const WallVariables& w = v.walls;
+  Handles h;
+  h.rho = task.read(v.rho);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
+  h.momentum = task.read(v.momentum);
+  h.energy = task.read(v.energy);
+  h.fraction = task.read(w.fraction);
+  h.next = task.read(w.next);
+  h.wall_pressure = task.read(w.pressure);
+  h.open = task.read(w.open);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+    h.face_pressure[a] = task.read(v.face_pressure[a], both);
+    h.flow[a] = task.read(w.flow[a], both);
+    h.covered[a] = task.read(w.covered[a], both);
+    if (o.viscous) h.stress[a] = task.read(v.stress[a], both);
+    if (o.conducting) h.heat_flux[a] = task.read(v.heat_flux[a], both);
+    h.remap_mask[a] = task.write(w.remap_mask[a]);
+  }
+  h.inverse_J = task.write(v.inverse_J);
+  h.rho_L = task.write(v.rho_L);
+  h.energy_L = task.write(v.energy_L);
+  h.velocity_L = task.write(v.velocity_L);
+  h.energy_star = task.write(v.energy_star);
+  h.courant = task.write(v.courant);
+  h.inverse_courant = task.write(v.inverse_courant);
+  h.impulse = task.write(v.impulse);
+  h.mass = task.write(w.mass);
+  h.cell_momentum = task.write(w.momentum);
+  h.inverse_mass = task.write(w.inverse_mass);
+  h.donor_velocity = task.write(w.donor_velocity);
+  h.base_mask = task.write(w.base_mask);
+  const bool scaled = o.fluid.ideal() == nullptr;
+  if (scaled) h.scale = task.write(v.energy_scale);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      cell_rows<D, C>(row, h, impulse_constants(o, row.step()), o);
+      if (scaled)
+        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.scale));
+    });
+  });
+}
+
+}  // namespace sluice::ice::walls

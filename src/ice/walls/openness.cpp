@@ -1,0 +1,34 @@
+// Where slopes count: along an axis in cells with fluid, of which both neighbours hold some and
+// whose faces are open by more than half.
+#include "ice/walls/variables.hpp"
+
+namespace sluice::ice::walls {
+
+void add_openness(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("where slopes count", effect);
+  const In fraction = task.read(v.walls.fraction, Stencil::box(1));
+  std::array<In, 3> covered;
+  for (int a = 0; a < o.axes.count; ++a)
+    covered[static_cast<std::size_t>(a)] = task.read(v.walls.covered[static_cast<std::size_t>(a)],
+                                                     Stencil::along(o.axes.direction[a], 0, 1));
+  In mask;
+  if (o.masked) mask = task.read(v.mask);
+  const Out open = task.write(v.walls.open);
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    const double* here = row(fraction);
+    for (int a = 0; a < o.axes.count; ++a) {
+      const double *below = row(fraction, 0, a, -1), *above = row(fraction, 0, a, 1);
+      const double* low = row(covered[static_cast<std::size_t>(a)]);
+      const double* high = row(covered[static_cast<std::size_t>(a)], 0, a, 1);
+      double* to = row(open, a);
+      for (int i = 0; i < n; ++i)
+        to[i] = here[i] < 1 && below[i] < 1 && above[i] < 1 && low[i] < 0.5 && high[i] < 0.5;
+      if (!o.masked) continue;
+      const double* of_redo = row(mask);
+      for (int i = 0; i < n; ++i) to[i] *= of_redo[i];
+    }
+  });
+}
+
+}  // namespace sluice::ice::walls

@@ -1,0 +1,138 @@
+#include "mpmice/mpmice.hpp"
+
+#include <algorithm>
+
+#include "mpm/levels/solid_levels.hpp"
+#include "mpmice/step/coupling.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// Where the fluid's numbers begin.
+Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
+  Places places;
+  places.effect = solids.effects().size();
+  places.maximum = solids.reduction_maxima();
+  places.sum = solids.reduction_sums();
+  for (int m = 0; m < fluids; ++m) places.material.push_back(solids.material_count() + m);
+  return places;
+}
+
+// The coupling takes particles that carry their corners, whatever basis the deck names.
+mpm::MpmScene with_corners(mpm::MpmScene solids) {
+  solids.carry_corners();
+  return solids;
+}
+
+std::vector<double> fluid_part(const std::vector<double>& all, int first) {
+  return {all.begin() + first, all.end()};
+}
+
+}  // namespace
+
+MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids)
+    : scene_(scene),
+      solids_(scene, with_corners(std::move(solids))),
+      fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))) {
+  for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
+    for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
+}
+
+void MpmIce::initialise(Warehouse& state) const {
+  fluid_.initialise(state);
+  start_fractions(state, fluid_.part(), solids_);
+}
+
+// The step, as a table.
+void MpmIce::shape_step(StepShape& shape) const {
+  using mpm::SolidLevels;
+  const auto solids = solids_.make_step();
+  const std::shared_ptr<Coupling> coupling =
+      make_coupling(scene_.grid.levels.front(), fluid_.part(), solids_, solids);
+  const auto of_solids = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
+    shape.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
+  };
+  const auto of_both = [&](const char* name, Verdict (Coupling::*act)(const StageScope&)) {
+    shape.stage(name,
+                [coupling, act](const StageScope& scope) { return ((*coupling).*act)(scope); });
+  };
+  of_solids("bounds of the sums", &SolidLevels::begin);
+  of_both("surfaces of solids, pressure on them", &Coupling::find_surfaces);
+  of_both("force of the fluid on solids", &Coupling::press_on_solids);
+  of_solids("particles to grid", &SolidLevels::to_grid);
+  of_solids("sums of images and ranks", &SolidLevels::share_sums);
+  of_solids("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
+  if (solids_.scene().transfer == mpm::Transfer::xpic)
+    of_solids("filtered velocities (XPIC)", &SolidLevels::filter_velocities);
+  of_solids("grid to particles, deformation, stress", &SolidLevels::from_grid);
+  of_both("volumes that solids sweep", &Coupling::find_swept_volumes);
+  shape.sweep("step of the fluid");
+  of_both("small cells, exchange, state of the fluid", &Coupling::finish_cells);
+  shape.take_over();
+  of_both("limits of the next step", &Coupling::limit_step);
+  of_solids("take over", &SolidLevels::take_over);
+}
+
+int MpmIce::reduction_maxima() const {
+  return solids_.reduction_maxima() + fluid_.reduction_maxima();
+}
+
+int MpmIce::reduction_sums() const {
+  return solids_.reduction_sums() + fluid_.reduction_sums();
+}
+
+StepLimit MpmIce::step_limit(const std::vector<double>& maxima) const {
+  const StepLimit solid = solids_.step_limit(maxima),
+                  fluid = fluid_.step_limit(fluid_part(maxima, solids_.reduction_maxima()));
+  return solid.dt < fluid.dt ? solid : fluid;
+}
+
+void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
+                        Totals& totals) const {
+  Totals of_fluid;
+  fluid_.add_totals(state, coverage, of_fluid);
+  solids_.add_totals(state, coverage, totals);
+  totals.mass.resize(static_cast<std::size_t>(material_count()));
+  for (std::size_t m = 0; m < of_fluid.mass.size(); ++m)
+    totals.mass[static_cast<std::size_t>(solids_.material_count()) + m].merge(of_fluid.mass[m]);
+  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(of_fluid.momentum[d]);
+  totals.internal_energy.merge(of_fluid.internal_energy);
+  totals.kinetic_energy.merge(of_fluid.kinetic_energy);
+  totals.amounts.insert(totals.amounts.end(), of_fluid.amounts.begin(), of_fluid.amounts.end());
+}
+
+void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
+  solids_.add_particle_totals(particles, totals);
+}
+
+StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* start,
+                            double dt) const {
+  StepBalance b = solids_.balance(sums, start, dt);
+  StepStart of_fluid;
+  if (start != nullptr) of_fluid = {fluid_part(start->mass, solids_.material_count()), {}};
+  const StepBalance f = fluid_.balance(fluid_part(sums, solids_.reduction_sums()),
+                                       start != nullptr ? &of_fluid : nullptr, dt);
+  b.mass.insert(b.mass.end(), f.mass.begin(), f.mass.end());
+  if (!f.mass_of_sources.empty()) {
+    b.mass_of_sources.assign(static_cast<std::size_t>(solids_.material_count()), 0.0);
+    b.mass_of_sources.insert(b.mass_of_sources.end(), f.mass_of_sources.begin(),
+                             f.mass_of_sources.end());
+  }
+  b.momentum = b.momentum + f.momentum;
+  b.momentum_of_forces = b.momentum_of_forces + f.momentum_of_forces;
+  b.energy += f.energy;
+  b.energy_of_forces += f.energy_of_forces;
+  return b;
+}
+
+double MpmIce::history_value(Label label, const Totals& totals) const {
+  return solids_.has_history(label) ? solids_.history_value(label, totals)
+                                    : fluid_.history_value(label, totals);
+}
+
+Vec3 MpmIce::history_vector(Label label, const Totals& totals) const {
+  return solids_.has_history(label) ? solids_.history_vector(label, totals)
+                                    : fluid_.history_vector(label, totals);
+}
+
+}  // namespace sluice::mpmice

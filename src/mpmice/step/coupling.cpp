@@ -1,0 +1,71 @@
+#include "mpmice/step/coupling.hpp"
+
+#include "ice/fluid/labels.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+template <class F>
+auto dispatch(const Level& level, F&& f) {
+  switch (level.active_count()) {
+    case 1:
+      return f.template operator()<1>();
+    case 2:
+      return f.template operator()<2>();
+    default:
+      return f.template operator()<3>();
+  }
+}
+
+template <int D>
+void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
+  const Frame<D> frame(state.level());
+  SolidSums<D> sums;
+  sums.begin(frame.box);
+  const auto& particles = *solids.particles();
+  for (int k = 0; k < static_cast<int>(solids.carried().size()); ++k) {
+    ParticleSet set(particles.kinds()[static_cast<std::size_t>(k)].columns());
+    particles.start(k, state.level(), state.level().domain, set);
+    SolidSet<D> s;
+    s.columns = &solids.carried()[static_cast<std::size_t>(k)].columns;
+    s.set = &set;
+    find_faces(frame, s, false);
+    if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
+  }
+  SolidInCells<D> found;
+  sums.finish(found);
+  clean_volume_fractions(found.theta);
+  const int slot = state.find(ice::labels().solid_fraction, fluid.options().place(0));
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView to = state.view(slot, 0, b);
+    for_each_cell(to.box, [&](IntVec3 c) {
+      to(c) = found.theta[frame.box.index(frame.mirrored(frame.cell(c)))];
+    });
+  }
+}
+
+}  // namespace
+
+template <int D>
+LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
+                                const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step)
+    : frame_(level),
+      fluid_(&fluid),
+      solids_(&solids),
+      step_(std::move(step)),
+      shock_slope_(fluid.options().fluids.front().shock_slope()) {}
+
+std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
+                                        const mpm::Mpm& solids,
+                                        std::shared_ptr<mpm::SolidLevels> step) {
+  return dispatch(level, [&]<int D>() -> std::unique_ptr<Coupling> {
+    return std::make_unique<LevelCoupling<D>>(level, fluid, solids, std::move(step));
+  });
+}
+
+void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
+  dispatch(state.level(), [&]<int D>() { start_fractions_of<D>(state, fluid, solids); });
+}
+
+}  // namespace sluice::mpmice

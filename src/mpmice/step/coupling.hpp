@@ -1,0 +1,35 @@
+// What joins a step of the fluid and one of the solids on a level, stage by stage
+// (docs/theory/mpmice_coupling.md has the equations).
+#pragma once
+#include <memory>
+
+#include "framework/run/step_shape.hpp"
+#include "ice/ice.hpp"
+#include "mpm/levels/solid_levels.hpp"
+#include "mpm/mpm.hpp"
+
+namespace sluice::mpmice {
+
+class Coupling {
+ public:
+  virtual ~Coupling() = default;
+
+  // The stages, in order. Surfaces at the start of the step, the pressure on them, its force on
+  // the solids: before these take their step. Then what they sweep, for the sweep of the fluid.
+  virtual Verdict find_surfaces(const StageScope& scope) = 0;
+  virtual Verdict press_on_solids(const StageScope& scope) = 0;
+  virtual Verdict find_swept_volumes(const StageScope& scope) = 0;
+  // Behind the sweep: cells with little fluid share with their neighbours, fluid and solids
+  // exchange momentum and heat, amounts become the state of the fluid.
+  virtual Verdict finish_cells(const StageScope& scope) = 0;
+};
+
+// Of a level with one, two or three active directions.
+std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
+                                        const mpm::Mpm& solids,
+                                        std::shared_ptr<mpm::SolidLevels> step);
+
+// theta of the solids as they are at the start of a run, into a state of the fluid.
+void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids);
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,160 @@
+// Momentum and heat that fluid and solids of a cell give each other, with the geometry at the end
+// of the step. With M, u, T of the fluid and M_s, u_s, T_s of the solid, K and K_h coefficients:
+//
+//   k = dt K V theta,  I = (u - u_s)/(1/k + 1/M + 1/M_s),   Q alike with M c_v, T and K_h
+//   fluid: P -= I, total energy -= I.(u_s + I/(2 M_s)) + Q
+//   particle: dv = sum_c w_c I/M_s (w_c: share of it in cell c), heat: what is left of that energy
+// Exact for any K: the relative velocity of the pair never changes its sign. What friction costs the
+// pair goes to the fluid. (mpmice_scheme, section 3.)
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// What one kind of solid has in cells, per cell volume.
+template <int D>
+struct KindInCells {
+  Column mass, heat;              // M_s; M_s T_s
+  std::array<Column, D> velocity;  // u_s
+};
+
+}  // namespace
+
+template <int D>
+void LevelCoupling<D>::exchange(const StageScope& scope) {
+  const ice::IceScene& ice = fluid_->scene();
+  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+    const double drag = ice.momentum_of_all(k, ice.solids), heat = ice.heat_of_all(k, ice.solids);
+    if (drag > 0 || heat > 0) exchange_with(scope, k, drag, heat);
+  }
+}
+
+template <int D>
+void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K, double K_h) {
+  const mpm::SolidMaterial& material = solids_->scene().materials[static_cast<std::size_t>(kind)];
+  const bool rigid = material.rigid;
+  const double dt = scope.step.dt, c_s = material.constants.specific_heat;
+  const ice::Fluid& law = fluid_->options().fluids.front();
+  // Sums over the particles.
+  double most_mass = 1e-300, most_speed = 1e-300, most_T = 1e-300;
+  const auto column = [](const SolidSet<D>& s, int c) {
+    return s.next->column(static_cast<std::size_t>(c));
+  };
+  for (const SolidSet<D>& s : sets_) {
+    if (s.kind != kind) continue;
+    const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
+    const double* T = column(s, s.columns->temperature);
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      most_mass = std::max(most_mass, m[p]);
+      most_T = std::max(most_T, std::fabs(T[p]));
+      for (const int d : frame_.direction)
+        most_speed = std::max(most_speed, std::fabs(column(s, s.columns->velocity + d)[p]));
+    }
+  }
+  Reduction all;
+  const auto a = all.add_maximum(most_mass), b = all.add_maximum(most_speed),
+             t = all.add_maximum(most_T);
+  scope.ranks->reduce(all);
+  most_mass = all.maximum(a);
+  most_speed = all.maximum(b);
+  most_T = all.maximum(t);
+  CellSums<D> sums;
+  sums.begin(frame_.box, 2 + D);
+  sums.reach(frame_.box);
+  for (const SolidSet<D>& s : sets_) {
+    if (s.kind != kind) continue;
+    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.next);
+    const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      const double share = m[p] / most_mass / (1 << D);
+      for_each_part(frame_, x, *s.next, p, [&](std::size_t cell) {
+        sums.lane(0)[cell] += to_sum(share);
+        sums.lane(1)[cell] += to_sum(share * (column(s, s.columns->temperature)[p] / most_T));
+        for (int d = 0; d < D; ++d)
+          sums.lane(2 + d)[cell] += to_sum(
+              share *
+              (column(s, s.columns->velocity + frame_.direction[static_cast<std::size_t>(d)])[p] /
+               most_speed));
+      });
+    }
+  }
+  sums.sum_over_ranks(*scope.ranks);
+  KindInCells<D> solid;
+  sums.values(0, solid.mass);
+  sums.values(1, solid.heat);
+  for (int d = 0; d < D; ++d) sums.values(2 + d, solid.velocity[static_cast<std::size_t>(d)]);
+  const double to_density = most_mass / frame_.cell_volume;
+  // Exchange in cells: dv and the energy that the particles get, by cell.
+  std::array<Column, D> dv;
+  for (Column& of : dv) of.assign(frame_.box.cells(), 0.0);
+  Column gain(frame_.box.cells(), 0.0), warm(frame_.box.cells(), 0.0);
+  std::array<int, 3> component{-1, -1, -1};
+  for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
+    component[static_cast<std::size_t>(fluid_->options().direction[k])] = static_cast<int>(k);
+  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+    const double V = amounts_.volume[i], theta = fields_.theta_next[i];
+    if (!(V > 0 && V < 1) || !(solid.mass[i] > 0) || amounts_.near[i] == 0) return;
+    const double M = amounts_.mass[i], Ms = solid.mass[i] * to_density;
+    if (!(M > 0)) return;
+    amounts_.touched[i] = 1;
+    const double inverse_s = rigid ? 0.0 : 1 / Ms;
+    double moving = 0;
+    for (const Column& m : amounts_.momentum) moving += m[i] * m[i];
+    const double E = amounts_.energy[i] - 0.5 * moving / M;
+    if (K > 0)
+      for (std::size_t d = 0; d < D; ++d) {
+        const int c = component[static_cast<std::size_t>(frame_.direction[d])];
+        if (c < 0) continue;
+        double& P = amounts_.momentum[static_cast<std::size_t>(c)][i];
+        const double us = solid.velocity[d][i] / solid.mass[i] * most_speed;
+        const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
+        P -= I;
+        const double given = I * (us + 0.5 * I * inverse_s);
+        amounts_.energy[i] -= given;
+        dv[d][i] = I * inverse_s;
+        gain[i] += given;
+      }
+    if (K_h > 0 && c_s > 0 && E > 0) {
+      const double rho = M / V, cv = law.heat_capacity(rho, E / V);
+      const double T = law.temperature(rho, E / V), Ts = solid.heat[i] / solid.mass[i] * most_T;
+      const double Q =
+          (T - Ts) / (1 / (dt * K_h * V * theta) + 1 / (M * cv) + (rigid ? 0.0 : 1 / (Ms * c_s)));
+      amounts_.energy[i] -= Q;
+      warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
+    }
+  });
+  if (rigid) return;
+  for (SolidSet<D>& s : sets_) {
+    if (s.kind != kind) continue;
+    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.next);
+    double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
+    std::array<double*, D> v;
+    for (std::size_t d = 0; d < D; ++d)
+      v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      std::array<double, D> kick{};
+      double heat = 0, energy = 0;  // per mass
+      for_each_part(frame_, x, *s.next, p, [&](std::size_t cell) {
+        for (std::size_t d = 0; d < D; ++d) kick[d] += dv[d][cell] / (1 << D);
+        heat += warm[cell] / (1 << D);
+        if (gain[cell] != 0)
+          energy += gain[cell] / (solid.mass[cell] * to_density) / (1 << D);
+      });
+      for (std::size_t d = 0; d < D; ++d) {
+        energy -= kick[d] * (v[d][p] + 0.5 * kick[d]);
+        v[d][p] += kick[d];
+      }
+      T[p] += heat;
+      if (c_s > 0) T[p] += energy / c_s;
+    }
+  }
+}
+
+template void LevelCoupling<1>::exchange(const StageScope&);
+template void LevelCoupling<2>::exchange(const StageScope&);
+template void LevelCoupling<3>::exchange(const StageScope&);
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,122 @@
+// The coupling on one level in D active directions.
+#pragma once
+#include "framework/run/level_solver.hpp"
+#include "mpmice/geometry/solid_in_cells.hpp"
+#include "mpmice/geometry/swept_volumes.hpp"
+#include "mpmice/step/coupling.hpp"
+#include "mpmice/step/exact_lanes.hpp"
+#include "mpmice/step/solid_sets.hpp"
+
+namespace sluice::mpmice {
+
+template <int D>
+class LevelCoupling final : public Coupling {
+ public:
+  LevelCoupling(const Level& level, const ice::FluidPart& fluid, const mpm::Mpm& solids,
+                std::shared_ptr<mpm::SolidLevels> step);
+
+  Verdict find_surfaces(const StageScope& scope) override;
+  Verdict press_on_solids(const StageScope& scope) override;
+  Verdict find_swept_volumes(const StageScope& scope) override;
+  Verdict finish_cells(const StageScope& scope) override;
+
+ private:
+  void list_sets(const StageScope& scope);
+  void add_geometry(const StageScope& scope, When when, Column& theta,
+                    std::array<Column, D>& covered);
+  void mean_over_surfaces(const StageScope& scope);
+  void find_pressures(const StageScope& scope);
+  void smooth_normals();
+  void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u);
+  void fill_dry_pressures();
+  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
+  void mean_over_cells(const StageScope& scope);
+  void tell_fluid(const StageScope& scope);
+  void gather(const StageScope& scope);
+  void exchange(const StageScope& scope);
+  void exchange_with(const StageScope& scope, int kind, double drag, double heat);
+  bool settle(const StageScope& scope);
+  void fill_dry_cells();
+  void store(const StageScope& scope);
+
+  bool wet(std::size_t i) const { return fields_.theta[i] < 1; }
+  bool has_solid(std::size_t i) const { return fields_.theta[i] > 0 || fields_.theta_next[i] > 0; }
+  // act(place): of the cells of the domain beside one; up to so many cells around it.
+  template <class F>
+  void for_each_neighbour(const Cell<D>& c, F&& act) const;
+  template <class F>
+  void for_each_around(const Cell<D>& c, int reach, F&& act) const;
+  // act(cell, place in the arrays) for the cells of the domain.
+  template <class F>
+  void for_each_cell_of_domain(F&& act) const;
+
+  Frame<D> frame_;
+  const ice::FluidPart* fluid_;
+  const mpm::Mpm* solids_;
+  std::shared_ptr<mpm::SolidLevels> step_;
+  double shock_slope_ = 1;
+  std::vector<SolidSet<D>> sets_;
+  SolidFields<D> fields_;
+  SolidSums<D> geometry_;
+  SweptSums<D> swept_;
+  KnownByOne<D> known_;
+  CellAmounts<D> amounts_;
+  // What becomes the state of cells near solids: density, momenta, internal energy.
+  Column rho_, energy_;
+  std::vector<Column> momentum_;
+  std::vector<std::uint8_t> filled_;  // 1: they are known
+};
+
+template <int D>
+template <class F>
+void LevelCoupling<D>::for_each_neighbour(const Cell<D>& c, F&& act) const {
+  for (std::size_t d = 0; d < D; ++d)
+    for (const int side : {-1, 1}) {
+      Cell<D> other = c;
+      other[d] += side;
+      if (!frame_.in_domain(other)) {
+        if (!frame_.periodic[d]) continue;
+        other = frame_.inside(other);
+      }
+      act(frame_.box.index(other));
+    }
+}
+
+template <int D>
+template <class F>
+void LevelCoupling<D>::for_each_around(const Cell<D>& c, int reach, F&& act) const {
+  const int width = 2 * reach + 1;
+  int count = 1;
+  for (int d = 0; d < D; ++d) count *= width;
+  for (int n = 0; n < count; ++n) {
+    Cell<D> other = c;
+    for (int d = 0, rest = n; d < D; ++d, rest /= width)
+      other[static_cast<std::size_t>(d)] += rest % width - reach;
+    bool there = true;
+    for (std::size_t d = 0; d < D; ++d)
+      there &= frame_.periodic[d] ||
+               (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
+    if (there) act(frame_.box.index(frame_.inside(other)));
+  }
+}
+
+template <int D>
+template <class F>
+void LevelCoupling<D>::for_each_cell_of_domain(F&& act) const {
+  Cell<D> c = frame_.domain.lower;
+  const auto along_x = [&] {
+    c[0] = frame_.domain.lower[0];
+    std::size_t i = frame_.box.index(c);
+    for (; c[0] < frame_.domain.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
+  };
+  if constexpr (D == 1) {
+    along_x();
+  } else if constexpr (D == 2) {
+    for (c[1] = frame_.domain.lower[1]; c[1] < frame_.domain.upper[1]; ++c[1]) along_x();
+  } else {
+    for (c[2] = frame_.domain.lower[2]; c[2] < frame_.domain.upper[2]; ++c[2])
+      for (c[1] = frame_.domain.lower[1]; c[1] < frame_.domain.upper[1]; ++c[1]) along_x();
+  }
+}
+
+}  // namespace sluice::mpmice

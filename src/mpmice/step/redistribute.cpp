@@ -1,0 +1,170 @@
+#include "mpmice/step/redistribute.hpp"
+
+#include <cmath>
+
+namespace sluice::mpmice {
+namespace {
+
+constexpr double small_volume = 0.5;
+constexpr double margin = 1e-9;     // by which a neighbour must be larger: ties are none
+constexpr double near_largest = 0.99;  // of the largest component of a normal
+
+template <int D>
+class Neighbourhoods {
+ public:
+  Neighbourhoods(const Frame<D>& frame, const SolidFields<D>& solids, const CellAmounts<D>& a)
+      : frame_(frame), solids_(solids), amounts_(a), box_(frame.box) {
+    for (std::size_t d = 0; d < D; ++d) stride_[d] = box_.stride(static_cast<int>(d));
+  }
+
+  // False: a cell without volume has no neighbour to go to.
+  bool find(Cell<D>& stuck) {
+    holds_.clear();
+    begin_.clear();
+    cells_.clear();
+    bool good = true;
+    Cell<D> cell{};
+    visit(cell, D - 1, [&](const Cell<D>& c) {
+      const std::size_t i = box_.index(c);
+      if (!small(i)) return;
+      if (!add(c, i) && good) {
+        stuck = c;
+        good = false;
+      }
+    });
+    begin_.push_back(holds_.size());
+    return good;
+  }
+  bool any() const { return !cells_.empty(); }
+
+  // One pass of one amount. `count`: N_j.
+  void share(Column& amount, const std::vector<std::uint16_t>& count) const {
+    std::vector<double> Q(cells_.size());
+    for (std::size_t s = 0; s < cells_.size(); ++s) {
+      double A = 0, V = 0;
+      for (std::size_t h = begin_[s]; h < begin_[s + 1]; ++h) {
+        const std::size_t j = holds_[h];
+        A += amount[j] / count[j];
+        V += amounts_.volume[j] / count[j];
+      }
+      Q[s] = A / V;
+    }
+    // Neighbourhoods of their own keep theirs; the sum over those that share goes in their order.
+    for (const std::size_t j : touched_) {
+      const int own = count[j] - shared_[j];
+      amount[j] = own > 0 ? amount[j] / count[j] * own : 0.0;
+    }
+    for (std::size_t s = 0; s < cells_.size(); ++s)
+      for (std::size_t h = begin_[s]; h < begin_[s + 1]; ++h) {
+        const std::size_t j = holds_[h];
+        amount[j] += amounts_.volume[j] / count[j] * Q[s];
+      }
+  }
+
+  // N_j: of small cells those that hold them; of others one more, their own.
+  std::vector<std::uint16_t> count() {
+    std::vector<std::uint16_t> n(amounts_.volume.size(), 0);
+    shared_.assign(n.size(), 0);
+    touched_.clear();
+    for (const std::size_t j : holds_) {
+      if (shared_[j]++ == 0) touched_.push_back(j);
+    }
+    for (const std::size_t j : touched_)
+      n[j] = static_cast<std::uint16_t>(shared_[j] + (is_small_[j] ? 0 : 1));
+    return n;
+  }
+
+ private:
+  template <class F>
+  void visit(Cell<D>& cell, std::size_t d, const F& f) {
+    for (cell[d] = frame_.domain.lower[d]; cell[d] < frame_.domain.upper[d]; ++cell[d]) {
+      if (d == 0)
+        f(cell);
+      else
+        visit(cell, d - 1, f);
+    }
+  }
+  bool left(std::size_t i) const {
+    bool any = amounts_.mass[i] != 0 || amounts_.energy[i] != 0;
+    for (const Column& m : amounts_.momentum) any |= m[i] != 0;
+    return any;
+  }
+  bool small(std::size_t i) {
+    if (is_small_.empty()) is_small_.assign(amounts_.volume.size(), 0);
+    is_small_[i] = amounts_.near[i] != 0 && solids_.theta_next[i] > 0 &&
+                   amounts_.volume[i] < small_volume && (amounts_.volume[i] > 0 || left(i));
+    return is_small_[i] != 0;
+  }
+  bool add(const Cell<D>& c, std::size_t i) {
+    begin_.push_back(holds_.size());
+    cells_.push_back(i);
+    holds_.push_back(i);
+    const bool closed = !(amounts_.volume[i] > 0);
+    for (int rule = closed ? 1 : 0; rule < 3; ++rule) {
+      if (rule == 2 && !closed) return true;
+      bool found = false;
+      for (std::size_t d = 0; d < D; ++d) {
+        if (rule == 0 && !along(i, d)) continue;
+        for (const int side : {0, 1}) found |= take(c, i, d, side, rule == 2);
+      }
+      if (found) return true;
+    }
+    return !closed;
+  }
+  // Is the direction one of the largest components of the normal.
+  bool along(std::size_t i, std::size_t d) const {
+    double most = 0;
+    for (std::size_t e = 0; e < D; ++e) most = std::max(most, std::fabs(solids_.smooth[e][i]));
+    return std::fabs(solids_.smooth[d][i]) >= near_largest * most;
+  }
+  bool take(const Cell<D>& c, std::size_t i, std::size_t d, int side, bool covered_too) {
+    Cell<D> other = c;
+    other[d] += side == 0 ? -1 : 1;
+    const std::size_t face = side == 0 ? i : i + static_cast<std::size_t>(stride_[d]);
+    if (!frame_.in_domain(other)) {
+      if (!frame_.periodic[d]) return false;
+      other = frame_.inside(other);
+    }
+    const std::size_t j = box_.index(other);
+    if (!(amounts_.volume[j] > amounts_.volume[i] + margin)) return false;
+    if (!covered_too && solids_.covered[d][face] >= 1 && solids_.covered_next[d][face] >= 1)
+      return false;
+    holds_.push_back(j);
+    return true;
+  }
+
+  const Frame<D>& frame_;
+  const SolidFields<D>& solids_;
+  const CellAmounts<D>& amounts_;
+  const CellBox<D>& box_;
+  std::array<std::ptrdiff_t, D> stride_{};
+  std::vector<std::size_t> cells_, begin_, holds_, touched_;
+  std::vector<std::uint16_t> shared_;
+  std::vector<std::uint8_t> is_small_;
+};
+
+}  // namespace
+
+template <int D>
+bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
+                  Cell<D>& stuck) {
+  constexpr int passes = 2;
+  for (int pass = 0; pass < passes; ++pass) {
+    Neighbourhoods<D> around(frame, solids, amounts);
+    if (!around.find(stuck)) return false;
+    if (!around.any()) return true;
+    const std::vector<std::uint16_t> count = around.count();
+    around.share(amounts.mass, count);
+    for (Column& m : amounts.momentum) around.share(m, count);
+    around.share(amounts.energy, count);
+    for (std::size_t i = 0; i < count.size(); ++i)
+      if (count[i] > 0) amounts.touched[i] = 1;
+  }
+  return true;
+}
+
+template bool redistribute(const Frame<1>&, const SolidFields<1>&, CellAmounts<1>&, Cell<1>&);
+template bool redistribute(const Frame<2>&, const SolidFields<2>&, CellAmounts<2>&, Cell<2>&);
+template bool redistribute(const Frame<3>&, const SolidFields<3>&, CellAmounts<3>&, Cell<3>&);
+
+}  // namespace sluice::mpmice

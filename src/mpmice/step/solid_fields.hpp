@@ -1,0 +1,123 @@
+// What the fluid is told of the solids in the cells of a level, and what of it solids are told.
+//
+// Arrays over a box of cells: those of the domain and a layer around it, whole on every rank, so
+// that no bit depends on boxes or ranks. Directions are the active ones.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "framework/grid/level.hpp"
+#include "mpmice/geometry/cell_box.hpp"
+
+namespace sluice::mpmice {
+
+// Active directions of a level, and cells of it as the geometry counts them.
+template <int D>
+struct Frame {
+  std::array<int, D> direction{};
+  Vec3 spacing{}, anchor{};
+  double cell_volume = 1;
+  IntVec3 base{};  // index along directions that are not active
+  CellBox<D> domain, box;
+  std::array<bool, D> periodic{};
+
+  explicit Frame(const Level& level) {
+    int a = 0;
+    for (int d = 0; d < 3; ++d) {
+      base[d] = level.domain.lower[d];
+      if (!level.active[static_cast<std::size_t>(d)]) continue;
+      const auto n = static_cast<std::size_t>(a++);
+      direction[n] = d;
+      periodic[n] = level.periodic[static_cast<std::size_t>(d)];
+      domain.lower[n] = level.domain.lower[d];
+      domain.upper[n] = level.domain.upper[d];
+      box.lower[n] = domain.lower[n] - 1;
+      box.upper[n] = domain.upper[n] + 1;
+    }
+    spacing = level.spacing;
+    anchor = level.anchor;
+    cell_volume = level.cell_volume();
+  }
+  Cell<D> cell(IntVec3 c) const {
+    Cell<D> to;
+    for (std::size_t a = 0; a < D; ++a) to[a] = c[direction[a]];
+    return to;
+  }
+  IntVec3 index(const Cell<D>& c) const {
+    IntVec3 to = base;
+    for (std::size_t a = 0; a < D; ++a) to[direction[a]] = c[a];
+    return to;
+  }
+  // The cell of the domain that one beyond it stands for: its image, or the nearest.
+  Cell<D> inside(Cell<D> c) const {
+    for (std::size_t a = 0; a < D; ++a) {
+      const int n = domain.upper[a] - domain.lower[a];
+      if (periodic[a])
+        c[a] = domain.lower[a] + ((c[a] - domain.lower[a]) % n + n) % n;
+      else
+        c[a] = std::min(std::max(c[a], domain.lower[a]), domain.upper[a] - 1);
+    }
+    return c;
+  }
+  // The same, sides as mirrors.
+  Cell<D> mirrored(Cell<D> c) const {
+    for (std::size_t a = 0; a < D; ++a) {
+      if (periodic[a]) continue;
+      if (c[a] < domain.lower[a]) c[a] = 2 * domain.lower[a] - 1 - c[a];
+      if (c[a] >= domain.upper[a]) c[a] = 2 * domain.upper[a] - 1 - c[a];
+    }
+    return inside(c);
+  }
+  // Of a low face along the d-th direction; `flipped`: it is the image of one inside. Faces on the
+  // high side of the domain stay where they are.
+  Cell<D> mirrored_face(Cell<D> c, std::size_t d, bool& flipped) const {
+    const int f = c[d];
+    c = mirrored(c);
+    if (periodic[d]) return c;
+    c[d] = f;
+    if (f < domain.lower[d]) c[d] = 2 * domain.lower[d] - f;
+    if (f > domain.upper[d]) c[d] = 2 * domain.upper[d] - f;
+    flipped = c[d] != f;
+    c[d] = std::min(std::max(c[d], domain.lower[d]), domain.upper[d]);
+    return c;
+  }
+  bool in_domain(const Cell<D>& c) const {
+    for (std::size_t a = 0; a < D; ++a)
+      if (c[a] < domain.lower[a] || c[a] >= domain.upper[a]) return false;
+    return true;
+  }
+  // Area of a face across the a-th direction.
+  double face_area(int a) const {
+    return cell_volume / spacing[direction[static_cast<std::size_t>(a)]];
+  }
+};
+
+using Column = std::vector<double>;
+
+template <int D>
+struct SolidFields {
+  // Geometry at the start of the step, at its end, between (geometry/).
+  Column theta, theta_next;
+  std::array<Column, D> covered, covered_next, mean_covered, swept;
+  std::array<Column, D> normal;  // area vector of the surface in the cell, out of the solid
+  std::array<Column, D> smooth;  // its direction, smoothed over the cells around
+  // Of the surface in the cell: area; means of velocity, pressure -sigma_nn (Pa), 1/(rho c).
+  Column area, solid_pressure, compliance;
+  std::array<Column, D> surface_velocity;
+  // Of the fluid: its pressure, that on the wall.
+  Column pressure, wall_pressure;
+  // Of the solid in the cell: mass per cell volume, mean velocity.
+  Column mass;
+  std::array<Column, D> velocity;
+};
+
+// What the fluid has in cells near solids, per volume of the cell; and the volume left to it.
+template <int D>
+struct CellAmounts {
+  Column volume, mass, energy;  // total energy
+  std::vector<Column> momentum;  // by component
+  std::vector<std::uint8_t> near;     // 1: a cell near solids, whose amounts are here
+  std::vector<std::uint8_t> touched;  // 1: they become its state anew
+};
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,170 @@
+// Surfaces of solids in cells: geometry, and means over the pieces in each cell.
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "mpmice/geometry/pieces.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// -n.sigma.n of a particle.
+template <int D>
+double pressure_along(const Frame<D>& frame, const std::array<const double*, 6>& stress,
+                      std::size_t p, const std::array<double, D>& n) {
+  constexpr int at[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  double sum = 0;
+  for (std::size_t a = 0; a < D; ++a)
+    for (std::size_t b = 0; b < D; ++b)
+      sum += n[a] * n[b] *
+             stress[static_cast<std::size_t>(at[frame.direction[a]][frame.direction[b]])][p];
+  return -sum;
+}
+
+struct Scales {
+  double velocity = 0, pressure = 0, compliance = 0;
+};
+
+double at_least_something(double scale) {
+  return scale > 0 ? scale : 1.0;
+}
+
+}  // namespace
+
+template <int D>
+void LevelCoupling<D>::list_sets(const StageScope& scope) {
+  ParticleCloud& cloud = *scope.particles;
+  const int level = scope.levels.front()->level().index;
+  std::size_t n = 0;
+  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+    ParticleStore& store = cloud.store(k);
+    for (int b = 0; b < store.box_count(level); ++b, ++n) {
+      if (n == sets_.size()) sets_.emplace_back();
+      SolidSet<D>& s = sets_[n];
+      s.kind = k;
+      s.columns = &solids_->carried()[static_cast<std::size_t>(k)].columns;
+      s.set = &store.set(level, b);
+      s.next = &store.next(level, b);
+    }
+  }
+  sets_.resize(n);
+}
+
+// theta and a at one end of the step.
+template <int D>
+void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& theta,
+                                    std::array<Column, D>& covered) {
+  geometry_.begin(frame_.box);
+  for (const SolidSet<D>& s : sets_)
+    if (s.faces.size() > 0) geometry_.add(s.faces, when, 0, s.faces.size());
+  geometry_.sum_over_ranks(*scope.ranks);
+  SolidInCells<D> found;
+  geometry_.finish(found);
+  theta = std::move(found.theta);
+  covered = std::move(found.a);
+  if (when == When::start) fields_.normal = std::move(found.n);
+  clean_volume_fractions(theta);
+  for (Column& a : covered) clean_covered_parts(a);
+}
+
+template <int D>
+Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
+  list_sets(scope);
+  for (SolidSet<D>& s : sets_) find_faces(frame_, s, false);
+  add_geometry(scope, When::start, fields_.theta, fields_.covered);
+  mean_over_surfaces(scope);
+  find_pressures(scope);
+  return Verdict::good;
+}
+
+// Velocity, pressure -n.sigma.n and compliance 1/(rho c) of the particles behind the surface,
+// by area; rigid bodies have no compliance.
+template <int D>
+void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
+  std::vector<double> wave(solids_->carried().size());
+  double least = 1e300;
+  for (std::size_t a = 0; a < D; ++a)
+    least = std::min(least, frame_.spacing[frame_.direction[a]]);
+  for (std::size_t k = 0; k < wave.size(); ++k)
+    wave[k] = step_->level(0).body(static_cast<int>(k)).rates.wave * least;
+  Scales most;
+  const auto compliance = [&](const SolidSet<D>& s, std::size_t p) {
+    const auto k = static_cast<std::size_t>(s.kind);
+    if (solids_->scene().materials[k].rigid || !(wave[k] > 0)) return 0.0;
+    const double rho = s.set->column(static_cast<std::size_t>(s.columns->mass))[p] /
+                       s.set->column(static_cast<std::size_t>(s.columns->volume))[p];
+    return 1 / (rho * wave[k]);
+  };
+  for (const SolidSet<D>& s : sets_)
+    for (const std::uint32_t p : s.faces.particle) {
+      for (std::size_t a = 0; a < D; ++a)
+        most.velocity = std::max(
+            most.velocity,
+            std::fabs(s.set->column(static_cast<std::size_t>(s.columns->velocity +
+                                                             frame_.direction[a]))[p]));
+      const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
+      for (const double* e : stress) most.pressure = std::max(most.pressure, 3 * std::fabs(e[p]));
+      most.compliance = std::max(most.compliance, compliance(s, p));
+    }
+  Reduction all;
+  const auto v = all.add_maximum(most.velocity), p_slot = all.add_maximum(most.pressure),
+             y = all.add_maximum(most.compliance);
+  scope.ranks->reduce(all);
+  const Scales scale{at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
+                     at_least_something(all.maximum(y))};
+  constexpr int area = 0, pressure = 1, soft = 2, velocity = 3;
+  CellSums<D> sums;
+  sums.begin(frame_.box, velocity + D);
+  for (const SolidSet<D>& s : sets_) {
+    if (s.faces.size() == 0) continue;
+    sums.reach(cells_reached<D>(s.faces, 0, s.faces.size()));
+    const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
+    for_each_piece<D>(
+        s.faces, When::start, 0, s.faces.size(),
+        [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+          const std::size_t p = s.faces.particle[i], c = frame_.box.index(piece.cell);
+          double size = 0;
+          for (const double n : piece.n) size += n * n;
+          size = std::sqrt(size);
+          if (!(size > 0)) return;
+          std::array<double, D> unit = piece.n;
+          for (double& n : unit) n /= size;
+          const double A = size * piece.s;
+          sums.lane(area)[c] += to_sum(A);
+          sums.lane(pressure)[c] +=
+              to_sum(A * (pressure_along(frame_, stress, p, unit) / scale.pressure));
+          sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
+          for (int a = 0; a < D; ++a) {
+            const double u = s.set->column(static_cast<std::size_t>(
+                s.columns->velocity + frame_.direction[static_cast<std::size_t>(a)]))[p];
+            sums.lane(velocity + a)[c] += to_sum(A * (u / scale.velocity));
+          }
+        });
+  }
+  sums.sum_over_ranks(*scope.ranks);
+  sums.values(area, fields_.area);
+  const auto mean = [&](int lane, double factor, Column& to) {
+    sums.values(lane, to);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      to[i] = fields_.area[i] > 0 ? to[i] / fields_.area[i] * factor : 0.0;
+  };
+  mean(pressure, scale.pressure, fields_.solid_pressure);
+  mean(soft, scale.compliance, fields_.compliance);
+  for (int a = 0; a < D; ++a)
+    mean(velocity + a, scale.velocity, fields_.surface_velocity[static_cast<std::size_t>(a)]);
+}
+
+template void LevelCoupling<1>::list_sets(const StageScope&);
+template void LevelCoupling<2>::list_sets(const StageScope&);
+template void LevelCoupling<3>::list_sets(const StageScope&);
+template void LevelCoupling<1>::add_geometry(const StageScope&, When, Column&,
+                                             std::array<Column, 1>&);
+template void LevelCoupling<2>::add_geometry(const StageScope&, When, Column&,
+                                             std::array<Column, 2>&);
+template void LevelCoupling<3>::add_geometry(const StageScope&, When, Column&,
+                                             std::array<Column, 3>&);
+template Verdict LevelCoupling<1>::find_surfaces(const StageScope&);
+template Verdict LevelCoupling<2>::find_surfaces(const StageScope&);
+template Verdict LevelCoupling<3>::find_surfaces(const StageScope&);
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,133 @@
+// What the solids do to cells and faces in the step, told to the sweep of the fluid.
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "ice/fluid/labels.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+
+template <int D>
+Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
+  for (SolidSet<D>& s : sets_) find_faces(frame_, s, true);
+  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
+  swept_.begin(frame_.box);
+  for (const SolidSet<D>& s : sets_)
+    if (s.faces.size() > 0) swept_.add(s.faces, 0, s.faces.size());
+  swept_.sum_over_ranks(*scope.ranks);
+  SweptVolumes<D> found;
+  swept_.finish(found);
+  fields_.mean_covered = std::move(found.A);
+  fields_.swept = std::move(found.C);
+  for (Column& a : fields_.mean_covered) clean_covered_parts(a);
+  mean_over_cells(scope);
+  tell_fluid(scope);
+  return Verdict::good;
+}
+
+// Mass of the solids in cells and their velocity, from a 2^D-th of each particle half way between
+// its middle and each corner; velocities are those of the step, (x' - x)/dt.
+template <int D>
+void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
+  double most_mass = 0, most_speed = 0;
+  const double dt = scope.step.dt;
+  const auto speed = [&](const SolidSet<D>& s, std::size_t p, int d) {
+    return (s.next->coordinate(d)[p] - s.set->coordinate(d)[p]) / dt;
+  };
+  for (const SolidSet<D>& s : sets_)
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      most_mass = std::max(most_mass, s.set->column(static_cast<std::size_t>(s.columns->mass))[p]);
+      for (const int d : frame_.direction)
+        most_speed = std::max(most_speed, std::fabs(speed(s, p, d)));
+    }
+  Reduction all;
+  const auto mass_slot = all.add_maximum(most_mass), speed_slot = all.add_maximum(most_speed);
+  scope.ranks->reduce(all);
+  most_mass = std::max(all.maximum(mass_slot), 1e-300);
+  most_speed = std::max(all.maximum(speed_slot), 1e-300);
+  CellSums<D> sums;
+  sums.begin(frame_.box, 1 + D);
+  sums.reach(frame_.box);
+  for (const SolidSet<D>& s : sets_) {
+    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.set);
+    const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      const std::uint64_t share = to_sum(m[p] / most_mass / (1 << D));
+      std::array<std::uint64_t, D> moving;
+      for (std::size_t a = 0; a < D; ++a)
+        moving[a] = to_sum(m[p] / most_mass / (1 << D) *
+                           (speed(s, p, frame_.direction[a]) / most_speed));
+      for_each_part(frame_, x, *s.set, p, [&](std::size_t cell) {
+        sums.lane(0)[cell] += share;
+        for (std::size_t a = 0; a < D; ++a) sums.lane(1 + static_cast<int>(a))[cell] += moving[a];
+      });
+    }
+  }
+  sums.sum_over_ranks(*scope.ranks);
+  sums.values(0, fields_.mass);
+  for (std::size_t a = 0; a < D; ++a) {
+    Column& v = fields_.velocity[a];
+    sums.values(1 + static_cast<int>(a), v);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      v[i] = fields_.mass[i] > 0 ? v[i] / fields_.mass[i] * most_speed : 0.0;
+  }
+  for (double& mass : fields_.mass) mass *= most_mass / frame_.cell_volume;
+}
+
+// Work slots of the sweep, ghost cells too: beyond the sides of the domain as in a mirror.
+template <int D>
+void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
+  Warehouse& state = scope.levels.front()->state();
+  const ice::Labels& l = ice::labels();
+  const int place = fluid_->options().place(0);
+  const auto slot = [&](Label label) { return state.find(label, place); };
+  const int next = slot(l.solid_fraction_next), pressure = slot(l.wall_pressure),
+            theta = slot(l.solid_fraction);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const auto fill = [&](int at, const Column& from) {
+      const RealView to = state.view(at, 0, b);
+      for_each_cell(to.box, [&](IntVec3 c) {
+        to(c) = from[frame_.box.index(frame_.mirrored(frame_.cell(c)))];
+      });
+    };
+    fill(theta, fields_.theta);
+    fill(next, fields_.theta_next);
+    fill(pressure, fields_.wall_pressure);
+    for (int a = 0; a < D; ++a) {
+      const auto n = static_cast<std::size_t>(a);
+      const int d = frame_.direction[n];
+      const auto fill_faces = [&](Label label, bool odd, auto value) {
+        const RealView to = state.view(slot(label), 0, b);
+        for_each_cell(to.box, [&](IntVec3 c) {
+          bool flipped = false;
+          const Cell<D> face = frame_.mirrored_face(frame_.cell(c), n, flipped);
+          const double q = value(face);
+          to(c) = odd && flipped ? -q : q;
+        });
+      };
+      const auto of = [&](const Column& from) {
+        return [this, &from](const Cell<D>& face) { return from[frame_.box.index(face)]; };
+      };
+      fill_faces(l.covered[d], false, of(fields_.covered[n]));
+      fill_faces(l.mean_covered[d], false, of(fields_.mean_covered[n]));
+      fill_faces(l.swept[d], true, of(fields_.swept[n]));
+      fill_faces(l.solid_face_velocity[d], true, [&](const Cell<D>& face) {
+        Cell<D> below = face;
+        --below[n];
+        const std::size_t i = frame_.box.index(frame_.inside(below)),
+                          j = frame_.box.index(frame_.inside(face));
+        const double M = fields_.mass[i] + fields_.mass[j];
+        if (!(M > 0)) return 0.0;
+        return (fields_.mass[i] * fields_.velocity[n][i] +
+                fields_.mass[j] * fields_.velocity[n][j]) / M;
+      });
+    }
+  }
+  state.forget();
+}
+
+template Verdict LevelCoupling<1>::find_swept_volumes(const StageScope&);
+template Verdict LevelCoupling<2>::find_swept_volumes(const StageScope&);
+template Verdict LevelCoupling<3>::find_swept_volumes(const StageScope&);
+
+}  // namespace sluice::mpmice
