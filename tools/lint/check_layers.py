@@ -51,7 +51,7 @@ FLOORS = {
         ["levels", "account"],
         ["saved"],
     ],
-    "mpmice": [["deck"], ["exchange"], ["burn"], ["step"], ["account"]],
+    "mpmice": [["deck", "geometry"], ["exchange"], ["burn"], ["step"], ["account"]],
 }
 # Houses whose files all lie in rooms.
 NO_TOP = {"framework"}

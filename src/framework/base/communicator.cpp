@@ -199,6 +199,16 @@ void Communicator::reduce(Reduction& reduction) {
   }
 }
 
+void Communicator::sum(std::uint64_t* numbers, std::size_t count) {
+  if (size_ == 1) return;
+  constexpr std::size_t most = std::size_t{1} << 24;  // 128 MiB a message; MPI counts to INT_MAX
+  for (std::size_t at = 0; at < count; at += most) {
+    check(MPI_Allreduce(MPI_IN_PLACE, numbers + at, static_cast<int>(std::min(most, count - at)),
+                        MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD),
+          "MPI_Allreduce");
+  }
+}
+
 std::vector<std::string> Communicator::gather(const std::string& bytes) {
   if (size_ == 1) return {bytes};
   const int mine = to_count(bytes.size(), "a gathered text");

@@ -38,6 +38,8 @@ class Communicator {
   void barrier();
   // Replaces every slot by its value over all ranks: one MPI call. All ranks hold equal slots.
   void reduce(Reduction& reduction);
+  // Replaces every number by its sum over all ranks, modulo 2^64: no order changes a bit.
+  void sum(std::uint64_t* numbers, std::size_t count);
   // One entry a rank, in rank order, on rank 0; empty elsewhere.
   std::vector<std::string> gather(const std::string& bytes);
   // The same on all ranks.

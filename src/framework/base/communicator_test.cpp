@@ -84,6 +84,21 @@ TEST(Communicator, sums_are_the_same_bits_on_any_number_of_ranks) {
   EXPECT_EQ(reduction.sum(sum), whole);
 }
 
+TEST(Communicator, sums_whole_numbers_modulo_two_to_the_64) {
+  const std::size_t count = (std::size_t{1} << 24) + 7;  // more than one message holds
+  const auto rank = static_cast<std::uint64_t>(world().rank());
+  const auto size = static_cast<std::uint64_t>(world().size());
+  std::vector<std::uint64_t> numbers(count);
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = (std::uint64_t{1} << 63) + i * (rank + 1);
+  world().sum(numbers.data(), count);
+  for (std::size_t i = 0; i < count; i += i < 10 ? 1 : 1048573) {
+    // The high bits meet and vanish in pairs.
+    ASSERT_EQ(numbers[i], (size << 63) + i * (size * (size + 1) / 2));
+  }
+  ASSERT_EQ(numbers.back(), (size << 63) + (count - 1) * (size * (size + 1) / 2));
+  world().sum(nullptr, 0);
+}
+
 TEST(Communicator, refuses_different_reductions) {
   if (world().size() == 1) {
     Reduction reduction;

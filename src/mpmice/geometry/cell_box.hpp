@@ -1,0 +1,92 @@
+// A box of cells in D directions, [lower, upper), and where its cells lie in a dense array.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace sluice::mpmice {
+
+template <int D>
+using Cell = std::array<int, D>;
+
+template <int D>
+struct CellBox {
+  Cell<D> lower{}, upper{};
+
+  int size(int d) const {
+    const auto a = static_cast<std::size_t>(d);
+    return upper[a] - lower[a];
+  }
+  bool empty() const {
+    for (int d = 0; d < D; ++d)
+      if (size(d) <= 0) return true;
+    return false;
+  }
+  std::size_t cells() const {
+    if (empty()) return 0;
+    std::size_t n = 1;
+    for (int d = 0; d < D; ++d) n *= static_cast<std::size_t>(size(d));
+    return n;
+  }
+  // Distance in an array of neighbours along d; x is fastest.
+  std::ptrdiff_t stride(int d) const {
+    std::ptrdiff_t n = 1;
+    for (int a = 0; a < d; ++a) n *= size(a);
+    return n;
+  }
+  std::size_t index(const Cell<D>& cell) const {
+    std::ptrdiff_t at = 0;
+    for (std::size_t d = D; d-- > 0;) at = at * size(static_cast<int>(d)) + (cell[d] - lower[d]);
+    return static_cast<std::size_t>(at);
+  }
+  bool contains(const CellBox& b) const {
+    if (b.empty()) return true;
+    for (std::size_t d = 0; d < D; ++d)
+      if (b.lower[d] < lower[d] || b.upper[d] > upper[d]) return false;
+    return true;
+  }
+  // The smallest box around both.
+  void include(const CellBox& b) {
+    if (b.empty()) return;
+    if (empty()) {
+      *this = b;
+      return;
+    }
+    for (std::size_t d = 0; d < D; ++d) {
+      lower[d] = std::min(lower[d], b.lower[d]);
+      upper[d] = std::max(upper[d], b.upper[d]);
+    }
+  }
+
+  friend bool operator==(const CellBox&, const CellBox&) = default;
+};
+
+// act(first, n): where the rows along x of the cells of `part` begin in an array over `box`, the
+// highest along direction d first (rows along x are whole), and how many cells they have.
+template <int D, class Act>
+void for_each_row_down(const CellBox<D>& box, const CellBox<D>& part, int d, Act&& act) {
+  if (part.empty()) return;
+  const std::size_t n = static_cast<std::size_t>(part.size(0));
+  Cell<D> cell = part.lower;
+  const auto place = [&](int axis, int i) {
+    const auto a = static_cast<std::size_t>(axis);
+    cell[a] = axis == d ? part.upper[a] - 1 - i : part.lower[a] + i;
+  };
+  if constexpr (D == 1) {
+    act(box.index(cell), n);
+  } else if constexpr (D == 2) {
+    for (int j = 0; j < part.size(1); ++j) {
+      place(1, j);
+      act(box.index(cell), n);
+    }
+  } else {
+    for (int k = 0; k < part.size(2); ++k)
+      for (int j = 0; j < part.size(1); ++j) {
+        place(2, k);
+        place(1, j);
+        act(box.index(cell), n);
+      }
+  }
+}
+
+}  // namespace sluice::mpmice

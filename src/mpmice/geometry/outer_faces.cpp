@@ -1,0 +1,71 @@
+#include "mpmice/geometry/outer_faces.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace sluice::mpmice {
+namespace {
+
+template <int D>
+void put(typename OuterFaces<D>::Places& to, const CornerColumns<D>& x, const CellUnits<D>& units,
+         int face, std::size_t p) {
+  for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
+    const auto& corner = x[face_corners<D>[static_cast<std::size_t>(face)][k]];
+    for (std::size_t d = 0; d < D; ++d)
+      to[k][d].push_back((corner[d][p] - units.origin[d]) * units.inverse[d]);
+  }
+}
+
+}  // namespace
+
+template <int D>
+void OuterFaces<D>::clear() {
+  for (Places* places : {&start, &end})
+    for (auto& corner_places : *places)
+      for (std::vector<double>& column : corner_places) column.clear();
+  particle.clear();
+  face.clear();
+}
+
+template <int D>
+void OuterFaces<D>::add(const CornerColumns<D>& from, const CornerColumns<D>* to,
+                        const std::uint8_t* outer, std::size_t n, const CellUnits<D>& units) {
+  for (std::size_t p = 0; p < n; ++p)
+    for (unsigned bits = outer[p]; bits != 0; bits &= bits - 1) {
+      const int f = std::countr_zero(bits);
+      put<D>(start, from, units, f, p);
+      put<D>(end, to != nullptr ? *to : from, units, f, p);
+      particle.push_back(static_cast<std::uint32_t>(p));
+      face.push_back(static_cast<std::uint8_t>(f));
+    }
+}
+
+template <int D>
+CellBox<D> cells_reached(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
+  CellBox<D> box;
+  if (begin >= end) return box;
+  for (std::size_t d = 0; d < D; ++d) {
+    double low = faces.start[0][d][begin], high = low;
+    for (const auto* places : {&faces.start, &faces.end})
+      for (const auto& corner : *places) {
+        const double* x = corner[d].data();
+        for (std::size_t i = begin; i < end; ++i) {
+          low = std::min(low, x[i]);
+          high = std::max(high, x[i]);
+        }
+      }
+    box.lower[d] = static_cast<int>(std::ceil(low)) - 1;
+    box.upper[d] = static_cast<int>(std::floor(high)) + 1;
+  }
+  return box;
+}
+
+template struct OuterFaces<1>;
+template struct OuterFaces<2>;
+template struct OuterFaces<3>;
+template CellBox<1> cells_reached<1>(const OuterFaces<1>&, std::size_t, std::size_t);
+template CellBox<2> cells_reached<2>(const OuterFaces<2>&, std::size_t, std::size_t);
+template CellBox<3> cells_reached<3>(const OuterFaces<3>&, std::size_t, std::size_t);
+
+}  // namespace sluice::mpmice

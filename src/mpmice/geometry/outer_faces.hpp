@@ -1,0 +1,59 @@
+// The outer faces of particles: their corners at the start and at the end of a step.
+//
+// Faces between particles of a body cancel in every sum over its surface: none of them is here.
+// Places are counted in cells of the level: cell i is [i, i + 1).
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mpmice/geometry/cell_box.hpp"
+#include "mpmice/geometry/corner_table.hpp"
+
+namespace sluice::mpmice {
+
+enum class When { start, end };
+
+// Columns of corners of particles, [corner][direction].
+template <int D>
+using CornerColumns = std::array<std::array<const double*, D>, corners_of_particle<D>>;
+
+// From lengths to cells: (x - origin) * inverse. Equal corners get equal bits.
+template <int D>
+struct CellUnits {
+  std::array<double, D> origin{};   // where cell 0 begins
+  std::array<double, D> inverse{};  // cells per length
+  static CellUnits none() {
+    CellUnits u;
+    u.inverse.fill(1);
+    return u;
+  }
+};
+
+// Columns over the outer faces.
+template <int D>
+struct OuterFaces {
+  using Places = std::array<std::array<std::vector<double>, D>, corners_of_face<D>>;
+  Places start, end;                    // [corner of the face][direction], cells
+  std::vector<std::uint32_t> particle;  // whose face it is
+  std::vector<std::uint8_t> face;       // which of its faces: 2 axis + side
+
+  std::size_t size() const { return face.size(); }
+  void clear();  // keeps its memory
+  // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`. Without `to` the
+  // corners do not move.
+  void add(const CornerColumns<D>& from, const CornerColumns<D>* to, const std::uint8_t* outer,
+           std::size_t n, const CellUnits<D>& units = CellUnits<D>::none());
+  // The corner of the particle that is corner k of face i.
+  int corner(std::size_t i, int k) const {
+    return face_corners<D>[face[i]][static_cast<std::size_t>(k)];
+  }
+};
+
+// Cells that pieces of faces begin to end - 1 may lie in, between start and end of the step. Faces
+// in a grid plane may belong to the cells on both sides. Empty without faces.
+template <int D>
+CellBox<D> cells_reached(const OuterFaces<D>& faces, std::size_t begin, std::size_t end);
+
+}  // namespace sluice::mpmice
