@@ -7,7 +7,8 @@ namespace {
 
 std::string_view name_of(Basis b) {
   constexpr std::string_view names[] = {"linear",         "GIMP", "GIMP", "quadratic B-spline",
-                                        "cubic B-spline", "CPDI", "CPDI", "CPTI"};
+                                        "cubic B-spline", "CPDI", "CPDI", "CPTI",
+                                        "carried corners"};
   return names[static_cast<int>(b)];
 }
 std::string_view name_of(Transfer t) {

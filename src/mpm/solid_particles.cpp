@@ -88,6 +88,10 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
       put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
     for (int d = 0; d < 3 && c.normal >= 0; ++d)
       put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
+    for (int k = 0; k < c.corner_count; ++k)
+      for (int d = 0; d < 3; ++d)
+        put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
+    if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
     for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
   }
   if (const auto motion = manufactured_of(*solids_, material, level))

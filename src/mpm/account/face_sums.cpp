@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mpm/transfer/corner_volume.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -48,6 +50,10 @@ class Face {
     if (c.half >= 0) halves_ = set.column(static_cast<std::size_t>(c.half + d_));
     F_ = read_columns<9>(set, c.F);
     size_ = read_columns<9>(set, c.size);
+    corners_ = corners_of(set, c);
+    for (int d = 0; d < 3; ++d)
+      if (level.active[static_cast<std::size_t>(d)])
+        active_.list[static_cast<std::size_t>(active_.count++)] = d;
   }
 
   // Of a particle at x: cells into the domain.
@@ -56,6 +62,10 @@ class Face {
   Share share_of(std::size_t p, double s) const {
     if ((basis_ == Basis::cpdi || basis_ == Basis::fast_cpdi) && size_[0] != nullptr)
       return of_corners(p, s);
+    if (corners_[0] != nullptr) {
+      if (active_.count == 3) return of_carried<3>(p);
+      return active_.count == 2 ? of_carried<2>(p) : of_carried<1>(p);
+    }
     Weight on, beyond;
     if (basis_ == Basis::cubic) {
       on = cubic(std::fabs(s));
@@ -110,6 +120,28 @@ class Face {
     return share;
   }
 
+  // sum over corners of 2^-D N, and of b_k/V N.
+  template <int D>
+  Share of_carried(std::size_t p) const {
+    CornerVolume<D> v;
+    read_carried<D>(corners_, active_.list, p, v.x);
+    double at[1 << D];
+    for (int c = 0; c < v.count; ++c)
+      at[c] = depth(corners_[static_cast<std::size_t>(3 * c + d_)][p]);
+    v.find();
+    Share share;
+    for (int c = 0; c < v.count; ++c) {
+      const double on = hat(std::fabs(at[c])).w, beyond = at[c] < 0 ? -at[c] : 0.0;
+      share.on += on / v.count;
+      for (int a = 0; a < D; ++a) {
+        const int e = active_.list[static_cast<std::size_t>(a)];
+        share.slope_on[e] += on * v.b[c][a] / v.volume;
+        share.slope_beyond[e] += beyond * v.b[c][a] / v.volume;
+      }
+    }
+    return share;
+  }
+
   Basis basis_;
   int d_;
   double inward_;
@@ -117,6 +149,11 @@ class Face {
   double half_, place_ = 0;
   const double* halves_ = nullptr;
   std::array<const double*, 9> F_, size_;
+  CornerColumns corners_{};
+  struct {
+    std::array<int, 3> list{};
+    int count = 0;
+  } active_;
 };
 
 Vec3 traction(const std::array<const double*, 6>& s, std::size_t p, Vec3 n) {

@@ -21,9 +21,11 @@ std::vector<TagSpec> scheme_tags() {
           .by_default("explicit"),
       tag("interpolator",
           "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
-          "(also cubicBS) the cubic one")
-          .words(
-              {"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS", "4thorderBS"})
+          "(also cubicBS) the cubic one; carried_corners: particles are intervals, "
+          "quadrilaterals or hexahedra whose corners move with the grid and are shared by "
+          "neighbours; at the start outer ones are moved onto the surface of the piece")
+          .words({"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS",
+                  "4thorderBS", "carried_corners"})
           .spelling("quadraticBS", "3rdorderBS")
           .spelling("cubicBS", "4thorderBS")
           .by_default("linear"),

@@ -12,7 +12,8 @@
 
 namespace sluice::mpm {
 
-enum class Basis { linear, gimp, cpgimp, quadratic, cubic, cpdi, fast_cpdi, cpti };
+// carried: particles carry their corners, which move with the grid (mpm/transfer/corner_volume.hpp).
+enum class Basis { linear, gimp, cpgimp, quadratic, cubic, cpdi, fast_cpdi, cpti, carried };
 // How velocities come back to particles: see mpm/transfer.
 enum class Transfer { flip, pic, xpic, apic, affine };
 
@@ -121,6 +122,14 @@ struct MpmScene {
   double affine_damping = 1;  // kappa
   bool musl = true;           // of the linear basis
   bool maps_back() const { return basis == Basis::linear && musl; }
+  bool carries_corners() const { return basis == Basis::carried; }
+  // For those who need corners whatever the deck's basis is. Before the scene is used; what
+  // corners have no form of gives way.
+  void carry_corners() {
+    basis = Basis::carried;
+    total_lagrangian = false;
+    if (transfer == Transfer::apic) transfer = Transfer::affine;
+  }
   bool total_lagrangian = false;
   double cpdi_limit = 1e300;  // cells
   bool axisymmetric = false;

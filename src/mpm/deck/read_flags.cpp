@@ -19,10 +19,12 @@ struct Word {
   T value;
 };
 
-constexpr Word<Basis> bases[] = {{"linear", Basis::linear},       {"gimp", Basis::gimp},
-                                 {"cpgimp", Basis::cpgimp},       {"3rdorderBS", Basis::quadratic},
-                                 {"4thorderBS", Basis::cubic},    {"cpdi", Basis::cpdi},
-                                 {"fast_cpdi", Basis::fast_cpdi}, {"cpti", Basis::cpti}};
+constexpr Word<Basis> bases[] = {
+    {"linear", Basis::linear},          {"gimp", Basis::gimp},
+    {"cpgimp", Basis::cpgimp},          {"3rdorderBS", Basis::quadratic},
+    {"4thorderBS", Basis::cubic},       {"cpdi", Basis::cpdi},
+    {"fast_cpdi", Basis::fast_cpdi},    {"cpti", Basis::cpti},
+    {"carried_corners", Basis::carried}};
 constexpr Word<Transfer> transfers[] = {{"flip", Transfer::flip},
                                         {"pic", Transfer::pic},
                                         {"xpic", Transfer::xpic},

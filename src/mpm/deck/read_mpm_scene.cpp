@@ -1,12 +1,25 @@
 // The blocks of solids, put together.
 #include "mpm/deck/read_mpm_scene.hpp"
 
+#include "framework/deck/faults.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "mpm/deck/readers.hpp"
 #include "mpm/deck/schema.hpp"
 
 namespace sluice::mpm {
+
+// What an object says of parts at its surface, where corners are moved onto the surface.
+static void warn_of_idle_filling(const MpmScene& s, std::vector<Fault>& faults) {
+  if (!s.carries_corners()) return;
+  for (const SolidMaterial& material : s.materials)
+    for (const SeedObject& object : material.objects)
+      if (object.cut_cells || object.filling_levels != 1)
+        add_warning(faults, object.where,
+                    "<cut_cells> and <numLevelsParticleFilling> have no effect with the "
+                    "interpolator carried_corners: corners are moved onto the surface",
+                    "remove them");
+}
 
 MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   MpmScene s;
@@ -17,6 +30,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
     s.materials.push_back(read_material(*node, static_cast<int>(s.materials.size()),
                                         scene.constants.reference_pressure, geometry, faults));
   read_flags(root, s, faults);
+  warn_of_idle_filling(s, faults);
   const bool zones = boolean_or(root.child("MPM") != nullptr ? *root.child("MPM") : root,
                                 "use_cohesive_zones", false);
   for (const DeckNode* properties : root.all("MaterialProperties"))

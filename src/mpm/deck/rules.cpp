@@ -39,7 +39,8 @@ void check_axisymmetric(const DeckNode& root, const DeckNode& flags, std::vector
   if (!is_true(&flags, "axisymmetric")) return;
   const Location& where = flags.child("axisymmetric")->where;
   const std::string basis = text_of(flags, "interpolator");
-  if (basis == "3rdorderBS" || basis == "4thorderBS" || basis == "cpti")
+  if (basis == "3rdorderBS" || basis == "4thorderBS" || basis == "cpti" ||
+      basis == "carried_corners")
     add_error(faults, where,
               fmt::format("<axisymmetric> has no form with the interpolator {}", basis),
               "valid: linear, gimp, cpgimp, cpdi, fast_cpdi");
@@ -127,7 +128,8 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
               "<minimum_subcycles_for_F> 0: particles would never be deformed",
               "1: the first order; -2: up to the square");
   const std::string basis = text_of(*flags, "interpolator");
-  const bool corners = basis == "cpdi" || basis == "fast_cpdi" || basis == "cpti";
+  const bool corners =
+      basis == "cpdi" || basis == "fast_cpdi" || basis == "cpti" || basis == "carried_corners";
   if (basis != "cpdi" && basis != "fast_cpdi")
     warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
   const DeckNode* grid = root.child("Grid");

@@ -1,8 +1,11 @@
 #include "mpm/levels/solid_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "framework/base/reduction.hpp"
 #include "framework/grid/grid_boxes.hpp"
+#include "mpm/step/carry_corners.hpp"
 
 namespace sluice::mpm {
 SolidLevels::SolidLevels(const Scene& scene, const MpmScene& solids,
@@ -58,6 +61,36 @@ Verdict SolidLevels::begin(const StageScope& scope) {
       for (int l = 0; l < count(); ++l) level(l).set_most_force(m, most);
     }
   return verdict;
+}
+
+// A force gives no node more than its own largest component.
+void SolidLevels::add_corner_forces(
+    const StageScope& scope, const std::vector<std::vector<std::vector<CornerForce>>>& forces) {
+  const std::size_t kinds = kinds_->size();
+  std::vector<double> most(kinds);
+  for (std::size_t l = 0; l < forces.size(); ++l)
+    for (std::size_t m = 0; m < kinds; ++m) {
+      level(static_cast<int>(l)).add_corner_forces(static_cast<int>(m), forces[l][m]);
+      for (const CornerForce& f : forces[l][m])
+        for (int d = 0; d < 3; ++d) {
+          const double size = std::fabs(f.force[d]);
+          if (!(size <= most[m])) most[m] = size;  // NaN too
+        }
+    }
+  Reduction all;
+  std::vector<Reduction::Maximum> slots;
+  for (const double force : most) slots.push_back(all.add_maximum(force));
+  scope.ranks->reduce(all);
+  for (int m = 0; m < static_cast<int>(kinds); ++m)
+    for (int l = 0; l < count(); ++l) {
+      const double own = level(l).body(m).most_force;
+      level(l).set_most_force(m, std::max(own, all.maximum(slots[static_cast<std::size_t>(m)])));
+    }
+}
+
+SolidLevels::BeforeAndAfter SolidLevels::moved(ParticleCloud& cloud, int kind, int l, int box) {
+  ParticleStore& store = cloud.store(kind);
+  return {store.set(l, box), store.next(l, box)};
 }
 
 Verdict SolidLevels::to_grid(const StageScope& scope) {
@@ -133,6 +166,12 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     if (strayed_ >= most_stray || left) {
       cloud->relocate();
       strayed_ = 0;
+      for (std::size_t k = 0; k < carried_->size() && solids_->carries_corners(); ++k)
+        for (int l = 0; l < count(); ++l) {
+          ParticleStore& store = cloud->store(static_cast<int>(k));
+          for (int b = 0; b < store.box_count(l); ++b)
+            wrap_corners(cloud->level(l), (*carried_)[k].columns, store.set(l, b));
+        }
     }
   });
   return Verdict::good;

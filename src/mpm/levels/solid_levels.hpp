@@ -18,6 +18,11 @@ class SolidLevels {
 
   // The stages of a step, in order.
   Verdict begin(const StageScope& scope);
+  // Between begin() and to_grid(), if at all: forces from outside on corners of this rank's
+  // particles, forces[level][material]. Their places may be any that corners of its particles have.
+  // Collective: the sums must have room for the largest.
+  void add_corner_forces(const StageScope& scope,
+                         const std::vector<std::vector<std::vector<CornerForce>>>& forces);
   Verdict to_grid(const StageScope& scope);
   Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
@@ -25,6 +30,13 @@ class SolidLevels {
   Verdict map_back(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
   Verdict take_over(const StageScope& scope);
+
+  // After from_grid(), of a kind in a local box of a level: particles as they were, and as they are
+  // at the end of the step. The latter has places and the columns that a step advances alone.
+  struct BeforeAndAfter {
+    const ParticleSet &before, &after;
+  };
+  static BeforeAndAfter moved(ParticleCloud& cloud, int kind, int level, int box);
 
   SolidStep& level(int l) { return *steps_[static_cast<std::size_t>(l)]; }
   int count() const { return static_cast<int>(steps_.size()); }

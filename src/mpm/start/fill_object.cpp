@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "mpm/start/corner_lattice.hpp"
 #include "mpm/start/cut_cell.hpp"
 #include "mpm/start/lattice_visit.hpp"
 
@@ -32,9 +33,11 @@ namespace {
 constexpr double least_share = 1e-6;  // of a cut cell
 
 // The distance of a neighbouring place, or, for cut parts, of a part's faces.
-Vec3 reach_of(const SeedObject& object, const Level& level) {
+Vec3 reach_of(const SeedObject& object, const Level& level, const OptionalColumns& columns) {
   const IntVec3 n = object.per_cell;
-  return {level.spacing.x / n.x, level.spacing.y / n.y, level.spacing.z / n.z};
+  // Corners may be moved by what lies further away.
+  const double parts = columns.corners ? CornerLattice::reach : 1.0;
+  return parts * Vec3{level.spacing.x / n.x, level.spacing.y / n.y, level.spacing.z / n.z};
 }
 
 // Makes the particles of one object in one window.
@@ -48,6 +51,7 @@ class Filler {
         lattice_{level_.anchor, level_.spacing},
         wide_(wide_directions(level_)),
         numbers_(numbers),
+        corners_(what.object, what.level),
         target_(target),
         covered_(covered),
         out_(particles) {}
@@ -55,18 +59,23 @@ class Filler {
   void fill(const IndexBox& cells) {
     const auto settled = [&](IntVec3 lower, IntVec3 upper) {
       for_each_cell({lower, upper}, [&](IntVec3 c) {
-        for_parts(c, [&](IntVec3 part) { emit_whole(c, part, 0, false); });
+        for_parts(c, [&](IntVec3 part) {
+          around_ = nullptr;
+          emit_whole(c, part, 0, false);
+        });
       });
     };
     const auto leaf = [&](const GeometryPiece& piece, IntVec3 c) {
+      around_ = &piece;
       for_parts(c, [&](IntVec3 part) {
-        if (object_.cut_cells)
+        if (object_.cut_cells && !what_.columns.corners)
           fill_cut(piece, c, part);
         else
           fill_part(piece, c, part, 0);
       });
     };
-    LatticeVisit visit(lattice_, object_.per_cell, reach_of(object_, level_), settled, leaf);
+    LatticeVisit visit(lattice_, object_.per_cell, reach_of(object_, level_, what_.columns),
+                       settled, leaf);
     visit.visit(*object_.piece, cells.lower, cells.upper);
   }
 
@@ -89,7 +98,7 @@ class Filler {
   // The middle inside; N < 0: and the points halfway to the corners.
   bool holds_particle(const GeometryPiece& piece, Vec3 x, IntVec3 res) const {
     if (!piece.inside(x)) return false;
-    if (object_.filling_levels >= 0) return true;
+    if (object_.filling_levels >= 0 || what_.columns.corners) return true;
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 p = x;
       for (int d = 0; d < 3; ++d) {
@@ -123,7 +132,7 @@ class Filler {
       emit_whole(cell, part, size, at_surface(piece, x, res));
       return;
     }
-    if (size + 1 >= std::abs(object_.filling_levels)) return;
+    if (size + 1 >= std::abs(object_.filling_levels) || what_.columns.corners) return;
     IntVec3 children{1, 1, 1};
     for (int d = 0; d < 3; ++d)
       if (wide_[static_cast<std::size_t>(d)]) children[d] = 2;
@@ -136,7 +145,7 @@ class Filler {
   void fill_cut(const GeometryPiece& piece, IntVec3 cell, IntVec3 part) {
     const IntVec3 res = object_.per_cell;
     const Vec3 x = place(cell, part, res);
-    const Vec3 half = 0.5 * reach_of(object_, level_);
+    const Vec3 half = 0.5 * reach_of(object_, level_, what_.columns);
     const CutPart cut = part_inside(piece, {x - half, x + half}, wide_);
     if (cut.share < least_share) return;
     if (cut.share >= 1)
@@ -190,8 +199,12 @@ class Filler {
     row.x = x;
     row.velocity = object_.velocity;
     row.volume = volume_of(x, res) * share;
-    row.mass = what_.density * row.volume;
     row.edges = edges_of(res, share);
+    if (what_.columns.corners) {
+      row.corners = corners_.corners_of(around_, cell, part);
+      span_corners(level_, row);
+    }
+    row.mass = what_.density * row.volume;
     row.temperature = object_.temperature;
     row.colour = object_.colour;
     row.id = id_of(cell, part, size, res);
@@ -205,6 +218,8 @@ class Filler {
   CellLattice lattice_;
   std::array<bool, 3> wide_;
   const PlaceNumbers& numbers_;
+  CornerLattice corners_;
+  const GeometryPiece* around_ = nullptr;  // what the piece is around the part in hand; null: all
   IndexBox target_;
   std::span<const IndexBox> covered_;
   SeededParticles& out_;

@@ -41,6 +41,7 @@ Seeder::Seeder(const MpmScene& scene, const Grid& grid) : scene_(scene) {
   for (const SolidMaterial& material : scene.materials) {
     std::vector<Prepared> objects;
     OptionalColumns wanted;
+    wanted.corners = scene.carries_corners();
     for (const SeedObject& object : material.objects) {
       objects.push_back(prepare(object, grid));
       const std::optional<PointList>& list = objects.back().list;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "framework/geometry/sampling.hpp"
+#include "mpm/start/corner_lattice.hpp"
 #include "mpm/start/fill_object.hpp"
 
 namespace sluice::mpm {
@@ -40,6 +41,17 @@ double volume_of(const ObjectOnLevel& what, const PointList& list, std::size_t n
   return share * std::abs(determinant(edges)) * what.level.cell_volume();
 }
 
+// Nothing says which particles are neighbours: each has corners of its own, which span its volume.
+void stand_alone(const CornerLattice& lattice, const Level& level, SeededParticle& row) {
+  const double spanned = std::abs(determinant(row.edges)) * level.cell_volume();
+  const double scale = std::pow(row.volume / spanned, 1.0 / level.active_count());
+  Map edges = row.edges;
+  for (std::size_t e = 0; e < 9; ++e)
+    if (level.active[e / 3] && level.active[e % 3]) edges[e] *= scale;
+  row.corners = lattice.alone(row.x, edges);
+  span_corners(level, row);
+}
+
 }  // namespace
 
 void seed_list(const ObjectOnLevel& what, const PointList& list, std::int64_t base,
@@ -47,6 +59,7 @@ void seed_list(const ObjectOnLevel& what, const PointList& list, std::int64_t ba
                SeededParticles& particles) {
   const SeedObject& o = what.object;
   const CellLattice lattice{what.level.anchor, what.level.spacing};
+  const CornerLattice lattice_of_corners(o, what.level);
   for (std::size_t n = 0; n < list.place.size(); ++n) {
     SeededParticle row;
     row.x = o.mapped ? applied(o.map, list.place[n]) + o.shift : list.place[n];
@@ -54,6 +67,7 @@ void seed_list(const ObjectOnLevel& what, const PointList& list, std::int64_t ba
     if (!target.contains(cell) || is_covered(covered, cell)) continue;
     row.edges = edges_of(what, list, n);
     row.volume = volume_of(what, list, n, row.x, row.edges);
+    if (what.columns.corners) stand_alone(lattice_of_corners, what.level, row);
     row.mass = what.density * row.volume;
     row.velocity = value(list.velocity, n, o.velocity);
     row.temperature = value(list.temperature, n, o.temperature);

@@ -26,6 +26,7 @@ void append(SeededParticles& particles, const SeededParticle& row, const Optiona
   particles.colour.push_back(row.colour);
   particles.id.push_back(row.id);
   particles.surface.push_back(row.surface ? 1 : 0);
+  if (columns.corners) particles.corners.push_back(row.corners);
   if (columns.external_force) add(particles.external_force, row.external_force);
   if (columns.fibre) add(particles.fibre, row.fibre);
   if (columns.normal) add(particles.normal, row.normal);

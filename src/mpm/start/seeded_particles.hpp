@@ -5,9 +5,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "framework/base/vec3.hpp"
 #include "mpm/start/affine.hpp"
 
 namespace sluice::mpm {
+
+// Corners that a particle carries: all places, of the first 2^D the corners; faces that no other
+// particle of the object shares, as bits.
+struct ParticleCorners {
+  std::array<Vec3, 8> place{};
+  int outer = 0;
+};
 
 // One material's particles. All columns have as many rows as there are particles, but for the
 // optional ones, which are empty where no point file of the material has them.
@@ -24,6 +32,9 @@ struct SeededParticles {
   std::vector<std::int64_t> id;
   std::vector<unsigned char> surface;  // 1: a neighbouring place lies outside of the piece
 
+  // Optional: of particles that carry their corners; see Columns::corners and Columns::outer.
+  std::vector<ParticleCorners> corners;
+
   std::array<Column, 3> external_force, fibre, normal;  // optional
   std::array<std::vector<int>, 3> load_curve;           // optional; 0: none
 
@@ -39,11 +50,13 @@ struct SeededParticle {
   std::int64_t id = 0;
   bool surface = false;
   Vec3 external_force{}, fibre{}, normal{}, load_curve{};
+  ParticleCorners corners;
 };
 
 // Which optional columns a material has.
 struct OptionalColumns {
   bool external_force = false, fibre = false, normal = false, load_curve = false;
+  bool corners = false;
 };
 
 void append(SeededParticles& particles, const SeededParticle& row, const OptionalColumns& columns);

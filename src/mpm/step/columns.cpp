@@ -85,6 +85,14 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   for (double& half : c.half) half = std::min(half, 0.5);
   if (by_corners(solids.basis) || is_saved(scene, "p.size") || is_saved(scene, "p.scalefactor"))
     c.columns.size = add(l.size, false);
+  if (solids.carries_corners()) {
+    c.columns.corner_count = 1 << scene.grid.levels.front().active_count();
+    for (int k = 0; k < c.columns.corner_count; ++k) {
+      const int first = add(l.corner[static_cast<std::size_t>(k)], true);
+      if (k == 0) c.columns.corners = first;
+    }
+    c.columns.outer = add(l.outer, false);
+  }
   if (solids.total_lagrangian) c.columns.reference = add(l.reference, false);
   if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
       !solids.manufactured.empty())
@@ -110,7 +118,15 @@ std::array<const double*, 3> places_of(const ParticleSet& set, const Columns& c)
 }
 
 ParticleShape shape_of(const ParticleSet& set, const Columns& c) {
-  return {read_columns<3>(set, c.half), read_columns<9>(set, c.F), read_columns<9>(set, c.size)};
+  return {read_columns<3>(set, c.half), read_columns<9>(set, c.F), read_columns<9>(set, c.size),
+          corners_of(set, c)};
+}
+
+CornerColumns corners_of(const ParticleSet& set, const Columns& c) {
+  CornerColumns to{};
+  for (int n = 0; n < 3 * c.corner_count; ++n)
+    to[static_cast<std::size_t>(n)] = set.column(static_cast<std::size_t>(c.corners + n));
+  return to;
 }
 
 DerivedAttribute scale_factor(const Columns& columns, Vec3 spacing) {

@@ -23,6 +23,9 @@ struct Columns {
   int size = -1;          // 9, edges in the reference state, in cells
   int displacement = -1;  // 3
   int reference = -1;     // 3, place at the start: total Lagrangian
+  int corners = -1;       // 3 for each of corner_count: places of corners that particles carry
+  int corner_count = 0;
+  int outer = -1;  // faces that no particle shared at the start: see outer_face_bit
   int colour = -1;
   int marks = -1;          // 3, loads on the particle: number in the deck plus one; 0: none
   int given_force = -1;    // 3, that a point file gives, N
@@ -58,6 +61,15 @@ std::array<double*, N> write_columns(ParticleSet& set, int first) {
     to[n] = set.column(static_cast<std::size_t>(first) + n);
   return to;
 }
+
+// Which bit of the number in Columns::outer is that of a face: on the low (0) or high (1) side of
+// the a-th active direction, as the particle was at the start.
+constexpr int outer_face_bit(int a, int side) {
+  return 1 << (2 * a + side);
+}
+// Component d of corner c in column 3 c + d; null beyond those that there are.
+using CornerColumns = std::array<const double*, 3 * most_corners>;
+CornerColumns corners_of(const ParticleSet& set, const Columns& columns);
 
 // Places at which shape functions are taken, and what these ask beside.
 std::array<const double*, 3> places_of(const ParticleSet& set, const Columns& columns);

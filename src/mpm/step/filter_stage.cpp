@@ -40,6 +40,7 @@ ParticlesToGrid chunk_of(const BlockWork& w, const Columns& c, std::size_t at,
   go_on(p.shape.half);
   go_on(p.shape.F);
   go_on(p.shape.edges);
+  go_on(p.shape.corners);
   for (std::size_t d = 0; d < 3; ++d) p.v[d] = read.u[d];
   return p;
 }

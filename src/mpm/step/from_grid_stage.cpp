@@ -7,6 +7,7 @@
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/step/artificial_viscosity.hpp"
+#include "mpm/step/carry_corners.hpp"
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -189,6 +190,11 @@ void SolidStep::read_rigid(const BlockWork& w, std::size_t at, int n, bool booke
       report.books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
       report.books.sums[StepSums::work].add(0.5 * impulse * (before[d] + after[d]));
     }
+    for (int k = 0; k < c.corner_count; ++k) {
+      const Vec3 of_corner = motion != nullptr ? motion->at(corner_at(*w.set, c, k, p)) : before;
+      for (int d = 0; d < 3; ++d)
+        report.read.corner[k][d][q] = level_.active[static_cast<std::size_t>(d)] ? of_corner[d] : 0;
+    }
   }
 }
 
@@ -205,6 +211,7 @@ void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std:
                 static_cast<int>(at), n, solids_->transfer == Transfer::apic, report.window,
                 report.read);
   move(*solids_, body, w, at, n, dt, report.read);
+  if (c.corners >= 0) move_corners(body, w, at, n, dt, report.read);
   if (!body.material->rigid) {
     take_outside_forces(w, at, n, report.read, report.books);
     damp(*solids_, body, w, at, n, dt, report.read);
@@ -294,6 +301,11 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       tell(bad, "the deformation gradient of the step turns it inside out, det F", J);
       continue;
     }
+    if (c.corners >= 0)
+      if (const auto fault = deform_to_corners(body, w, at, b, report.read)) {
+        tell(fault->particle, fault->reason, fault->value);
+        continue;
+      }
     if (const auto fault = law.update(b)) {
       tell(fault->particle, fault->reason, fault->value);
       continue;

@@ -1,6 +1,7 @@
 #include "mpm/step/labels.hpp"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace sluice::mpm {
@@ -47,6 +48,15 @@ SolidLabels declare_all() {
                         "shape functions.");
   l.scale_factor =
       declare("p.scalefactor", tensor, "m", "Edges of a particle as it is deformed (columns).");
+  for (std::size_t c = 0; c < l.corner.size(); ++c)
+    l.corner[c] = declare(
+        ("p.corner" + std::to_string(c + 1)).c_str(), vector, "m",
+        "Place of a corner that a particle carries; in the number less one bit a says that it is "
+        "on the high side of the a-th direction of the run.");
+  l.outer = declare("p.outerFaces", real, "1",
+                    "Faces of a particle that no other of its object shared at the start: the sum "
+                    "of 1 and 2 for the low and the high side of the first direction, 4 and 8, 16 "
+                    "and 32 for the others.");
   return l;
 }
 

@@ -3,13 +3,15 @@
 #include <string>
 
 #include "framework/field/label.hpp"
+#include "mpm/transfer/particle_shape.hpp"
 
 namespace sluice::mpm {
 
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
-      scale_factor, heat_source;
+      scale_factor, heat_source, outer;
+  std::array<Label, most_corners> corner;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage or heating give particles this label in some scenes.

@@ -104,6 +104,7 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   if (by_corners(basis)) {
     ParticleShape shape = shape_of(set, c);
     shape.F = read_columns<9>(now, c.F);
+    shape.corners = corners_of(now, c);
     const CornerReach reach =
         corner_reach(basis, grid, shape, static_cast<int>(begin), static_cast<int>(end));
     r.extent = reach.extent;

@@ -109,6 +109,7 @@ void SolidStep::find_nodes_of(BlockWork& w) const {
 
 // Forces from outside at the time of the positions, and the largest on any particle of all ranks.
 void SolidStep::find_outside_forces(const StageScope& scope) {
+  for (Body& body : bodies_) body.corners.clear();
   if (!outside_->any()) return;
   const ParticleCloud& cloud = *scope.particles;
   const std::vector<double>& maxima = scope.maxima->front();
@@ -204,7 +205,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     window.add_to(body.table, body.nodes, team.size() > 1);
     if (surfaces) add_surfaces_of(w, window, team.size() > 1);
   });
-  if (solids_->loads_on_corners) corners_to_grid();
+  corners_to_grid();
   return Verdict::good;
 }
 

@@ -146,6 +146,11 @@ class SolidStep {
   void sum_back(const StageScope& scope, std::span<const KindRates> bounds);
   void finish_back(const StageScope& scope);
 
+  // Between begin() and to_grid(): further forces on corners of this rank's particles, by material;
+  // they go to the nodes around their places with hats. The largest component of all is to be
+  // known before, see SolidLevels::add_corner_forces.
+  void add_corner_forces(int body, std::span<const CornerForce> forces);
+
   Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
   const NodeExchange& exchange() const { return *exchange_; }
   // After from_grid(): what the next step rests on, and how far particles went.

@@ -58,6 +58,11 @@ double SolidStep::find_corners(int kind) {
   return most;
 }
 
+void SolidStep::add_corner_forces(int m, std::span<const CornerForce> forces) {
+  std::vector<CornerForce>& all = body(m).corners;
+  all.insert(all.end(), forces.begin(), forces.end());
+}
+
 // With hat functions at the corners, whatever the basis.
 void SolidStep::corners_to_grid() {
   for (Body& body : bodies_)
@@ -100,6 +105,11 @@ void SolidStep::jump(const BlockWork& w, std::size_t at, int n, bool& left) cons
       for (int d = 0; d < 3; ++d) {
         (w.next->coordinate(d) + at)[q] += i.way[d];
         (w.next->column(static_cast<std::size_t>(c.velocity + d)) + at)[q] = i.velocity[d];
+        const double way = bodies_[static_cast<std::size_t>(w.kind)]
+                               .grid.axes[static_cast<std::size_t>(d)]
+                               .rounded(i.way[d]);
+        for (int k = 0; k < c.corner_count; ++k)
+          (w.next->column(static_cast<std::size_t>(c.corners + 3 * k + d)) + at)[q] += way;
       }
       left = true;  // of its block at least
     }

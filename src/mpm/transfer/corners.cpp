@@ -124,9 +124,32 @@ void spread(const TransferGrid& grid, const Edges<D>& E, const Edges<D>& inverse
   }
 }
 
+// Of corners that particles carry: from their middle, which is the place of the particle.
+template <int D>
+void carried_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n,
+                  Corners<D, false>& to) {
+  double inverse[D];
+  for (int a = 0; a < D; ++a)
+    inverse[a] =
+        grid.axes[static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)])].inverse;
+  for (int q = 0; q < n; ++q) {
+    CornerVolume<D> v;
+    read_carried<D>(shape.corners, grid.active, static_cast<std::size_t>(at + q), v.x);
+    v.find();
+    const double share = 1 / v.volume;
+    for (int c = 0; c < to.count; ++c)
+      for (int a = 0; a < D; ++a) {
+        to.way[c][a][q] = v.x[c][a] * inverse[a];
+        to.slope[c][a][q] = v.b[c][a] * share;
+      }
+  }
+}
+
 template <int D, bool Tetrahedron>
 void find_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n,
                Corners<D, Tetrahedron>& to) {
+  if constexpr (!Tetrahedron)
+    if (shape.corners[0] != nullptr) return carried_ways(grid, shape, at, n, to);
   alignas(64) Edges<D> edges, inverse;
   find_edges<D>(grid, shape, at, n, edges);
   if (!Tetrahedron && grid.corner_limit < 1e300)
@@ -176,8 +199,12 @@ void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& 
       const double* way = to.way[c][a];
       double* s = to.s[c][a];
       int* first = to.first[c][a];
+      const double* corner = shape.corners[static_cast<std::size_t>(3 * c) + d];
       for (int q = 0; q < n; ++q) {
-        const double u = axis.place(places[q]) + way[q], middle = nearest_middle(axis, u);
+        // Corners of neighbours that have the same bits have the same weights, to the bit.
+        const double u =
+            corner != nullptr ? axis.place(corner[at + q]) : axis.place(places[q]) + way[q];
+        const double middle = nearest_middle(axis, u);
         s[q] = u - middle;
         first[q] = static_cast<int>(middle - 0.5 + axis.first);
       }

@@ -13,8 +13,11 @@
 // have no extent. Half diagonals longer than TransferGrid::corner_limit are cut to it, each for
 // itself, and the edges follow from the diagonals (M. A. Homel, R. M. Brannon, J. Guilkey, IJNME
 // 107 (2016) 31). Mirror images have mirrored bits: sums over corners go by pairs (corner_sum).
+//
+// Particles that carry their corners (corner_volume.hpp): S_i as above with x_c, al_c = b_c/V.
 #pragma once
 #include "mpm/shape/weights.hpp"
+#include "mpm/transfer/corner_volume.hpp"
 #include "mpm/transfer/particle_shape.hpp"
 
 namespace sluice::mpm {
@@ -34,20 +37,6 @@ struct Corners {
 template <int D, bool Tetrahedron>
 void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& x,
                   const ParticleShape& shape, int at, int n, Corners<D, Tetrahedron>& to);
-
-// A sum over corners whose mirror image has the mirrored bits.
-template <int N, class T>
-inline T corner_sum(const T (&v)[N]) {
-  if constexpr (N == 1) {
-    return v[0];
-  } else if constexpr (N == 2) {
-    return v[0] + v[1];
-  } else if constexpr (N == 4) {
-    return (v[0] + v[1]) + (v[2] + v[3]);
-  } else {
-    return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
-  }
-}
 
 // How far particles begin to end - 1 reach, and how steep their shape functions are.
 struct CornerReach {

@@ -47,6 +47,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
     low[a] = window.lower()[d];
   }
   const std::int64_t* nodes = window.at(0, 0, 0);
+  const bool carried = shape.corners[0] != nullptr;
   for (int q = 0; q < n; ++q) {
     Four velocity[Corner::count], change[Corner::count];
     for (int c = 0; c < Corner::count; ++c) {
@@ -58,6 +59,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
       }
       const Values v = at_corner<D>(node, stride, s);
       velocity[c] = v.velocity;
+      for (int e = 0; e < 3 && carried; ++e) to.corner[c][e][q] = v.velocity[e];
       change[c] = v.change;
     }
     const Four u = corner_sum(velocity) * Corner::share, dv = corner_sum(change) * Corner::share;
