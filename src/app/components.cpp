@@ -12,6 +12,7 @@
 #include "mpm/deck/schema.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
+#include "mpmice/mpmice.hpp"
 
 namespace sluice {
 namespace {
@@ -34,11 +35,26 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
   return component;
 }
 
+std::unique_ptr<Component> make_mpmice(const Deck& deck, const Scene& scene,
+                                       std::vector<Fault>& faults) {
+  ice::IceScene fluid = ice::read_ice_scene(deck, scene, faults);
+  mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  mpm::check_seeds(solids, scene.grid, faults);
+  if (any_error(faults)) return nullptr;
+  auto component = std::make_unique<mpmice::MpmIce>(scene, std::move(fluid), std::move(solids));
+  component->solids().warn_of_absent_labels(faults);
+  return component;
+}
+
 constexpr ComponentKind kinds[] = {
     // type  tags          made by
     {"ice", add_ice_tags, make_ice},
     {"mpm", mpm::add_mpm_tags, make_mpm},
     {"amrmpm", nullptr, make_mpm},
+    {"mpmice", nullptr, make_mpmice},
+    {"rmpmice", nullptr, make_mpmice},
+    {"rigidmpmice", nullptr, make_mpmice},
     // Examples of components: docs/your_own_component.md.
     {"poisson1", examples::add_poisson_tags, examples::make_poisson},
     {"benchmark", nullptr, examples::make_poisson},

@@ -129,6 +129,17 @@ void need_sums(const Scene& scene, HistorySums& sums) {
   }
 }
 
+bool is_history(Label label) {
+  const Histories& h = histories();
+  for (const Label own : {h.mass, h.kinetic, h.strain, h.all_strain, h.heat, h.volume, h.count,
+                          h.momentum, h.centre, h.velocity, h.reaction, h.torque, h.transmitted})
+    if (label == own) return true;
+  for (const SideHistories& s : h.sides)
+    if (label == s.force || label == s.traction || label == s.area || label == s.cell_area)
+      return true;
+  return false;
+}
+
 double history_of(Label label, const Totals& totals, const HistorySums& sums) {
   const Histories& h = histories();
   if (label == h.mass) return total_mass(totals);

@@ -31,10 +31,13 @@ void Mpm::warn_of_absent_labels(std::vector<Fault>& faults) const {
                       "is saved of it");
 }
 
+std::shared_ptr<SolidLevels> Mpm::make_step() const {
+  return std::make_shared<SolidLevels>(scene_, solids_, particles_.carried(), particles_.kinds());
+}
+
 // The step, as a table.
 void Mpm::shape_step(StepShape& shape) const {
-  const auto step =
-      std::make_shared<SolidLevels>(scene_, solids_, particles_.carried(), particles_.kinds());
+  const auto step = make_step();
   const auto stage = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
     shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
   };
@@ -110,6 +113,10 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
       }
   }
   if (history_sums_.any()) history_sums_.add(cloud, particles_.carried(), totals);
+}
+
+bool Mpm::has_history(Label label) const {
+  return is_history(label);
 }
 
 double Mpm::history_value(Label label, const Totals& totals) const {

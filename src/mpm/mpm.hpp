@@ -10,6 +10,8 @@
 
 namespace sluice::mpm {
 
+class SolidLevels;
+
 class Mpm final : public Component {
  public:
   Mpm(const Scene& scene, MpmScene solids);
@@ -22,6 +24,11 @@ class Mpm final : public Component {
   int material_count() const override { return static_cast<int>(solids_.materials.size()); }
 
   const ParticleMethod* particles() const override { return &particles_; }
+  const MpmScene& scene() const { return solids_; }
+  const std::vector<Carried>& carried() const { return particles_.carried(); }
+  // The stages of a step, for components that join them with others.
+  std::shared_ptr<SolidLevels> make_step() const;
+  bool has_history(Label label) const;
   void shape_step(StepShape& shape) const override;
   int reduction_maxima() const override;
   int reduction_sums() const override;

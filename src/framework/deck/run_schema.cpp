@@ -75,12 +75,14 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "amrmpm", "poisson1", "poisson2", "poisson3",
+                     .words({"ice", "mpm", "amrmpm", "mpmice", "rmpmice", "rigidmpmice", "poisson1", "poisson2", "poisson3",
                              "solvertest", "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")
                      .spelling("AMRmpm", "amrmpm")
+                     .spelling("MPMICE", "mpmice")
+                     .spelling("RIGIDMPMICE", "rigidmpmice")
                      .spelling("POISSON1", "poisson1")
                      .spelling("POISSON2", "poisson2")
                      .spelling("POISSON3", "poisson3")
@@ -102,8 +104,6 @@ TagSpec component() {
                                  "heat",
                                  "impm",
                                  "IMPM",
-                                 "mpmice",
-                                 "MPMICE",
                                  "mpnp",
                                  "particletest",
                                  "PARTICLETEST",
@@ -117,9 +117,6 @@ TagSpec component() {
                                  "regriddertest",
                                  "REGRIDDERTEST",
                                  "RMCRT_Test",
-                                 "rmpmice",
-                                 "rigidmpmice",
-                                 "RIGIDMPMICE",
                                  "rmpm",
                                  "rigidmpm",
                                  "RIGIDMPM",

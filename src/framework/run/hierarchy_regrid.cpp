@@ -156,8 +156,12 @@ void Hierarchy::measure_rates(int levels_before) {
     maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
   }
   if (particles_ == nullptr || !component_->particles()->in_stages()) return;
-  for (int l = 0; l < level_count(); ++l)
-    maxima_[static_cast<std::size_t>(l)] = particles_->rates(l);
+  for (int l = 0; l < level_count(); ++l) {
+    std::vector<double>& maxima = maxima_[static_cast<std::size_t>(l)];
+    const std::vector<double> own = particles_->rates(l);
+    maxima.resize(std::max(maxima.size(), own.size()));
+    std::copy(own.begin(), own.end(), maxima.begin());
+  }
 }
 
 void Hierarchy::initialise() {

@@ -158,7 +158,11 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     double travel = 0;
     bool left = false;
     for (int l = 0; l < count(); ++l) {
-      (*maxima)[static_cast<std::size_t>(l)] = level(l).new_rates();
+      // Those of other parts of a component come after.
+      std::vector<double>& all = (*maxima)[static_cast<std::size_t>(l)];
+      const std::vector<double>& own = level(l).new_rates();
+      all.resize(std::max(all.size(), own.size()));
+      std::copy(own.begin(), own.end(), all.begin());
       travel = std::max(travel, level(l).travel());
       left |= level(l).any_left();
     }

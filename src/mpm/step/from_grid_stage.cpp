@@ -346,6 +346,18 @@ Verdict SolidStep::from_grid(const StageScope& scope) {
   return conclude(scope, reports);
 }
 
+void SolidStep::include_velocities(int body, Vec3 up, Vec3 down) {
+  const auto own = std::span(new_rates_)
+                       .subspan(1 + static_cast<std::size_t>(body * KindRates::count),
+                                static_cast<std::size_t>(KindRates::count));
+  KindRates rates = KindRates::from(own);
+  for (int d = 0; d < 3; ++d) {
+    rates.up[d] = std::max(rates.up[d], up[d]);
+    rates.down[d] = std::max(rates.down[d], down[d]);
+  }
+  rates.to(own);
+}
+
 // What all ranks agree upon: maxima of the next step, faults, sums.
 Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& reports) {
   ThreadReport& all = reports.front();

@@ -153,6 +153,8 @@ class SolidStep {
 
   Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
   const NodeExchange& exchange() const { return *exchange_; }
+  // After from_grid(): velocities were changed further; bounds of those of a body (all ranks').
+  void include_velocities(int body, Vec3 up, Vec3 down);
   // After from_grid(): what the next step rests on, and how far particles went.
   const std::vector<double>& new_rates() const { return new_rates_; }
   double travel() const { return travel_; }  // cells

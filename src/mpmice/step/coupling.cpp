@@ -30,7 +30,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     SolidSet<D> s;
     s.columns = &solids.carried()[static_cast<std::size_t>(k)].columns;
     s.set = &set;
-    find_faces(frame, s, false);
+    find_faces<D>(frame, s, false);
     if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
   }
   SolidInCells<D> found;

@@ -22,6 +22,8 @@ class Coupling {
   // Behind the sweep: cells with little fluid share with their neighbours, fluid and solids
   // exchange momentum and heat, amounts become the state of the fluid.
   virtual Verdict finish_cells(const StageScope& scope) = 0;
+  // Once the fluid's state is taken over: what these cells allow the next step.
+  virtual Verdict limit_step(const StageScope& scope) = 0;
 };
 
 // Of a level with one, two or three active directions.

@@ -66,11 +66,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   sums.reach(frame_.box);
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
-    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.next);
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       const double share = m[p] / most_mass / (1 << D);
-      for_each_part(frame_, x, *s.next, p, [&](std::size_t cell) {
+      for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
         sums.lane(0)[cell] += to_sum(share);
         sums.lane(1)[cell] += to_sum(share * (column(s, s.columns->temperature)[p] / most_T));
         for (int d = 0; d < D; ++d)
@@ -129,7 +129,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   if (rigid) return;
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
-    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.next);
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
     std::array<double*, D> v;
     for (std::size_t d = 0; d < D; ++d)
@@ -137,7 +137,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       std::array<double, D> kick{};
       double heat = 0, energy = 0;  // per mass
-      for_each_part(frame_, x, *s.next, p, [&](std::size_t cell) {
+      for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
         for (std::size_t d = 0; d < D; ++d) kick[d] += dv[d][cell] / (1 << D);
         heat += warm[cell] / (1 << D);
         if (gain[cell] != 0)
@@ -151,6 +151,35 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       if (c_s > 0) T[p] += energy / c_s;
     }
   }
+  bound_velocities(scope, kind);
+}
+
+// Velocities have changed: sums of the next step must have room for them.
+template <int D>
+void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
+  Vec3 up{-1e300, -1e300, -1e300}, down = up;
+  for (const SolidSet<D>& s : sets_) {
+    if (s.kind != kind) continue;
+    for (int d = 0; d < 3; ++d) {
+      const double* v = s.next->column(static_cast<std::size_t>(s.columns->velocity + d));
+      for (std::size_t p = 0; p < s.set->size(); ++p) {
+        up[d] = std::max(up[d], v[p]);
+        down[d] = std::max(down[d], -v[p]);
+      }
+    }
+  }
+  Reduction all;
+  std::array<Reduction::Maximum, 6> slots;
+  for (std::size_t d = 0; d < 3; ++d) {
+    slots[2 * d] = all.add_maximum(up[static_cast<int>(d)]);
+    slots[2 * d + 1] = all.add_maximum(down[static_cast<int>(d)]);
+  }
+  scope.ranks->reduce(all);
+  for (std::size_t d = 0; d < 3; ++d) {
+    up[static_cast<int>(d)] = all.maximum(slots[2 * d]);
+    down[static_cast<int>(d)] = all.maximum(slots[2 * d + 1]);
+  }
+  step_->level(0).include_velocities(kind, up, down);
 }
 
 template void LevelCoupling<1>::exchange(const StageScope&);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ice/step/step_bounds.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
 #include "mpmice/step/redistribute.hpp"
@@ -138,7 +139,7 @@ template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   gather(scope);
   Cell<D> stuck{};
-  if (!redistribute(frame_, fields_, amounts_, stuck)) {
+  if (!redistribute<D>(frame_, fields_, amounts_, stuck)) {
     const IntVec3 at = frame_.index(stuck);
     *scope.reason = fmt::format(
         "solids close cell [{}, {}, {}], and no cell beside it can take the fluid that it holds",
@@ -152,6 +153,41 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   return Verdict::good;
 }
 
+// Rates of sound and flow in cells that solids touch; the sweep has rated the others.
+template <int D>
+Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
+  const ice::SchemeOptions& o = fluid_->options();
+  const ice::Fluid& law = o.fluids.front();
+  double deck = 0, flow = 0, sound = 0;
+  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+    if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
+    const double c = law.sound_speed(rho_[i], law.pressure(rho_[i], energy_[i]));
+    double sum = 0, all = 0;
+    for (std::size_t a = 0; a < D; ++a) {
+      const double inverse = 1 / frame_.spacing[o.axes.direction[a]];
+      const double u = std::fabs(momentum_[a][i] / rho_[i]);
+      deck = std::max(deck, (u + o.sound_speed_knob * c) * inverse);
+      sound = std::max(sound, (u + c) * inverse);
+      sum += (u + c) * inverse;
+      all += u * inverse;
+    }
+    if (D > 1) sound = std::max(sound, ice::sound_sum_share(o) * sum);
+    flow = std::max(flow, all);
+  });
+  std::vector<double>& maxima = scope.maxima->front();
+  const auto include = [&](int slot, double rate) {
+    double& own = maxima[static_cast<std::size_t>(o.places.maximum + slot)];
+    own = std::max(own, rate);
+  };
+  include(ice::StepSlots::deck_rate, deck);
+  include(ice::StepSlots::flow_rate, flow);
+  include(ice::StepSlots::sound_rate, sound);
+  return Verdict::good;
+}
+
+template Verdict LevelCoupling<1>::limit_step(const StageScope&);
+template Verdict LevelCoupling<2>::limit_step(const StageScope&);
+template Verdict LevelCoupling<3>::limit_step(const StageScope&);
 template Verdict LevelCoupling<1>::finish_cells(const StageScope&);
 template Verdict LevelCoupling<2>::finish_cells(const StageScope&);
 template Verdict LevelCoupling<3>::finish_cells(const StageScope&);

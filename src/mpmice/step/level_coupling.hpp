@@ -19,6 +19,7 @@ class LevelCoupling final : public Coupling {
   Verdict press_on_solids(const StageScope& scope) override;
   Verdict find_swept_volumes(const StageScope& scope) override;
   Verdict finish_cells(const StageScope& scope) override;
+  Verdict limit_step(const StageScope& scope) override;
 
  private:
   void list_sets(const StageScope& scope);
@@ -30,6 +31,7 @@ class LevelCoupling final : public Coupling {
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u);
   void fill_dry_pressures();
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
+  void bound_velocities(const StageScope& scope, int kind);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);

@@ -163,8 +163,8 @@ bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmoun
   return true;
 }
 
-template bool redistribute(const Frame<1>&, const SolidFields<1>&, CellAmounts<1>&, Cell<1>&);
-template bool redistribute(const Frame<2>&, const SolidFields<2>&, CellAmounts<2>&, Cell<2>&);
-template bool redistribute(const Frame<3>&, const SolidFields<3>&, CellAmounts<3>&, Cell<3>&);
+template bool redistribute<1>(const Frame<1>&, const SolidFields<1>&, CellAmounts<1>&, Cell<1>&);
+template bool redistribute<2>(const Frame<2>&, const SolidFields<2>&, CellAmounts<2>&, Cell<2>&);
+template bool redistribute<3>(const Frame<3>&, const SolidFields<3>&, CellAmounts<3>&, Cell<3>&);
 
 }  // namespace sluice::mpmice

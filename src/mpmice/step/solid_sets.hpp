@@ -42,10 +42,10 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved) {
   std::vector<std::uint8_t> outer(s.set->size());
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < outer.size(); ++p) outer[p] = static_cast<std::uint8_t>(bits[p]);
-  const CornerColumns<D> from = corner_columns(frame, *s.columns, *s.set);
+  const CornerColumns<D> from = corner_columns<D>(frame, *s.columns, *s.set);
   s.faces.clear();
   if (moved) {
-    const CornerColumns<D> to = corner_columns(frame, *s.columns, *s.next);
+    const CornerColumns<D> to = corner_columns<D>(frame, *s.columns, *s.next);
     s.faces.add(from, &to, outer.data(), outer.size(), units);
   } else {
     s.faces.add(from, nullptr, outer.data(), outer.size(), units);

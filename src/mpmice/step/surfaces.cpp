@@ -70,7 +70,7 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
 template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
-  for (SolidSet<D>& s : sets_) find_faces(frame_, s, false);
+  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
   mean_over_surfaces(scope);
   find_pressures(scope);
@@ -132,7 +132,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           const double A = size * piece.s;
           sums.lane(area)[c] += to_sum(A);
           sums.lane(pressure)[c] +=
-              to_sum(A * (pressure_along(frame_, stress, p, unit) / scale.pressure));
+              to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
           sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
           for (int a = 0; a < D; ++a) {
             const double u = s.set->column(static_cast<std::size_t>(

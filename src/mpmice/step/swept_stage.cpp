@@ -9,7 +9,7 @@ namespace sluice::mpmice {
 
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
-  for (SolidSet<D>& s : sets_) find_faces(frame_, s, true);
+  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   swept_.begin(frame_.box);
   for (const SolidSet<D>& s : sets_)
@@ -49,7 +49,7 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
   sums.begin(frame_.box, 1 + D);
   sums.reach(frame_.box);
   for (const SolidSet<D>& s : sets_) {
-    const CornerColumns<D> x = corner_columns(frame_, *s.columns, *s.set);
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.set);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       const std::uint64_t share = to_sum(m[p] / most_mass / (1 << D));
@@ -57,7 +57,7 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
       for (std::size_t a = 0; a < D; ++a)
         moving[a] = to_sum(m[p] / most_mass / (1 << D) *
                            (speed(s, p, frame_.direction[a]) / most_speed));
-      for_each_part(frame_, x, *s.set, p, [&](std::size_t cell) {
+      for_each_part<D>(frame_, x, *s.set, p, [&](std::size_t cell) {
         sums.lane(0)[cell] += share;
         for (std::size_t a = 0; a < D; ++a) sums.lane(1 + static_cast<int>(a))[cell] += moving[a];
       });
