@@ -1,5 +1,6 @@
 #include "mpm/mpm.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "framework/deck/faults.hpp"
@@ -88,8 +89,9 @@ void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage
   totals.amounts.resize(static_cast<std::size_t>(history_sums_.count()));
 }
 
+// Fluids of another part may come after the solids.
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
-  totals.mass.resize(solids_.materials.size());
+  totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
   for (int k = 0; k < cloud.kind_count(); ++k) {
     const ParticleStore& store = cloud.store(k);
     const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;

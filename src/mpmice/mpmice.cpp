@@ -21,6 +21,7 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 // The coupling takes particles that carry their corners, whatever basis the deck names.
 mpm::MpmScene with_corners(mpm::MpmScene solids) {
   solids.carry_corners();
+  solids.whole_kicks = true;
   return solids;
 }
 

@@ -281,7 +281,8 @@ void drop_register_labels(DeckNode& root, std::vector<Fault>& faults) {
 
 // Models bring variables of their own.
 void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
-  if (!runs_ice(root) || !models::all_built(root)) return;
+  // With solids the run knows their labels too, and checks all of them.
+  if (!runs_ice(root) || solids_beside_ice(root) > 0 || !models::all_built(root)) return;
   SaveLabels savable = ice_save_labels();
   for (std::string& label : models::save_labels(root)) savable.built.push_back(std::move(label));
   check_save_labels(std::move(savable))(root, faults);

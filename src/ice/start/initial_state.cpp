@@ -25,18 +25,50 @@ namespace {
 // Share by which the density at the reference pressure may differ from that of the deck.
 constexpr double density_tolerance = 0.02;
 
-void apply_objects(const IceMaterial& m, const Level& level, PrimitiveFill& fill) {
+void take_values(const GeomObject& o, std::size_t n, PrimitiveFill& fill) {
+  fill.density[n] = o.value("density");
+  fill.temperature[n] = o.value("temperature");
+  for (int d = 0; d < 3; ++d) fill.velocity[d][n] = o.velocity[d];
+}
+
+// Cells that solids fill need no fluid; what there is of it beside a surface is that of the cells
+// around, and a state that nobody sees is that of the first object.
+void fill_beside_solids(const IceMaterial& m, const Level& level, std::vector<char>& covered,
+                        PrimitiveFill& fill) {
+  constexpr int farthest = 3;
+  std::size_t n = 0;
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    if (covered[n++]) return;
+    const GeomObject* found = &m.objects.front();
+    for (int reach = 1; reach <= farthest; ++reach) {
+      IndexBox around{c - level.ghosts(reach), c + level.ghosts(reach) + IntVec3{1, 1, 1}};
+      around = intersection(around, level.domain);
+      const GeomObject* last = nullptr;
+      for (const GeomObject& o : m.objects) {
+        const std::vector<std::int32_t> inside = count_inside(o, level, around);
+        if (std::any_of(inside.begin(), inside.end(), [](auto count) { return count > 0; }))
+          last = &o;
+      }
+      if (last == nullptr) continue;
+      found = last;
+      break;
+    }
+    take_values(*found, n - 1, fill);
+  });
+}
+
+void apply_objects(const IceMaterial& m, bool with_solids, const Level& level,
+                   PrimitiveFill& fill) {
   std::vector<char> covered(fill.density.size(), 0);
   for (const GeomObject& o : m.objects) {
     const std::vector<std::int32_t> inside = count_inside(o, level, fill.cells);
     for (std::size_t n = 0; n < inside.size(); ++n) {
       if (inside[n] == 0) continue;
       covered[n] = 1;
-      fill.density[n] = o.value("density");
-      fill.temperature[n] = o.value("temperature");
-      for (int d = 0; d < 3; ++d) fill.velocity[d][n] = o.velocity[d];
+      take_values(o, n, fill);
     }
   }
+  if (with_solids && !m.objects.empty()) return fill_beside_solids(m, level, covered, fill);
   std::size_t n = 0;
   for_each_cell(fill.cells, [&](IntVec3 c) {
     if (covered[n++]) return;
@@ -244,7 +276,7 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
                               const Level& level, const IndexBox& cells) {
   PrimitiveFill fill;
   size_fill(cells_to_fill(scene, constants, level, cells), fill);
-  apply_objects(material, level, fill);
+  apply_objects(material, scene.solids > 0, level, fill);
   apply_mixture(scene.models, material.index, level, fill);
   apply_starts(scene, constants, material, coarsest, level, fill);
   if (is_hydrostatic(scene, constants))

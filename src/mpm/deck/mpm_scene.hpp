@@ -145,6 +145,9 @@ struct MpmScene {
   double least_particle_mass = 3e-15;
   bool with_colour = false;
   bool full_first_kick = false;
+  // Velocities stand at the time of the places, and each step changes them by its own length: what
+  // a fluid gives to solids in a step is then what they get.
+  bool whole_kicks = false;
   std::string manufactured;           // RunMMSProblem
   double manufactured_amplitude = 0;  // 0: that of the problem
   std::vector<std::string> traction_faces;

@@ -134,8 +134,9 @@ void SolidStep::prescribe(const Matrix3& G, int m, int block) {
 Verdict SolidStep::move_nodes(const StageScope& scope) {
   NodeStep step;
   step.dt = scope.step.dt;
-  step.kick = solids_->full_first_kick && scope.dt_before == 0 ? step.dt
-                                                               : 0.5 * (scope.dt_before + step.dt);
+  const bool whole =
+      solids_->whole_kicks || (solids_->full_first_kick && scope.dt_before == 0);
+  step.kick = whole ? step.dt : 0.5 * (scope.dt_before + step.dt);
   for (int d = 0; d < 3; ++d)
     if (level_.active[static_cast<std::size_t>(d)]) step.gravity[d] = scene_->constants.gravity[d];
   step.damping = solids_->damping;

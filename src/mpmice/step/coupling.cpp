@@ -54,7 +54,10 @@ LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
       fluid_(&fluid),
       solids_(&solids),
       step_(std::move(step)),
-      shock_slope_(fluid.options().fluids.front().shock_slope()) {}
+      shock_slope_(fluid.options().fluids.front().shock_slope()) {
+  if (!solids.scene().materials.empty())
+    reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
+}
 
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
                                         const mpm::Mpm& solids,

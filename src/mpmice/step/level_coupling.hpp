@@ -56,7 +56,7 @@ class LevelCoupling final : public Coupling {
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;
-  double shock_slope_ = 1;
+  double shock_slope_ = 1, reference_pressure_ = 0;
   std::vector<SolidSet<D>> sets_;
   SolidFields<D> fields_;
   SolidSums<D> geometry_;

@@ -95,7 +95,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
-    const double pw = p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] - p);
+    const double pw = p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
     fields_.wall_pressure[i] = p > 0 ? std::max(pw, least_share * p) : pw;
   });
 }
@@ -126,14 +126,16 @@ void LevelCoupling<D>::fill_dry_pressures() {
   }
 }
 
-// On corners of the outer faces: -p_w n m_k of each piece.
+// On corners of the outer faces: -(p_w - p_ref) n m_k of each piece. Solids are free of stress at
+// the reference pressure of the deck.
 template <int D>
 std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
   std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
   for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
-                      const double p = fields_.wall_pressure[frame_.box.index(
-                          frame_.inside(piece.cell))];
+                      const double p =
+                          fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
+                          reference_pressure_;
                       for (std::size_t d = 0; d < D; ++d) {
                         std::array<double, D> moments = piece.m;
                         for (double& m : moments)
