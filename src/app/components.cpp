@@ -40,6 +40,9 @@ std::unique_ptr<Component> make_mpmice(const Deck& deck, const Scene& scene,
   ice::IceScene fluid = ice::read_ice_scene(deck, scene, faults);
   mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
   if (any_error(faults)) return nullptr;
+  // Rigid solids, whatever laws the deck gives them.
+  if (deck.root->child("SimulationComponent")->attribute("type") != "mpmice")
+    for (mpm::SolidMaterial& m : solids.materials) m.rigid = true;
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
   auto component = std::make_unique<mpmice::MpmIce>(scene, std::move(fluid), std::move(solids));

@@ -45,7 +45,8 @@ bool Ice::diffusive() const {
 }
 
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
-  ice::measure_rates(state, fluid_.at_level(state.level().index), {rates, {}});
+  const ice::SchemeOptions o = fluid_.at_level(state.level().index);
+  ice::measure_rates(state, o, {rates, o.places.of_reductions()});
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
