@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "framework/grid/index_box.hpp"
+
 namespace sluice::mpmice {
 
 template <int D>
@@ -60,6 +62,17 @@ struct CellBox {
 
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
+
+// The cells of a box in its active directions, of which the first D of `active` are taken.
+template <int D>
+CellBox<D> cell_box(const IndexBox& box, const std::array<int, 3>& active) {
+  CellBox<D> to;
+  for (std::size_t d = 0; d < D; ++d) {
+    to.lower[d] = box.lower[active[d]];
+    to.upper[d] = box.upper[active[d]];
+  }
+  return to;
+}
 
 // act(first, n): where the rows along x of the cells of `part` begin in an array over `box`, the
 // highest along direction d first (rows along x are whole), and how many cells they have.

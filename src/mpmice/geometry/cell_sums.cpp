@@ -11,6 +11,26 @@
 namespace sluice::mpmice {
 
 template <int D>
+CellBox<D> box_of_all(const CellBox<D>& mine, Communicator& ranks) {
+  Reduction ends;
+  std::array<Reduction::Minimum, D> low;
+  std::array<Reduction::Maximum, D> high;
+  const bool none = mine.empty();
+  for (std::size_t d = 0; d < D; ++d) {
+    low[d] = ends.add_minimum(none ? std::numeric_limits<int>::max() : mine.lower[d]);
+    high[d] = ends.add_maximum(none ? std::numeric_limits<int>::min() : mine.upper[d]);
+  }
+  ranks.reduce(ends);
+  CellBox<D> box;
+  if (ends.minimum(low[0]) > ends.maximum(high[0])) return box;  // all are empty
+  for (std::size_t d = 0; d < D; ++d) {
+    box.lower[d] = static_cast<int>(ends.minimum(low[d]));
+    box.upper[d] = static_cast<int>(ends.maximum(high[d]));
+  }
+  return box;
+}
+
+template <int D>
 void CellSums<D>::begin(const CellBox<D>& box, int lanes) {
   box_ = box;
   reached_ = {};
@@ -40,21 +60,7 @@ template <int D>
 void CellSums<D>::sum_over_ranks(Communicator& ranks) {
   if (ranks.size() == 1) return;
   ranks.sum(sums_.data(), sums_.size());
-  // The box of all, where an empty one counts for nothing.
-  Reduction ends;
-  std::array<Reduction::Minimum, D> low;
-  std::array<Reduction::Maximum, D> high;
-  const bool none = reached_.empty();
-  for (std::size_t d = 0; d < D; ++d) {
-    low[d] = ends.add_minimum(none ? std::numeric_limits<int>::max() : reached_.lower[d]);
-    high[d] = ends.add_maximum(none ? std::numeric_limits<int>::min() : reached_.upper[d]);
-  }
-  ranks.reduce(ends);
-  for (std::size_t d = 0; d < D; ++d) {
-    if (ends.minimum(low[d]) > ends.maximum(high[d])) return;  // no rank has a facet
-    reached_.lower[d] = static_cast<int>(ends.minimum(low[d]));
-    reached_.upper[d] = static_cast<int>(ends.maximum(high[d]));
-  }
+  reached_ = box_of_all<D>(reached_, ranks);
 }
 
 template <int D>
@@ -81,6 +87,9 @@ void CellSums<D>::values(int lane_of, std::vector<double>& to) const {
   });
 }
 
+template CellBox<1> box_of_all<1>(const CellBox<1>&, Communicator&);
+template CellBox<2> box_of_all<2>(const CellBox<2>&, Communicator&);
+template CellBox<3> box_of_all<3>(const CellBox<3>&, Communicator&);
 template class CellSums<1>;
 template class CellSums<2>;
 template class CellSums<3>;

@@ -30,6 +30,10 @@ inline double from_sum(std::uint64_t sum) {
   return static_cast<double>(static_cast<std::int64_t>(sum)) * (1 / sum_unit);
 }
 
+// Collective: the smallest box around those of all ranks; empty ones count for nothing.
+template <int D>
+CellBox<D> box_of_all(const CellBox<D>& mine, Communicator& ranks);
+
 // Lanes of integers over the cells of a box.
 template <int D>
 class CellSums {

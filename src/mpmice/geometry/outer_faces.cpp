@@ -7,14 +7,20 @@
 namespace sluice::mpmice {
 namespace {
 
+// The corners of faces begin to end - 1, one column after the other.
 template <int D>
-void put(typename OuterFaces<D>::Places& to, const CornerColumns<D>& x, const CellUnits<D>& units,
-         int face, std::size_t p) {
-  for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
-    const auto& corner = x[face_corners<D>[static_cast<std::size_t>(face)][k]];
-    for (std::size_t d = 0; d < D; ++d)
-      to[k][d].push_back((corner[d][p] - units.origin[d]) * units.inverse[d]);
-  }
+void put(typename OuterFaces<D>::Places& to, const OuterFaces<D>& faces, std::size_t begin,
+         const CornerColumns<D>& x, const CellUnits<D>& units, std::uint32_t first) {
+  const std::size_t end = faces.size();
+  for (std::size_t k = 0; k < corners_of_face<D>; ++k)
+    for (std::size_t d = 0; d < D; ++d) {
+      std::vector<double>& column = to[k][d];
+      column.resize(end);
+      for (std::size_t i = begin; i < end; ++i) {
+        const double* corner = x[face_corners<D>[faces.face[i]][k]][d];
+        column[i] = (corner[faces.particle[i] - first] - units.origin[d]) * units.inverse[d];
+      }
+    }
 }
 
 }  // namespace
@@ -30,15 +36,16 @@ void OuterFaces<D>::clear() {
 
 template <int D>
 void OuterFaces<D>::add(const CornerColumns<D>& from, const CornerColumns<D>* to,
-                        const std::uint8_t* outer, std::size_t n, const CellUnits<D>& units) {
+                        const std::uint8_t* outer, std::size_t n, const CellUnits<D>& units,
+                        std::uint32_t first) {
+  const std::size_t begin = size();
   for (std::size_t p = 0; p < n; ++p)
     for (unsigned bits = outer[p]; bits != 0; bits &= bits - 1) {
-      const int f = std::countr_zero(bits);
-      put<D>(start, from, units, f, p);
-      put<D>(end, to != nullptr ? *to : from, units, f, p);
-      particle.push_back(static_cast<std::uint32_t>(p));
-      face.push_back(static_cast<std::uint8_t>(f));
+      particle.push_back(first + static_cast<std::uint32_t>(p));
+      face.push_back(static_cast<std::uint8_t>(std::countr_zero(bits)));
     }
+  put<D>(start, *this, begin, from, units, first);
+  put<D>(end, *this, begin, to != nullptr ? *to : from, units, first);
 }
 
 template <int D>

@@ -41,10 +41,11 @@ struct OuterFaces {
 
   std::size_t size() const { return face.size(); }
   void clear();  // keeps its memory
-  // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`. Without `to` the
-  // corners do not move.
+  // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`; they are numbered from
+  // `first` on. Without `to` the corners do not move.
   void add(const CornerColumns<D>& from, const CornerColumns<D>* to, const std::uint8_t* outer,
-           std::size_t n, const CellUnits<D>& units = CellUnits<D>::none());
+           std::size_t n, const CellUnits<D>& units = CellUnits<D>::none(),
+           std::uint32_t first = 0);
   // The corner of the particle that is corner k of face i.
   int corner(std::size_t i, int k) const {
     return face_corners<D>[face[i]][static_cast<std::size_t>(k)];

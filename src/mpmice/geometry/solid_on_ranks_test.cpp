@@ -60,6 +60,15 @@ TEST(SolidOnRanks, SweptVolumesHaveTheBitsOfOne) {
   EXPECT_EQ(s.M, whole.M);
 }
 
+TEST(SolidOnRanks, TheBoxOfAllHoldsEveryOther) {
+  const int rank = world().rank(), last = world().size() - 1;
+  CellBox<2> mine;  // empty on rank 1
+  if (rank != 1) mine = {{3 - rank, rank}, {5, 6 + rank}};
+  const int edge = last == 1 ? 0 : last;
+  EXPECT_EQ(box_of_all<2>(mine, world()), (CellBox<2>{{3 - edge, 0}, {5, 6 + edge}}));
+  EXPECT_TRUE(box_of_all<2>({}, world()).empty());
+}
+
 TEST(SolidOnRanks, NoFacesAtAll) {
   SolidSums<2> sums;
   sums.begin(test_box<2>());

@@ -52,8 +52,6 @@ class SweptSums {
   void finish(SweptVolumes<D>& to);
 
  private:
-  struct Facet;
-
   bool with_moments_ = false;
   CellSums<D> sums_;           // lanes A, C, q, M
   std::vector<double> local_;  // Nl, Tl of one facet; keeps its memory
