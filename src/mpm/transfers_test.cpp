@@ -72,6 +72,12 @@ const std::vector<Case>& cases() {
         flag("UseGradientEnhancedVelocityProjection", "true")}},
       {"quadratic_reference",
        {flag("interpolator", "quadraticBS"), flag("total_lagrangian", "true")}},
+      {"carried_corners", {flag("interpolator", "carried_corners")}},
+      {"carried_corners_affine",
+       {flag("interpolator", "carried_corners"), flag("transfer", "affine")}},
+      {"carried_corners_xpic3",
+       {flag("interpolator", "carried_corners"), flag("transfer", "xpic"),
+        flag("xpic_order", "3")}},
   };
   return all;
 }
@@ -217,16 +223,17 @@ TEST_P(EveryBasis, BarVibratesAtItsFrequency) {
   EXPECT_NEAR(half_period, 2, 2 * most_frequency);
 }
 
-INSTANTIATE_TEST_SUITE_P(Transfers, EveryBasis,
-                         testing::Values(Case{"linear", {flag("interpolator", "linear")}},
-                                         Case{"gimp", {flag("interpolator", "gimp")}},
-                                         Case{"quadratic", {flag("interpolator", "quadraticBS")}},
-                                         Case{"cubic", {flag("interpolator", "cubicBS")}},
-                                         Case{"cpdi", {flag("interpolator", "cpdi")}},
-                                         Case{"reference",
-                                              {flag("interpolator", "quadraticBS"),
-                                               flag("total_lagrangian", "true")}}),
-                         [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Transfers, EveryBasis,
+    testing::Values(Case{"linear", {flag("interpolator", "linear")}},
+                    Case{"gimp", {flag("interpolator", "gimp")}},
+                    Case{"quadratic", {flag("interpolator", "quadraticBS")}},
+                    Case{"cubic", {flag("interpolator", "cubicBS")}},
+                    Case{"cpdi", {flag("interpolator", "cpdi")}},
+                    Case{"carried_corners", {flag("interpolator", "carried_corners")}},
+                    Case{"reference",
+                         {flag("interpolator", "quadraticBS"), flag("total_lagrangian", "true")}}),
+    [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace sluice::mpm::transfers

@@ -60,11 +60,12 @@ TEST(Flags, HaveTheDefaultsOfTheFormat) {
 
 TEST(Flags, NameBasesAndTransfers) {
   const std::pair<const char*, Basis> bases[] = {
-      {"linear", Basis::linear},        {"gimp", Basis::gimp},
-      {"cpgimp", Basis::cpgimp},        {"cpdi", Basis::cpdi},
-      {"fast_cpdi", Basis::fast_cpdi},  {"cpti", Basis::cpti},
-      {"3rdorderBS", Basis::quadratic}, {"quadraticBS", Basis::quadratic},
-      {"4thorderBS", Basis::cubic},     {"cubicBS", Basis::cubic}};
+      {"linear", Basis::linear},          {"gimp", Basis::gimp},
+      {"cpgimp", Basis::cpgimp},          {"cpdi", Basis::cpdi},
+      {"fast_cpdi", Basis::fast_cpdi},    {"cpti", Basis::cpti},
+      {"3rdorderBS", Basis::quadratic},   {"quadraticBS", Basis::quadratic},
+      {"4thorderBS", Basis::cubic},       {"cubicBS", Basis::cubic},
+      {"carried_corners", Basis::carried}};
   for (const auto& [name, basis] : bases) {
     const ReadDeck read =
         read_solids(with_flags(fmt::format("<interpolator>{}</interpolator>", name)));

@@ -81,29 +81,32 @@ std::array<int, 3> outward_of(const LatticeCorner& corner, unsigned bits) {
   return outward;
 }
 
-// Along each outward direction of a body (`body`: inside() is that of the body, else of the space
-// around it); nothing where the surface is not square there.
+// Along each outward direction of a body from its filled parts (`body`: inside() is that of the
+// body, else of the space around it); nothing where the surface is not square there.
 std::optional<Way> square_corner(const Surface& surface, const LatticeCorner& corner,
                                  const std::array<int, 3>& outward, bool body) {
-  Way w{};
-  int directions = 0;
-  for (int pass = 0; pass < 2; ++pass)
-    for (int a = 0; a < corner.count; ++a) {
-      const auto n = static_cast<std::size_t>(a);
-      const auto d = static_cast<std::size_t>(corner.active[n]);
-      if (outward[n] == 0 || corner.fixed[d]) continue;
-      if (pass == 0) ++directions;
-      Way along{};
-      along[n] = surface.inside(w) == body ? outward[n] : -outward[n];
-      if (const auto found = surface.crossing(w, along, 0.5 * (1 + least_way))) w = *found;
-      if (std::fabs(w[n]) > 0.5 * (1 + 2 * least_way)) return std::nullopt;
-    }
-  if (directions == 0) return std::nullopt;
+  const auto stays = [&](std::size_t a) {
+    return outward[a] == 0 || corner.fixed[static_cast<std::size_t>(corner.active[a])];
+  };
+  Way base{}, w{};
+  for (std::size_t a = 0; a < 3; ++a) base[a] = -0.5 * outward[a];
+  if (surface.inside(base) != body) return std::nullopt;
+  bool moves = false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (stays(a)) continue;
+    Way along{};
+    along[a] = outward[a];
+    const auto found = surface.crossing(base, along, 1 + least_way);
+    if (!found) return std::nullopt;
+    w[a] = (*found)[a];
+    moves = true;
+  }
+  if (!moves) return std::nullopt;
   Way within = w;
   for (std::size_t a = 0; a < 3; ++a) within[a] -= beside * outward[a];
   if (surface.inside(within) != body) return std::nullopt;
   for (std::size_t a = 0; a < 3; ++a) {
-    if (outward[a] == 0) continue;
+    if (stays(a)) continue;
     Way beyond = within;
     beyond[a] += 2 * beside * outward[a];
     if (surface.inside(beyond) == body) return std::nullopt;

@@ -18,8 +18,8 @@ struct LatticeCorner {
 
 // The place on the surface, at most half a diagonal of a part away; else the corner's own place.
 // - Where the parts that are filled (or those that are not) lie on one side of some directions, the
-//   corner goes along these, one after the other, as on a box: kept if the surface is square there,
-//   or if it is one direction alone.
+//   corner goes to where lines from the filled parts along these cross the surface, as on a box:
+//   kept if the surface is square there, or if it is one direction alone.
 // - Else along the normal, which is that of a weighted count of points around the corner.
 // Roots are found by bisection on inside(). It depends on the corner alone, and mirrored corners of
 // a mirrored piece have mirrored places.

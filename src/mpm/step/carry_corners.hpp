@@ -1,5 +1,5 @@
-// Corners that particles carry, in a step: they move with the grid, x_k' = x_k + dt v*(x_k), and the
-// particle is what they span.
+// Corners that particles carry, in a step: they move with the grid, x_k' = x_k + dt v*(x_k), and
+// the particle is what they span.
 #pragma once
 #include <optional>
 
@@ -16,10 +16,10 @@ Vec3 corner_at(const ParticleSet& set, const Columns& columns, int corner, std::
 void move_corners(const Body& body, const BlockWork& work, std::size_t at, int n, double dt,
                   const GridAtParticles& read);
 
-// J = V/V_0 of the new corners. New F, which has gone on by dt L F, L = sum_k v_k (x) b_k/V, is scaled
-// by s along the active directions to det F = J, and L becomes that of this step: I + dt L' =
-// s (I + dt L). What is wrong: the first particle that encloses nothing any more, or has a corner
-// far away.
+// J = V/V_0 of the new corners. New F, which has gone on by dt L F, L = sum_k v_k (x) b_k/V, is
+// scaled by s along the active directions to det F = J, and L becomes that of this step:
+// I + dt L' = s (I + dt L). What is wrong: the first particle that encloses nothing any more, or
+// has a corner far away.
 std::optional<BatchFault> deform_to_corners(const Body& body, const BlockWork& work, std::size_t at,
                                             const Batch& batch, GridAtParticles& read);
 

@@ -1,7 +1,7 @@
 // Particles that carry their corners: volume, and how it follows the corners.
 //
-// A particle has 2^D corners x_k in D directions; corner k is on the high side of edge a where bit a
-// of k is set. Corners move with the grid, so that neighbours that share one go on sharing it.
+// A particle has 2^D corners x_k in D directions; corner k is on the high side of edge a where bit
+// a of k is set. Corners move with the grid, so that neighbours that share one go on sharing it.
 //
 //   S_i = 2^-D sum_k N_i(x_k),  V grad S_i = sum_k b_k N_i(x_k),  b_k = dV/dx_k
 //
