@@ -1,5 +1,6 @@
 #include "mpmice/geometry/solid_in_cells.hpp"
 
+#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
 namespace sluice::mpmice {
@@ -37,6 +38,8 @@ void SolidSums<D>::finish(SolidInCells<D>& to) {
     for (std::size_t i = first; i + 1 < first + n; ++i) T[i] += a[i + 1];
   });
   sums_.values(D, to.theta);
+  for (int d = 0; d < D; ++d)
+    raise_open_rows<D>(to.box, d, to.a[static_cast<std::size_t>(d)], d == 0 ? &to.theta : nullptr);
 }
 
 void clean_covered_parts(std::span<double> a) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mpmice/geometry/face_moments.hpp"
+#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/swept_rows.hpp"
 
 namespace sluice::mpmice {
@@ -139,6 +140,7 @@ void SweptSums<D>::finish(SweptVolumes<D>& to) {
     const auto a = static_cast<std::size_t>(d);
     sums_.add_from_above(lane_of_A(d), d);
     sums_.values(lane_of_A(d), to.A[a]);
+    raise_open_rows<D>(to.box, d, to.A[a], nullptr);
     sums_.values(lane_of_C<D>(d), to.C[a]);
   }
   for (int i = 0; i < face_moments<D>; ++i) {

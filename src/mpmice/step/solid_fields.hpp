@@ -1,6 +1,6 @@
 // What the fluid is told of the solids in the cells of a level, and what of it solids are told.
 //
-// Arrays over a box of cells: those of the domain and a layer around it, whole on every rank, so
+// Arrays over a box of cells: those of the domain and layers around it, whole on every rank, so
 // that no bit depends on boxes or ranks. Directions are the active ones.
 #pragma once
 #include <cstdint>
@@ -14,6 +14,8 @@ namespace sluice::mpmice {
 // Active directions of a level, and cells of it as the geometry counts them.
 template <int D>
 struct Frame {
+  // Corners of particles of the domain lie at most so many cells beyond it.
+  static constexpr int layers = 2;
   std::array<int, D> direction{};
   Vec3 spacing{}, anchor{};
   double cell_volume = 1;
@@ -31,8 +33,8 @@ struct Frame {
       periodic[n] = level.periodic[static_cast<std::size_t>(d)];
       domain.lower[n] = level.domain.lower[d];
       domain.upper[n] = level.domain.upper[d];
-      box.lower[n] = domain.lower[n] - 1;
-      box.upper[n] = domain.upper[n] + 1;
+      box.lower[n] = domain.lower[n] - layers;
+      box.upper[n] = domain.upper[n] + layers;
     }
     spacing = level.spacing;
     anchor = level.anchor;

@@ -1,0 +1,36 @@
+// Rows whose bodies are cut off by the high end of the box: a body that leaves the domain loses the
+// faces that are out.
+//
+// Covered parts summed from the high end, where none is covered, end below zero at the low end by
+// what is covered at the high one: there the body goes on. All of the row is raised by that.
+#pragma once
+#include <vector>
+
+#include "mpmice/geometry/cell_box.hpp"
+
+namespace sluice::mpmice {
+
+// `covered`: covered parts of the low faces along d, as summed; `raised` (or null): volume
+// fractions that follow from them.
+template <int D>
+void raise_open_rows(const CellBox<D>& box, int d, std::vector<double>& covered,
+                     std::vector<double>* raised) {
+  constexpr double round_off = 1e-9;
+  const std::ptrdiff_t step = box.stride(d);
+  const int length = box.size(d);
+  CellBox<D> first = box;  // the first cell of every row
+  first.upper[static_cast<std::size_t>(d)] = first.lower[static_cast<std::size_t>(d)] + 1;
+  for_each_row_down<D>(box, first, 0, [&](std::size_t begin, std::size_t n) {
+    for (std::size_t i = begin; i < begin + n; ++i) {
+      double least = 0;
+      for (int k = 0; k < length; ++k) least = std::min(least, covered[i + k * step]);
+      if (least > -round_off) continue;
+      for (int k = 0; k < length; ++k) {
+        covered[i + k * step] -= least;
+        if (raised != nullptr) (*raised)[i + k * step] -= least;
+      }
+    }
+  });
+}
+
+}  // namespace sluice::mpmice
