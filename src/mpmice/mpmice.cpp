@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ice/fluid/labels.hpp"
 #include "mpm/levels/solid_levels.hpp"
 #include "mpmice/step/coupling.hpp"
 
@@ -14,6 +15,13 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
   places.effect = solids.effects().size();
   places.maximum = solids.reduction_maxima();
   places.sum = solids.reduction_sums();
+  const ice::Labels& l = ice::labels();
+  places.common = {l.pressure, l.equilibrium_pressure, l.pressure_change, l.source_pressure,
+                   l.gradient_pressure};
+  for (int d = 0; d < 3; ++d) {
+    places.common.push_back(l.face_pressure[d]);
+    places.common.push_back(l.face_pressure_gradient[d]);
+  }
   for (int m = 0; m < fluids; ++m) places.material.push_back(solids.material_count() + m);
   return places;
 }

@@ -5,7 +5,10 @@
 // alone and beside others.
 #pragma once
 #include <cstddef>
+#include <algorithm>
 #include <vector>
+
+#include "framework/field/label.hpp"
 
 namespace sluice {
 
@@ -20,7 +23,11 @@ struct Places {
   int maximum = 0, sum = 0;   // of its first maximum and exact sum in the Reductions
   int fault = 0;              // added to the kinds of its faults
   std::vector<int> material;  // the scene's number of each of its own; empty: the same
+  std::vector<Label> common;  // what all materials share is saved as of the scene's first
 
+  int output_of(Label label, int own) const {
+    return std::find(common.begin(), common.end(), label) == common.end() ? material_of(own) : 0;
+  }
   int material_of(int own) const {
     return material.empty() ? own : material[static_cast<std::size_t>(own)];
   }

@@ -33,7 +33,7 @@ VariableId TaskList::new_state(Label label, int material, int components) {
 
 VariableId TaskList::output(Label label, int material) {
   return add({label.name(), Storage::output, component_count(label.info().type), label,
-              part_->material_of(material), closing_layers(label.info().centring)});
+              part_->output_of(label, material), closing_layers(label.info().centring)});
 }
 
 VariableId TaskList::temporary(std::string name, int components, int face_direction) {
