@@ -5,6 +5,8 @@
 // moments m_k = int l_k over it, sum_k m_k = s. They follow from the weights alone, with no
 // division by areas: slivers are harmless, and what is cut adds up.
 #pragma once
+#include <utility>
+
 #include "mpmice/geometry/facet.hpp"
 
 namespace sluice::mpmice {

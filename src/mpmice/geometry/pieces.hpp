@@ -1,6 +1,5 @@
 // The pieces of outer faces in cells, at the start or at the end of a step.
 #pragma once
-#include <utility>
 
 #include "mpmice/geometry/cut.hpp"
 
