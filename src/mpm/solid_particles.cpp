@@ -131,6 +131,8 @@ bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size
 }
 
 bool SolidParticles::is_absent(const std::string& name) const {
+  // Forces of a fluid act on corners of particles: no node has an acceleration from its pressure.
+  if (name == "gradPAccNC") return true;
   return is_label_of_laws(name) &&
          std::none_of(kinds_.begin(), kinds_.end(), [&](const ParticleKind& kind) {
            return std::any_of(kind.attributes.begin(), kind.attributes.end(),

@@ -78,10 +78,14 @@ void check_material_indices(const DeckNode& root, int count, std::vector<Fault>&
     if (!set) return;
     for (const IndexInterval& interval : *set.value) {
       if (interval.low >= 0 && interval.high < count) continue;
-      add_error(
-          faults, node.where,
+      const std::string fault =
           fmt::format("<{} {}>: there is no material {}: the deck has {}, counted from 0",
-                      node.name, name, interval.low < 0 ? interval.low : interval.high, count));
+                      node.name, name, interval.low < 0 ? interval.low : interval.high, count);
+      // Public decks with solids save of materials that they once had.
+      if (solids_beside_ice(root) > 0 && interval.low >= 0)
+        add_warning(faults, node.where, fault + "; nothing is saved of it");
+      else
+        add_error(faults, node.where, fault);
     }
   };
   if (const DeckNode* archiver = root.child("DataArchiver")) {

@@ -43,10 +43,10 @@ constexpr Stray stray_flags[] = {
     {"DoDefGradAveraging", "no method uses it"},
     {"computeNodalHeatFlux", "save g.HeatFlux: it is computed where it is saved"},
     {"use_volume_integral", "no method uses it"},
+    {"testForNegTemps_mpm", "what has no state ends a run in any case"},
 };
 // Of fluids with solids, and of methods that are refused by the flag that turns them on.
 constexpr Stray stray_flags_alone[] = {
-    {"testForNegTemps_mpm", "fluid and solid together read it"},
     {"solid_damping_coef", "coupled_flow_analysis alone reads it"},
     {"water_damping_coef", "coupled_flow_analysis alone reads it"},
     {"PorePressureFilter", "coupled_flow_analysis alone reads it"},

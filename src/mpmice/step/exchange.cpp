@@ -69,7 +69,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
-      const double share = m[p] / most_mass / (1 << D);
+      const double share = m[p] / most_mass / most_parts<D>;
       for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
         sums.lane(0)[cell] += to_sum(share);
         sums.lane(1)[cell] += to_sum(share * (column(s, s.columns->temperature)[p] / most_T));
@@ -86,7 +86,8 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   sums.values(0, solid.mass);
   sums.values(1, solid.heat);
   for (int d = 0; d < D; ++d) sums.values(2 + d, solid.velocity[static_cast<std::size_t>(d)]);
-  const double to_density = most_mass / frame_.cell_volume;
+  const double to_density =
+      most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
   // Exchange in cells: dv and the energy that the particles get, by cell.
   std::array<Column, D> dv;
   for (Column& of : dv) of.assign(frame_.box.cells(), 0.0);

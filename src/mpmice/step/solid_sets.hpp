@@ -52,6 +52,10 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved) {
   }
 }
 
+// Sums over parts of particles have room for so many of the heaviest in a cell.
+template <int D>
+inline constexpr double most_parts = 1024 << D;
+
 // act(place in the arrays): for a 2^D-th of particle p half way between its middle and each corner.
 template <int D, class F>
 void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const ParticleSet& set,

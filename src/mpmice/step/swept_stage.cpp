@@ -52,10 +52,10 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.set);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
-      const std::uint64_t share = to_sum(m[p] / most_mass / (1 << D));
+      const std::uint64_t share = to_sum(m[p] / most_mass / most_parts<D>);
       std::array<std::uint64_t, D> moving;
       for (std::size_t a = 0; a < D; ++a)
-        moving[a] = to_sum(m[p] / most_mass / (1 << D) *
+        moving[a] = to_sum(m[p] / most_mass / most_parts<D> *
                            (speed(s, p, frame_.direction[a]) / most_speed));
       for_each_part<D>(frame_, x, *s.set, p, [&](std::size_t cell) {
         sums.lane(0)[cell] += share;
@@ -71,7 +71,8 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
     for (std::size_t i = 0; i < v.size(); ++i)
       v[i] = fields_.mass[i] > 0 ? v[i] / fields_.mass[i] * most_speed : 0.0;
   }
-  for (double& mass : fields_.mass) mass *= most_mass / frame_.cell_volume;
+  for (double& mass : fields_.mass)
+    mass *= most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
 }
 
 // Work slots of the sweep, ghost cells too: beyond the sides of the domain as in a mirror.
