@@ -198,7 +198,7 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
     o.material = 0;
     return o;
   }
-  if (variant.kind == static_cast<int>(o.fluids.size())) {
+  if (o.walled || variant.kind == static_cast<int>(o.fluids.size())) {
     o.mixture = true;
     o.viscosity_varies = o.viscous;
     return o;
@@ -229,6 +229,7 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   if (!o.mixture)
     return o.walled ? declare_walled_material(list, o, effects_)
                     : declare_one_material(list, o, effects_);
+  if (o.walled) return declare_walled_mixture(list, o, effects_);
   if (o.own_velocities) return declare_own_velocities(list, o, effects_);
   declare_mixture(list, o, effects_);
 }

@@ -28,6 +28,7 @@ struct Handles {
   In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
   std::array<In, 3> face_pressure, flow, covered, stress, heat_flux;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, scale;
+  Out mixture;  // work of pressures, of friction
   Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
   std::array<Out, 3> remap_mask;
 };
@@ -105,6 +106,12 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
       }
     }
   }
+  if (o.mixture && o.viscous) {
+    double* friction = row(h.mixture, 1);
+    for (int i = 0; i < n; ++i)
+      friction[i] = energy[i] + row(h.mixture, 0)[i] -
+                    (1.0 - row(h.fraction)[i]) * row(h.energy)[i];
+  }
   for (int d = 0; d < D && o.conducting; ++d) {
     const In q = h.heat_flux[static_cast<std::size_t>(d)];
     const double *low = row(q), *high = row(q, 0, d, 1);
@@ -142,6 +149,8 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
   }
+  if (o.keeps_work())
+    for (int i = 0; i < n; ++i) row(h.mixture, 0)[i] = (1.0 - theta[i]) * E[i] - Es[i];
   add_heat<D, C>(row, h, s, o, Es);
   double *iJ = row(h.inverse_J), *rL = row(h.rho_L), *EL = row(h.energy_L);
   double *N = row(h.courant), *iN = row(h.inverse_courant), *whole = row(h.base_mask);
@@ -220,7 +229,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_mass = task.write(w.inverse_mass);
   h.donor_velocity = task.write(w.donor_velocity);
   h.base_mask = task.write(w.base_mask);
-  const bool scaled = o.fluid.ideal() == nullptr;
+  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
+  const bool scaled = !o.mixture && o.fluid.ideal() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
