@@ -10,7 +10,7 @@
 
 namespace sluice::mpm {
 
-class Mpm final : public Component {
+class Mpm : public Component {
  public:
   Mpm(const Scene& scene, MpmScene solids);
 
