@@ -202,7 +202,7 @@ void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
     up[static_cast<int>(d)] = all.maximum(slots[2 * d]);
     down[static_cast<int>(d)] = all.maximum(slots[2 * d + 1]);
   }
-  step_->level(0).include_velocities(kind, up, down);
+  step_->level(step_->count() - 1).include_velocities(kind, up, down);
 }
 
 template void LevelCoupling<1>::exchange(const StageScope&);

@@ -106,7 +106,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   for (std::size_t a = 0; a < D; ++a)
     least = std::min(least, frame_.spacing[frame_.direction[a]]);
   for (std::size_t k = 0; k < wave.size(); ++k)
-    wave[k] = step_->level(0).body(static_cast<int>(k)).rates.wave * least;
+    wave[k] = step_->level(step_->count() - 1).body(static_cast<int>(k)).rates.wave * least;
   Scales most;
   const auto compliance = [&](const SolidSet<D>& s, std::size_t p) {
     const auto k = static_cast<std::size_t>(s.kind);

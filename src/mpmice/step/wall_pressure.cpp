@@ -186,13 +186,15 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s,
 
 template <int D>
 Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
-  std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(1);
-  forces[0].resize(solids_->carried().size());
+  // Solids lie on the finest level.
+  std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
+      static_cast<std::size_t>(step_->count()));
+  for (auto& of_level : forces) of_level.resize(solids_->carried().size());
   OutsideBooks outside;
   for (const SolidSet<D>& s : sets_) {
     if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
     const std::vector<mpm::CornerForce> own = forces_on(s, outside);
-    auto& all = forces[0][static_cast<std::size_t>(s.kind)];
+    auto& all = forces.back()[static_cast<std::size_t>(s.kind)];
     all.insert(all.end(), own.begin(), own.end());
   }
   step_->add_corner_forces(scope, forces);
