@@ -166,6 +166,59 @@ TEST(Materials, StrayStateAndConstantsAreToldAndDropped) {
     EXPECT_THAT(read.text, HasSubstr(told));
 }
 
+// Two flow models call their yield stress <sigma_0>: neither takes it from the other.
+TEST(Materials, TakeTheYieldStressByTheNameOfTheirFlowModel) {
+  const auto metal = [](const std::string& flow) {
+    SolidDeck deck;
+    deck.further =
+        "<material><density>8930</density><constitutive_model type='elastic_plastic'>"
+        "<bulk_modulus>136e9</bulk_modulus><shear_modulus>46e9</shear_modulus>" +
+        flow +
+        "</constitutive_model><thermal_conductivity>1</thermal_conductivity>"
+        "<specific_heat>5</specific_heat></material>";
+    return read_solids(deck).text;
+  };
+  const std::string copper =
+      "<flow_model type='steinberg_cochran_guinan'><mu_0>47.7e9</mu_0><sigma_0>1e8</sigma_0>"
+      "<Y_max>6.4e8</Y_max><beta>36</beta><n>.45</n></flow_model>";
+  EXPECT_EQ(metal(copper), "");
+  for (const char* name : {"sigma_0", "sigma_Y"})
+    EXPECT_EQ(metal(fmt::format("<flow_model type='isotropic_hardening'><{0}>1e8</{0}><K>0</K>"
+                                "</flow_model>",
+                                name)),
+              "");
+  EXPECT_THAT(metal("<flow_model type='isotropic_hardening'><K>0</K></flow_model>"),
+              HasSubstr("<sigma_Y> is needed"));
+}
+
+TEST(CohesiveZones, BadPointsAreErrorsWithTheirLine) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& row, const std::string& more = {}) {
+    const std::filesystem::path file = folder.path() / "points.txt";
+    std::ofstream(file) << "0.4 0.4 0.4 1 1 0 0 0 1 0 0 1\n" << row << '\n';
+    SolidDeck deck;
+    deck.flags = "<use_cohesive_zones>true</use_cohesive_zones>";
+    deck.further = solid_material("other", "");
+    deck.contacts =
+        "<cohesive_zone><cz_filename>" + file.string() +
+        "</cz_filename><sig_max>1</sig_max><tau_max>1</tau_max><delta_n>1</delta_n>"
+        "<delta_t>1</delta_t>" +
+        more + "</cohesive_zone>";
+    try {
+      return read_solids(deck).text;
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+  };
+  EXPECT_EQ(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0"), "");
+  EXPECT_THAT(told("0.5 0.5 0.5 0 0 1 0 1 0 0 1 0"), HasSubstr("points.txt:2: area 0"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 0 2 0 1 0"), HasSubstr("parallel"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 2"), HasSubstr("there is no material 2"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("two materials together"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0", "<do_rotation>true</do_rotation>"),
+              HasSubstr("<do_rotation> true"));
+}
+
 TEST(Contacts, HaveTheFormatsNames) {
   const std::pair<const char*, ContactKind> kinds[] = {
       {"single_velocity", ContactKind::single_velocity},

@@ -157,6 +157,20 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* flags = root.child("MPM");
+  if (!runs_solids(root) || !is_true(flags, "use_cohesive_zones")) return;
+  const DeckNode* grid = root.child("Grid");
+  if ((grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR"))
+    add_not_built(faults, flags->child("use_cohesive_zones")->where,
+                  "<use_cohesive_zones> on several levels");
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* block = properties->child("MPM"))
+      for (const DeckNode* zone : block->all("cohesive_zone"))
+        if (is_true(zone, "do_rotation"))
+          add_not_built(faults, zone->child("do_rotation")->where, "<do_rotation> true");
+}
+
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
   if (flags == nullptr || !runs_solids(root)) return;
