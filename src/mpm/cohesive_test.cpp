@@ -11,10 +11,10 @@
 namespace sluice::mpm::cohesive_test {
 namespace {
 
-constexpr double most_motion = 0.01;     // of the separation, and of the speed of parting
-constexpr double most_way_back = 0.05;   // of delta_n
-constexpr double most_energy = 0.01;     // of the kinetic energy at the start
-constexpr double most_momentum = 1e-12;  // of sum m |v|
+constexpr double most_motion = 0.005;    // of D, and of the first speed for it; measured .0013
+constexpr double most_way_back = 0.005;  // of delta_n; measured .0016
+constexpr double most_energy = 2e-4;     // of the kinetic energy at the start; measured 7e-5
+constexpr double most_momentum = 1e-12;  // of sum m |v|; measured 0
 
 // Of the deck cohesive_blocks.
 constexpr double sig_max = 0.02, delta_n = 0.03, area = 0.5 * 0.125, mass = 0.25 * 0.5 * 0.125;
@@ -46,7 +46,8 @@ const std::vector<double>& column(const ParticleTable& t, const char* name, int 
 
 double momentum(const ParticleTable& t) {
   double sum = 0;
-  for (std::size_t p = 0; p < t.size(); ++p) sum += column(t, "p.mass")[p] * column(t, "p.velocity")[p];
+  for (std::size_t p = 0; p < t.size(); ++p)
+    sum += column(t, "p.mass")[p] * column(t, "p.velocity")[p];
   return sum;
 }
 
@@ -67,7 +68,8 @@ TEST(CohesiveZones, PullBlocksBackAsTheLawSays) {
       EXPECT_EQ(column(points, "cz.failed")[p], 0);
     }
     EXPECT_NEAR(mean, d, most_motion * d) << output;
-    const double left = momentum(run.particles(output, 0)), right = momentum(run.particles(output, 1));
+    const double left = momentum(run.particles(output, 0)),
+                 right = momentum(run.particles(output, 1));
     EXPECT_NEAR((right - left) / mass, v, most_motion * start_speed) << output;
     EXPECT_NEAR(right + left, 0, most_momentum * mass * start_speed) << output;
   }
@@ -111,7 +113,8 @@ TEST(CohesiveZones, GiveTheSameBitsOnBoxesAndThreads) {
   const SolidRun plain("cohesive_blocks");
   const SolidRun split("cohesive_blocks", {}, 2, {4, 2, 1});
   for (int material = 0; material < 3; ++material) {
-    const ParticleTable a = plain.particles("last", material), b = split.particles("last", material);
+    const ParticleTable a = plain.particles("last", material),
+                        b = split.particles("last", material);
     ASSERT_EQ(a.ids, b.ids);
     for (std::size_t c = 0; c < a.columns.size(); ++c)
       EXPECT_EQ(a.columns[c].components, b.columns[c].components) << a.columns[c].info.name;
@@ -120,8 +123,7 @@ TEST(CohesiveZones, GiveTheSameBitsOnBoxesAndThreads) {
 
 // A failed point loses a thousandth of its traction in each step that opens it.
 TEST(CohesiveZones, LoseTheirTractionOnceTheyFail) {
-  const SolidRun run("cohesive_blocks",
-                     {"MaterialProperties/MPM/cohesive_zone/delta_n_fail=0.01"});
+  const SolidRun run("cohesive_blocks", {"MaterialProperties/MPM/cohesive_zone/delta_n_fail=0.01"});
   const ParticleTable points = run.particles("last", 2);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double failed = column(points, "cz.failed")[p];

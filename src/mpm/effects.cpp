@@ -34,9 +34,9 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
   std::size_t points = 0;
   for (const CohesiveZone& zone : s.cohesive_zones) points += zone.points.size();
   list.add({"cohesive zones", points > 0,
-            points > 0 ? fmt::format("{} points in {} <cohesive_zone>", points,
-                                     s.cohesive_zones.size())
-                       : "no <cohesive_zone> acts (use_cohesive_zones)",
+            points > 0
+                ? fmt::format("{} points in {} <cohesive_zone>", points, s.cohesive_zones.size())
+                : "no <cohesive_zone> acts (use_cohesive_zones)",
             s.cohesive_zones.empty() ? Location{} : s.cohesive_zones.front().where});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),

@@ -199,11 +199,10 @@ TEST(CohesiveZones, BadPointsAreErrorsWithTheirLine) {
     SolidDeck deck;
     deck.flags = "<use_cohesive_zones>true</use_cohesive_zones>";
     deck.further = solid_material("other", "");
-    deck.contacts =
-        "<cohesive_zone><cz_filename>" + file.string() +
-        "</cz_filename><sig_max>1</sig_max><tau_max>1</tau_max><delta_n>1</delta_n>"
-        "<delta_t>1</delta_t>" +
-        more + "</cohesive_zone>";
+    deck.contacts = "<cohesive_zone><cz_filename>" + file.string() +
+                    "</cz_filename><sig_max>1</sig_max><tau_max>1</tau_max><delta_n>1</delta_n>"
+                    "<delta_t>1</delta_t>" +
+                    more + "</cohesive_zone>";
     try {
       return read_solids(deck).text;
     } catch (const InputError& e) {

@@ -49,10 +49,10 @@ TEST(CohesiveLaw, HasTheGreatestTractionsOfTheDeck) {
   double normal = 0, shear = 0;
   for (int k = 0; k <= 4000; ++k) {
     const double x = 1e-3 * k;
-    normal = std::max(
-        normal, dot(cohesive_traction(z, frame, x * z.delta_n * frame.normal), frame.normal));
-    shear = std::max(
-        shear, dot(cohesive_traction(z, frame, x * z.delta_t * frame.second), frame.second));
+    normal = std::max(normal,
+                      dot(cohesive_traction(z, frame, x * z.delta_n * frame.normal), frame.normal));
+    shear = std::max(shear,
+                     dot(cohesive_traction(z, frame, x * z.delta_t * frame.second), frame.second));
   }
   EXPECT_NEAR(normal, z.sig_max, 1e-6 * z.sig_max);
   EXPECT_NEAR(shear, z.tau_max, 1e-6 * z.tau_max);

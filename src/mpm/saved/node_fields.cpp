@@ -143,8 +143,9 @@ class BodyFields {
 
 std::vector<Label> node_labels() {
   const NodeLabels& l = labels();
-  return {l.mass,           l.volume,         l.velocity, l.velocity_star, l.acceleration,
-          l.internal_force, l.external_force, l.stress,   l.temperature,   l.heating, l.displacement};
+  return {l.mass,         l.volume,         l.velocity,       l.velocity_star,
+          l.acceleration, l.internal_force, l.external_force, l.stress,
+          l.temperature,  l.heating,        l.displacement};
 }
 
 void store_node_fields(const Scene& scene, const MpmScene& /*solids*/, SolidStep& step,

@@ -167,8 +167,7 @@ void CohesiveZones::add_nodes(const NodeBoundary& boundary, std::vector<Body>& b
 // mass(lanes of a node) in any unit: nodes, S M, and the sum of these.
 template <class Mass>
 CohesiveZones::Shares CohesiveZones::shares_of(Vec3 place, const NodeBoundary& boundary,
-                                               const Body& body, int material,
-                                               Mass&& mass) const {
+                                               const Body& body, int material, Mass&& mass) const {
   Shares s;
   around(place, boundary, material, [&](IntVec3 node, double S) {
     const int block = body.table.find(shape_.block_of(node));
@@ -208,7 +207,8 @@ void CohesiveZones::to_grid(const NodeBoundary& boundary, std::vector<Body>& bod
   for (const Work& w : work_)
     for (std::size_t p = 0; p < w.set->size(); ++p) {
       const int b = material_of(*w.set, below, p), a = material_of(*w.set, above, p);
-      Body &bottom = bodies[static_cast<std::size_t>(b)], &top = bodies[static_cast<std::size_t>(a)];
+      Body &bottom = bodies[static_cast<std::size_t>(b)],
+           &top = bodies[static_cast<std::size_t>(a)];
       const Vec3 place = w.set->position(p);
       const Shares sb = shares_of(place, boundary, bottom, b, mass);
       const Shares sa = shares_of(place, boundary, top, a, mass);
@@ -228,8 +228,7 @@ void CohesiveZones::take(std::vector<Body>& bodies) {
         const std::int64_t* from = body.cohesive.sums(b) + n * lanes;
         if (from[count_lane] == 0) continue;
         std::int64_t* node = body.nodes.sums(b) + n * lanes;
-        for (int d = 0; d < 3; ++d)
-          node[force_lane + d] += from[force_lane + d] - from[count_lane];
+        for (int d = 0; d < 3; ++d) node[force_lane + d] += from[force_lane + d] - from[count_lane];
         const double mass = sum_in(node, 0) / body.units.mass;
         largest = std::max(largest, sum_in(from, stiffness_lane) / stiffness_scale_ / mass);
       }
@@ -250,8 +249,7 @@ bool CohesiveZones::read(Vec3 place, const NodeBoundary& boundary, const Body& b
   return s.count > 0;
 }
 
-void CohesiveZones::advance_point(const Work& w, std::size_t p, Vec3 way_b, Vec3 way_a,
-                                  bool held) {
+void CohesiveZones::advance_point(const Work& w, std::size_t p, Vec3 way_b, Vec3 way_a, bool held) {
   const ParticleSet& set = *w.set;
   ParticleSet& next = *w.next;
   const Vec3 middle = 0.5 * (way_a + way_b);
@@ -267,8 +265,7 @@ void CohesiveZones::advance_point(const Work& w, std::size_t p, Vec3 way_b, Vec3
   put(next, way_below, p, vector_of(set, way_below, p) + way_b);
   const Vec3 before = vector_of(set, separation, p), after = before + (way_a - way_b);
   put(next, separation, p, after);
-  const CohesiveFrame frame =
-      cohesive_frame(vector_of(set, normal, p), vector_of(set, tangent, p));
+  const CohesiveFrame frame = cohesive_frame(vector_of(set, normal, p), vector_of(set, tangent, p));
   double steps = set.column(failed)[p];
   if (steps > 0)
     steps = std::min(failure_steps, steps + (dot(after, after) >= dot(before, before) ? 1 : 0));

@@ -57,10 +57,22 @@ SolidLabels declare_all() {
 }  // namespace
 
 bool is_label_of_laws(const std::string& name) {
-  constexpr std::string_view names[] = {
-      "p.damage",     "p.localizedMPM", "p.porosity",  "p.plasticStrain", "p.plasticStrainRate",
-      "p.strainRate", "p.epsf",         "p.timeofloc", "p.plasticTemp", "p.plasticTempInc", "p.xx",
-      "p.q",          "p.JThermal",     "p.lastlevel", "p.refinedMPM",    "refineFlag"};
+  constexpr std::string_view names[] = {"p.damage",
+                                        "p.localizedMPM",
+                                        "p.porosity",
+                                        "p.plasticStrain",
+                                        "p.plasticStrainRate",
+                                        "p.strainRate",
+                                        "p.epsf",
+                                        "p.timeofloc",
+                                        "p.plasticTemp",
+                                        "p.plasticTempInc",
+                                        "p.xx",
+                                        "p.q",
+                                        "p.JThermal",
+                                        "p.lastlevel",
+                                        "p.refinedMPM",
+                                        "refineFlag"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
