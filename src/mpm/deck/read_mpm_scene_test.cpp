@@ -109,7 +109,7 @@ TEST(Flags, OfOtherMethodsAreRefusedByName) {
 }
 
 TEST(Flags, ThatContradictEachOtherAreFaults) {
-  EXPECT_THAT(flag_faults("<XPIC2>true</XPIC2><transfer>flip</transfer>"),
+  EXPECT_THAT(flag_faults("<XPIC2>true</XPIC2><transfer>pic</transfer>"),
               HasSubstr("both choose how velocities come back"));
   EXPECT_THAT(flag_faults("<artificial_viscosity_heating>true</artificial_viscosity_heating>"),
               HasSubstr("<artificial_viscosity_heating> without <artificial_viscosity>"));
@@ -121,6 +121,24 @@ TEST(Flags, ThatContradictEachOtherAreFaults) {
               AllOf(HasSubstr("warning"), HasSubstr("no effect without <transfer> affine")));
   EXPECT_THAT(flag_faults("<boundary_traction_faces>[xminus,zplas]</boundary_traction_faces>"),
               HasSubstr("'zplas' is no face (did you mean 'zplus'?)"));
+}
+
+// The deck of an archive has all defaults written: none of them is a fault.
+TEST(Flags, WrittenWithTheirDefaultsAreNoFaults) {
+  for (const char* flag :
+       {"<UseGradientEnhancedVelocityProjection>true</UseGradientEnhancedVelocityProjection>",
+        "<XPIC2>true</XPIC2>", "<interpolator>gimp</interpolator>"}) {
+    SolidDeck deck = with_contact("<type>specified</type><master_material>0</master_material>");
+    deck.flags = flag;
+    const ReadDeck first = read_solids(deck);
+    ASSERT_TRUE(first.deck.good()) << first.text;
+    ReadDeck again;
+    again.deck = load_deck_text(to_xml(*first.deck.root), "solids.ups", {}, solid_schema());
+    finish_reading(again);
+    EXPECT_EQ(again.faults.size(), first.faults.size()) << again.text;
+    EXPECT_EQ(again.solids.transfer, first.solids.transfer);
+    EXPECT_EQ(again.solids.basis, first.solids.basis);
+  }
 }
 
 TEST(Blocks, OfFluidsAreDroppedWithTheirLine) {

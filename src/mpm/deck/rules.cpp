@@ -16,9 +16,18 @@ std::string text_of(const DeckNode& parent, std::string_view name) {
   return child == nullptr ? "" : child->text;
 }
 
+// Does the deck write a flag, other than its default: an archive's deck writes all defaults too.
+bool says(const DeckNode& flags, std::string_view name) {
+  if (!flags.has(name)) return false;
+  static const TagSpec all = flags_tag();
+  const auto flag = std::find_if(all.children.begin(), all.children.end(),
+                                 [&](const TagSpec& t) { return t.name == name; });
+  return flag == all.children.end() || flag->value.default_text != text_of(flags, name);
+}
+
 void warn_of_idle(const DeckNode& flags, const char* name, const std::string& needs,
                   std::vector<Fault>& faults) {
-  if (!flags.has(name)) return;
+  if (!says(flags, name)) return;
   add_warning(faults, flags.child(name)->where,
               fmt::format("<{}> has no effect without {}", name, needs), "remove it");
 }
@@ -187,7 +196,7 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
-    if (is_true(flags, name) && flags->has("transfer"))
+    if (is_true(flags, name) && says(*flags, "transfer"))
       add_error(faults, flags->child(name)->where,
                 fmt::format("<{}> and <transfer> both choose how velocities come back", name),
                 "remove one of them");
