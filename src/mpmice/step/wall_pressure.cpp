@@ -165,7 +165,7 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   // Solids lie on the finest level.
   std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
       static_cast<std::size_t>(step_->count()));
-  for (auto& of_level : forces) of_level.resize(solids_->carried().size());
+  for (auto& of_level : forces) of_level.resize(solids_->scene().materials.size());
   for (const SolidSet<D>& s : sets_) {
     if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
     const std::vector<mpm::CornerForce> own = forces_on(s);
