@@ -54,7 +54,7 @@ void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
   scalar_rules_[n].push_back(scalars::make_rules(region, scalars_));
   if (materials.size() == 1) {
     rules_[n].push_back(
-        make_gas_rule(region, materials.front().number, direction_of(side), setting_.conditions));
+        make_gas_rule(region, materials.front().number(), direction_of(side), setting_.conditions));
     return number_open_face(side);
   }
   mixtures_[n].push_back(

@@ -29,7 +29,7 @@ class MixtureRuleMaker {
     double densest = 0;
     for (const IceMaterial& material : materials_) {
       Part part;
-      part.rule = make_rule(region_, material.number, normal, conditions_);
+      part.rule = make_rule(region_, material.number(), normal, conditions_);
       if (part.rule.velocity_kind == GhostRule::Velocity::vortices || part.rule.vortex_pressure)
         refuse("MMS_1 is the exact flow of one gas; this deck has {}", materials_.size());
       densest = std::max(densest, part.rule.density);
@@ -52,8 +52,8 @@ class MixtureRuleMaker {
 
   std::string name(std::size_t m) const {
     const IceMaterial& material = materials_[m];
-    return material.name.empty() ? fmt::format("material {}", material.number)
-                                 : fmt::format("material {} ({})", material.number, material.name);
+    return material.name.empty() ? fmt::format("material {}", material.number())
+                                 : fmt::format("material {} ({})", material.number(), material.name);
   }
   template <class Use>
   void each_present(Use use) {

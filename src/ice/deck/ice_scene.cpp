@@ -42,7 +42,6 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
                           std::vector<Fault>& faults) {
   IceMaterial m;
   m.index = index;
-  m.number = index;
   m.name = node.attribute("name").value_or("");
   m.where = node.where;
   m.fluid = read_fluid(node, faults);
@@ -98,7 +97,7 @@ void read_criteria(const DeckNode& root, IceScene& s) {
     const std::string material = v->attribute("matl").value_or("all");
     for (const IceMaterial& m : s.materials) {
       c.material = m.index;
-      if (material == "all" || std::stoi(material) == m.number) s.criteria.push_back(c);
+      if (material == "all" || std::stoi(material) == m.number()) s.criteria.push_back(c);
     }
   }
 }
@@ -212,7 +211,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (const DeckNode* node : ice_materials(root)) {
     s.materials.push_back(
         read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));
-    s.materials.back().number += s.solids;
+    s.materials.back().solids_before = s.solids;
   }
   if (const DeckNode* ice = root.find("CFD/ICE")) {
     s.turbulence = read_turbulence(*ice);

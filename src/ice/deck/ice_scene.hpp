@@ -21,7 +21,7 @@ namespace sluice::ice {
 struct IceMaterial {
   std::string name;
   int index = 0;  // among the fluids
-  int number = 0;  // among all materials of the scene, as decks count them
+  int solids_before = 0;  // materials of the scene that come before the fluids
   Fluid fluid;
   double viscosity = 0;     // dynamic, Pa s
   double conductivity = 0;  // W/(m K)
@@ -31,6 +31,7 @@ struct IceMaterial {
   std::vector<GeomObject> objects;
   Location where, viscosity_where, conductivity_where;
 
+  int number() const { return solids_before + index; }  // as decks count them
   bool viscous() const { return viscosity > 0 || viscosity_models.any() || subgrid; }
 };
 

@@ -35,6 +35,22 @@ FluidBox::FluidBox(const FluidCells& cells, int b)
 }
 
 FluidState FluidBox::at(IntVec3 cell) const {
+  FluidState s = cells_->materials() == 1 ? of_one(cell) : of_several(cell);
+  for (int c = 0; c < cells_->components; ++c)
+    s.velocity[cells_->direction[static_cast<std::size_t>(c)]] = momentum(c, cell) / s.rho;
+  return s;
+}
+
+FluidState FluidBox::of_one(IntVec3 cell) const {
+  const ice::Fluid& law = cells_->part->options().fluids.front();
+  FluidState s;
+  s.rho = mass(0, cell);
+  s.pressure = law.pressure(s.rho, energy(0, cell));
+  s.sound = law.sound_speed(s.rho, s.pressure);
+  return s;
+}
+
+FluidState FluidBox::of_several(IntVec3 cell) const {
   double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];
   for (int m = 0; m < cells_->materials(); ++m) {
     M[m] = mass(m, cell);
@@ -46,8 +62,6 @@ FluidState FluidBox::at(IntVec3 cell) const {
   for (int m = 0; m < cells_->materials(); ++m) s.rho += M[m];
   s.pressure = as_it_is.pressure;
   s.sound = std::sqrt(as_it_is.modulus / s.rho);
-  for (int c = 0; c < cells_->components; ++c)
-    s.velocity[cells_->direction[static_cast<std::size_t>(c)]] = momentum(c, cell) / s.rho;
   return s;
 }
 

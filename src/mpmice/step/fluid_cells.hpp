@@ -44,6 +44,9 @@ class FluidBox {
   double& fraction(IntVec3 c) const { return fraction_(c); }
 
  private:
+  FluidState of_one(IntVec3 cell) const;
+  FluidState of_several(IntVec3 cell) const;
+
   const FluidCells* cells_;
   std::vector<RealView> mass_, energy_, volume_;
   std::array<RealView, 3> momentum_;
