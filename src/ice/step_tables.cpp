@@ -86,6 +86,7 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
 void declare_walled_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   SchemeVariables v = declare_conservative_variables(list, o);
   walls::declare_variables(list, o, v);
+  if (o.implicit) pressure::declare_variables(list, o, v);
   const SchemeVariables fluid = walls::of_fluid_faces(v);
   SchemeVariables open = v;
   open.stress = v.walls.whole_stress;
@@ -95,6 +96,7 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
   add_primitives(list, v, o, effect_flow);                 // state              u, p, c
   add_face_states(list, fluid, o);                         // u, p, c            slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
+  if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, open, o, effect_viscosity);     // u                  t_f
   add_heat_flux(list, open, o, effect_conduction);         // rho, E             T, q_f
@@ -102,6 +104,8 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
   walls::add_lagrangian(list, v, o, effect_solids);        // state, faces       Lagrange, donors
   add_bases_and_fluxes(list, v, o);                        // Lagrange, slopes   F, G, U
   walls::add_update(list, v, o, effect_solids);            // Lagrange, fluxes   new state, rates
+  if (o.implicit)
+    pressure::add_end_of_walled(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;  // what passes through the sides of the domain
   sides.face_velocity = v.walls.flow;
   add_accounts(list, sides, o, effects);  // fluxes, m, dp   sums, face tables

@@ -10,6 +10,7 @@
 //   pressure given      as inside the domain; d of the ghost is 0
 //   open (LODI)         open_faces.hpp
 // The coefficient of a face, A dt^2/(rho_f dx^2), is 0 where its velocity does not depend on d.
+// Beside solids walled_system.cpp makes the system of these coefficients.
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/side_faces.hpp"
@@ -103,7 +104,7 @@ void side_faces(const Row& row, const Handles& h, int axis, const FaceConstants&
 
 // What multiplies differences of d across the face in the volume that a cell loses.
 void add_face_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                          int axis, int effect) {
+                          int axis, VariableId coefficient, int effect) {
   const int direction = o.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   TaskBuilder task = list.task("coefficients of axis " + std::to_string(axis), effect);
@@ -112,7 +113,7 @@ void add_face_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   h.sound = task.read(v.sound, both);
   h.velocity = task.read(v.velocity, both);
   h.work = task.read(v.solve.work, both);
-  const Out out = task.write(list.output(labels().matrix_face[direction], 0));
+  const Out out = task.write(coefficient);
   task.kernel([=](const Row& row) {
     const FaceConstants k = face_constants(row, o, direction);
     const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
@@ -207,8 +208,12 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
       side_faces(row, h, axis, k, o);
       if (o.meets_finer) finer_faces(row, h);
     });
-    add_face_coefficient(list, v, o, axis, effect);
+    add_face_coefficient(list, v, o, axis,
+                         o.walled ? v.solve.coefficient[a]
+                                  : list.output(labels().matrix_face[direction], 0),
+                         effect);
   }
+  if (o.walled) return;
   dispatch(o.axes.count, o.components,
            [&]<int D, int C>() { add_cell_system<D>(list, v, o, effect); });
 }

@@ -28,7 +28,7 @@ struct Handles {
   In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
   std::array<In, 3> face_pressure, flow, covered, stress, heat_flux;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, scale;
-  Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
+  Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask, new_donor;
   std::array<Out, 3> remap_mask;
 };
 
@@ -145,6 +145,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   add_heat<D, C>(row, h, s, o, Es);
   double *iJ = row(h.inverse_J), *rL = row(h.rho_L), *EL = row(h.energy_L);
   double *N = row(h.courant), *iN = row(h.inverse_courant), *whole = row(h.base_mask);
+  double* anew = row(h.new_donor);
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
     double stretch = 0, out = 0;
@@ -165,6 +166,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     EL[i] = old ? E[i] : Es[i] * inverse;
     N[i] = smaller(out * inverse, 1.0);
     iN[i] = 1.0 / larger(N[i], 0.05);
+    anew[i] = old ? 0.0 : 1.0;
     whole[i] = old ? 0.0 : V;
     for (int c = 0; c < C; ++c) {
       v[c][i] = V > 0 ? u[c][i] - dP[c][i] * W[i] : 0.0;
@@ -220,6 +222,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_mass = task.write(w.inverse_mass);
   h.donor_velocity = task.write(w.donor_velocity);
   h.base_mask = task.write(w.base_mask);
+  h.new_donor = task.write(w.new_donor);
   const bool scaled = o.fluid.ideal() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
