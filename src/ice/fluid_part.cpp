@@ -198,7 +198,7 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
     o.material = 0;
     return o;
   }
-  if (variant.kind == static_cast<int>(o.fluids.size())) {
+  if (o.walled || variant.kind == static_cast<int>(o.fluids.size())) {
     o.mixture = true;
     o.viscosity_varies = o.viscous;
     return o;
@@ -229,6 +229,7 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   if (!o.mixture)
     return o.walled ? declare_walled_material(list, o, effects_)
                     : declare_one_material(list, o, effects_);
+  if (o.walled) return declare_walled_mixture(list, o, effects_);
   if (o.own_velocities) return declare_own_velocities(list, o, effects_);
   declare_mixture(list, o, effects_);
 }
@@ -243,7 +244,7 @@ void FluidPart::shape_step(StepShape& shape) const {
 void FluidPart::declare_passes(StepShape& shape,
                                const std::function<void(StepShape&)>& behind_solve) const {
   const Labels& l = labels();
-  const auto pressure = std::make_shared<pressure::PressureSolve>(*ice_.implicit);
+  const auto pressure = std::make_shared<pressure::PressureSolve>(*ice_.implicit, options_.places.maximum);
   std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
   const bool several = scene_->grid.levels.size() > 1;
   for (int a = 0; a < options_.axes.count; ++a) {

@@ -10,6 +10,7 @@
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/transport/viscosity.hpp"
+#include "ice/walls/materials.hpp"
 #include "ice/walls/variables.hpp"
 
 namespace sluice::ice {
@@ -140,6 +141,44 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
     pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
   add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
+}
+
+// The same where solids are in the fluids, which share one velocity.
+void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  mixture::Variables m = mixture::declare_variables(list, o);
+  SchemeVariables& v = m.common;
+  walls::declare_variables(list, o, v);
+  const walls::MaterialVariables x = walls::declare_materials(list, o, m);
+  const SchemeVariables fluid = walls::of_fluid_faces(v);
+  mixture::Variables open = m;
+  open.common.stress = v.walls.whole_stress;
+  mixture::Variables cells = m;  // amounts, as the update takes them
+  cells.common.momentum = v.walls.momentum;
+  SchemeOptions masked = o;
+  masked.masked = true;
+  // task                            reads                              writes
+  walls::add_openness(list, v, o, effect_solids);             // theta, a   where slopes count
+  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
+  walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
+  mixture::add_friction(list, open, o);                       // V_m, T_m, u  mu, t_f
+  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
+  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
+  walls::add_lagrangian(list, v, o, effect_solids);           // state, faces  Lagrange, donors
+  mixture::add_lagrangian_of_each(list, walls::of_whole_cells(m), o, effect_flow);
+  walls::add_shares_of_each(list, m, x, o, effect_solids);    // Lagrange   E_mL of touched cells
+  mixture::Variables bases = m;
+  bases.common = walls::of_bases(v);
+  mixture::add_remap_bases(list, bases, masked, effect_second_order);  // Lagrange   bases
+  for (int axis = 0; axis < o.axes.count; ++axis)
+    mixture::add_remap_flux(list, walls::of_whole_remap(m, x, axis), masked, effect_flow, axis);
+  walls::add_fluxes_of_touched(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
+  mixture::add_update(list, cells, o, effect_equilibration);   // fluxes    new state, rates
+  SchemeVariables sides = v;
+  sides.face_velocity = v.walls.flow;
+  add_accounts(list, sides, o, effects);
+  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
 }
 
 // The same where each material has a velocity of its own: mixture/slip.hpp.

@@ -11,6 +11,9 @@ void declare_one_material(TaskList& list, const SchemeOptions& options, const Ef
 // Of blocks that solids meet; one fluid.
 void declare_walled_material(TaskList& list, const SchemeOptions& options,
                              const EffectList& effects);
+// Likewise of several fluids with one velocity.
+void declare_walled_mixture(TaskList& list, const SchemeOptions& options,
+                            const EffectList& effects);
 void declare_mixture(TaskList& list, const SchemeOptions& options, const EffectList& effects);
 // A mixture whose materials each have a velocity.
 void declare_own_velocities(TaskList& list, const SchemeOptions& options,

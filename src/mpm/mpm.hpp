@@ -12,7 +12,7 @@ namespace sluice::mpm {
 
 class SolidLevels;
 
-class Mpm final : public Component {
+class Mpm : public Component {
  public:
   Mpm(const Scene& scene, MpmScene solids);
 

@@ -1,9 +1,9 @@
 // Nanoseconds a particle that a transfer between particles and nodes takes.
 //
 // usage: sluice_transfer_bench [BASIS [DIRECTIONS [flip|apic]]]; default gimp, 3, flip. BASIS:
-// linear, gimp, gimp_own, cpgimp, quadratic, cubic, cpdi. Two particles a cell and direction, in
-// blocks, in a body of 2^15 cells. Prints a line that ends with "ns N", both ways together, the
-// least of repetitions.
+// linear, gimp, gimp_own, cpgimp, quadratic, cubic, cpdi, carried_corners. Two particles a cell and
+// direction, in blocks, in a body of 2^15 cells. Prints a line that ends with "ns N", both ways
+// together, the least of repetitions.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -44,7 +44,7 @@ struct Particles {
       grid.axes[static_cast<std::size_t>(d)] = axis_of(level, d);
       grid.active[static_cast<std::size_t>(d)] = d;
     }
-    columns.resize(3 + 3 + 2 + 6 + 9 + 9 + 9 + 3);
+    columns.resize(3 + 3 + 2 + 6 + 9 + 9 + 9 + 3 + 24);
     IntVec3 count{1, 1, 1};
     for (int d = 0; d < directions; ++d) count[d] = cells / shape.edge[d];
     for (int k = 0; k < count.z; ++k)
@@ -70,6 +70,10 @@ struct Particles {
     if (column < 3) return x[column];
     if (column >= 14 && column < 23) return (column - 14) % 4 == 0 ? 1.02 : 0.01;  // F
     if (column >= 23 && column < 32) return (column - 23) % 4 == 0 ? 0.5 : 0.0;    // R0
+    if (column >= 44) {  // corners, a quarter of a cell away
+      const std::size_t corner = (column - 44) / 3, d = (column - 44) % 3;
+      return x[d] + (corner >> d & 1 ? 0.0255 : -0.0255);
+    }
     if (column >= 41) return 0.24;
     return 0.5;
   }
@@ -99,6 +103,7 @@ void run(const std::string& name, Basis basis, bool widths, int directions, bool
   p.shape.edges = of.at<9>(23);
   if (affine) p.affine = of.at<9>(32);
   if (widths) p.shape.half = of.at<3>(41);
+  if (basis == Basis::carried) p.shape.corners = of.at<24>(44);
   SumUnits units;
   units.mass = units.momentum = units.force = 0x1p40;
   BlockTable table(of.shape);
@@ -156,16 +161,17 @@ int main(int argc, char** argv) {
   const int directions = argc > 2 ? std::atoi(argv[2]) : 3;
   const bool affine = argc > 3 && std::string(argv[3]) == "apic";
   const std::pair<const char*, Basis> bases[] = {
-      {"linear", Basis::linear}, {"gimp", Basis::gimp},           {"gimp_own", Basis::gimp},
-      {"cpgimp", Basis::cpgimp}, {"quadratic", Basis::quadratic}, {"cubic", Basis::cubic},
-      {"cpdi", Basis::cpdi}};
+      {"linear", Basis::linear},       {"gimp", Basis::gimp},
+      {"gimp_own", Basis::gimp},       {"cpgimp", Basis::cpgimp},
+      {"quadratic", Basis::quadratic}, {"cubic", Basis::cubic},
+      {"cpdi", Basis::cpdi},           {"carried_corners", Basis::carried}};
   for (const auto& [known, basis] : bases)
     if (name == known && directions >= 1 && directions <= 3) {
       run(name, basis, name == "gimp_own", directions, affine);
       return 0;
     }
   std::fprintf(stderr,
-               "usage: sluice_transfer_bench [linear|gimp|gimp_own|cpgimp|quadratic|cubic|cpdi "
-               "[1|2|3 [flip|apic]]]\n");
+               "usage: sluice_transfer_bench [linear|gimp|gimp_own|cpgimp|quadratic|cubic|cpdi|"
+               "carried_corners [1|2|3 [flip|apic]]]\n");
   return 2;
 }

@@ -169,6 +169,11 @@ void alone(const Row& row, const Handles& h, const Fluid& fluid) {
 
 void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   ice::add_lagrangian(list, v.common, o, effect);
+  add_lagrangian_of_each(list, v, o, effect);
+}
+
+void add_lagrangian_of_each(TaskList& list, const Variables& v, const SchemeOptions& o,
+                            int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material", effect);
   Handles h;
   h.state = read_state(task, v);

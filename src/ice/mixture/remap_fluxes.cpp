@@ -194,43 +194,46 @@ class MixedFaces {
 }  // namespace
 
 void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
+}
+
+void add_remap_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                    int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
-    const auto face = static_cast<std::size_t>(axis);
-    TaskBuilder task = list.task(names[axis], effect);
-    Handles h;
-    h.common = read_remap_inputs(task, v.common, o, axis);
-    h.common.flux = task.write(v.common.flux[face]);
-    h.materials = read_materials(task, v, o, axis);
-    read_blends(task, v, axis, o, h.materials);
-    h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
-    h.flux = task.write(v.flux[face]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-      task.kernel([=](const Row& row) {
-        const double l = row.step().dt / row.step().spacing[direction];
-        const auto runs = [&](auto&& f) {
-          for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
-        };
-        const auto kind = [&](std::size_t m) {
-          return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
-        };
-        const auto pure_faces = [&](int first, int count, int of) {
-          const Row part = row.part(first, count);
-          const RemapLaw law = of == of_mixed_gas ? RemapLaw::ideal_by_energy
-                               : of != 0          ? RemapLaw::scaled
-                                                  : RemapLaw::ideal;
-          flux_row_of<D, C>(part, h.common, axis, l, o, law);
-        };
-        if (!for_each_pure_piece(runs, kind, pure_faces)) return;
-        // Only now: room for so many materials, even in an optional, is 9 kB to clear in every row.
-        MixedFaces<D, C> mixed(row, h, o, axis, l);
-        runs([&](int first, int count, double pure) {
-          if (pure < 0) mixed.run(first, count, row.count() - first);
-        });
+  const int direction = o.axes.direction[axis];
+  const auto face = static_cast<std::size_t>(axis);
+  TaskBuilder task = list.task(names[axis], effect);
+  Handles h;
+  h.common = read_remap_inputs(task, v.common, o, axis);
+  h.common.flux = task.write(v.common.flux[face]);
+  h.materials = read_materials(task, v, o, axis);
+  read_blends(task, v, axis, o, h.materials);
+  h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
+  h.flux = task.write(v.flux[face]);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      const double l = row.step().dt / row.step().spacing[direction];
+      const auto runs = [&](auto&& f) {
+        for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
+      };
+      const auto kind = [&](std::size_t m) {
+        return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
+      };
+      const auto pure_faces = [&](int first, int count, int of) {
+        const Row part = row.part(first, count);
+        const RemapLaw law = of == of_mixed_gas ? RemapLaw::ideal_by_energy
+                             : of != 0          ? RemapLaw::scaled
+                                                : RemapLaw::ideal;
+        flux_row_of<D, C>(part, h.common, axis, l, o, law);
+      };
+      if (!for_each_pure_piece(runs, kind, pure_faces)) return;
+      // Only now: room for so many materials, even in an optional, is 9 kB to clear in every row.
+      MixedFaces<D, C> mixed(row, h, o, axis, l);
+      runs([&](int first, int count, double pure) {
+        if (pure < 0) mixed.run(first, count, row.count() - first);
       });
     });
-  }
+  });
 }
 
 }  // namespace sluice::ice::mixture

@@ -18,6 +18,15 @@ struct MaterialState {
   Out mass_new, volume_new, energy_new;
 };
 
+// Cells that solids touch: they take no part in the rules here. What is left in them are amounts
+// per volume of the cell, and, in place of theta, what momentum leaves to kinetic energy and heat.
+struct TouchedCells {
+  bool any = false;
+  In cells, volume_L, energy_L, frame, before, next, old_momentum;
+  std::vector<In> old_energy;
+  Out kinetic;
+};
+
 struct UpdateState {
   UpdateHandles common;
   In stretch, energy_L, pure;
@@ -28,6 +37,7 @@ struct UpdateState {
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
   std::vector<Out> slip_new;   // where each material has a velocity of its own
   SourceHandles sources;
+  TouchedCells touched;    // beside solids
 };
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
 

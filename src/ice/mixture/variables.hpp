@@ -77,6 +77,8 @@ struct Variables {
   VariableId end;        // density, modulus of the new mixture
   VariableId end_remap;  // density after the remap
   SlipVariables slip;
+  // Beside solids (walls/materials.hpp): which cells the rules of whole cells leave out, and how.
+  VariableId touched, touched_volume, touched_energy, old_momentum;
 };
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids);
@@ -121,8 +123,11 @@ void add_own_viscosities(TaskList&, const Variables&, const SchemeOptions&, int 
 void add_heat_flux(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_transported_heat(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
+// What it does to each material, once that to the mixture is known.
+void add_lagrangian_of_each(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_remap_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
 void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_one_pressure(TaskList&, const Variables&, const SchemeOptions&, int effect);
 // The materials as the labels of a step know them.

@@ -48,7 +48,10 @@ void add_smooth_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, 
 void add_viscous_force(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_predictions(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_solved_face_states(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-// All of these.
+// What multiplies differences of d across the faces of an axis in the volume that a cell loses.
+void add_face_coefficient(TaskList&, const SchemeVariables&, const SchemeOptions&, int axis,
+                          VariableId to_write, int effect);
+// All of these, but for coefficients beside solids.
 void add_solved_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // After the Lagrangian phase: R by the law, its maximum; X - p of the new state. `p_L`: pressure of

@@ -18,7 +18,9 @@
 #include "framework/task/reductions.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/error_rows.hpp"
+#include "ice/step/cell_sums.hpp"
 #include "ice/step/laws_of_cells.hpp"
+#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
@@ -27,8 +29,11 @@ void add_open_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
                           int axis, int effect) {
   const auto n = static_cast<std::size_t>(axis);
   const int direction = o.axes.direction[axis];
+  const std::string name = "coefficients of whole faces " + std::to_string(axis);
+  const VariableId of_whole = list.temporary(name, 1, direction);
+  add_face_coefficient(list, v, o, axis, of_whole, effect);
   TaskBuilder task = list.task("coefficients of open faces " + std::to_string(axis), effect);
-  const In whole = task.read(v.solve.coefficient[n]), covered = task.read(v.walls.mean_covered[n]);
+  const In whole = task.read(of_whole), covered = task.read(v.walls.mean_covered[n]);
   const In fraction = task.read(v.walls.fraction, Stencil::along(direction, 1, 0));
   const Out out = task.write(list.output(labels().matrix_face[direction], 0));
   task.kernel([=](const Row& row) {
@@ -140,14 +145,18 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   TaskBuilder task = list.task("volume error beside solids", effect);
   const VolumeReads h = read_volumes(task, v, o);
   const In pL_in = task.read(p_L), p_in = task.read(v.pressure);
-  const In inverse = task.read(v.inverse_J), donor = task.read(v.walls.new_donor);
-  const Out out = task.write(list.output(labels().volume_error, 0));
+  const In inverse = task.read(v.inverse_J), energy = task.read(v.energy_star);
+  const In next = task.read(v.walls.next);
+  const Out out = task.write(v.solve.error);
   task.always();
   task.kernel([=, axes = o.axes](const Row& row) {
-    const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *anew = row(donor);
+    const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *E = row(energy);
+    const double* after = row(next);
     double* R = row(out);
     error_row<D>(row, h, axes, R, [&](int i, double V, double K) {
-      return anew[i] != 0 ? -V * ((pL[i] - p[i]) / K) : 1.0 / per_V[i] - V;
+      const double V_L = 1.0 / per_V[i];
+      const bool touched = V < 1 || after[i] > 0;
+      return touched && !gives_new_state(V, V_L, E[i]) ? V_L - V : -V * ((pL[i] - p[i]) / K);
     });
     std::int64_t most = 0;
     for (int i = 0; i < row.count(); ++i) {
@@ -156,6 +165,10 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     }
     row.reductions().maximum(StepSlots::volume_error, most);
   });
+  TaskBuilder save = list.task("save " + labels().volume_error.name(), effect);
+  const In error = save.read(v.solve.error);
+  const Out saved = save.write(list.output(labels().volume_error, 0));
+  save.kernel([=](const Row& row) { std::copy_n(row(error), row.count(), row(saved)); });
 }
 
 }  // namespace

@@ -21,9 +21,6 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   x.work = list.temporary("work pressure");
   x.smooth = list.temporary("smooth pressure");
   x.error = list.temporary("relative volume error");
-  for (int a = 0; a < o.axes.count && o.walled; ++a)
-    x.coefficient[static_cast<std::size_t>(a)] = list.temporary(
-        "coefficient of whole faces of axis " + std::to_string(a), 1, o.axes.direction[a]);
   if (o.viscous) x.force = list.temporary("viscous force", o.axes.count);
   if (o.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
   if (o.meets_finer)

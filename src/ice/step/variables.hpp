@@ -143,7 +143,6 @@ struct PressureVariables {
   std::array<VariableId, 3> prediction;                      // by axis: u*, j, k
   VariableId interface;                                      // X- in ghosts beside a coarser level
   VariableId error;                                          // R
-  std::array<VariableId, 3> coefficient;                     // of whole faces; beside solids
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
@@ -161,7 +160,6 @@ struct WallVariables {
   std::array<VariableId, 3> whole_stress, whole_heat_flux;
   // Amounts of the cell: M, P; 1/M; of donors: velocity, weight of slopes along each axis.
   VariableId mass, momentum, inverse_mass, donor_velocity, base_mask;
-  VariableId new_donor;  // 1: it gives what the step makes of it, 0: its old state
   std::array<VariableId, 3> remap_mask;
   VariableId after_rho, after_momentum, after_energy;
 };

@@ -16,19 +16,18 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/impulse.hpp"
+#include "ice/step/walled_donors.hpp"
 #include "ice/walls/variables.hpp"
 
 namespace sluice::ice::walls {
 namespace {
 
-constexpr double least_donor = 0.5;  // V of a cell that gives what the step makes of it
-constexpr double most_squeeze = 0.3, most_stretch = 3.0;  // V_L/V, likewise
-
 struct Handles {
   In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
   std::array<In, 3> face_pressure, flow, covered, stress, heat_flux;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, scale;
-  Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask, new_donor;
+  Out mixture;  // work of pressures, of friction
+  Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
   std::array<Out, 3> remap_mask;
 };
 
@@ -105,6 +104,12 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
       }
     }
   }
+  if (o.mixture && o.viscous) {
+    double* friction = row(h.mixture, 1);
+    for (int i = 0; i < n; ++i)
+      friction[i] = energy[i] + row(h.mixture, 0)[i] -
+                    (1.0 - row(h.fraction)[i]) * row(h.energy)[i];
+  }
   for (int d = 0; d < D && o.conducting; ++d) {
     const In q = h.heat_flux[static_cast<std::size_t>(d)];
     const double *low = row(q), *high = row(q, 0, d, 1);
@@ -142,10 +147,11 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
   }
+  if (o.keeps_work())
+    for (int i = 0; i < n; ++i) row(h.mixture, 0)[i] = (1.0 - theta[i]) * E[i] - Es[i];
   add_heat<D, C>(row, h, s, o, Es);
   double *iJ = row(h.inverse_J), *rL = row(h.rho_L), *EL = row(h.energy_L);
   double *N = row(h.courant), *iN = row(h.inverse_courant), *whole = row(h.base_mask);
-  double* anew = row(h.new_donor);
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
     double stretch = 0, out = 0;
@@ -158,15 +164,13 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     if constexpr (C > D) out += V * carried;
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = theta[i] > 0 || after[i] > 0;
-    const bool old = solid && !(V >= least_donor && volume > most_squeeze * V &&
-                                volume < most_stretch * V && Es[i] > 0);
+    const bool old = solid && !gives_new_state(V, volume, Es[i]);
     const double inverse = 1.0 / (solid ? larger(volume, least_volume) : volume);
     iJ[i] = inverse;
     rL[i] = old ? r[i] : (r[i] * V) * inverse;
     EL[i] = old ? E[i] : Es[i] * inverse;
     N[i] = smaller(out * inverse, 1.0);
     iN[i] = 1.0 / larger(N[i], 0.05);
-    anew[i] = old ? 0.0 : 1.0;
     whole[i] = old ? 0.0 : V;
     for (int c = 0; c < C; ++c) {
       v[c][i] = V > 0 ? u[c][i] - dP[c][i] * W[i] : 0.0;
@@ -222,8 +226,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_mass = task.write(w.inverse_mass);
   h.donor_velocity = task.write(w.donor_velocity);
   h.base_mask = task.write(w.base_mask);
-  h.new_donor = task.write(w.new_donor);
-  const bool scaled = o.fluid.ideal() == nullptr;
+  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
+  const bool scaled = !o.mixture && o.fluid.ideal() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {

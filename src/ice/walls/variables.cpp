@@ -37,7 +37,6 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.inverse_mass = list.temporary("1/mass in the cell");
   w.donor_velocity = list.temporary("velocity of donors", C);
   w.base_mask = list.temporary("weight of transverse slopes");
-  w.new_donor = list.temporary("donors of their new state");
   w.after_rho = list.temporary("density after the step");
   w.after_momentum = list.temporary("momentum after the step", C);
   w.after_energy = list.temporary("energy after the step");

@@ -2,7 +2,9 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <memory>
 
 #include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
@@ -17,7 +19,11 @@ class TextRun {
   // `rewrite` is applied to the text of the deck: (from, to), each once; throws where not found.
   using Rewrites = std::vector<std::pair<std::string, std::string>>;
 
-  TextRun(const SolidDeck& deck, const Rewrites& rewrites, const std::string& name, int threads = 1)
+  // The component, where it is not Mpm itself.
+  using Make = std::function<std::unique_ptr<Mpm>(const Scene&, const MpmScene&)>;
+
+  TextRun(const SolidDeck& deck, const Rewrites& rewrites, const std::string& name, int threads = 1,
+          const Make& make = std::make_unique<Mpm, const Scene&, const MpmScene&>)
       : folder_(std::filesystem::temp_directory_path() /
                 fmt::format("sluice_{}_{}", name, ::getpid())) {
     std::filesystem::create_directories(folder_);
@@ -31,13 +37,13 @@ class TextRun {
     read.deck = load_deck_text(text, name + ".ups", {}, solid_schema());
     finish_reading(read);
     if (any_error(read.faults)) throw std::runtime_error(read.text);
-    const Mpm solids(read.scene, read.solids);
+    const std::unique_ptr<Mpm> solids = make(read.scene, read.solids);
     RunOptions run;
     run.parent = folder_;
     run.progress = ProgressMode::none;
     run.threads = threads;
     run.deck_xml = text;
-    report_ = Simulation(read.scene, solids, world(), run).run();
+    report_ = Simulation(read.scene, *solids, world(), run).run();
     if (report_.status == RunStatus::failed) throw std::runtime_error(report_.message);
   }
   ~TextRun() {

@@ -9,12 +9,12 @@
 #include "framework/base/temporary_folder.hpp"
 #include "sluice_source_dir.hpp"
 
-namespace sluice::solid_runs_test {
+namespace sluice::solid_bits_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class SolidRuns : public testing::Test {
+class SolidBits : public testing::Test {
  protected:
   fs::path run(const std::string& name, const std::string& arguments, int ranks = 1) const {
     const fs::path folder = folder_ / name;
@@ -41,7 +41,7 @@ class SolidRuns : public testing::Test {
 };
 
 // Two disks that collide; corners are saved in checkpoints.
-TEST_F(SolidRuns, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
+TEST_F(SolidBits, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
   const std::string deck = std::string(SLUICE_SOURCE_DIR) +
                            "/inputs/mpm/colliding_disks.ups --set MPM/interpolator=carried_corners "
                            "--set DataArchiver/checkpoint/@timestepInterval=40 "
@@ -53,4 +53,4 @@ TEST_F(SolidRuns, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
 }
 
 }  // namespace
-}  // namespace sluice::solid_runs_test
+}  // namespace sluice::solid_bits_test

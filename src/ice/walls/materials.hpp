@@ -1,0 +1,38 @@
+// Several fluids in cells that solids touch. What is done to the mixture is done in the files of
+// walls/ as for one fluid; the fluids share it so (V fluid's volume in the cell, V_m shares of it,
+// sum 1; W what the pressures' work takes from the mixture, V_L its volume after the Lagrangian
+// phase):
+//
+//   E_mL = V E_m - V_m p (V_L - V) - (W - p (V_L - V)) M_m/rho
+//   a touched donor gives volume by its shares, each fluid at its mean density and energy:
+//   FV_m = H V_m,  FM_m = FV_m M_m V/(V_m V_L),  FE_m = FV_m E_mL/(V_m V_L),  U = its velocity
+//   M_m' = V M_m + sum FM,  V_m' = V_m V_L + sum FV,  E_m' = E_mL + sum FE     per cell volume
+//
+// and what the kinetic energy leaves is told apart, until the cell is settled. All other cells take
+// the rules of mixture/, to the bit.
+#pragma once
+#include "ice/mixture/variables.hpp"
+#include "ice/walls/variables.hpp"
+
+namespace sluice::ice::walls {
+
+struct MaterialVariables {
+  VariableId energy_L;                      // E_mL of touched cells, by material
+  VariableId volume_L;                      // V_L
+  std::array<VariableId, 3> whole_flux;     // of the mixture and of each material, as the rules of
+  std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
+};
+
+MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
+// E_mL, V_L of touched cells.
+void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                        const SchemeOptions&, int effect);
+// Fluxes of faces at touched cells.
+void add_fluxes_of_touched(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                           const SchemeOptions&, int effect);
+
+// As mixture/ has them, with what it takes for the faces' velocity.
+mixture::Variables of_whole_cells(const mixture::Variables&);
+mixture::Variables of_whole_remap(const mixture::Variables&, const MaterialVariables&, int axis);
+
+}  // namespace sluice::ice::walls
