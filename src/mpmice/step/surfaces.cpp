@@ -73,7 +73,7 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
   mean_over_surfaces(scope);
-  find_pressures(scope);
+  find_pressures(scope, false);
   return Verdict::good;
 }
 

@@ -21,20 +21,22 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 }  // namespace
 
 template <int D>
-void LevelCoupling<D>::find_pressures(const StageScope& scope) {
+void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3;
   known_.begin(frame_.box, velocity + D);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
+  const WorkPressure of_solve(*fluid_, level.state(), solved);
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
+    const WorkPressure::Box work = of_solve.box(b);
     for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
                   [&](IntVec3 at) {
                     const std::size_t i = frame_.box.index(frame_.cell(at));
                     if (!wet(i)) return;
                     const FluidState s = cells.at(at);
                     known_.put(density, i, s.rho);
-                    known_.put(pressure, i, s.pressure);
+                    known_.put(pressure, i, work.at(at, s.pressure));
                     known_.put(speed, i, s.sound);
                     for (int a = 0; a < D; ++a)
                       known_.put(velocity + a, i,
@@ -49,8 +51,8 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope) {
   known_.take(speed, sound);
   for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
-  press_on_walls(rho, sound, u);
-  fill_dry_pressures();
+  press_on_walls(rho, sound, u, scope.step.dt);
+  fill_dry(fields_.wall_pressure);
 }
 
 template <int D>
@@ -77,7 +79,7 @@ void LevelCoupling<D>::smooth_normals() {
 
 template <int D>
 void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
-                                      const std::array<Column, D>& u) {
+                                      const std::array<Column, D>& u, double dt) {
   fields_.wall_pressure = fields_.pressure;
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
@@ -91,7 +93,8 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
     const double p = fields_.pressure[i];
-    const double z = rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du));
+    const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
+                              most_impedance(i, size, rho[i], dt));
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
@@ -100,10 +103,22 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
   });
 }
 
-// Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
-// as inside.
+// What the fluid of a cell can resist with in a semi-implicit step, rho dx/(2 dt): of longer ones
+// sound crosses it, and what remains of z du is in the pressure that was solved for
+// (ice/pressure/predictions.cpp, j).
 template <int D>
-void LevelCoupling<D>::fill_dry_pressures() {
+double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
+  if (!fluid_->options().implicit) return 1e300;
+  double per_dx = 0;
+  for (std::size_t d = 0; d < D; ++d)
+    per_dx += std::fabs(fields_.smooth[d][i]) / size / frame_.spacing[frame_.direction[d]];
+  return 0.5 * rho / (dt * per_dx);
+}
+
+// Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
+// as inside. Which are known then.
+template <int D>
+std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   std::vector<std::uint8_t> known(frame_.box.cells(), 0);
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
   for (int layer = 0; layer < 2; ++layer) {
@@ -114,16 +129,17 @@ void LevelCoupling<D>::fill_dry_pressures() {
       int count = 0;
       for_each_neighbour(c, [&](std::size_t j) {
         if (known[j] == 0) return;
-        sum += fields_.wall_pressure[j];
+        sum += values[j];
         ++count;
       });
       if (count > 0) found.emplace_back(i, sum / count);
     });
     for (const auto& [i, p] : found) {
-      fields_.wall_pressure[i] = p;
+      values[i] = p;
       known[i] = 1;
     }
   }
+  return known;
 }
 
 // On corners of the outer faces: -(p_w - p_ref) n m_k of each piece. Solids are free of stress at
@@ -172,9 +188,12 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   return Verdict::good;
 }
 
-template void LevelCoupling<1>::find_pressures(const StageScope&);
-template void LevelCoupling<2>::find_pressures(const StageScope&);
-template void LevelCoupling<3>::find_pressures(const StageScope&);
+template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
+template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
+template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
+template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
+template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
+template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
 template Verdict LevelCoupling<1>::press_on_solids(const StageScope&);
 template Verdict LevelCoupling<2>::press_on_solids(const StageScope&);
 template Verdict LevelCoupling<3>::press_on_solids(const StageScope&);
