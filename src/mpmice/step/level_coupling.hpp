@@ -34,6 +34,7 @@ class LevelCoupling final : public Coupling {
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
                       double dt);
   double most_impedance(std::size_t i, double size, double rho, double dt) const;
+  double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   std::vector<std::uint8_t> fill_dry(Column& values) const;
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);

@@ -5,6 +5,7 @@
 // with nhat out of the solid, y = 1/(rho_s c_s) (0 where rigid) and p_s the pressure of the solid
 // behind the surface: the Riemann problem of fluid and solid along the normal (mpmice_scheme, step
 // 3). nhat is smoothed over the cells around, which stairs need; forces take n itself.
+#include <algorithm>
 #include <cmath>
 
 #include "ice/fluid/labels.hpp"
@@ -81,7 +82,7 @@ template <int D>
 void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
                                       const std::array<Column, D>& u, double dt) {
   fields_.wall_pressure = fields_.pressure;
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
     double size = 0, whole = 0, du = 0;
     for (std::size_t d = 0; d < D; ++d) {
@@ -92,7 +93,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     size = std::sqrt(size);
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
-    const double p = fields_.pressure[i];
+    const double p = pressure_beside_wall(c, i, size);
     const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
                               most_impedance(i, size, rho[i], dt));
     const double w = 1 / (1 + z * fields_.compliance[i]);
@@ -112,7 +113,30 @@ double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, 
   double per_dx = 0;
   for (std::size_t d = 0; d < D; ++d)
     per_dx += std::fabs(fields_.smooth[d][i]) / size / frame_.spacing[frame_.direction[d]];
-  return 0.5 * rho / (dt * per_dx);
+  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * per_dx);
+}
+
+// The fluid's pressure half a cell from the wall along nhat. That of a cell is of its centre, which
+// the wall may have passed: of a semi-implicit step
+//   p = X + V_s sum_d nhat_d^2 (X_d - X),  V_s = 1 - V, X_d of the cell beside along nhat_d
+// Without it the wall stops what a cell of little fluid shares with its neighbour twice over, and
+// that swings with a growing amplitude. In an explicit step the two share one state.
+template <int D>
+double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const {
+  const double X = fields_.pressure[i];
+  if (!fluid_->options().implicit) return X;
+  double change = 0;
+  for (std::size_t d = 0; d < D; ++d) {
+    const double n = fields_.smooth[d][i] / size;
+    Cell<D> beside = c, face = c;
+    beside[d] += n > 0 ? 1 : -1;
+    face[d] += n > 0 ? 1 : 0;
+    if (!frame_.in_domain(beside) && !frame_.periodic[d]) continue;
+    const std::size_t j = frame_.box.index(frame_.inside(beside));
+    if (!wet(j) || !(fields_.covered[d][frame_.box.index(face)] < 0.5)) continue;
+    change += n * n * (fields_.pressure[j] - X);
+  }
+  return X + fields_.theta[i] * change;
 }
 
 // Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
