@@ -62,12 +62,14 @@ void add_mpm_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_stray_blocks);
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);
+  schema.rewrites.emplace_back(rename_new_labels);
   schema.rewrites.emplace_back(locate_pieces);
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);
   schema.rules.emplace_back(check_solid_materials);
   schema.rules.emplace_back(check_contacts);
+  schema.rules.emplace_back(check_cohesive_zones);
   schema.rules.emplace_back(check_loads);
   schema.rules.emplace_back(check_solid_faces);
 }

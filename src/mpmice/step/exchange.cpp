@@ -26,10 +26,29 @@ struct KindInCells {
 template <int D>
 void LevelCoupling<D>::exchange(const StageScope& scope) {
   const ice::IceScene& ice = fluid_->scene();
-  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
     const double drag = ice.momentum_of_all(k, ice.solids), heat = ice.heat_of_all(k, ice.solids);
     if (drag > 0 || heat > 0) exchange_with(scope, k, drag, heat);
   }
+}
+
+// Temperature and M c_v of the fluids of a cell: what they have together.
+template <int D>
+typename LevelCoupling<D>::FluidHeat LevelCoupling<D>::heat_of(std::size_t i) const {
+  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const double all = amounts_.mass_of_all(i), rest = amounts_.kinetic[i] - amounts_.moving(i);
+  FluidHeat heat;
+  for (std::size_t m = 0; m < fluids.size(); ++m) {
+    const double M = amounts_.mass[m][i], V = amounts_.filled[m][i];
+    if (!(M > 0) || !(V > 0)) continue;
+    const double rho = M / V, rho_e = (amounts_.energy[m][i] + rest * (M / all)) / V;
+    if (!fluids[m].admissible(rho, rho_e)) continue;
+    const double capacity = M * fluids[m].heat_capacity(rho, rho_e);
+    heat.capacity += capacity;
+    heat.temperature += capacity * fluids[m].temperature(rho, rho_e);
+  }
+  if (heat.capacity > 0) heat.temperature /= heat.capacity;
+  return heat;
 }
 
 template <int D>
@@ -37,7 +56,6 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   const mpm::SolidMaterial& material = solids_->scene().materials[static_cast<std::size_t>(kind)];
   const bool rigid = material.rigid;
   const double dt = scope.step.dt, c_s = material.constants.specific_heat;
-  const ice::Fluid& law = fluid_->options().fluids.front();
   // Sums over the particles.
   double most_mass = 1e-300, most_speed = 1e-300, most_T = 1e-300;
   const auto column = [](const SolidSet<D>& s, int c) {
@@ -98,13 +116,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
     const double V = amounts_.volume[i], theta = fields_.theta_next[i];
     if (!(V > 0 && V < 1) || !(solid.mass[i] > 0) || amounts_.near[i] == 0) return;
-    const double M = amounts_.mass[i], Ms = solid.mass[i] * to_density;
+    const double M = amounts_.mass_of_all(i), Ms = solid.mass[i] * to_density;
     if (!(M > 0)) return;
     amounts_.touched[i] = 1;
     const double inverse_s = rigid ? 0.0 : 1 / Ms;
-    double moving = 0;
-    for (const Column& m : amounts_.momentum) moving += m[i] * m[i];
-    const double E = amounts_.energy[i] - 0.5 * moving / M;
+    const FluidHeat fluid = heat_of(i);
     if (K > 0)
       for (std::size_t d = 0; d < D; ++d) {
         const int c = component[static_cast<std::size_t>(frame_.direction[d])];
@@ -114,23 +130,24 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
         P -= I;
         const double given = I * (us + 0.5 * I * inverse_s);
-        amounts_.energy[i] -= given;
+        amounts_.kinetic[i] -= given;
         dv[d][i] = I * inverse_s;
         gain[i] += given;
       }
-    if (K_h > 0 && c_s > 0 && E > 0) {
-      const double rho = M / V, cv = law.heat_capacity(rho, E / V);
-      const double T = law.temperature(rho, E / V), Ts = solid.heat[i] / solid.mass[i] * most_T;
-      const double Q =
-          (T - Ts) / (1 / (dt * K_h * V * theta) + 1 / (M * cv) + (rigid ? 0.0 : 1 / (Ms * c_s)));
-      amounts_.energy[i] -= Q;
+    if (K_h > 0 && c_s > 0 && fluid.capacity > 0) {
+      const double Ts = solid.heat[i] / solid.mass[i] * most_T;
+      const double Q = (fluid.temperature - Ts) / (1 / (dt * K_h * V * theta) + 1 / fluid.capacity +
+                                                   (rigid ? 0.0 : 1 / (Ms * c_s)));
+      amounts_.kinetic[i] -= Q;
       warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
     }
   });
   if (rigid) return;
+  ExactSum heated;
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+    const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
     double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
     std::array<double*, D> v;
     for (std::size_t d = 0; d < D; ++d)
@@ -150,8 +167,13 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       }
       T[p] += heat;
       if (c_s > 0) T[p] += energy / c_s;
+      heated.add(mass[p] * (c_s * heat + energy));
     }
   }
+  Reduction total;
+  const auto slot = total.add_sum(heated);
+  scope.ranks->reduce(total);
+  (*scope.sums)[mpm::StepSums::heat_from_fluid] += total.sum(slot).value();
   bound_velocities(scope, kind);
 }
 
@@ -180,7 +202,7 @@ void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
     up[static_cast<int>(d)] = all.maximum(slots[2 * d]);
     down[static_cast<int>(d)] = all.maximum(slots[2 * d + 1]);
   }
-  step_->level(0).include_velocities(kind, up, down);
+  step_->level(step_->count() - 1).include_velocities(kind, up, down);
 }
 
 template void LevelCoupling<1>::exchange(const StageScope&);

@@ -3,6 +3,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpmice/geometry/pieces.hpp"
+#include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
@@ -36,7 +37,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
   ParticleCloud& cloud = *scope.particles;
   const int level = scope.levels.front()->level().index;
   std::size_t n = 0;
-  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
     ParticleStore& store = cloud.store(k);
     for (int b = 0; b < store.box_count(level); ++b, ++n) {
       if (n == sets_.size()) sets_.emplace_back();
@@ -67,11 +68,30 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
   for (Column& a : covered) clean_covered_parts(a);
 }
 
+// What the last step left is what this one begins with: the geometry, but for pockets that are
+// kept open and gaps that hold no fluid.
+template <int D>
+void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
+  known_.begin(frame_.box, 1);
+  const LevelSolver& level = *scope.levels.front();
+  const FluidCells fluid(*fluid_, level.state());
+  for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
+    const FluidBox cells = fluid.box(b);
+    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
+      known_.put(0, frame_.box.index(frame_.cell(at)), cells.fraction(at));
+    });
+  }
+  known_.tell_all(*scope.ranks);
+  for_each_cell_of_domain(
+      [&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
+}
+
 template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
   for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
+  take_kept_fractions(scope);
   mean_over_surfaces(scope);
   find_pressures(scope, false);
   return Verdict::good;
@@ -81,12 +101,12 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
 // by area; rigid bodies have no compliance.
 template <int D>
 void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
-  std::vector<double> wave(solids_->carried().size());
+  std::vector<double> wave(solids_->scene().materials.size());
   double least = 1e300;
   for (std::size_t a = 0; a < D; ++a)
     least = std::min(least, frame_.spacing[frame_.direction[a]]);
   for (std::size_t k = 0; k < wave.size(); ++k)
-    wave[k] = step_->level(0).body(static_cast<int>(k)).rates.wave * least;
+    wave[k] = step_->level(step_->count() - 1).body(static_cast<int>(k)).rates.wave * least;
   Scales most;
   const auto compliance = [&](const SolidSet<D>& s, std::size_t p) {
     const auto k = static_cast<std::size_t>(s.kind);
