@@ -74,7 +74,7 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
 }
 
 struct VolumeReads {
-  In fraction, rho, sound;
+  In fraction, next, rho, sound;
   ErrorReads error;
 };
 
@@ -82,20 +82,26 @@ VolumeReads read_volumes(TaskBuilder& task, const SchemeVariables& v, const Sche
   VolumeReads h;
   h.error = read_error(task, v, o);
   h.fraction = task.read(v.walls.fraction);
+  h.next = task.read(v.walls.next);
   h.rho = task.read(v.rho);
   h.sound = task.read(v.sound);
   return h;
 }
 
-// V R of the cells of a row, given V_L - V of each.
-template <int D, class Growth>
-void error_row(const Row& row, const VolumeReads& h, const Axes& axes, double* to,
-               Growth&& growth) {
-  const double *theta = row(h.fraction), *r = row(h.rho), *c = row(h.sound);
+// V R of the cells of a row, given V_L - V of each; where no solid is R, to the bit as elsewhere,
+// given the rise of the pressure.
+template <int D, class Growth, class Rise>
+void error_row(const Row& row, const VolumeReads& h, const Axes& axes, double* to, Growth&& growth,
+               Rise&& rise) {
+  const double *theta = row(h.fraction), *after = row(h.next);
+  const double *r = row(h.rho), *c = row(h.sound);
   const ErrorRows<D> error(row, h.error, axes);
   for (int i = 0; i < row.count(); ++i) {
     const double V = 1.0 - theta[i], K = r[i] * (c[i] * c[i]);
-    to[i] = V > 0 ? error.beside_solids(i, V, growth(i, V, K), K) : 0.0;
+    if (theta[i] > 0 || after[i] > 0)
+      to[i] = V > 0 ? error.beside_solids(i, V, growth(i, V, K), K) : 0.0;
+    else
+      to[i] = error.at(i, rise(i, K), K);
   }
 }
 
@@ -103,14 +109,13 @@ template <int D>
 void add_right_side(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("right-hand side beside solids", effect);
   const VolumeReads h = read_volumes(task, v, o);
-  const In next = task.read(v.walls.next);
   std::array<In, 3> flow;
   for (int a = 0; a < D; ++a)
     flow[static_cast<std::size_t>(a)] = task.read(v.walls.flow[static_cast<std::size_t>(a)],
                                                   Stencil::along(o.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().right_side, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
-    const double *theta = row(h.fraction), *after = row(next);
+    const double *theta = row(h.fraction), *after = row(h.next);
     const double *low[D], *high[D];
     double l[D];
     for (int d = 0; d < D; ++d) {
@@ -118,11 +123,15 @@ void add_right_side(TaskList& list, const SchemeVariables& v, const SchemeOption
       high[d] = row(flow[static_cast<std::size_t>(d)], 0, d, 1);
       l[d] = row.step().dt / row.step().spacing[axes.direction[d]];
     }
-    error_row<D>(row, h, axes, row(out), [&](int i, double, double) {
-      double growth = theta[i] - after[i];
-      for (int d = 0; d < D; ++d) growth += l[d] * (high[d][i] - low[d][i]);
-      return growth;
-    });
+    const auto stretch = [&](int i) {
+      double sum = 0;
+      for (int d = 0; d < D; ++d) sum += l[d] * (high[d][i] - low[d][i]);
+      return sum;
+    };
+    error_row<D>(
+        row, h, axes, row(out),
+        [&](int i, double, double) { return (theta[i] - after[i]) + stretch(i); },
+        [&](int i, double K) { return -K * stretch(i); });
   });
 }
 
@@ -133,9 +142,8 @@ VariableId add_pressure(TaskList& list, const SchemeOptions& o, VariableId rho, 
   const In r = task.read(rho), E = task.read(energy);
   const Out out = task.write(to);
   const LawsOfCells laws(task, list, o, when);
-  task.kernel([=](const Row& row) {
-    laws.of_one(row).pressure(row.count(), row(r), row(E), row(out));
-  });
+  task.kernel(
+      [=](const Row& row) { laws.of_one(row).pressure(row.count(), row(r), row(E), row(out)); });
   return to;
 }
 
@@ -146,18 +154,18 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const VolumeReads h = read_volumes(task, v, o);
   const In pL_in = task.read(p_L), p_in = task.read(v.pressure);
   const In inverse = task.read(v.inverse_J), energy = task.read(v.energy_star);
-  const In next = task.read(v.walls.next);
   const Out out = task.write(v.solve.error);
   task.always();
   task.kernel([=, axes = o.axes](const Row& row) {
     const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *E = row(energy);
-    const double* after = row(next);
     double* R = row(out);
-    error_row<D>(row, h, axes, R, [&](int i, double V, double K) {
-      const double V_L = 1.0 / per_V[i];
-      const bool touched = V < 1 || after[i] > 0;
-      return touched && !gives_new_state(V, V_L, E[i]) ? V_L - V : -V * ((pL[i] - p[i]) / K);
-    });
+    error_row<D>(
+        row, h, axes, R,
+        [&](int i, double V, double K) {
+          const double V_L = 1.0 / per_V[i];
+          return gives_new_state(V, V_L, E[i]) ? -V * ((pL[i] - p[i]) / K) : V_L - V;
+        },
+        [&](int i, double) { return pL[i] - p[i]; });
     std::int64_t most = 0;
     for (int i = 0; i < row.count(); ++i) {
       const std::int64_t size = ordered_bits(std::fabs(R[i]));

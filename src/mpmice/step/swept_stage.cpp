@@ -157,6 +157,9 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   state.forget();
 }
 
+template void LevelCoupling<1>::book_rigid_work(const StageScope&);
+template void LevelCoupling<2>::book_rigid_work(const StageScope&);
+template void LevelCoupling<3>::book_rigid_work(const StageScope&);
 template Verdict LevelCoupling<1>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<2>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<3>::find_swept_volumes(const StageScope&);
