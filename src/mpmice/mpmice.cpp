@@ -16,7 +16,11 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
   places.maximum = solids.reduction_maxima();
   places.sum = solids.reduction_sums();
   const ice::Labels& l = ice::labels();
-  places.common = {l.mask, l.pressure, l.equilibrium_pressure, l.pressure_change, l.source_pressure,
+  places.common = {l.mask,
+                   l.pressure,
+                   l.equilibrium_pressure,
+                   l.pressure_change,
+                   l.source_pressure,
                    l.gradient_pressure};
   for (int d = 0; d < 3; ++d) {
     places.common.push_back(l.face_pressure[d]);
@@ -72,8 +76,7 @@ void MpmIce::initialise(Warehouse& state) const {
 void MpmIce::shape_step(StepShape& shape) const {
   using mpm::SolidLevels;
   const auto solids = solids_.make_step();
-  const auto coupling =
-      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids);
+  const auto coupling = std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids);
   const auto of_solids = [&](StepShape& to, const char* name,
                              Verdict (SolidLevels::*act)(const StageScope&)) {
     to.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
@@ -124,7 +127,8 @@ void MpmIce::shape_step(StepShape& shape) const {
     shape.sweep("step of the fluid");
   if (implicit && rigid) press_on_solids(shape);
   of_both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
-  if (implicit) of_both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
+  if (implicit)
+    of_both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
   shape.take_over();
   of_both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
   of_solids(shape, "take over", &SolidLevels::take_over);

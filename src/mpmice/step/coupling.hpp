@@ -19,8 +19,8 @@ class Coupling {
   virtual Verdict find_surfaces(const StageScope& scope) = 0;
   virtual Verdict press_on_solids(const StageScope& scope) = 0;
   virtual Verdict find_swept_volumes(const StageScope& scope) = 0;
-  // Of a semi-implicit step, between a solve and the sweep: the pressure on surfaces from that which
-  // was solved for; the fluid is told of it (find_swept_volumes does that too).
+  // Of a semi-implicit step, between a solve and the sweep: the pressure on surfaces from that
+  // which was solved for; the fluid is told of it (find_swept_volumes does that too).
   virtual Verdict renew_pressures(const StageScope& scope) = 0;
   virtual Verdict tell_pressures(const StageScope& scope) = 0;
   // Behind the sweep: cells with little fluid share with their neighbours, fluid and solids

@@ -32,18 +32,16 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
     const WorkPressure::Box work = of_solve.box(b);
-    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
-                  [&](IntVec3 at) {
-                    const std::size_t i = frame_.box.index(frame_.cell(at));
-                    if (!wet(i)) return;
-                    const FluidState s = cells.at(at);
-                    known_.put(density, i, s.rho);
-                    known_.put(pressure, i, work.at(at, s.pressure));
-                    known_.put(speed, i, s.sound);
-                    for (int a = 0; a < D; ++a)
-                      known_.put(velocity + a, i,
-                                 s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
-                  });
+    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
+      const std::size_t i = frame_.box.index(frame_.cell(at));
+      if (!wet(i)) return;
+      const FluidState s = cells.at(at);
+      known_.put(density, i, s.rho);
+      known_.put(pressure, i, work.at(at, s.pressure));
+      known_.put(speed, i, s.sound);
+      for (int a = 0; a < D; ++a)
+        known_.put(velocity + a, i, s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
+    });
   }
   known_.tell_all(*scope.ranks);
   Column rho, sound;
@@ -100,7 +98,8 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
-    const double pw = p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
+    const double pw =
+        p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
     fields_.wall_pressure[i] = p > 0 ? std::max(pw, least_share * p) : pw;
   });
 }
