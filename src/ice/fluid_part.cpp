@@ -238,8 +238,15 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
 // Semi-implicit: d by passes over a system that is made once, then the step with what came out.
 void FluidPart::shape_step(StepShape& shape) const {
   if (!options_.implicit) return;
+  declare_passes(shape, nullptr);
+  shape.take_over();
+}
+
+void FluidPart::declare_passes(StepShape& shape,
+                               const std::function<void(StepShape&)>& behind_solve) const {
   const Labels& l = labels();
-  const auto pressure = std::make_shared<pressure::PressureSolve>(*ice_.implicit);
+  const auto pressure =
+      std::make_shared<pressure::PressureSolve>(*ice_.implicit, options_.places.maximum);
   std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
   const bool several = scene_->grid.levels.size() > 1;
   for (int a = 0; a < options_.axes.count; ++a) {
@@ -268,9 +275,9 @@ void FluidPart::shape_step(StepShape& shape) const {
       [&](StepShape& pass) {
         pass.solve("pressure",
                    [pressure](const StageScope& scope) { return pressure->solve(scope); });
+        if (behind_solve) behind_solve(pass);
         pass.sweep("step", stored);
       });
-  shape.take_over();
 }
 
 // What the sweep is told of solids.

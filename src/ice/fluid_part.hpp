@@ -3,6 +3,7 @@
 // parts asks each of them. Numbers of effects, reductions, faults and materials are the part's
 // own: the list of tasks adds its places.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "framework/run/component.hpp"
@@ -38,6 +39,10 @@ class FluidPart {
   void declare_step(TaskList& list, const StepVariant& variant) const;
   void declare_diagnostics(TaskList& list, int level) const;
   void shape_step(StepShape& shape) const;
+  // The passes of a semi-implicit step up to the new state, as a part of a larger step; in each,
+  // `behind_solve` (may be empty) declares what acts between the solve and the sweep.
+  void declare_passes(StepShape& shape,
+                      const std::function<void(StepShape&)>& behind_solve) const;
   std::vector<SlotInfo> work_slots() const;
   int step_kinds() const;
   int step_kind(const Warehouse& old_state, int local_box, const IndexBox& cells_with_halo) const;

@@ -16,7 +16,8 @@ void Ice::fill_boundary(Warehouse& state, double time, std::span<const double> s
 void Ice::fill_work_boundary(Warehouse& state, Label label, const ThreadTeam& team) const {
   // Faces that a finer level gives lie inside the domain.
   if (label == labels().pressure_increment)
-    fluid_.boundary(state.level().index).fill_increment(state, state.find(label, 0), team);
+    fluid_.boundary(state.level().index)
+        .fill_increment(state, state.find(label, fluid_.options().place(0)), team);
 }
 
 int Ice::boundary_sums() const {

@@ -87,22 +87,26 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
 void declare_walled_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   SchemeVariables v = declare_conservative_variables(list, o);
   walls::declare_variables(list, o, v);
+  if (o.implicit) pressure::declare_variables(list, o, v);
   const SchemeVariables fluid = walls::of_fluid_faces(v);
   SchemeVariables open = v;
   open.stress = v.walls.whole_stress;
   open.heat_flux = v.walls.whole_heat_flux;
   // task                    reads                              writes
-  walls::add_openness(list, v, o, effect_solids);          // theta, a           where slopes count
-  add_primitives(list, v, o, effect_flow);                 // state              u, p, c
-  add_face_states(list, fluid, o);                         // u, p, c            slopes, u_f, p_f
+  walls::add_openness(list, v, o, effect_solids);           // theta, a           where slopes count
+  add_primitives(list, v, o, effect_flow);                  // state              u, p, c
+  add_face_states(list, fluid, o);                          // u, p, c            slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
+  if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
-  add_viscous_stress(list, open, o, effect_viscosity);     // u                  t_f
-  add_heat_flux(list, open, o, effect_conduction);         // rho, E             T, q_f
-  walls::add_shares(list, open, v, o, effect_solids);      // t_f, q_f, a        of open faces
-  walls::add_lagrangian(list, v, o, effect_solids);        // state, faces       Lagrange, donors
-  add_bases_and_fluxes(list, v, o);                        // Lagrange, slopes   F, G, U
-  walls::add_update(list, v, o, effect_solids);            // Lagrange, fluxes   new state, rates
+  add_viscous_stress(list, open, o, effect_viscosity);             // u                  t_f
+  add_heat_flux(list, open, o, effect_conduction);                 // rho, E             T, q_f
+  walls::add_shares(list, open, v, o, effect_solids);  // t_f, q_f, a        of open faces
+  walls::add_lagrangian(list, v, o, effect_solids);    // state, faces       Lagrange, donors
+  add_bases_and_fluxes(list, v, o);                    // Lagrange, slopes   F, G, U
+  walls::add_update(list, v, o, effect_solids);        // Lagrange, fluxes   new state, rates
+  if (o.implicit)
+    pressure::add_end_of_walled(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;  // what passes through the sides of the domain
   sides.face_velocity = v.walls.flow;
   add_accounts(list, sides, o, effects);  // fluxes, m, dp   sums, face tables
@@ -161,9 +165,9 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
   walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
-  walls::add_lagrangian(list, v, o, effect_solids);           // state, faces  Lagrange, donors
+  walls::add_lagrangian(list, v, o, effect_solids);  // state, faces  Lagrange, donors
   mixture::add_lagrangian_of_each(list, walls::of_whole_cells(m), o, effect_flow);
-  walls::add_shares_of_each(list, m, x, o, effect_solids);    // Lagrange   E_mL of touched cells
+  walls::add_shares_of_each(list, m, x, o, effect_solids);  // Lagrange   E_mL of touched cells
   mixture::Variables bases = m;
   bases.common = walls::of_bases(v);
   mixture::add_remap_bases(list, bases, masked, effect_second_order);  // Lagrange   bases

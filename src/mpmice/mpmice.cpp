@@ -16,7 +16,11 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
   places.maximum = solids.reduction_maxima();
   places.sum = solids.reduction_sums();
   const ice::Labels& l = ice::labels();
-  places.common = {l.mask, l.pressure, l.equilibrium_pressure, l.pressure_change, l.source_pressure,
+  places.common = {l.mask,
+                   l.pressure,
+                   l.equilibrium_pressure,
+                   l.pressure_change,
+                   l.source_pressure,
                    l.gradient_pressure};
   for (int d = 0; d < 3; ++d) {
     places.common.push_back(l.face_pressure[d]);
@@ -66,34 +70,68 @@ void MpmIce::initialise(Warehouse& state) const {
   start_fractions(state, fluid_.part(), solids_);
 }
 
-// The step, as a table.
+// The step, as a table. A semi-implicit one moves the solids once to see what they sweep, which the
+// system needs, and again in each pass, pressed on by what was solved for: what the fluid loses to
+// a surface the solid gets, whatever the solver's tolerance. Rigid solids do not feel it.
 void MpmIce::shape_step(StepShape& shape) const {
   using mpm::SolidLevels;
   const auto solids = solids_.make_step();
-  const auto coupling =
-      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids);
-  const auto of_solids = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
-    shape.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
+  const auto coupling = std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids);
+  const auto of_solids = [&](StepShape& to, const char* name,
+                             Verdict (SolidLevels::*act)(const StageScope&)) {
+    to.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
   };
-  const auto of_both = [&](const char* name, Verdict (CouplingOnLevels::*act)(const StageScope&)) {
-    shape.stage(name,
-                [coupling, act](const StageScope& scope) { return ((*coupling).*act)(scope); });
+  const auto of_both = [&](StepShape& to, const char* name,
+                           Verdict (CouplingOnLevels::*act)(const StageScope&)) {
+    to.stage(name, [coupling, act](const StageScope& scope) { return ((*coupling).*act)(scope); });
   };
-  of_solids("bounds of the sums", &SolidLevels::begin);
-  of_both("surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
-  of_both("force of the fluid on solids", &CouplingOnLevels::press_on_solids);
-  of_solids("particles to grid", &SolidLevels::to_grid);
-  of_solids("sums of images and ranks", &SolidLevels::share_sums);
-  of_solids("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
-  if (solids_.scene().transfer == mpm::Transfer::xpic)
-    of_solids("filtered velocities (XPIC)", &SolidLevels::filter_velocities);
-  of_solids("grid to particles, deformation, stress", &SolidLevels::from_grid);
-  of_both("volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
-  shape.sweep("step of the fluid");
-  of_both("small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
+  const auto press_on_solids = [&](StepShape& to) {
+    of_both(to, "force of the fluid on solids", &CouplingOnLevels::press_on_solids);
+  };
+  const auto move_solids = [&](StepShape& to) {
+    of_solids(to, "particles to grid", &SolidLevels::to_grid);
+    of_solids(to, "sums of images and ranks", &SolidLevels::share_sums);
+    of_solids(to, "nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
+    if (solids_.scene().transfer == mpm::Transfer::xpic)
+      of_solids(to, "filtered velocities (XPIC)", &SolidLevels::filter_velocities);
+    of_solids(to, "grid to particles, deformation, stress", &SolidLevels::from_grid);
+    of_both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
+  };
+  of_solids(shape, "bounds of the sums", &SolidLevels::begin);
+  of_both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
+  const auto& kinds = solids_.scene().materials;
+  const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
+  const bool implicit = fluid_.part().options().implicit;
+  // What the solids book in a pass, the next one books anew.
+  const auto before = std::make_shared<std::vector<double>>();
+  if (implicit)
+    shape.stage("sums before solids move", [before](const StageScope& scope) {
+      *before = *scope.sums;
+      return Verdict::good;
+    });
+  if (!(implicit && rigid)) press_on_solids(shape);
+  move_solids(shape);
+  if (implicit)
+    fluid_.part().declare_passes(shape, [&](StepShape& pass) {
+      of_both(pass, "pressure on solids", &CouplingOnLevels::renew_pressures);
+      if (rigid) return of_both(pass, "pressure on walls", &CouplingOnLevels::tell_pressures);
+      pass.stage("sums before solids move", [before](const StageScope& scope) {
+        *scope.sums = *before;
+        return Verdict::good;
+      });
+      of_solids(pass, "bounds of the sums", &SolidLevels::begin);
+      press_on_solids(pass);
+      move_solids(pass);
+    });
+  else
+    shape.sweep("step of the fluid");
+  if (implicit && rigid) press_on_solids(shape);
+  of_both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
+  if (implicit)
+    of_both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
   shape.take_over();
-  of_both("limits of the next step", &CouplingOnLevels::limit_step);
-  of_solids("take over", &SolidLevels::take_over);
+  of_both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
+  of_solids(shape, "take over", &SolidLevels::take_over);
 }
 
 int MpmIce::reduction_maxima() const {

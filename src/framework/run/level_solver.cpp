@@ -298,7 +298,8 @@ StepConstants LevelSolver::constants(double time, double dt, bool rates) const {
 }
 
 void LevelSolver::fill_work_ghosts(Label label) {
-  const int slot = state_.find(label, 0);
+  int slot = 0;
+  while (state_.info(slot).label != label) ++slot;
   halo_->run(state_, {slot}, team_.get());
   component_->fill_work_boundary(state_, label, *team_);
 }

@@ -63,7 +63,7 @@ class SeveralLevels final : public PressureSystem {
  private:
   static void take(LevelSolver& level, Label label, const solve::BoxArrays& to, double volume) {
     const Warehouse& stored = level.outputs();
-    const int slot = stored.find(label, 0);
+    const int slot = slot_of(stored, label);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const auto from = stored.view(slot, 0, b);
       const RealView& v = to.views()[static_cast<std::size_t>(b)];
@@ -78,7 +78,7 @@ class SeveralLevels final : public PressureSystem {
     for (int d = 0; d < 3; ++d) {
       const auto n = static_cast<std::size_t>(d);
       if (!level.level().active[n]) continue;
-      const int slot = stored.find(l.matrix_face[d], 0);
+      const int slot = slot_of(stored, l.matrix_face[d]);
       for_each_box(level, [&](int b, const IndexBox& cells) {
         const auto face = stored.view(slot, 0, b);
         const auto box = static_cast<std::size_t>(b);
@@ -95,7 +95,7 @@ class SeveralLevels final : public PressureSystem {
            std::size_t l) {
     LevelSolver& level = *levels[l];
     solver_.system().store(v, l, numbers_[l].views());
-    const int slot = level.state().find(label, 0);
+    const int slot = slot_of(level.state(), label);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const RealView d = level.state().view(slot, 0, b);
       const RealView& from = numbers_[l].views()[static_cast<std::size_t>(b)];
@@ -105,7 +105,7 @@ class SeveralLevels final : public PressureSystem {
   // Ghosts of a slot where the level meets the coarser one; numbers_ holds the cells of both.
   void fill_interface(std::span<LevelSolver* const> levels, Label label, std::size_t l) {
     LevelSolver& level = *levels[l];
-    const int slot = level.state().find(label, 0);
+    const int slot = slot_of(level.state(), label);
     const InterfaceGhosts ghosts(levels[l - 1]->level(), level.level(), numbers_[l - 1].values(),
                                  numbers_[l].values());
     for_each_box(level, [&](int b, const IndexBox& cells) {

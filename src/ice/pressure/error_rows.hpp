@@ -47,13 +47,22 @@ class ErrorRows {
     }
   }
   double at(int i, double dp, double K) const {
-    double carried = 0;
-    for (int a = 0; a < D; ++a)
-      carried += twice_h_[a] * u_[a][i] * (sp_[a][i] + (g_dx_[a] * r_[i] + f_dx_[a]));
-    return (s_.old_share * (p_[i] - X_[i]) + s_.al * (dp - carried) - d_[i]) / (s_.al * K);
+    return (s_.old_share * (p_[i] - X_[i]) + s_.al * (dp - carried(i)) - d_[i]) / (s_.al * K);
+  }
+  // V R of a cell of which the fluid has V, and of that so much more in the step.
+  double beside_solids(int i, double V, double growth, double K) const {
+    const double rest = s_.old_share * (p_[i] - X_[i]) - s_.al * carried(i) - d_[i];
+    return (V * rest) / (s_.al * K) - growth;
   }
 
  private:
+  double carried(int i) const {
+    double sum = 0;
+    for (int a = 0; a < D; ++a)
+      sum += twice_h_[a] * u_[a][i] * (sp_[a][i] + (g_dx_[a] * r_[i] + f_dx_[a]));
+    return sum;
+  }
+
   SolveConstants s_;
   const double *p_, *X_, *d_, *r_, *u_[D], *sp_[D];
   double twice_h_[D], g_dx_[D], f_dx_[D];

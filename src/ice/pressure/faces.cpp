@@ -10,6 +10,7 @@
 //   pressure given      as inside the domain; d of the ghost is 0
 //   open (LODI)         open_faces.hpp
 // The coefficient of a face, A dt^2/(rho_f dx^2), is 0 where its velocity does not depend on d.
+// Beside solids walled_system.cpp makes the system of these coefficients.
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/side_faces.hpp"
@@ -101,37 +102,6 @@ void side_faces(const Row& row, const Handles& h, int axis, const FaceConstants&
   });
 }
 
-// What multiplies differences of d across the face in the volume that a cell loses.
-void add_face_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                          int axis, int effect) {
-  const int direction = o.axes.direction[axis];
-  const Stencil both = Stencil::along(direction, 1, 0);
-  TaskBuilder task = list.task("coefficients of axis " + std::to_string(axis), effect);
-  Handles h;
-  h.rho = task.read(v.rho, both);
-  h.sound = task.read(v.sound, both);
-  h.velocity = task.read(v.velocity, both);
-  h.work = task.read(v.solve.work, both);
-  const Out out = task.write(list.output(labels().matrix_face[direction], 0));
-  task.kernel([=](const Row& row) {
-    const FaceConstants k = face_constants(row, o, direction);
-    const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i) to[i] = k.A * k.l * k.l * 2.0 / (ra[i] + rb[i]);
-    for_each_side_face(row, o, axis, [&](int i, bool plus, SideKind kind) {
-      if (kind == SideKind::pressure) return;
-      to[i] = 0.0;
-      if (kind != SideKind::open) return;
-      const int inside = plus ? -1 : 0;
-      const auto value = [&](In in, int c) { return row(in, c, axis, inside)[i]; };
-      to[i] = k.l * open_face(row, o, axis, i, plus,
-                              {value(h.rho, 0), value(h.sound, 0), value(h.velocity, axis),
-                               value(h.work, 0)})
-                        .slope();
-    });
-  });
-}
-
 // What all cells lose by a rise of d, and R with dp of the faces.
 template <int D>
 void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
@@ -179,6 +149,37 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
 
 }  // namespace
 
+// What multiplies differences of d across the face in the volume that a cell loses.
+void add_face_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                          int axis, VariableId to_write, int effect) {
+  const int direction = o.axes.direction[axis];
+  const Stencil both = Stencil::along(direction, 1, 0);
+  TaskBuilder task = list.task("coefficients of axis " + std::to_string(axis), effect);
+  Handles h;
+  h.rho = task.read(v.rho, both);
+  h.sound = task.read(v.sound, both);
+  h.velocity = task.read(v.velocity, both);
+  h.work = task.read(v.solve.work, both);
+  const Out out = task.write(to_write);
+  task.kernel([=](const Row& row) {
+    const FaceConstants k = face_constants(row, o, direction);
+    const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = k.A * k.l * k.l * 2.0 / (ra[i] + rb[i]);
+    for_each_side_face(row, o, axis, [&](int i, bool plus, SideKind kind) {
+      if (kind == SideKind::pressure) return;
+      to[i] = 0.0;
+      if (kind != SideKind::open) return;
+      const int inside = plus ? -1 : 0;
+      const auto value = [&](In in, int c) { return row(in, c, axis, inside)[i]; };
+      to[i] = k.l * open_face(row, o, axis, i, plus,
+                              {value(h.rho, 0), value(h.sound, 0), value(h.velocity, axis),
+                               value(h.work, 0)})
+                        .slope();
+    });
+  });
+}
+
 void add_solved_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                             int effect) {
   static const char* names[] = {"solved faces of axis 0", "solved faces of axis 1",
@@ -207,8 +208,11 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
       side_faces(row, h, axis, k, o);
       if (o.meets_finer) finer_faces(row, h);
     });
-    add_face_coefficient(list, v, o, axis, effect);
+    if (!o.walled)
+      add_face_coefficient(list, v, o, axis, list.output(labels().matrix_face[direction], 0),
+                           effect);
   }
+  if (o.walled) return;
   dispatch(o.axes.count, o.components,
            [&]<int D, int C>() { add_cell_system<D>(list, v, o, effect); });
 }

@@ -40,7 +40,7 @@ bool same(const BoxesOfLevels& a, const BoxesOfLevels& b) {
 }
 
 void fill_slot(LevelSolver& level, Label label, double value) {
-  const int slot = level.state().find(label, 0);
+  const int slot = slot_of(level.state(), label);
   for_each_box(level, [&](int b, const IndexBox&) {
     const RealView v = level.state().view(slot, 0, b);
     fill(v, v.box, value);
@@ -49,7 +49,9 @@ void fill_slot(LevelSolver& level, Label label, double value) {
 
 }  // namespace
 
-PressureSolve::PressureSolve(const ImplicitSettings& settings) : settings_(settings) {}
+PressureSolve::PressureSolve(const ImplicitSettings& settings, int first_maximum)
+    : settings_(settings),
+      volume_error_(static_cast<std::size_t>(first_maximum + StepSlots::volume_error)) {}
 
 PressureSystem& PressureSolve::system_on(const StageScope& scope) {
   BoxesOfLevels boxes = boxes_of(scope);
@@ -65,10 +67,10 @@ Verdict PressureSolve::start(const StageScope& scope) {
   const Labels& l = labels();
   for (LevelSolver* level : scope.levels) {
     fill_slot(*level, l.pressure_increment, 0.0);
-    if (level->state().find(l.interface_pressure, 0) >= 0)
+    if (slot_of(level->state(), l.interface_pressure) >= 0)
       fill_slot(*level, l.interface_pressure, not_given);
     for (int d = 0; d < 3; ++d)
-      if (level->state().find(l.finer_face_velocity[d], 0) >= 0) {
+      if (slot_of(level->state(), l.finer_face_velocity[d]) >= 0) {
         fill_slot(*level, l.finer_face_velocity[d], not_given);
         fill_slot(*level, l.finer_face_pressure[d], not_given);
       }
@@ -128,7 +130,7 @@ StepShape::Iterate::Answer PressureSolve::judge(const StageScope& scope) {
   using Answer = StepShape::Iterate::Answer;
   double error = 0;
   for (const LevelSolver* level : scope.levels)
-    error = std::max(error, level->attempt_result().maxima[StepSlots::volume_error]);
+    error = std::max(error, level->attempt_result().maxima[volume_error_]);
   passes_.back().error = error;
   const auto reject = [&](const char* why) {
     *scope.reason = fmt::format(

@@ -13,7 +13,8 @@ namespace sluice::ice::pressure {
 
 class PressureSolve {
  public:
-  explicit PressureSolve(const ImplicitSettings& settings);
+  // first_maximum: where the maxima of the fluid begin among those of a step.
+  explicit PressureSolve(const ImplicitSettings& settings, int first_maximum = 0);
 
   // d = 0 on all levels.
   Verdict start(const StageScope& scope);
@@ -39,6 +40,7 @@ class PressureSolve {
   bool stalls() const;
 
   ImplicitSettings settings_;
+  std::size_t volume_error_;  // which of the maxima
   std::unique_ptr<PressureSystem> system_;
   std::vector<std::vector<GridBox>> boxes_;  // of its levels
   std::vector<Pass> passes_;                 // of the attempt under way

@@ -35,11 +35,11 @@ class OneLevel final : public PressureSystem {
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const auto n = static_cast<std::size_t>(b);
       const RealView& diagonal = matrix_.diagonal()[n];
-      const auto own = stored.view(stored.find(l.matrix_cell, 0), 0, b);
+      const auto own = stored.view(slot_of(stored, l.matrix_cell), 0, b);
       for_each_cell(cells, [&](IntVec3 c) { diagonal(c) = own(c); });
       for (int d = 0; d < 3; ++d)
         if (cells_of.active[static_cast<std::size_t>(d)])
-          add_faces(cells_of, d, cells, stored.view(stored.find(l.matrix_face[d], 0), 0, b),
+          add_faces(cells_of, d, cells, stored.view(slot_of(stored, l.matrix_face[d]), 0, b),
                     diagonal, matrix_.low(d)[n]);
     });
     solver_->set_up(matrix_);
@@ -48,7 +48,7 @@ class OneLevel final : public PressureSystem {
   solve::SolveReport correct(std::span<LevelSolver* const> levels, Label right_side) override {
     LevelSolver& level = *levels.front();
     const Warehouse& stored = level.outputs();
-    const int from = stored.find(right_side, 0);
+    const int from = slot_of(stored, right_side);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const auto n = static_cast<std::size_t>(b);
       const auto R = stored.view(from, 0, b);
@@ -58,8 +58,8 @@ class OneLevel final : public PressureSystem {
       });
     });
     const solve::SolveReport report = solver_->solve(right_side_.values(), change_.views());
-    const int slot = level.state().find(labels().pressure_increment, 0);
-    const int last_slot = level.state().find(labels().pressure_correction, 0);
+    const int slot = slot_of(level.state(), labels().pressure_increment);
+    const int last_slot = slot_of(level.state(), labels().pressure_correction);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const RealView d = level.state().view(slot, 0, b);
       const RealView& e = change_.views()[static_cast<std::size_t>(b)];

@@ -28,6 +28,13 @@ std::unique_ptr<PressureSystem> make_composite_system(std::span<LevelSolver* con
                                                       int rank,
                                                       const solve::SolverSettings& settings);
 
+// The slot of a label that one material alone has, whatever its number; -1 when absent.
+inline int slot_of(const Warehouse& fields, Label label) {
+  for (int s = 0; s < fields.slot_count(); ++s)
+    if (fields.info(s).label == label) return s;
+  return -1;
+}
+
 template <class F>
 void for_each_box(LevelSolver& level, F&& f) {
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b)

@@ -17,7 +17,7 @@ namespace sluice::ice::pressure {
 namespace {
 
 struct Handles {
-  In rho, velocity, pressure, mask;
+  In rho, velocity, pressure, mask, open;
   Out velocity_slope, pressure_slope, transverse;
 };
 
@@ -102,6 +102,25 @@ void mask_rows(const Row& row, const Handles& h, int D) {
     }
 }
 
+// Beside solids: along axes that are open, transverse advection by those across.
+void close_rows(const Row& row, const Handles& h, int D) {
+  const int n = row.count();
+  for (int d = 0; d < D; ++d) {
+    const double* open = row(h.open, d);
+    double *su = row(h.velocity_slope, d), *sp = row(h.pressure_slope, d);
+    for (int i = 0; i < n; ++i) {
+      su[i] *= open[i];
+      sp[i] *= open[i];
+    }
+    for (int t = 0; t < D && D > 1; ++t) {
+      if (t == d) continue;
+      const double* across = row(h.open, t);
+      double* UT = row(h.transverse, d);
+      for (int i = 0; i < n; ++i) UT[i] *= across[i];
+    }
+  }
+}
+
 void no_slopes(const Row& row, const Handles& h, int D) {
   for (int d = 0; d < D; ++d) {
     std::fill_n(row(h.velocity_slope, d), row.whole_vectors(), 0.0);
@@ -120,7 +139,8 @@ void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOpt
   h.rho = task.read(v.rho, o.gravity_on ? around : Stencil::point());
   h.velocity = task.read(v.velocity, around);
   h.pressure = task.read(v.solve.smooth, around);
-  if (o.masked) h.mask = task.read(v.mask);
+  if (o.masked && !o.walled) h.mask = task.read(v.mask);
+  if (o.walled) h.open = task.read(v.walls.open);
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
   if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
@@ -137,7 +157,8 @@ void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOpt
           pressure_slopes<false>(row, h, d, 0, 0);
       }
       if constexpr (D > 1) transverse_rows<D>(row, h, o.axes);
-      if (o.masked) mask_rows(row, h, D);
+      if (o.masked && !o.walled) mask_rows(row, h, D);
+      if (o.walled) close_rows(row, h, D);
     });
   });
 }

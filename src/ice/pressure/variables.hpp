@@ -48,7 +48,10 @@ void add_smooth_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, 
 void add_viscous_force(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_predictions(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_solved_face_states(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-// All of these.
+// What multiplies differences of d across the faces of an axis in the volume that a cell loses.
+void add_face_coefficient(TaskList&, const SchemeVariables&, const SchemeOptions&, int axis,
+                          VariableId to_write, int effect);
+// All of these, but for coefficients beside solids.
 void add_solved_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // After the Lagrangian phase: R by the law, its maximum; X - p of the new state. `p_L`: pressure of
@@ -59,6 +62,11 @@ void add_offset(TaskList&, const SchemeVariables&, const SchemeOptions&, Variabl
                 int effect);
 // Both, of one material, whose pressures they find.
 void add_end_of_one(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// Beside solids: the system, of faces as far as they are open and cells as far as fluid fills them;
+// the end of the step.
+void add_walled_system(TaskList&, const SchemeVariables& v, const SchemeOptions&, int effect);
+void add_end_of_walled(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // Both where several materials may meet; `faces`: what moves with the faces' velocity.
 void add_end_of_mixture(TaskList&, const mixture::Variables&, const SchemeVariables& faces,

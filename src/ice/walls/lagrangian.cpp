@@ -16,13 +16,11 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/impulse.hpp"
+#include "ice/step/walled_donors.hpp"
 #include "ice/walls/variables.hpp"
 
 namespace sluice::ice::walls {
 namespace {
-
-constexpr double least_donor = 0.5;  // V of a cell that gives what the step makes of it
-constexpr double most_squeeze = 0.3, most_stretch = 3.0;  // V_L/V, likewise
 
 struct Handles {
   In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
@@ -166,8 +164,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     if constexpr (C > D) out += V * carried;
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = theta[i] > 0 || after[i] > 0;
-    const bool old = solid && !(V >= least_donor && volume > most_squeeze * V &&
-                                volume < most_stretch * V && Es[i] > 0);
+    const bool old = solid && !gives_new_state(V, volume, Es[i]);
     const double inverse = 1.0 / (solid ? larger(volume, least_volume) : volume);
     iJ[i] = inverse;
     rL[i] = old ? r[i] : (r[i] * V) * inverse;

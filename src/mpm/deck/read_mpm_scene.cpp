@@ -1,11 +1,16 @@
 // The blocks of solids, put together.
 #include "mpm/deck/read_mpm_scene.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <string>
+
 #include "framework/deck/faults.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "mpm/deck/readers.hpp"
 #include "mpm/deck/schema.hpp"
+#include "mpm/material/rigid.hpp"
 
 namespace sluice::mpm {
 
@@ -21,6 +26,23 @@ static void warn_of_idle_filling(const MpmScene& s, std::vector<Fault>& faults) 
                     "remove them");
 }
 
+namespace {
+
+// The components rmpmice and rigidmpmice: solids go with their own velocity, whatever their law.
+void make_all_rigid(const DeckNode& root, MpmScene& s) {
+  const DeckNode* component = root.child("SimulationComponent");
+  std::string type = component == nullptr ? "" : component->attribute("type").value_or("");
+  std::transform(type.begin(), type.end(), type.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (type != "rmpmice" && type != "rigidmpmice") return;
+  for (SolidMaterial& m : s.materials) {
+    m.rigid = true;
+    if (m.law != nullptr) m.law = make_rigid(m.law->bulk_modulus());
+  }
+}
+
+}  // namespace
+
 MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   MpmScene s;
   const DeckNode& root = *deck.root;
@@ -29,6 +51,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (const DeckNode* node : mpm_materials(root))
     s.materials.push_back(read_material(*node, static_cast<int>(s.materials.size()),
                                         scene.constants.reference_pressure, geometry, faults));
+  make_all_rigid(root, s);
   read_flags(root, s, faults);
   warn_of_idle_filling(s, faults);
   const bool zones = boolean_or(root.child("MPM") != nullptr ? *root.child("MPM") : root,

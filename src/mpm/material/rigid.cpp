@@ -1,4 +1,6 @@
 // rigid: moves as it is told and has no stress of its own.
+#include "mpm/material/rigid.hpp"
+
 #include "mpm/material/materials.hpp"
 
 namespace sluice::mpm {
@@ -26,6 +28,10 @@ class Rigid final : public Material {
 
 }  // namespace
 
+std::shared_ptr<const Material> make_rigid(double bulk_modulus) {
+  return std::make_shared<Rigid>(bulk_modulus);
+}
+
 MaterialModel rigid_model() {
   return {"rigid",
           {},
@@ -33,7 +39,7 @@ MaterialModel rigid_model() {
           {tag("shear_modulus", "G, Pa; only for its neighbours' sake").real().above(0),
            tag("bulk_modulus", "K, Pa; likewise").real().above(0)},
           [](const Parameters& p) -> std::shared_ptr<const Material> {
-            return std::make_shared<Rigid>(p.has("bulk_modulus") ? p.real("bulk_modulus") : 0);
+            return make_rigid(p.has("bulk_modulus") ? p.real("bulk_modulus") : 0);
           }};
 }
 

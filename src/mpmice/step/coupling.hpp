@@ -19,9 +19,15 @@ class Coupling {
   virtual Verdict find_surfaces(const StageScope& scope) = 0;
   virtual Verdict press_on_solids(const StageScope& scope) = 0;
   virtual Verdict find_swept_volumes(const StageScope& scope) = 0;
+  // Of a semi-implicit step, between a solve and the sweep: the pressure on surfaces from that
+  // which was solved for; the fluid is told of it (find_swept_volumes does that too).
+  virtual Verdict renew_pressures(const StageScope& scope) = 0;
+  virtual Verdict tell_pressures(const StageScope& scope) = 0;
   // Behind the sweep: cells with little fluid share with their neighbours, fluid and solids
   // exchange momentum and heat, amounts become the state of the fluid.
   virtual Verdict finish_cells(const StageScope& scope) = 0;
+  // Of a semi-implicit step, behind that: its pressure, for the next step.
+  virtual Verdict keep_work_pressure(const StageScope& scope) = 0;
   // Once the fluid's state is taken over: what these cells allow the next step.
   virtual Verdict limit_step(const StageScope& scope) = 0;
 };

@@ -77,6 +77,18 @@ Verdict CouplingOnLevels::find_swept_volumes(const StageScope& scope) {
   return on_finest(scope, &Coupling::find_swept_volumes);
 }
 
+Verdict CouplingOnLevels::renew_pressures(const StageScope& scope) {
+  return on_finest(scope, &Coupling::renew_pressures);
+}
+
+Verdict CouplingOnLevels::tell_pressures(const StageScope& scope) {
+  return on_finest(scope, &Coupling::tell_pressures);
+}
+
+Verdict CouplingOnLevels::keep_work_pressure(const StageScope& scope) {
+  return on_finest(scope, &Coupling::keep_work_pressure);
+}
+
 Verdict CouplingOnLevels::finish_cells(const StageScope& scope) {
   return on_finest(scope, &Coupling::finish_cells);
 }

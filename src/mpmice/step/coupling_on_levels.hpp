@@ -17,7 +17,10 @@ class CouplingOnLevels {
   Verdict find_surfaces(const StageScope& scope);
   Verdict press_on_solids(const StageScope& scope);
   Verdict find_swept_volumes(const StageScope& scope);
+  Verdict renew_pressures(const StageScope& scope);
+  Verdict tell_pressures(const StageScope& scope);
   Verdict finish_cells(const StageScope& scope);
+  Verdict keep_work_pressure(const StageScope& scope);
   Verdict limit_step(const StageScope& scope);
 
  private:

@@ -217,6 +217,7 @@ bool LevelCoupling<D>::share_spoilt(const StageScope& scope) {
 
 template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
+  book_rigid_work(scope);
   gather(scope);
   Cell<D> stuck{};
   if (!redistribute<D>(frame_, fields_, amounts_, stuck)) {

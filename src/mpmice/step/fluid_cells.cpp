@@ -21,6 +21,21 @@ FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
   components = o.components;
 }
 
+WorkPressure::WorkPressure(const ice::FluidPart& part, const Warehouse& state, bool solved)
+    : state_(&state) {
+  const ice::SchemeOptions& o = part.options();
+  if (!o.implicit) return;
+  offset_ = state.find(ice::labels().pressure_offset, o.place(0));
+  if (solved) increment_ = state.find(ice::labels().pressure_increment, o.place(0));
+}
+
+WorkPressure::Box WorkPressure::box(int b) const {
+  Box box;
+  if (offset_ >= 0) box.offset_ = state_->view(offset_, 0, b);
+  if (increment_ >= 0) box.increment_ = state_->view(increment_, 0, b);
+  return box;
+}
+
 FluidBox FluidCells::box(int b) const {
   return {*this, b};
 }

@@ -1,5 +1,7 @@
 // The fluids' state in single cells, for those who do not sweep rows.
 #pragma once
+#include <optional>
+
 #include "framework/field/warehouse.hpp"
 #include "ice/closure/equilibrate.hpp"
 #include "ice/fluid_part.hpp"
@@ -51,6 +53,29 @@ class FluidBox {
   std::vector<RealView> mass_, energy_, volume_;
   std::array<RealView, 3> momentum_;
   RealView fraction_;
+};
+
+// Work pressure of a semi-implicit step, X- or X- + d; else the pressure itself.
+class WorkPressure {
+ public:
+  WorkPressure(const ice::FluidPart& part, const Warehouse& state, bool solved);
+
+  class Box {
+   public:
+    double at(IntVec3 c, double p) const {
+      if (offset_) p += (*offset_)(c);
+      return increment_ ? p + (*increment_)(c) : p;
+    }
+
+   private:
+    friend class WorkPressure;
+    std::optional<RealView> offset_, increment_;
+  };
+  Box box(int b) const;
+
+ private:
+  const Warehouse* state_;
+  int offset_ = -1, increment_ = -1;  // slots
 };
 
 }  // namespace sluice::mpmice

@@ -19,7 +19,10 @@ class LevelCoupling final : public Coupling {
   Verdict find_surfaces(const StageScope& scope) override;
   Verdict press_on_solids(const StageScope& scope) override;
   Verdict find_swept_volumes(const StageScope& scope) override;
+  Verdict renew_pressures(const StageScope& scope) override;
+  Verdict tell_pressures(const StageScope& scope) override;
   Verdict finish_cells(const StageScope& scope) override;
+  Verdict keep_work_pressure(const StageScope& scope) override;
   Verdict limit_step(const StageScope& scope) override;
 
  private:
@@ -29,10 +32,13 @@ class LevelCoupling final : public Coupling {
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
   void keep_pockets();
-  void find_pressures(const StageScope& scope);
+  void find_pressures(const StageScope& scope, bool solved);
   void smooth_normals();
-  void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u);
-  void fill_dry_pressures();
+  void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
+                      double dt);
+  double most_impedance(std::size_t i, double size, double rho, double dt) const;
+  double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
+  std::vector<std::uint8_t> fill_dry(Column& values) const;
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
   void hold_rigid(const StageScope& scope);

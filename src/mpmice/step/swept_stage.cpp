@@ -21,7 +21,6 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
   keep_pockets();
-  book_rigid_work(scope);
   mean_over_cells(scope);
   tell_fluid(scope);
   return Verdict::good;
@@ -158,6 +157,9 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   state.forget();
 }
 
+template void LevelCoupling<1>::book_rigid_work(const StageScope&);
+template void LevelCoupling<2>::book_rigid_work(const StageScope&);
+template void LevelCoupling<3>::book_rigid_work(const StageScope&);
 template Verdict LevelCoupling<1>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<2>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<3>::find_swept_volumes(const StageScope&);

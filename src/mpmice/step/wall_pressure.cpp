@@ -5,6 +5,7 @@
 // with nhat out of the solid, y = 1/(rho_s c_s) (0 where rigid) and p_s the pressure of the solid
 // behind the surface: the Riemann problem of fluid and solid along the normal (mpmice_scheme, step
 // 3). nhat is smoothed over the cells around, which stairs need; forces take n itself.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
@@ -22,25 +23,25 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 }  // namespace
 
 template <int D>
-void LevelCoupling<D>::find_pressures(const StageScope& scope) {
+void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3;
   known_.begin(frame_.box, velocity + D);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
+  const WorkPressure of_solve(*fluid_, level.state(), solved);
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
-    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
-                  [&](IntVec3 at) {
-                    const std::size_t i = frame_.box.index(frame_.cell(at));
-                    if (!wet(i)) return;
-                    const FluidState s = cells.at(at);
-                    known_.put(density, i, s.rho);
-                    known_.put(pressure, i, s.pressure);
-                    known_.put(speed, i, s.sound);
-                    for (int a = 0; a < D; ++a)
-                      known_.put(velocity + a, i,
-                                 s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
-                  });
+    const WorkPressure::Box work = of_solve.box(b);
+    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
+      const std::size_t i = frame_.box.index(frame_.cell(at));
+      if (!wet(i)) return;
+      const FluidState s = cells.at(at);
+      known_.put(density, i, s.rho);
+      known_.put(pressure, i, work.at(at, s.pressure));
+      known_.put(speed, i, s.sound);
+      for (int a = 0; a < D; ++a)
+        known_.put(velocity + a, i, s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
+    });
   }
   known_.tell_all(*scope.ranks);
   Column rho, sound;
@@ -50,8 +51,8 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope) {
   known_.take(speed, sound);
   for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
-  press_on_walls(rho, sound, u);
-  fill_dry_pressures();
+  press_on_walls(rho, sound, u, scope.step.dt);
+  fill_dry(fields_.wall_pressure);
 }
 
 template <int D>
@@ -78,9 +79,9 @@ void LevelCoupling<D>::smooth_normals() {
 
 template <int D>
 void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
-                                      const std::array<Column, D>& u) {
+                                      const std::array<Column, D>& u, double dt) {
   fields_.wall_pressure = fields_.pressure;
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
     double size = 0, whole = 0, du = 0;
     for (std::size_t d = 0; d < D; ++d) {
@@ -91,20 +92,57 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     size = std::sqrt(size);
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
-    const double p = fields_.pressure[i];
-    const double z = rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du));
+    const double p = pressure_beside_wall(c, i, size);
+    const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
+                              most_impedance(i, size, rho[i], dt));
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
-    const double pw = p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
+    const double pw =
+        p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
     fields_.wall_pressure[i] = p > 0 ? std::max(pw, least_share * p) : pw;
   });
 }
 
-// Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
-// as inside.
+// What the fluid of a cell can resist with in a semi-implicit step, rho dx/(2 dt): of longer ones
+// sound crosses it, and what remains of z du is in the pressure that was solved for
+// (ice/pressure/predictions.cpp, j).
 template <int D>
-void LevelCoupling<D>::fill_dry_pressures() {
+double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
+  if (!fluid_->options().implicit) return 1e300;
+  double per_dx = 0;
+  for (std::size_t d = 0; d < D; ++d)
+    per_dx += std::fabs(fields_.smooth[d][i]) / size / frame_.spacing[frame_.direction[d]];
+  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * per_dx);
+}
+
+// The fluid's pressure half a cell from the wall along nhat. That of a cell is of its centre, which
+// the wall may have passed: of a semi-implicit step
+//   p = X + V_s sum_d nhat_d^2 (X_d - X),  V_s = 1 - V, X_d of the cell beside along nhat_d
+// Without it the wall stops what a cell of little fluid shares with its neighbour twice over, and
+// that swings with a growing amplitude. In an explicit step the two share one state.
+template <int D>
+double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const {
+  const double X = fields_.pressure[i];
+  if (!fluid_->options().implicit) return X;
+  double change = 0;
+  for (std::size_t d = 0; d < D; ++d) {
+    const double n = fields_.smooth[d][i] / size;
+    Cell<D> beside = c, face = c;
+    beside[d] += n > 0 ? 1 : -1;
+    face[d] += n > 0 ? 1 : 0;
+    if (!frame_.in_domain(beside) && !frame_.periodic[d]) continue;
+    const std::size_t j = frame_.box.index(frame_.inside(beside));
+    if (!wet(j) || !(fields_.covered[d][frame_.box.index(face)] < 0.5)) continue;
+    change += n * n * (fields_.pressure[j] - X);
+  }
+  return X + fields_.theta[i] * change;
+}
+
+// Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
+// as inside. Which are known then.
+template <int D>
+std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   std::vector<std::uint8_t> known(frame_.box.cells(), 0);
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
   for (int layer = 0; layer < 2; ++layer) {
@@ -115,16 +153,17 @@ void LevelCoupling<D>::fill_dry_pressures() {
       int count = 0;
       for_each_neighbour(c, [&](std::size_t j) {
         if (known[j] == 0) return;
-        sum += fields_.wall_pressure[j];
+        sum += values[j];
         ++count;
       });
       if (count > 0) found.emplace_back(i, sum / count);
     });
     for (const auto& [i, p] : found) {
-      fields_.wall_pressure[i] = p;
+      values[i] = p;
       known[i] = 1;
     }
   }
+  return known;
 }
 
 // On corners of the outer faces: -(p_w - p_ref) n m_k of each piece. Solids are free of stress at
@@ -206,9 +245,12 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   return Verdict::good;
 }
 
-template void LevelCoupling<1>::find_pressures(const StageScope&);
-template void LevelCoupling<2>::find_pressures(const StageScope&);
-template void LevelCoupling<3>::find_pressures(const StageScope&);
+template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
+template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
+template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
+template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
+template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
+template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
 template Verdict LevelCoupling<1>::press_on_solids(const StageScope&);
 template Verdict LevelCoupling<2>::press_on_solids(const StageScope&);
 template Verdict LevelCoupling<3>::press_on_solids(const StageScope&);

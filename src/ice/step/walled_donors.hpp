@@ -1,0 +1,14 @@
+// Which cells beside solids give the remap what the step makes of them; the others, where little
+// fluid is left, or its volume changes much, or its energy is spent, give their old state: what
+// happens in such a cell in one step says nothing about what passes its faces.
+#pragma once
+
+namespace sluice::ice {
+
+// V, V_L: volume of the fluid in the cell before and after the Lagrangian phase; E_L: its energy.
+inline bool gives_new_state(double V, double V_L, double E_L) {
+  constexpr double least = 0.5, most_squeeze = 0.3, most_stretch = 3.0;
+  return V >= least && V_L > most_squeeze * V && V_L < most_stretch * V && E_L > 0;
+}
+
+}  // namespace sluice::ice
