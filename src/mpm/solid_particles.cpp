@@ -92,6 +92,7 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
       for (int d = 0; d < 3; ++d)
         put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
     if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
+    put(carried.filled, 1);
     for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
   }
   if (const auto motion = manufactured_of(*solids_, material, level))

@@ -10,7 +10,7 @@ namespace sluice::mpm {
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
-      scale_factor, heat_source, outer;
+      scale_factor, heat_source, outer, filled;
   std::array<Label, most_corners> corner;
 };
 const SolidLabels& solid_labels();

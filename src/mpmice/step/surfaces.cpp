@@ -129,7 +129,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           if (!(size > 0)) return;
           std::array<double, D> unit = piece.n;
           for (double& n : unit) n /= size;
-          const double A = size * piece.s;
+          const double A = size * piece.s * s.faces.weight_of(i);
           sums.lane(area)[c] += to_sum(A);
           sums.lane(pressure)[c] +=
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));

@@ -134,8 +134,9 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
   for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
                       const double p =
-                          fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
-                          reference_pressure_;
+                          (fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
+                           reference_pressure_) *
+                          s.faces.weight_of(i);
                       for (std::size_t d = 0; d < D; ++d) {
                         std::array<double, D> moments = piece.m;
                         for (double& m : moments)
