@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/run/particle_cloud.hpp"
+#include "mpm/saved/mean_pressure.hpp"
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
@@ -32,6 +33,8 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.attributes = carried_.back().attributes;
     if (carried_.back().columns.size >= 0)
       kind.derived.push_back(scale_factor(carried_.back().columns, scene.grid.levels[0].spacing));
+    kind.derived.push_back(
+        mean_pressure_of(carried_.back().columns, m.constants.reference_pressure));
     kind.derived.push_back(thermal_volume_of(carried_.back().columns, m.constants));
     kind.by_blocks = true;
     if (scene.refinement.adaptive) kind.refine_distance = 0;

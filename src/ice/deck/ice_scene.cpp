@@ -221,6 +221,12 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (IceMaterial& m : s.materials) m.subgrid = s.turbulence || !s.wall_shear.empty();
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
+  for (models::AddedHeat& heat : s.added_heat) {
+    heat.material -= s.solids;
+    if (heat.material < 0)
+      add_error(faults, heat.where, "ADD_HEAT heats fluids: material " +
+                                        std::to_string(heat.material + s.solids) + " is a solid");
+  }
   s.exchange = read_exchange(root, s.solids + count);
   s.momentum_of_all = s.exchange.momentum;
   s.heat_of_all = s.exchange.heat;

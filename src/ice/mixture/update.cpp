@@ -339,6 +339,7 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
       rest += (row(h.common.next.momentum, c)[i] - 0.5 * rho * v) * v;
     }
     kinetic[i] = rest;
+    if (o.sources != nullptr) add_sources(row.part(i, 1), h, o);
   }
 }
 

@@ -102,6 +102,38 @@ Location last_object_in(const IceScene& scene, const Level& level, IntVec3 c) {
       advice);
 }
 
+// Beside solids: what is there fills what they leave; where nothing is, what is around.
+void fill_beside_solids(const IceScene& scene, const Level& level, IntVec3 c, std::size_t n,
+                        double sum, MixtureFill& fill) {
+  if (sum > 0) {
+    for (MaterialFill& m : fill.materials) m.volume_fraction[n] /= sum;
+    return;
+  }
+  constexpr int farthest = 3;
+  std::size_t found = 0;
+  const GeomObject* object = &scene.materials.front().objects.front();
+  for (int reach = 1, seen = 0; reach <= farthest && seen == 0; ++reach) {
+    IndexBox around{c - level.ghosts(reach), c + level.ghosts(reach) + IntVec3{1, 1, 1}};
+    around = intersection(around, level.domain);
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+      for (const GeomObject& o : scene.materials[m].objects) {
+        const std::vector<std::int32_t> inside = count_inside(o, level, around);
+        if (std::none_of(inside.begin(), inside.end(), [](auto count) { return count > 0; }))
+          continue;
+        found = m;
+        object = &o;
+        seen = 1;
+      }
+  }
+  fill.materials[found].volume_fraction[n] = 1.0;
+  take_values(*object, n, fill.materials[found]);
+  const Fluid& law = scene.materials[found].fluid;
+  fill.materials[found].pressure[n] =
+      law.pressure(object->value("density"), law.energy_from_temperature(
+                                                 object->value("density"),
+                                                 object->value("temperature")));
+}
+
 // Fractions that miss one by round-off are made to fit: one material that is alone has all of it,
 // and of several the largest takes the rest.
 void close_fractions(const IceScene& scene, const Level& level, MixtureFill& fill) {
@@ -113,6 +145,13 @@ void close_fractions(const IceScene& scene, const Level& level, MixtureFill& fil
       const double share = fill.materials[m].volume_fraction[n];
       sum += share;
       if (share > fill.materials[largest].volume_fraction[n]) largest = m;
+    }
+    if (scene.solids > 0 && sum < 1.0 - sum_tolerance) {
+      fill_beside_solids(scene, level, c, n, sum, fill);
+      sum = 1.0;
+      for (std::size_t m = 0; m < fill.materials.size(); ++m)
+        if (fill.materials[m].volume_fraction[n] > fill.materials[largest].volume_fraction[n])
+          largest = m;
     }
     if (!(std::abs(sum - 1.0) <= sum_tolerance)) refuse(scene, fill, level, c, sum);
     double others = 0;

@@ -4,6 +4,7 @@
 //   E' + rho' |u'|^2/2 = E_L + gain - rho' |v|^2/2 + P' . v
 // (v the frame of the update), which asks for no division by what may be next to nothing.
 #include "ice/one_material/update_rows.hpp"
+#include "ice/sources/source_tasks.hpp"
 #include "ice/walls/variables.hpp"
 
 namespace sluice::ice::walls {
@@ -112,9 +113,12 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   h.momentum_new = task.write(v.momentum_new);
   h.energy_new = task.write(v.energy_new);
   const int components = o.components;
+  const SourceHandles sources = declare_sources(task, v, o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_cells<D, C>(row, h);
+      const RateHandles& amounts = h.amounts.next;
+      add_sources_of_one(row, sources, o, amounts.rho, amounts.momentum, amounts.energy);
       store_row(row, h, components);
       check_cells(row, h, o);
       rates_of_row<D>(row, h.amounts.next, o);

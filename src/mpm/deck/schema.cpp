@@ -62,6 +62,7 @@ void add_mpm_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_stray_blocks);
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);
+  schema.rewrites.emplace_back(rename_new_labels);
   schema.rewrites.emplace_back(locate_pieces);
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);

@@ -29,6 +29,8 @@ TagSpec loads_tag();  // <PhysicalBC>
 void drop_stray_blocks(DeckNode& root, std::vector<Fault>& faults);
 void drop_stray_flags(DeckNode& root, std::vector<Fault>& faults);
 void drop_stray_state(DeckNode& root, std::vector<Fault>& faults);
+// p.X+ is what a step makes of p.X: what is saved is that in any case.
+void rename_new_labels(DeckNode& root, std::vector<Fault>& faults);
 
 // Rules over several tags; each does nothing when no solids run.
 void check_solid_blocks(const DeckNode& root, std::vector<Fault>& faults);

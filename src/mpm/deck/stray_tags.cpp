@@ -127,4 +127,17 @@ void drop_stray_state(DeckNode& root, std::vector<Fault>& faults) {
   });
 }
 
+void rename_new_labels(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* archiver = root.child("DataArchiver");
+  if (archiver == nullptr || !runs_solids(root)) return;
+  for (const auto& save : archiver->children)
+    for (auto& [name, value] : save->attributes) {
+      if (name != "label" || !value.starts_with("p.") || !value.ends_with("+")) continue;
+      value.pop_back();
+      add_warning(faults, save->where,
+                  fmt::format("<save label=\"{}+\">: {} is saved, which is what it is after a step",
+                              value, value));
+    }
+}
+
 }  // namespace sluice::mpm

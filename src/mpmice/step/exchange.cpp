@@ -32,12 +32,30 @@ void LevelCoupling<D>::exchange(const StageScope& scope) {
   }
 }
 
+// Temperature and M c_v of the fluids of a cell: what they have together.
+template <int D>
+typename LevelCoupling<D>::FluidHeat LevelCoupling<D>::heat_of(std::size_t i) const {
+  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const double all = amounts_.mass_of_all(i), rest = amounts_.kinetic[i] - amounts_.moving(i);
+  FluidHeat heat;
+  for (std::size_t m = 0; m < fluids.size(); ++m) {
+    const double M = amounts_.mass[m][i], V = amounts_.filled[m][i];
+    if (!(M > 0) || !(V > 0)) continue;
+    const double rho = M / V, rho_e = (amounts_.energy[m][i] + rest * (M / all)) / V;
+    if (!fluids[m].admissible(rho, rho_e)) continue;
+    const double capacity = M * fluids[m].heat_capacity(rho, rho_e);
+    heat.capacity += capacity;
+    heat.temperature += capacity * fluids[m].temperature(rho, rho_e);
+  }
+  if (heat.capacity > 0) heat.temperature /= heat.capacity;
+  return heat;
+}
+
 template <int D>
 void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K, double K_h) {
   const mpm::SolidMaterial& material = solids_->scene().materials[static_cast<std::size_t>(kind)];
   const bool rigid = material.rigid;
   const double dt = scope.step.dt, c_s = material.constants.specific_heat;
-  const ice::Fluid& law = fluid_->options().fluids.front();
   // Sums over the particles.
   double most_mass = 1e-300, most_speed = 1e-300, most_T = 1e-300;
   const auto column = [](const SolidSet<D>& s, int c) {
@@ -98,13 +116,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
     const double V = amounts_.volume[i], theta = fields_.theta_next[i];
     if (!(V > 0 && V < 1) || !(solid.mass[i] > 0) || amounts_.near[i] == 0) return;
-    const double M = amounts_.mass[i], Ms = solid.mass[i] * to_density;
+    const double M = amounts_.mass_of_all(i), Ms = solid.mass[i] * to_density;
     if (!(M > 0)) return;
     amounts_.touched[i] = 1;
     const double inverse_s = rigid ? 0.0 : 1 / Ms;
-    double moving = 0;
-    for (const Column& m : amounts_.momentum) moving += m[i] * m[i];
-    const double E = amounts_.energy[i] - 0.5 * moving / M;
+    const FluidHeat fluid = heat_of(i);
     if (K > 0)
       for (std::size_t d = 0; d < D; ++d) {
         const int c = component[static_cast<std::size_t>(frame_.direction[d])];
@@ -114,16 +130,15 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
         P -= I;
         const double given = I * (us + 0.5 * I * inverse_s);
-        amounts_.energy[i] -= given;
+        amounts_.kinetic[i] -= given;
         dv[d][i] = I * inverse_s;
         gain[i] += given;
       }
-    if (K_h > 0 && c_s > 0 && E > 0) {
-      const double rho = M / V, cv = law.heat_capacity(rho, E / V);
-      const double T = law.temperature(rho, E / V), Ts = solid.heat[i] / solid.mass[i] * most_T;
-      const double Q =
-          (T - Ts) / (1 / (dt * K_h * V * theta) + 1 / (M * cv) + (rigid ? 0.0 : 1 / (Ms * c_s)));
-      amounts_.energy[i] -= Q;
+    if (K_h > 0 && c_s > 0 && fluid.capacity > 0) {
+      const double Ts = solid.heat[i] / solid.mass[i] * most_T;
+      const double Q = (fluid.temperature - Ts) / (1 / (dt * K_h * V * theta) + 1 / fluid.capacity +
+                                                   (rigid ? 0.0 : 1 / (Ms * c_s)));
+      amounts_.kinetic[i] -= Q;
       warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
     }
   });

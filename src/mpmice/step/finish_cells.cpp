@@ -10,13 +10,13 @@
 
 namespace sluice::mpmice {
 
-// What the sweep left in cells with solids (amounts and total energy) and around them (a state).
+// What the sweep left in cells with solids (amounts) and around them (a state).
 template <int D>
 void LevelCoupling<D>::gather(const StageScope& scope) {
-  constexpr int mass = 0, energy = 1, momentum = 2;
   const FluidCells fluid(*fluid_, scope.levels.front()->attempted());
-  const int C = fluid.components;
-  known_.begin(frame_.box, momentum + C);
+  const int C = fluid.components, M = fluid.materials();
+  const int kinetic = 0, momentum = 1, first = momentum + C;  // then three of each material
+  known_.begin(frame_.box, first + 3 * M);
   amounts_.volume.assign(frame_.box.cells(), 1.0);
   amounts_.near.assign(frame_.box.cells(), 0);
   amounts_.touched.assign(frame_.box.cells(), 0);
@@ -33,53 +33,108 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
     for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
       const std::size_t i = frame_.box.index(frame_.cell(at));
       if (amounts_.near[i] == 0) return;
-      const double M = cells.mass(at);
-      double E = cells.energy(at);
+      const bool solid = has_solid(i);
+      double rho = 0, squares = 0;
+      for (int m = 0; m < M; ++m) {
+        rho += cells.mass(m, at);
+        // One fluid beside a solid: its energy is told as `kinetic`.
+        const bool apart = M > 1 || !solid;
+        known_.put(first + 3 * m, i, cells.mass(m, at));
+        known_.put(first + 3 * m + 1, i, M > 1 ? cells.volume(m, at) : amounts_.volume[i]);
+        known_.put(first + 3 * m + 2, i, apart ? cells.energy(m, at) : 0.0);
+      }
       for (int c = 0; c < C; ++c) {
         const double m = cells.momentum(c, at);
         known_.put(momentum + c, i, m);
-        if (!has_solid(i)) E += 0.5 * m * m / M;
+        squares += m * m;
       }
-      known_.put(mass, i, M);
-      known_.put(energy, i, E);
+      known_.put(kinetic, i, !solid  ? 0.5 * squares / rho
+                             : M > 1 ? cells.fraction(at)
+                                     : cells.energy(0, at));
     });
   }
   known_.tell_all(*scope.ranks);
-  known_.take(mass, amounts_.mass);
-  known_.take(energy, amounts_.energy);
+  known_.take(kinetic, amounts_.kinetic);
   amounts_.momentum.resize(static_cast<std::size_t>(C));
   for (int c = 0; c < C; ++c)
     known_.take(momentum + c, amounts_.momentum[static_cast<std::size_t>(c)]);
+  for (auto* columns : {&amounts_.mass, &amounts_.filled, &amounts_.energy})
+    columns->resize(static_cast<std::size_t>(M));
+  for (int m = 0; m < M; ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    known_.take(first + 3 * m, amounts_.mass[k]);
+    known_.take(first + 3 * m + 1, amounts_.filled[k]);
+    known_.take(first + 3 * m + 2, amounts_.energy[k]);
+  }
 }
 
-// Amounts become a state. False: some are none.
+// Amounts become a state, of several fluids at one pressure. False: some are none.
 template <int D>
 bool LevelCoupling<D>::settle(const StageScope& scope) {
-  const ice::Fluid& law = fluid_->options().fluids.front();
-  rho_ = amounts_.mass;
-  energy_ = amounts_.energy;
-  momentum_ = amounts_.momentum;
+  settled_ = amounts_;
+  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const ice::mixture::Equilibration laws(fluids);
+  const std::size_t count = fluids.size();
   bool good = true;
+  spoilt_.assign(amounts_.near.size(), 0);
   for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
-    if (amounts_.near[i] == 0 || !(amounts_.volume[i] > 0)) return;
-    const double V = amounts_.volume[i], M = amounts_.mass[i];
-    double moving = 0;
-    for (std::size_t k = 0; k < momentum_.size(); ++k) {
-      moving += amounts_.momentum[k][i] * amounts_.momentum[k][i];
-      momentum_[k][i] = amounts_.momentum[k][i] / V;
+    if (amounts_.near[i] == 0 || amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) {
+      return;
     }
-    rho_[i] = M / V;
-    energy_[i] = (amounts_.energy[i] - 0.5 * moving / M) / V;
-    if (good && !(M > 0 && law.admissible(rho_[i], energy_[i]))) {
-      good = false;
-      const IntVec3 at = frame_.index(c);
-      *scope.reason = fmt::format(
-          "the fluid left beside a solid in cell [{}, {}, {}] has no state: volume fraction {:g}, "
-          "density {:g} kg/m^3, internal energy {:g} J/m^3",
-          at.x, at.y, at.z, V, rho_[i], energy_[i]);
+    double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];
+    if (settle_cell(i, laws, M, V, E)) {
+      for (std::size_t m = 0; m < count; ++m) {
+        settled_.mass[m][i] = M[m];
+        settled_.filled[m][i] = V[m];
+        settled_.energy[m][i] = E[m];
+      }
+      for (Column& m : settled_.momentum) m[i] /= amounts_.volume[i];
+      return;
     }
+    spoilt_[i] = 1;
+    if (!good) return;
+    good = false;
+    const IntVec3 at = frame_.index(c);
+    *scope.reason = fmt::format(
+        "the fluid left beside a solid in cell [{}, {}, {}] has no state: volume fraction {:g}",
+        at.x, at.y, at.z, amounts_.volume[i]);
+    for (std::size_t m = 0; m < count; ++m)
+      *scope.reason += fmt::format(
+          "; material {}: mass {:g} kg/m^3, volume fraction {:g}, internal energy {:g} J/m^3",
+          fluid_->options().place(static_cast<int>(m)), amounts_.mass[m][i], V[m], E[m]);
   });
   return good;
+}
+
+// Mass, volume and energy per volume of fluid. False: they are no state.
+template <int D>
+bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibration& laws,
+                                   double* M, double* V, double* E) const {
+  constexpr double trace = 1e-13;  // of the cell's mass: round-off
+  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const std::size_t count = fluids.size();
+  const double left = amounts_.volume[i], all = amounts_.mass_of_all(i);
+  const double rest = amounts_.kinetic[i] - amounts_.moving(i);
+  double volume = 0, mass = 0, lost = 0;
+  for (std::size_t m = 0; m < count; ++m) {
+    M[m] = amounts_.mass[m][i] / left;
+    V[m] = count == 1 ? 1.0 : amounts_.filled[m][i] / left;
+    E[m] = amounts_.energy[m][i] / left;
+    const bool gone = count > 1 && (!(M[m] > trace * all / left) || !(V[m] > 0));
+    if (gone) {
+      lost += E[m];
+      M[m] = V[m] = E[m] = 0;
+    }
+    volume += V[m];
+    mass += M[m];
+  }
+  if (!(all > 0) || !(mass > 0) || !(volume > 0)) return false;
+  for (std::size_t m = 0; m < count; ++m) {
+    E[m] += (rest / left + lost) * (M[m] / mass);
+    V[m] = V[m] == volume ? 1.0 : V[m] / volume;
+    if (M[m] > 0 && !fluids[m].admissible(M[m] / V[m], E[m] / V[m])) return false;
+  }
+  return count == 1 || laws.equilibrate({M, V, E}).failed < 0;
 }
 
 // Cells without fluid hold the mean of the states around them, two layers deep.
@@ -89,24 +144,22 @@ void LevelCoupling<D>::fill_dry_cells() {
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
     known[i] = amounts_.near[i] != 0 && amounts_.volume[i] > 0 ? 1 : 0;
   });
+  std::vector<Column*> columns;
+  settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
   for (int layer = 0; layer < 2; ++layer) {
     std::vector<std::size_t> found;
     for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
       if (amounts_.volume[i] > 0 || known[i] != 0) return;
-      double rho = 0, E = 0;
-      std::array<double, 3> m{};
-      int count = 0;
+      std::vector<std::size_t> around;
       for_each_neighbour(c, [&](std::size_t j) {
-        if (known[j] == 0) return;
-        rho += rho_[j];
-        E += energy_[j];
-        for (std::size_t k = 0; k < momentum_.size(); ++k) m[k] += momentum_[k][j];
-        ++count;
+        if (known[j] != 0) around.push_back(j);
       });
-      if (count == 0) return;
-      rho_[i] = rho / count;
-      energy_[i] = E / count;
-      for (std::size_t k = 0; k < momentum_.size(); ++k) momentum_[k][i] = m[k] / count;
+      if (around.empty()) return;
+      for (Column* column : columns) {
+        double sum = 0;
+        for (const std::size_t j : around) sum += (*column)[j];
+        (*column)[i] = sum / static_cast<double>(around.size());
+      }
       found.push_back(i);
     });
     for (const std::size_t i : found) known[i] = 1;
@@ -125,14 +178,37 @@ void LevelCoupling<D>::store(const StageScope& scope) {
       const std::size_t i = frame_.box.index(frame_.cell(at));
       if (amounts_.touched[i] == 0) return;
       const bool known = filled_[i] != 0;
-      cells.mass(at) = known ? rho_[i] : old.mass(at);
-      cells.energy(at) = known ? energy_[i] : old.energy(at);
+      for (int m = 0; m < fluid.materials(); ++m) {
+        const auto k = static_cast<std::size_t>(m);
+        cells.mass(m, at) = known ? settled_.mass[k][i] : old.mass(m, at);
+        cells.energy(m, at) = known ? settled_.energy[k][i] : old.energy(m, at);
+        if (fluid.materials() > 1)
+          cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
+      }
       for (int c = 0; c < fluid.components; ++c)
         cells.momentum(c, at) =
-            known ? momentum_[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
+            known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
+      cells.fraction(at) = fields_.theta_next[i];
     });
   }
   next.forget();
+}
+
+// A cell whose rest of fluid is no state gives it to the cells around, through covered faces too.
+template <int D>
+bool LevelCoupling<D>::share_spoilt(const StageScope& scope) {
+  constexpr int most = 4;  // rounds
+  for (int round = 0; round < most; ++round) {
+    amounts_.spoilt = spoilt_;
+    Cell<D> stuck{};
+    redistribute<D>(frame_, fields_, amounts_, stuck);
+    amounts_.spoilt.clear();
+    if (settle(scope)) {
+      scope.reason->clear();
+      return true;
+    }
+  }
+  return false;
 }
 
 template <int D>
@@ -147,7 +223,7 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
     return Verdict::reject;
   }
   exchange(scope);
-  if (!settle(scope)) return Verdict::reject;
+  if (!settle(scope) && !share_spoilt(scope)) return Verdict::reject;
   fill_dry_cells();
   store(scope);
   return Verdict::good;
@@ -157,15 +233,22 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   const ice::SchemeOptions& o = fluid_->options();
-  const ice::Fluid& law = o.fluids.front();
+  const ice::mixture::Equilibration laws(o.fluids);
   double deck = 0, flow = 0, sound = 0;
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
     if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
-    const double c = law.sound_speed(rho_[i], law.pressure(rho_[i], energy_[i]));
+    double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials], rho = 0;
+    for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+      M[m] = settled_.mass[m][i];
+      V[m] = o.fluids.size() == 1 ? 1.0 : settled_.filled[m][i];
+      E[m] = settled_.energy[m][i];
+      rho += M[m];
+    }
+    const double c = std::sqrt(laws.look({M, V, E}).modulus / rho);
     double sum = 0, all = 0;
     for (std::size_t a = 0; a < D; ++a) {
       const double inverse = 1 / frame_.spacing[o.axes.direction[a]];
-      const double u = std::fabs(momentum_[a][i] / rho_[i]);
+      const double u = std::fabs(settled_.momentum[a][i] / rho);
       deck = std::max(deck, (u + o.sound_speed_knob * c) * inverse);
       sound = std::max(sound, (u + c) * inverse);
       sum += (u + c) * inverse;

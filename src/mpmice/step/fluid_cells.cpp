@@ -1,16 +1,22 @@
 #include "mpmice/step/fluid_cells.hpp"
 
+#include <cmath>
+
 #include "ice/fluid/labels.hpp"
-#include "ice/fluid/law_row.hpp"
 
 namespace sluice::mpmice {
 
-FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in) : part(&of), state(&in) {
+FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
+    : part(&of), state(&in), laws(of.options().fluids) {
   const ice::SchemeOptions& o = of.options();
   const ice::Labels& l = ice::labels();
-  mass = in.find(l.mass, o.place(0));
+  for (int m = 0; m < of.material_count(); ++m) {
+    mass.push_back(in.find(l.mass, o.place(m)));
+    energy.push_back(in.find(l.energy, o.place(m)));
+    if (of.material_count() > 1) volume.push_back(in.find(l.volume, o.place(m)));
+  }
   momentum = in.find(l.momentum, o.place(0));
-  energy = in.find(l.energy, o.place(0));
+  fraction = in.find(l.solid_fraction, o.place(0));
   direction = o.direction;
   components = o.components;
 }
@@ -20,23 +26,28 @@ FluidBox FluidCells::box(int b) const {
 }
 
 FluidBox::FluidBox(const FluidCells& cells, int b)
-    : cells_(&cells),
-      mass_(cells.state->view(cells.mass, 0, b)),
-      energy_(cells.state->view(cells.energy, 0, b)) {
+    : cells_(&cells), fraction_(cells.state->view(cells.fraction, 0, b)) {
+  for (const int slot : cells.mass) mass_.push_back(cells.state->view(slot, 0, b));
+  for (const int slot : cells.energy) energy_.push_back(cells.state->view(slot, 0, b));
+  for (const int slot : cells.volume) volume_.push_back(cells.state->view(slot, 0, b));
   for (int c = 0; c < cells.components; ++c)
     momentum_[static_cast<std::size_t>(c)] = cells.state->view(cells.momentum, c, b);
 }
 
 FluidState FluidBox::at(IntVec3 cell) const {
+  double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];
+  for (int m = 0; m < cells_->materials(); ++m) {
+    M[m] = mass(m, cell);
+    V[m] = cells_->volume.empty() ? 1.0 : volume(m, cell);
+    E[m] = energy(m, cell);
+  }
+  const ice::mixture::Equilibration::Result as_it_is = cells_->laws.look({M, V, E});
   FluidState s;
-  s.rho = mass_(cell);
-  const double E = energy_(cell);
-  double inverse = 0;
-  const ice::LawRow law(cells_->part->options().fluids.front());
-  law.primitives(1, &s.rho, &E, &inverse, &s.pressure, &s.sound);
+  for (int m = 0; m < cells_->materials(); ++m) s.rho += M[m];
+  s.pressure = as_it_is.pressure;
+  s.sound = std::sqrt(as_it_is.modulus / s.rho);
   for (int c = 0; c < cells_->components; ++c)
-    s.velocity[cells_->direction[static_cast<std::size_t>(c)]] =
-        momentum_[static_cast<std::size_t>(c)](cell) * inverse;
+    s.velocity[cells_->direction[static_cast<std::size_t>(c)]] = momentum(c, cell) / s.rho;
   return s;
 }
 

@@ -1,10 +1,12 @@
-// The fluid's state in single cells, for those who do not sweep rows.
+// The fluids' state in single cells, for those who do not sweep rows.
 #pragma once
 #include "framework/field/warehouse.hpp"
+#include "ice/closure/equilibrate.hpp"
 #include "ice/fluid_part.hpp"
 
 namespace sluice::mpmice {
 
+// What walls see of a cell.
 struct FluidState {
   double rho = 0, pressure = 0, sound = 0;
   Vec3 velocity{};
@@ -12,15 +14,18 @@ struct FluidState {
 
 class FluidBox;
 
-// Slots of one fluid in a state.
+// Slots of the fluids in a state.
 class FluidCells {
  public:
   FluidCells(const ice::FluidPart& part, const Warehouse& state);
   FluidBox box(int b) const;
+  int materials() const { return static_cast<int>(mass.size()); }
 
   const ice::FluidPart* part;
   const Warehouse* state;
-  int mass, momentum, energy;  // slots
+  ice::mixture::Equilibration laws;
+  std::vector<int> mass, energy, volume;  // slots by material; volume: of several
+  int momentum, fraction;
   std::array<int, 3> direction;
   int components;
 };
@@ -29,16 +34,20 @@ class FluidBox {
  public:
   FluidBox(const FluidCells& cells, int b);
   FluidState at(IntVec3 cell) const;
-  double& mass(IntVec3 c) const { return mass_(c); }
-  double& energy(IntVec3 c) const { return energy_(c); }
+  double& mass(int m, IntVec3 c) const { return mass_[static_cast<std::size_t>(m)](c); }
+  double& energy(int m, IntVec3 c) const { return energy_[static_cast<std::size_t>(m)](c); }
+  // Of several fluids; one alone fills what solids leave.
+  double& volume(int m, IntVec3 c) const { return volume_[static_cast<std::size_t>(m)](c); }
   double& momentum(int component, IntVec3 c) const {
     return momentum_[static_cast<std::size_t>(component)](c);
   }
+  double& fraction(IntVec3 c) const { return fraction_(c); }
 
  private:
   const FluidCells* cells_;
-  RealView mass_, energy_;
+  std::vector<RealView> mass_, energy_, volume_;
   std::array<RealView, 3> momentum_;
+  RealView fraction_;
 };
 
 }  // namespace sluice::mpmice

@@ -1,6 +1,7 @@
 // The coupling on one level in D active directions.
 #pragma once
 #include "framework/run/level_solver.hpp"
+#include "ice/closure/equilibrate.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
 #include "mpmice/step/coupling.hpp"
@@ -36,8 +37,15 @@ class LevelCoupling final : public Coupling {
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);
   void exchange(const StageScope& scope);
+  struct FluidHeat {
+    double temperature = 0, capacity = 0;
+  };
+  FluidHeat heat_of(std::size_t i) const;
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   bool settle(const StageScope& scope);
+  bool share_spoilt(const StageScope& scope);
+  bool settle_cell(std::size_t i, const ice::mixture::Equilibration& laws, double* M, double* V,
+                   double* E) const;
   void fill_dry_cells();
   void store(const StageScope& scope);
 
@@ -63,10 +71,9 @@ class LevelCoupling final : public Coupling {
   SweptSums<D> swept_;
   KnownByOne<D> known_;
   CellAmounts<D> amounts_;
-  // What becomes the state of cells near solids: density, momenta, internal energy.
-  Column rho_, energy_;
-  std::vector<Column> momentum_;
+  CellAmounts<D> settled_;            // what becomes their state, per volume of fluid
   std::vector<std::uint8_t> filled_;  // 1: they are known
+  std::vector<std::uint8_t> spoilt_;  // 1: what is left there is no state
 };
 
 template <int D>

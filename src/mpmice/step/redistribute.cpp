@@ -84,15 +84,18 @@ class Neighbourhoods {
         visit(cell, d - 1, f);
     }
   }
+  bool spoilt(std::size_t i) const { return !amounts_.spoilt.empty() && amounts_.spoilt[i] != 0; }
   bool left(std::size_t i) const {
-    bool any = amounts_.mass[i] != 0 || amounts_.energy[i] != 0;
-    for (const Column& m : amounts_.momentum) any |= m[i] != 0;
+    bool any = amounts_.kinetic[i] != 0;
+    for (const auto* columns : {&amounts_.mass, &amounts_.energy, &amounts_.momentum})
+      for (const Column& column : *columns) any |= column[i] != 0;
     return any;
   }
   bool small(std::size_t i) {
     if (is_small_.empty()) is_small_.assign(amounts_.volume.size(), 0);
-    is_small_[i] = amounts_.near[i] != 0 && solids_.theta_next[i] > 0 &&
-                   amounts_.volume[i] < small_volume && (amounts_.volume[i] > 0 || left(i));
+    is_small_[i] = (amounts_.near[i] != 0 && solids_.theta_next[i] > 0 &&
+                    amounts_.volume[i] < small_volume && (amounts_.volume[i] > 0 || left(i))) ||
+                   spoilt(i);
     return is_small_[i] != 0;
   }
   bool add(const Cell<D>& c, std::size_t i) {
@@ -100,8 +103,8 @@ class Neighbourhoods {
     cells_.push_back(i);
     holds_.push_back(i);
     const bool closed = !(amounts_.volume[i] > 0);
-    for (int rule = closed ? 1 : 0; rule < 3; ++rule) {
-      if (rule == 2 && !closed) return true;
+    for (int rule = closed ? 1 : spoilt(i) ? 2 : 0; rule < 3; ++rule) {
+      if (rule == 2 && !closed && !spoilt(i)) return true;
       bool found = false;
       for (std::size_t d = 0; d < D; ++d) {
         if (rule == 0 && !along(i, d)) continue;
@@ -126,7 +129,8 @@ class Neighbourhoods {
       other = frame_.inside(other);
     }
     const std::size_t j = box_.index(other);
-    if (!(amounts_.volume[j] > amounts_.volume[i] + margin)) return false;
+    const bool larger = amounts_.volume[j] > amounts_.volume[i] + margin;
+    if (!larger && !(spoilt(i) && amounts_.volume[j] > 0)) return false;
     if (!covered_too && solids_.covered[d][face] >= 1 && solids_.covered_next[d][face] >= 1)
       return false;
     holds_.push_back(j);
@@ -154,9 +158,7 @@ bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmoun
     if (!around.find(stuck)) return false;
     if (!around.any()) return true;
     const std::vector<std::uint16_t> count = around.count();
-    around.share(amounts.mass, count);
-    for (Column& m : amounts.momentum) around.share(m, count);
-    around.share(amounts.energy, count);
+    amounts.for_each_amount([&](Column& amount) { around.share(amount, count); });
     for (std::size_t i = 0; i < count.size(); ++i)
       if (count[i] > 0) amounts.touched[i] = 1;
   }
