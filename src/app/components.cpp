@@ -45,7 +45,11 @@ std::unique_ptr<Component> make_mpmice(const Deck& deck, const Scene& scene,
     for (mpm::SolidMaterial& m : solids.materials) m.rigid = true;
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
-  auto component = std::make_unique<mpmice::MpmIce>(scene, std::move(fluid), std::move(solids));
+  std::vector<std::string> fluids, names;
+  for (const ice::IceMaterial& m : fluid.materials) fluids.push_back(m.name);
+  for (const mpm::SolidMaterial& m : solids.materials) names.push_back(m.name);
+  auto component = std::make_unique<mpmice::MpmIce>(
+      scene, std::move(fluid), std::move(solids), models::read_burns(*deck.root, {fluids, names}));
   component->solids().warn_of_absent_labels(faults);
   return component;
 }

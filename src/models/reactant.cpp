@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/deck/rule_tools.hpp"
+#include "framework/deck/faults.hpp"
 #include "models/material_name.hpp"
 
 namespace sluice::models {

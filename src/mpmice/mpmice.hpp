@@ -9,7 +9,9 @@ namespace sluice::mpmice {
 
 class MpmIce final : public Component {
  public:
-  MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids);
+  // `burns`: solids that become fluids.
+  MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
+         std::vector<models::SolidBurn> burns = {});
 
   const mpm::Mpm& solids() const { return solids_; }
   const ice::Ice& fluid() const { return fluid_; }
@@ -81,18 +83,18 @@ class MpmIce final : public Component {
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
-  std::vector<std::string> tally_names() const override { return fluid_.tally_names(); }
-  std::vector<double> tallies(const std::vector<double>& sums) const override {
-    return fluid_.tallies(sums);
-  }
+  std::vector<std::string> tally_names() const override;
+  std::vector<double> tallies(const std::vector<double>& sums) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }
 
  private:
+  std::size_t first_burned_sum() const;
   const Scene& scene_;
   mpm::Mpm solids_;
   ice::Ice fluid_;
+  std::vector<models::SolidBurn> burns_;
   EffectList effects_;
 };
 

@@ -24,7 +24,7 @@ inline bool looks_around(const models::SolidBurn& burn) {
 }
 
 // Heat per mass that the product gets beside what the mass brings with it.
-inline double heat_of(const models::SolidBurn& burn) {
+inline double heat_of_reaction(const models::SolidBurn& burn) {
   if (const auto* simple = std::get_if<models::SimpleBurn>(&burn.law)) return simple->heat;
   if (const auto* steady = std::get_if<models::SteadyBurn>(&burn.law)) return steady->heat();
   if (const auto* exchange = std::get_if<models::MassExchange>(&burn.law))

@@ -32,11 +32,11 @@ constexpr double seen_volume = 0.2;    // fluids that fill less of a cell do not
 template <int D>
 double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
   const std::size_t here = frame_.box.index(c);
-  if (!around && amounts_.volume[here] > seen_volume) return fluid_temperature(here);
+  if (!around && amounts_.volume[here] > seen_volume) return heat_of(here).temperature;
   double most = 0;
   for_each_around(c, 1, [&](std::size_t i) {
     if (amounts_.near[i] != 0 && amounts_.volume[i] > seen_volume)
-      most = std::max(most, fluid_temperature(i));
+      most = std::max(most, heat_of(i).temperature);
   });
   return most;
 }
@@ -93,7 +93,7 @@ void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBu
     const double p = (V * fields_.pressure[i] + theta * pressure[i]) / (V + theta);
     if (!law->burns(p, theta)) return;
     shares[i] =
-        law->burned(scope.step.dt, p, reactant[i], product_mass(i, burn.product)) / reactant[i];
+        law->burned(scope.step.dt, p, reactant[i], amounts_.mass[static_cast<std::size_t>(burn.product)][i]) / reactant[i];
   });
 }
 
@@ -143,95 +143,114 @@ void LevelCoupling<D>::mean_in_cells(const StageScope& scope, int kind, Column& 
   }
 }
 
-// Particles lose their shares; cells get what these were. `in_cells`: by cell, or empty.
+// Particles lose their shares.
 template <int D>
-bool LevelCoupling<D>::give_products(const StageScope& scope, const models::SolidBurn& burn,
-                                     std::vector<Column>& shares, const Column& in_cells) {
+std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_particles(
+    const models::SolidBurn& burn, const std::vector<Column>& shares) {
   const double c_s =
       solids_->scene().materials[static_cast<std::size_t>(burn.solid)].constants.specific_heat;
-  const double Q = heat_of(burn);
-  const int components = static_cast<int>(amounts_.momentum.size());
-  struct Given {
-    std::size_t set, particle;
-    double mass, energy, kinetic;  // energy, kinetic: per mass
-    Vec3 velocity{};
-  };
+  const double Q = heat_of_reaction(burn);
   std::vector<Given> given;
-  double most_mass = 1e-300, most_energy = 1e-300, most_speed = 1e-300;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
     if (s.kind != burn.solid) continue;
+    const auto next = [&](int c) { return s.next->column(static_cast<std::size_t>(c)); };
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
-    const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-    double* W = s.next->column(static_cast<std::size_t>(s.columns->energy));
-    double* volume = s.next->column(static_cast<std::size_t>(s.columns->volume));
+    const double* T = next(s.columns->temperature);
+    double *W = next(s.columns->energy), *volume = next(s.columns->volume);
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       double f = std::min(shares[n][p], 1.0);
       if (!(f > least_share) || !(s.stays[p] > 0)) continue;
       if (s.filled[p] * (1 - f) < least_filled) f = 1;
-      const double left = f < 1 ? s.stays[p] * (1 - f) : 0.0;
-      Given g{n, p, m[p] * s.stays[p] - m[p] * left, 0, 0, {}};
+      const double rest = f < 1 ? 1 - f : 0.0;
+      Given g{n, p, m[p] * s.stays[p] - m[p] * (s.stays[p] * rest), 0, 0, {}};
       g.energy = W[p] * f / g.mass + c_s * T[p] + Q;
       for (int d = 0; d < 3; ++d) {
-        g.velocity[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + d))[p];
+        g.velocity[d] = next(s.columns->velocity + d)[p];
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];
-        most_speed = std::max(most_speed, std::fabs(g.velocity[d]));
       }
-      most_mass = std::max(most_mass, g.mass);
-      most_energy = std::max(most_energy, std::fabs(g.energy));
       burned_.add(burn.solid, solids_->material_count() + burn.product, g.mass, Q * g.mass,
                   (c_s * T[p] + Q) * g.mass);
-      s.stays[p] = left;
-      s.filled[p] = f < 1 ? s.filled[p] * (1 - f) : 0.0;
-      W[p] = f < 1 ? W[p] * (1 - f) : 0.0;
-      volume[p] = f < 1 ? volume[p] * (1 - f) : 0.0;
+      s.stays[p] *= rest;
+      s.filled[p] *= rest;
+      W[p] *= rest;
+      volume[p] *= rest;
       given.push_back(g);
     }
   }
+  return given;
+}
+
+// Cells get what particles have given: each cell of a particle as many parts as lie in it, by
+// `in_cells` where that is not empty. False: no rank has anything.
+template <int D>
+bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
+                                     const std::vector<Given>& given, const Column& in_cells) {
+  constexpr int mass = 0, energy = 1, kinetic = 2, momentum = 3;
+  const int components = static_cast<int>(amounts_.momentum.size());
+  double most_mass = 1e-300, most_energy = 1e-300, most_kinetic = 1e-300, most_speed = 1e-300;
+  for (const Given& g : given) {
+    most_mass = std::max(most_mass, g.mass);
+    most_energy = std::max(most_energy, std::fabs(g.energy));
+    most_kinetic = std::max(most_kinetic, g.kinetic);
+    for (int d = 0; d < 3; ++d) most_speed = std::max(most_speed, std::fabs(g.velocity[d]));
+  }
   Reduction all;
-  const auto a = all.add_maximum(most_mass), b = all.add_maximum(most_energy),
-             c = all.add_maximum(most_speed);
+  const std::array<Reduction::Maximum, 4> maxima{
+      all.add_maximum(most_mass), all.add_maximum(most_energy), all.add_maximum(most_kinetic),
+      all.add_maximum(most_speed)};
   const auto any = all.add_any(!given.empty());
   scope.ranks->reduce(all);
   if (!all.any(any)) return false;
-  most_mass = all.maximum(a);
-  most_energy = all.maximum(b);
-  most_speed = all.maximum(c);
+  most_mass = all.maximum(maxima[0]);
+  most_energy = all.maximum(maxima[1]);
+  most_kinetic = all.maximum(maxima[2]);
+  most_speed = all.maximum(maxima[3]);
   CellSums<D> sums;
-  constexpr int mass = 0, energy = 1, kinetic = 2, momentum = 3;
   sums.begin(frame_.box, momentum + components);
   sums.reach(frame_.box);
+  const auto weight = [&](std::size_t i) { return in_cells.empty() ? 1.0 : in_cells[i]; };
   for (const Given& g : given) {
     const SolidSet<D>& s = sets_[g.set];
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     double whole = 0;  // of the weights of its parts
+    for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) { whole += weight(i); });
     for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) {
-      whole += in_cells.empty() ? 1.0 : in_cells[i];
-    });
-    for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) {
-      const double weight = in_cells.empty() ? 1.0 : in_cells[i];
-      const double share = g.mass / most_mass / most_parts<D> * (weight / whole);
+      const double share = g.mass / most_mass / most_parts<D> * (weight(i) / whole);
       sums.lane(mass)[i] += to_sum(share);
       sums.lane(energy)[i] += to_sum(share * (g.energy / most_energy));
-      sums.lane(kinetic)[i] += to_sum(share * (g.kinetic / (1.5 * most_speed * most_speed)));
-      for (int k = 0; k < components; ++k)
-        sums.lane(momentum + k)[i] += to_sum(
-            share * (g.velocity[fluid_->options().direction[static_cast<std::size_t>(k)]] /
-                     most_speed));
+      sums.lane(kinetic)[i] += to_sum(share * (g.kinetic / most_kinetic));
+      for (int k = 0; k < components; ++k) {
+        const int d = fluid_->options().direction[static_cast<std::size_t>(k)];
+        sums.lane(momentum + k)[i] += to_sum(share * (g.velocity[d] / most_speed));
+      }
     });
   }
   sums.sum_over_ranks(*scope.ranks);
   const double to_density = most_mass * most_parts<D> / frame_.cell_volume;
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
-    const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };
     if (sums.lane(mass)[i] == 0) return;
+    const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };
     std::array<double, 3> P{};
     for (int k = 0; k < components; ++k)
       P[static_cast<std::size_t>(k)] = value(momentum + k) * most_speed;
-    add_product(i, burn.product, value(mass), value(energy) * most_energy,
-                value(kinetic) * (1.5 * most_speed * most_speed), P);
+    add_product(i, product, value(mass), value(energy) * most_energy,
+                value(kinetic) * most_kinetic, P);
   });
   return true;
+}
+
+template <int D>
+void LevelCoupling<D>::add_product(std::size_t i, int product, double mass, double energy,
+                                   double kinetic, const std::array<double, 3>& momentum) {
+  const auto m = static_cast<std::size_t>(product);
+  amounts_.mass[m][i] += mass;
+  products_[m][i] += mass;
+  amounts_.energy[m][i] += energy;
+  amounts_.kinetic[i] += kinetic;
+  for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
+    amounts_.momentum[k][i] += momentum[k];
+  amounts_.touched[i] = 1;
 }
 
 // Whose neighbours have vanished has more outer faces.
@@ -276,11 +295,9 @@ void LevelCoupling<D>::note_burned(const StageScope& scope) {
 }
 
 template <int D>
-Verdict LevelCoupling<D>::burn(const StageScope& scope) {
-  vanished_ = false;
-  const std::vector<models::SolidBurn>& burns = burns_;
-  if (burns.empty()) return Verdict::good;
+void LevelCoupling<D>::begin_burning() {
   burned_.begin(solids_->material_count() + fluid_->material_count());
+  products_.assign(amounts_.mass.size(), Column(frame_.box.cells(), 0.0));
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
     s.stays.assign(s.set->size(), 1.0);
@@ -289,28 +306,36 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
     for (std::size_t p = 0; p < s.outer.size(); ++p)
       s.outer[p] = static_cast<std::uint8_t>(bits[p]);
   }
-  bool any = false;
-  std::vector<Column> shares(sets_.size());
+}
+
+template <int D>
+bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
   Column in_cells;
-  for (const models::SolidBurn& law : burns) {
-    const bool surfaces = burns_surfaces(law);
-    in_cells.clear();
-    if (!surfaces) burn_cells(scope, law, in_cells);
-    for (std::size_t n = 0; n < sets_.size(); ++n) {
-      const SolidSet<D>& s = sets_[n];
-      if (s.kind != law.solid) continue;
-      shares[n].assign(s.set->size(), 0.0);
-      if (surfaces) {
-        burn_surfaces(law, s, scope.step.dt, shares[n]);
-        continue;
-      }
-      const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
-      for (std::size_t p = 0; p < s.set->size(); ++p)
-        for_each_part<D>(frame_, x, *s.next, p,
-                         [&](std::size_t i) { shares[n][p] += in_cells[i] / (1 << D); });
+  if (!burns_surfaces(burn)) burn_cells(scope, burn, in_cells);
+  std::vector<Column> shares(sets_.size());
+  for (std::size_t n = 0; n < sets_.size(); ++n) {
+    const SolidSet<D>& s = sets_[n];
+    if (s.kind != burn.solid) continue;
+    shares[n].assign(s.set->size(), 0.0);
+    if (in_cells.empty()) {
+      burn_surfaces(burn, s, scope.step.dt, shares[n]);
+      continue;
     }
-    any |= give_products(scope, law, shares, in_cells);
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+    for (std::size_t p = 0; p < s.set->size(); ++p)
+      for_each_part<D>(frame_, x, *s.next, p,
+                       [&](std::size_t i) { shares[n][p] += in_cells[i] / (1 << D); });
   }
+  return give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
+}
+
+template <int D>
+Verdict LevelCoupling<D>::burn(const StageScope& scope) {
+  vanished_ = false;
+  if (burns_.empty()) return Verdict::good;
+  begin_burning();
+  bool any = false;
+  for (const models::SolidBurn& law : burns_) any |= burn_by(scope, law);
   if (!any) return Verdict::good;
   burned_.add_to(*scope.ranks, *scope.sums,
                  static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums()));
@@ -319,15 +344,24 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   return open_burned_volume(scope);
 }
 
-// theta and a once more, with what is left of the particles.
+// theta and a once more, with what is left of the particles. The products fill what opens.
 template <int D>
 Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
   for (SolidSet<D>& s : sets_) weigh_faces(s);
-  const Column before = fields_.theta_next;
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
-    amounts_.volume[i] = 1 - fields_.theta_next[i];
-    if (fields_.theta_next[i] != before[i]) amounts_.touched[i] = 1;
+    const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];
+    if (opened == 0) return;
+    amounts_.volume[i] = volume;
+    amounts_.touched[i] = 1;
+    double all = 0;
+    for (const Column& mass : products_) all += mass[i];
+    if (amounts_.mass.size() == 1) {
+      amounts_.filled[0][i] = volume;
+    } else if (all > 0) {
+      for (std::size_t m = 0; m < products_.size(); ++m)
+        amounts_.filled[m][i] += opened * (products_[m][i] / all);
+    }
   });
   return share_small_cells(scope);
 }

@@ -43,7 +43,9 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       SolidSet<D>& s = sets_[n];
       s.kind = k;
       s.columns = &solids_->carried()[static_cast<std::size_t>(k)].columns;
-      s.set = &store.set(level, b);
+      s.part = solids_->carried()[static_cast<std::size_t>(k)].filled;
+      s.present = &store.set(level, b);
+      s.set = s.present;
       s.next = &store.next(level, b);
     }
   }
