@@ -43,6 +43,7 @@ std::unique_ptr<Component> make_mpmice(const Deck& deck, const Scene& scene,
   // Rigid solids, whatever laws the deck gives them.
   if (deck.root->child("SimulationComponent")->attribute("type") != "mpmice")
     for (mpm::SolidMaterial& m : solids.materials) m.rigid = true;
+  mpmice::bind_solids(fluid, solids);
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
   std::vector<std::string> fluids, names;

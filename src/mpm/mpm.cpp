@@ -79,7 +79,7 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
     b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSums::force_x + d)];
   }
   b.energy = sums[StepSums::work];
-  b.energy_of_forces = sums[StepSums::force_work];
+  b.energy_of_forces = sums[StepSums::force_work] - sums[StepSums::heat_from_fluid];
   return b;
 }
 
@@ -95,11 +95,16 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
   for (int k = 0; k < cloud.kind_count(); ++k) {
     const ParticleStore& store = cloud.store(k);
     const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
+    // Beside a fluid: solids free of stress bear the reference pressure, which works on them.
+    const double reference =
+        solids_.materials[static_cast<std::size_t>(k)].constants.reference_pressure;
+    const bool pressed = solids_.whole_kicks && reference != 0;
     for (int l = 0; l < store.level_count(); ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
         const double* m = set.column(static_cast<std::size_t>(c.mass));
         const double* energy = set.column(static_cast<std::size_t>(c.energy));
+        const double* volume = set.column(static_cast<std::size_t>(c.volume));
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
           totals.mass[static_cast<std::size_t>(k)].add(m[p]);
@@ -111,6 +116,7 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
           }
           totals.kinetic_energy.add(0.5 * m[p] * v2);
           totals.internal_energy.add(energy[p]);
+          if (pressed) totals.internal_energy.add(-reference * volume[p]);
         }
       }
   }

@@ -42,6 +42,20 @@ std::vector<double> fluid_part(const std::vector<double>& all, int first) {
 
 }  // namespace
 
+void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids) {
+  const int count = static_cast<int>(solids.materials.size());
+  for (int m = 0; m < count; ++m)
+    for (int n = m + 1; n < count; ++n) {
+      if (fluid.momentum_of_all(m, n) < ice::one_velocity_coefficient) continue;
+      mpm::ContactRule rule;
+      rule.kind = mpm::ContactKind::single_velocity;
+      rule.materials = {m, n};
+      rule.type = "single_velocity";
+      rule.where = fluid.exchange.where;
+      solids.contacts.insert(solids.contacts.begin(), rule);
+    }
+}
+
 MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
                std::vector<models::SolidBurn> burns)
     : scene_(scene),

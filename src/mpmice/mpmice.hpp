@@ -7,6 +7,10 @@
 
 namespace sluice::mpmice {
 
+// Solids between which the exchange of momentum is as good as infinite move with one velocity where
+// they meet: a rule of contact, before those of the deck.
+void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids);
+
 class MpmIce final : public Component {
  public:
   // `burns`: solids that become fluids.

@@ -13,6 +13,7 @@ struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
   In materials, pure;      // of a mixture
   In material_velocities;  // where each material has its own
+  In covered;              // share of the face that solids cover
 };
 
 // Low and high faces of the cells of a row.
@@ -25,6 +26,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   h.flux = task.read(v.flux[face], both);
   h.face_velocity = task.read(v.face_velocity[face], both);
   h.face_pressure = task.read(v.face_pressure[face], both);
+  if (o.walled) h.covered = task.read(v.walls.covered[face], both);
   if (o.mixture) {
     h.materials = task.read(v.material_flux[face], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
@@ -99,6 +101,7 @@ class FaceFluxRows {
     velocity_ = faces(h.face_velocity);
     pressure_ = faces(h.face_pressure);
     if (o.conducting) heat_ = faces(h.heat_flux);
+    if (o.walled) covered_ = faces(h.covered);
     for (int c = 0; c < o.components; ++c) {
       carried_[c] = faces(h.flux, 2 + c);
       if (o.viscous) stress_[c] = faces(h.stress, c);
@@ -127,6 +130,7 @@ class FaceFluxRows {
         FU2 += FU * U;
       }
       double impulse = c == axis_ ? l_ * pf : 0.0;
+      if (covered_ != nullptr) impulse *= 1.0 - covered_[i];  // the rest presses on the solid
       if (o.viscous) {
         const double t = stress_[c][i];
         impulse -= l_ * t;
@@ -146,7 +150,7 @@ class FaceFluxRows {
   const SchemeOptions* o_;
   int axis_, shift_;
   double l_;
-  const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr;
+  const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr, *covered_ = nullptr;
   const double *carried_[3] = {}, *stress_[3] = {};
 };
 

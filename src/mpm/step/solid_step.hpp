@@ -77,6 +77,7 @@ struct StepSums {
     torque_x,
     torque_y,
     torque_z,
+    heat_from_fluid,  // J, of particles that exchange with a fluid
     count
   };
 };

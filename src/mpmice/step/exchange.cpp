@@ -143,9 +143,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     }
   });
   if (rigid) return;
+  ExactSum heated;
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+    const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
     double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
     std::array<double*, D> v;
     for (std::size_t d = 0; d < D; ++d)
@@ -165,8 +167,13 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       }
       T[p] += heat;
       if (c_s > 0) T[p] += energy / c_s;
+      heated.add(mass[p] * (c_s * heat + energy));
     }
   }
+  Reduction total;
+  const auto slot = total.add_sum(heated);
+  scope.ranks->reduce(total);
+  (*scope.sums)[mpm::StepSums::heat_from_fluid] += total.sum(slot).value();
   bound_velocities(scope, kind);
 }
 

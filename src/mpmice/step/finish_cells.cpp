@@ -78,7 +78,11 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
   bool good = true;
   spoilt_.assign(amounts_.near.size(), 0);
   for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
-    if (amounts_.near[i] == 0 || amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) {
+    if (amounts_.near[i] == 0 || amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
+    // A gap that no fluid has reached: it waits, as if it were closed.
+    if (amounts_.mass_of_all(i) == 0) {
+      amounts_.volume[i] = 0;
+      fields_.theta_next[i] = 1;
       return;
     }
     double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];

@@ -28,12 +28,20 @@ class LevelCoupling final : public Coupling {
   void list_sets(const StageScope& scope);
   void add_geometry(const StageScope& scope, When when, Column& theta,
                     std::array<Column, D>& covered);
+  void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
+  void keep_pockets();
   void find_pressures(const StageScope& scope);
   void smooth_normals();
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u);
   void fill_dry_pressures();
-  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
+  struct OutsideBooks {
+    std::array<ExactSum, 3> force;
+    ExactSum power;
+    void add(const SolidSet<D>& s, std::size_t particle, int direction, double f);
+    void book(const StageScope& scope) const;
+  };
+  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s, OutsideBooks& outside) const;
   void bound_velocities(const StageScope& scope, int kind);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);

@@ -112,7 +112,34 @@ class Neighbourhoods {
       }
       if (found) return true;
     }
-    return !closed;
+    if (closed || spoilt(i)) return take_farther(c) || !closed;
+    return true;
+  }
+  // Of cells in rings around: the nearest that have room.
+  bool take_farther(const Cell<D>& c) {
+    constexpr int farthest = 3;
+    for (int reach = 1; reach <= farthest; ++reach) {
+      bool found = false;
+      const int width = 2 * reach + 1;
+      int count = 1;
+      for (int d = 0; d < D; ++d) count *= width;
+      for (int n = 0; n < count; ++n) {
+        Cell<D> other = c;
+        for (int d = 0, rest = n; d < D; ++d, rest /= width)
+          other[static_cast<std::size_t>(d)] += rest % width - reach;
+        bool there = true;
+        for (std::size_t d = 0; d < D; ++d)
+          there &= frame_.periodic[d] ||
+                   (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
+        if (!there) continue;
+        const std::size_t j = box_.index(frame_.inside(other));
+        if (amounts_.near[j] == 0 || !(amounts_.volume[j] > margin)) continue;
+        holds_.push_back(j);
+        found = true;
+      }
+      if (found) return true;
+    }
+    return false;
   }
   // Is the direction one of the largest components of the normal.
   bool along(std::size_t i, std::size_t d) const {

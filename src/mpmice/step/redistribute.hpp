@@ -3,7 +3,8 @@
 // Small are cells with theta' > 0, V' < 1/2 and V' > 0 or any amount left. The neighbourhood of a
 // small cell s is s and its face neighbours with V' > V_s' + 1e-9 whose face is not covered at
 // both ends of the step, where V_s' > 0 only along the largest component of the smoothed normal
-// (both if within 1 %). Without any the condition on the direction falls, then that on the cover.
+// (both if within 1 %). Without any the condition on the direction falls, then that on the cover;
+// a closed cell then goes to the nearest cells that have room.
 // All other cells are neighbourhoods of their own. With N_j neighbourhoods that hold cell j,
 //
 //   Q_s = sum_j (A_j/N_j) / sum_j (V_j'/N_j),   A_j' = (V_j'/N_j) sum_{s holds j} Q_s

@@ -61,6 +61,14 @@ struct Frame {
     }
     return c;
   }
+  // Its image in periodic directions.
+  Cell<D> wrapped(const Cell<D>& c) const {
+    const Cell<D> image = inside(c);
+    Cell<D> to = c;
+    for (std::size_t a = 0; a < D; ++a)
+      if (periodic[a]) to[a] = image[a];
+    return to;
+  }
   // The same, sides as mirrors.
   Cell<D> mirrored(Cell<D> c) const {
     for (std::size_t a = 0; a < D; ++a) {

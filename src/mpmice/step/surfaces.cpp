@@ -3,6 +3,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpmice/geometry/pieces.hpp"
+#include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
@@ -69,11 +70,30 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
   for (Column& a : covered) clean_covered_parts(a);
 }
 
+// What the last step left is what this one begins with: the geometry, but for pockets that are
+// kept open and gaps that hold no fluid.
+template <int D>
+void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
+  known_.begin(frame_.box, 1);
+  const LevelSolver& level = *scope.levels.front();
+  const FluidCells fluid(*fluid_, level.state());
+  for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
+    const FluidBox cells = fluid.box(b);
+    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
+      known_.put(0, frame_.box.index(frame_.cell(at)), cells.fraction(at));
+    });
+  }
+  known_.tell_all(*scope.ranks);
+  for_each_cell_of_domain(
+      [&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
+}
+
 template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
   for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
+  take_kept_fractions(scope);
   mean_over_surfaces(scope);
   find_pressures(scope);
   return Verdict::good;

@@ -20,9 +20,26 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   fields_.mean_covered = std::move(found.A);
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
+  keep_pockets();
   mean_over_cells(scope);
   tell_fluid(scope);
   return Verdict::good;
+}
+
+// A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by
+// a little.
+template <int D>
+void LevelCoupling<D>::keep_pockets() {
+  constexpr double least_pocket = 1e-3;  // of a cell
+  std::vector<std::size_t> pockets;
+  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+    if (!wet(i) || fields_.theta_next[i] < 1) return;
+    bool taken = false;
+    for_each_neighbour(c, [&](std::size_t j) { taken |= fields_.theta_next[j] < 1 - 1e-8; });
+    if (!taken) pockets.push_back(i);
+  });
+  for (const std::size_t i : pockets)
+    fields_.theta_next[i] = 1 - std::min(least_pocket, 1 - fields_.theta[i]);
 }
 
 // Mass of the solids in cells and their velocity, from a 2^D-th of each particle half way between
