@@ -56,8 +56,8 @@ LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
       fluid_(&fluid),
       solids_(&solids),
       step_(std::move(step)),
-      burns_(std::move(burns)),
-      shock_slope_(fluid.options().fluids.front().shock_slope()) {
+      shock_slope_(fluid.options().fluids.front().shock_slope()),
+      burns_(std::move(burns)) {
   if (!solids.scene().materials.empty())
     reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
 }
