@@ -57,8 +57,9 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
                                                  const SchemeOptions& o,
                                                  const std::vector<SlotInfo>& slots) {
   auto flow = make_flow_transfer(scene, ice, o, slots);
-  if (!o.implicit) return flow;
-  return std::make_unique<OffsetTransfer>(std::move(flow));
+  if (o.implicit) flow = std::make_unique<OffsetTransfer>(std::move(flow));
+  if (ice.solids > 0) flow = std::make_unique<OffsetTransfer>(std::move(flow));  // theta
+  return flow;
 }
 
 }  // namespace

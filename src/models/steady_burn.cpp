@@ -77,7 +77,7 @@ TagSpec steady_burn_tag() {
            positive("MoleWeightGasPh", "molar mass of the gas, W", "kg/mol"),
            tag("BoundaryParticles",
                "accepted without effect: which faces of particles are on the surface is known")
-               .integer()
+               .real()
                .at_least(0),
            number("ThresholdPressure", "burns from this pressure on", "pressure"),
            number("IgnitionTemp",

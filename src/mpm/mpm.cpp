@@ -9,6 +9,7 @@
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"
 #include "mpm/levels/solid_levels.hpp"
+#include "mpm/step/cohesive_zones.hpp"
 
 namespace sluice::mpm {
 
@@ -94,6 +95,10 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
   totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
   for (int k = 0; k < cloud.kind_count(); ++k) {
     const ParticleStore& store = cloud.store(k);
+    if (k >= static_cast<int>(solids_.materials.size())) {
+      add_cohesive_energy(store, totals);
+      continue;
+    }
     const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
     // Beside a fluid: solids free of stress bear the reference pressure, which works on them.
     const double reference =

@@ -5,7 +5,7 @@
 #include "ice/fluid/labels.hpp"
 #include "mpm/levels/solid_levels.hpp"
 #include "mpmice/burn/burned_sums.hpp"
-#include "mpmice/step/coupling.hpp"
+#include "mpmice/step/coupling_on_levels.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -17,7 +17,7 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
   places.maximum = solids.reduction_maxima();
   places.sum = solids.reduction_sums();
   const ice::Labels& l = ice::labels();
-  places.common = {l.pressure, l.equilibrium_pressure, l.pressure_change, l.source_pressure,
+  places.common = {l.mask, l.pressure, l.equilibrium_pressure, l.pressure_change, l.source_pressure,
                    l.gradient_pressure};
   for (int d = 0; d < 3; ++d) {
     places.common.push_back(l.face_pressure[d]);
@@ -75,31 +75,31 @@ void MpmIce::initialise(Warehouse& state) const {
 void MpmIce::shape_step(StepShape& shape) const {
   using mpm::SolidLevels;
   const auto solids = solids_.make_step();
-  const std::shared_ptr<Coupling> coupling =
-      make_coupling(scene_.grid.levels.front(), fluid_.part(), solids_, solids, burns_);
+  const auto coupling =
+      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids, burns_);
   const auto of_solids = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
     shape.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
   };
-  const auto of_both = [&](const char* name, Verdict (Coupling::*act)(const StageScope&)) {
+  const auto of_both = [&](const char* name, Verdict (CouplingOnLevels::*act)(const StageScope&)) {
     shape.stage(name,
                 [coupling, act](const StageScope& scope) { return ((*coupling).*act)(scope); });
   };
   of_solids("bounds of the sums", &SolidLevels::begin);
-  of_both("surfaces of solids, pressure on them", &Coupling::find_surfaces);
-  of_both("force of the fluid on solids", &Coupling::press_on_solids);
+  of_both("surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
+  of_both("force of the fluid on solids", &CouplingOnLevels::press_on_solids);
   of_solids("particles to grid", &SolidLevels::to_grid);
   of_solids("sums of images and ranks", &SolidLevels::share_sums);
   of_solids("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
   if (solids_.scene().transfer == mpm::Transfer::xpic)
     of_solids("filtered velocities (XPIC)", &SolidLevels::filter_velocities);
   of_solids("grid to particles, deformation, stress", &SolidLevels::from_grid);
-  of_both("volumes that solids sweep", &Coupling::find_swept_volumes);
+  of_both("volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
   shape.sweep("step of the fluid");
-  of_both("small cells, exchange, state of the fluid", &Coupling::finish_cells);
+  of_both("small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
   shape.take_over();
-  of_both("limits of the next step", &Coupling::limit_step);
+  of_both("limits of the next step", &CouplingOnLevels::limit_step);
   of_solids("take over", &SolidLevels::take_over);
-  if (!burns_.empty()) of_both("burned particles go", &Coupling::remove_burned);
+  if (!burns_.empty()) of_both("burned particles go", &CouplingOnLevels::remove_burned);
 }
 
 int MpmIce::reduction_maxima() const {

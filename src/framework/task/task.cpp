@@ -14,7 +14,7 @@ void TaskList::enter(Places part) {
 
 VariableId TaskList::state(Storage storage, const char* when, Label label, int material,
                            int components) {
-  const int place = part_->material_of(material);
+  const int place = part_->output_of(label, material);
   for (std::size_t v = 0; v < variables_.size(); ++v)
     if (variables_[v].storage == storage && variables_[v].label == label &&
         variables_[v].material == place)

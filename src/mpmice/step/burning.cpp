@@ -147,9 +147,9 @@ void LevelCoupling<D>::mean_in_cells(const StageScope& scope, int kind, Column& 
 template <int D>
 std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_particles(
     const models::SolidBurn& burn, const std::vector<Column>& shares) {
-  const double c_s =
-      solids_->scene().materials[static_cast<std::size_t>(burn.solid)].constants.specific_heat;
-  const double Q = heat_of_reaction(burn);
+  const mpm::MaterialConstants& constants =
+      solids_->scene().materials[static_cast<std::size_t>(burn.solid)].constants;
+  const double c_s = constants.specific_heat, Q = heat_of_reaction(burn);
   std::vector<Given> given;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
@@ -170,7 +170,7 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];
       }
       burned_.add(burn.solid, solids_->material_count() + burn.product, g.mass, Q * g.mass,
-                  (c_s * T[p] + Q) * g.mass);
+                  (c_s * T[p] + Q) * g.mass + constants.reference_pressure * (volume[p] * f));
       s.stays[p] *= rest;
       s.filled[p] *= rest;
       W[p] *= rest;
@@ -371,7 +371,7 @@ template <int D>
 Verdict LevelCoupling<D>::remove_burned(const StageScope& scope) {
   if (!vanished_) return Verdict::good;
   scope.journal->at_acceptance([this, cloud = scope.particles] {
-    for (int k = 0; k < cloud->kind_count(); ++k) {
+    for (int k = 0; k < solids_->material_count(); ++k) {
       const mpm::Carried& carried = solids_->carried()[static_cast<std::size_t>(k)];
       const mpm::Columns& c = carried.columns;
       if (carried.filled < 0) continue;
