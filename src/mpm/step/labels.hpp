@@ -10,8 +10,9 @@ namespace sluice::mpm {
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
-      scale_factor, heat_source, heating, rate_of_format, outer, filled;
+      scale_factor, heat_source, heating, rate_of_format, outer;
   std::array<Label, most_corners> corner;
+  Label filled;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage, heating or another method of the format give particles this
