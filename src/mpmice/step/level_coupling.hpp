@@ -37,6 +37,8 @@ class LevelCoupling final : public Coupling {
   void fill_dry_pressures();
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
+  void hold_rigid(const StageScope& scope);
+  void book_rigid_work(const StageScope& scope);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);

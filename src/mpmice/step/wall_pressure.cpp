@@ -7,6 +7,7 @@
 // 3). nhat is smoothed over the cells around, which stairs need; forces take n itself.
 #include <cmath>
 
+#include "framework/base/reduction.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/fluid/law_row.hpp"
 #include "mpmice/geometry/pieces.hpp"
@@ -161,6 +162,34 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
   return forces;
 }
 
+// What holds or drives rigid bodies against the fluid comes from outside: its impulse.
+template <int D>
+void LevelCoupling<D>::hold_rigid(const StageScope& scope) {
+  std::array<ExactSum, D> impulse;
+  bool any = false;  // alike on every rank
+  for (const mpm::SolidMaterial& m : solids_->scene().materials) any |= m.rigid;
+  if (!any) return;
+  for (const SolidSet<D>& s : sets_) {
+    if (!solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
+    for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                      [&](std::size_t, int, const FacetNodes<D>&, const Piece<D>& piece) {
+                        const Cell<D> c = frame_.wrapped(piece.cell);
+                        if (!frame_.in_domain(c)) return;
+                        const double p = fields_.wall_pressure[frame_.box.index(c)];
+                        for (std::size_t d = 0; d < D; ++d)
+                          impulse[d].add(scope.step.dt * p * piece.area[d] *
+                                         frame_.face_area(static_cast<int>(d)));
+                      });
+  }
+  Reduction all;
+  std::vector<Reduction::Sum> slots;
+  for (const ExactSum& sum : impulse) slots.push_back(all.add_sum(sum));
+  scope.ranks->reduce(all);
+  for (std::size_t d = 0; d < D; ++d)
+    (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
+        all.sum(slots[d]).value();
+}
+
 template <int D>
 Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   // Solids lie on the finest level.
@@ -174,6 +203,7 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
     all.insert(all.end(), own.begin(), own.end());
   }
   step_->add_corner_forces(scope, forces);
+  hold_rigid(scope);
   return Verdict::good;
 }
 
