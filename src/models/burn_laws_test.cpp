@@ -83,10 +83,9 @@ double temperature_by_the_flame(const SteadyBurn& k, double m, double p, double 
 }
 double flux_of_the_solid(const SteadyBurn& k, double Ts, double T0) {
   const double R = k.gas_constant;
-  return std::sqrt(k.conductivity * density * k.solid_rate * R * Ts * Ts *
-                   std::exp(-k.activation / (R * Ts)) /
-                   (k.specific_heat * k.activation *
-                    (Ts - T0 - k.solid_heat / (2 * k.specific_heat))));
+  return std::sqrt(
+      k.conductivity * density * k.solid_rate * R * Ts * Ts * std::exp(-k.activation / (R * Ts)) /
+      (k.specific_heat * k.activation * (Ts - T0 - k.solid_heat / (2 * k.specific_heat))));
 }
 
 TEST(SteadyBurn, SolvesTheEquationsOfSurfaceAndFlame) {

@@ -28,8 +28,7 @@ TagSpec jwlpp_tag() {
                .once()
                .real()
                .unit("energy/mass"),
-           tag("rho0",
-               "density of the explosive at the start: a step burns at most a fifth of it")
+           tag("rho0", "density of the explosive at the start: a step burns at most a fifth of it")
                .once()
                .real()
                .above(0)

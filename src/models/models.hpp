@@ -57,8 +57,7 @@ TagSpec models_tag();
 void move_parameters(DeckNode& root, std::vector<Fault>& faults);
 
 // Rules beyond single tags.
-void check_models(const DeckNode& root, const MaterialNames& materials,
-                  std::vector<Fault>& faults);
+void check_models(const DeckNode& root, const MaterialNames& materials, std::vector<Fault>& faults);
 // Of a deck that has been checked.
 ModelList read_models(const DeckNode& root, const MaterialNames& materials,
                       const GeometryReader& geometry, std::vector<Fault>& faults);

@@ -34,8 +34,8 @@ SteadyBurn::Surface SteadyBurn::surface(double p, double T0, double density) con
   Constants k{};
   k.C1 = solid_rate * R * conductivity * density / (activation * specific_heat);
   k.C2 = T0 + 0.5 * q;
-  k.C3 = 4 * gas_conductivity * gas_rate * molar_mass * molar_mass * p * p /
-         (specific_heat * R * R);
+  k.C3 =
+      4 * gas_conductivity * gas_rate * molar_mass * molar_mass * p * p / (specific_heat * R * R);
   k.C4 = T0 + q;
   k.C5 = gas_heat / specific_heat * k.C3;
   k.E_over_R = activation / R;

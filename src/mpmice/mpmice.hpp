@@ -22,9 +22,7 @@ class MpmIce final : public Component {
 
   std::string name() const override { return "mpmice"; }
   const EffectList& effects() const override { return effects_; }
-  int material_count() const override {
-    return solids_.material_count() + fluid_.material_count();
-  }
+  int material_count() const override { return solids_.material_count() + fluid_.material_count(); }
 
   std::vector<SlotInfo> state_slots() const override { return fluid_.state_slots(); }
   std::vector<std::vector<Label>> checkpoint_labels() const override {

@@ -21,7 +21,7 @@ template <int D>
 OuterFaces<D> all_faces(const Body<D>& body, std::size_t first, std::size_t end,
                         const std::vector<double>& part) {
   std::vector<std::uint8_t> bits(body.size(), 0);
-  for (std::size_t p = first; p < end; ++p) bits[p] = (1 << faces_of_particle<D>) - 1;
+  for (std::size_t p = first; p < end; ++p) bits[p] = (1 << faces_of_particle<D>)-1;
   OuterFaces<D> f;
   const auto to = Body<D>::columns(body.end);
   f.add(Body<D>::columns(body.start), &to, bits.data(), bits.size());

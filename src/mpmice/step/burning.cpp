@@ -43,33 +43,34 @@ double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
 
 // Shares of the particles' masses that their surfaces lose.
 template <int D>
-void LevelCoupling<D>::burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s,
-                                     double dt, Column& shares) const {
+void LevelCoupling<D>::burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
+                                     Column& shares) const {
   std::vector<ExposedArea<D>> exposed(s.set->size());
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-  for_each_piece<D>(
-      s.faces, When::start, 0, s.faces.size(),
-      [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-        const std::size_t p = s.faces.particle[i];
-        if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
-        Cell<D> c = piece.cell;
-        for (std::size_t d = 0; d < D; ++d)
-          if (!frame_.periodic[d] && (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
-            return;  // on a side of the domain
-        c = frame_.inside(c);
-        const std::size_t k = frame_.box.index(c);
-        if (!wet(k)) return;
-        AtSurface at;
-        at.pressure = fields_.pressure[k];
-        at.solid_temperature = T[p];
-        at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
-        at.density = mass[p] / volume[p];
-        std::array<double, D> area = piece.area;
-        for (int d = 0; d < D; ++d) area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
-        exposed[p].add(s.faces.face[i], area, surface_flux(burn, at));
-      });
+  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                    [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+                      const std::size_t p = s.faces.particle[i];
+                      if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
+                      Cell<D> c = piece.cell;
+                      for (std::size_t d = 0; d < D; ++d)
+                        if (!frame_.periodic[d] &&
+                            (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
+                          return;  // on a side of the domain
+                      c = frame_.inside(c);
+                      const std::size_t k = frame_.box.index(c);
+                      if (!wet(k)) return;
+                      AtSurface at;
+                      at.pressure = fields_.pressure[k];
+                      at.solid_temperature = T[p];
+                      at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
+                      at.density = mass[p] / volume[p];
+                      std::array<double, D> area = piece.area;
+                      for (int d = 0; d < D; ++d)
+                        area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
+                      exposed[p].add(s.faces.face[i], area, surface_flux(burn, at));
+                    });
   for (std::size_t p = 0; p < shares.size(); ++p)
     if (s.stays[p] > 0) shares[p] = dt * exposed[p].flow() / (mass[p] * s.stays[p]);
 }
@@ -92,8 +93,9 @@ void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBu
     const double theta = fields_.theta_next[i], V = wet(i) ? amounts_.volume[i] : 0.0;
     const double p = (V * fields_.pressure[i] + theta * pressure[i]) / (V + theta);
     if (!law->burns(p, theta)) return;
-    shares[i] =
-        law->burned(scope.step.dt, p, reactant[i], amounts_.mass[static_cast<std::size_t>(burn.product)][i]) / reactant[i];
+    shares[i] = law->burned(scope.step.dt, p, reactant[i],
+                            amounts_.mass[static_cast<std::size_t>(burn.product)][i]) /
+                reactant[i];
   });
 }
 
@@ -234,8 +236,8 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
     std::array<double, 3> P{};
     for (int k = 0; k < components; ++k)
       P[static_cast<std::size_t>(k)] = value(momentum + k) * most_speed;
-    add_product(i, product, value(mass), value(energy) * most_energy,
-                value(kinetic) * most_kinetic, P);
+    add_product(i, product, value(mass), value(energy) * most_energy, value(kinetic) * most_kinetic,
+                P);
   });
   return true;
 }
@@ -248,8 +250,7 @@ void LevelCoupling<D>::add_product(std::size_t i, int product, double mass, doub
   products_[m][i] += mass;
   amounts_.energy[m][i] += energy;
   amounts_.kinetic[i] += kinetic;
-  for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
-    amounts_.momentum[k][i] += momentum[k];
+  for (std::size_t k = 0; k < amounts_.momentum.size(); ++k) amounts_.momentum[k][i] += momentum[k];
   amounts_.touched[i] = 1;
 }
 

@@ -32,8 +32,8 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
   CornerColumns<D> to;
   for (std::size_t k = 0; k < to.size(); ++k)
     for (std::size_t a = 0; a < D; ++a)
-      to[k][a] = set.column(static_cast<std::size_t>(c.corners + 3 * static_cast<int>(k) +
-                                                     frame.direction[a]));
+      to[k][a] = set.column(
+          static_cast<std::size_t>(c.corners + 3 * static_cast<int>(k) + frame.direction[a]));
   return to;
 }
 
@@ -41,7 +41,7 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
 // particles that burn all, since a neighbour may be solid in another part.
 template <int D>
 std::vector<std::uint8_t> faces_in_sums(const SolidSet<D>& s) {
-  std::vector<std::uint8_t> faces(s.set->size(), (1 << faces_of_particle<D>) - 1);
+  std::vector<std::uint8_t> faces(s.set->size(), (1 << faces_of_particle<D>)-1);
   if (s.part >= 0) return faces;
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < faces.size(); ++p) faces[p] = static_cast<std::uint8_t>(bits[p]);
