@@ -63,8 +63,9 @@ TEST(BurningRuns, AStrandBurnsAtTheRateOfItsLaw) {
   law.conductivity = 0.2;
   law.specific_heat = 1.4e3;
   law.molar_mass = 3.42e-2;
+  const std::vector<double> masses = run.particles("p.mass").front();
   double left = 0;
-  for (const double m : run.particles("p.mass").front()) left += m;
+  for (const double m : masses) left += m;
   const double area = 0.02 * 0.02, burned = 0.1 * area * 1840 - left;
   EXPECT_NEAR(burned / (law.surface(5e6, 300, 1840).flux * area * 0.002), 1, 0.02);
 }
