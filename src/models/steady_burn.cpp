@@ -39,7 +39,7 @@ SteadyBurn::Surface SteadyBurn::surface(double p, double T0, double density) con
   k.C4 = T0 + q;
   k.C5 = gas_heat / specific_heat * k.C3;
   k.E_over_R = activation / R;
-  // m falls from C2 on to its lowest point, where 2/T + E/(R T^2) = 1/(T - C2), and rises beyond it:
+  // m falls from C2 on to its lowest point, where 2/T + E/(R T^2) = 1/(T - C2), and rises beyond:
   // there F is at its highest, and T - F(T) is monotone from C4 to that value.
   const double a = k.C2 - 0.5 * k.E_over_R;
   const double turn = a + std::sqrt(a * a + k.E_over_R * k.C2);

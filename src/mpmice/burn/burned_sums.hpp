@@ -14,8 +14,8 @@ class BurnedSums {
   static int count(int materials) { return materials + beside_masses; }
 
   void begin(int materials) { sums_.assign(static_cast<std::size_t>(count(materials)), {}); }
-  // `new_energy`: what the books do not hold before: the heat of solids, and that they take the work
-  // of the reference pressure on their volume from what solids have.
+  // `new_energy`: what the books did not hold before: the heat of solids, and the work of the
+  // reference pressure on their volume, which the books take from what solids have.
   void add(int from, int to, double mass, double heat_of_reaction, double new_energy) {
     sums_[static_cast<std::size_t>(from)].add(-mass);
     sums_[static_cast<std::size_t>(to)].add(mass);

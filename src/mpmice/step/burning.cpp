@@ -1,7 +1,7 @@
 // Solids that become fluid: mass, momentum, energy and volume of particles, given to cells.
 //
-// A particle keeps its corners and the kernel over them; what of its volume is left, `filled`, falls
-// with its mass, and surfaces count by it (geometry/outer_faces.hpp). So stress and J stay as they
+// A particle keeps its corners and the kernel over them; what of its volume is left, `filled`,
+// falls with its mass, and surfaces count by it (geometry/outer_faces.hpp). So stress and J stay as they
 // are, the body stays closed, no fragment can turn inside out, and a particle that is burned leaves
 // nothing. With f the share of the mass m that burns:
 //
