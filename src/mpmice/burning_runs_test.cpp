@@ -15,7 +15,7 @@ double mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-// p = (g - 1) (E_gas + m (c_s T_s + Q))/V, T = p/(rho R): of a closed bomb of 1 m and a bar of 0.2 m.
+// p = (g - 1) (E_gas + m (c_s T_s + Q))/V, T = p/(rho R): of a closed bomb of 1 m, a bar of 0.2 m.
 // Measured: pressure and temperature -0.22 %: what still moves; mass 2e-16; energy 2.4e-4, the
 // heat of the transfers between particles and nodes.
 TEST(BurningRuns, AClosedBombEndsAsThermodynamicsHasIt) {
