@@ -2,7 +2,7 @@
 //
 // A particle keeps its corners and the kernel over them; what of its volume is left, `filled`,
 // falls with its mass, and surfaces count by it (geometry/outer_faces.hpp). So stress and J stay as
-// they are, the body stays closed, no fragment can turn inside out, and a particle that is burned leaves
+// they are, the body stays closed, no fragment can turn inside out, and a burned particle leaves
 // nothing. With f the share of the mass m that burns:
 //
 //   m, V, V_0, W: (1 - f) of them;  fluid: + f m, f m v, heat f (W + m c_s T + m Q), f m v^2/2
