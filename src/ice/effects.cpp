@@ -149,8 +149,13 @@ Effect sources(const IceScene& ice) {
   };
   const auto material = [&](int m) { return called(ice.materials[static_cast<std::size_t>(m)]); };
   for (const models::MassExchange& x : ice.models.mass_exchanges)
-    name(fmt::format("{} becomes {} at {:g}/s", material(x.from), material(x.to), x.rate),
-         x.rate > 0, x.where);
+    if (x.by_pressure)
+      name(fmt::format("{} burns to {} above {:g} Pa", material(x.from), material(x.to),
+                       x.by_pressure->threshold_pressure),
+           x.by_pressure->G > 0, x.where);
+    else
+      name(fmt::format("{} becomes {} at {:g}/s", material(x.from), material(x.to), x.rate),
+           x.rate > 0, x.where);
   for (const models::FixedValues& f : ice.models.fixed_values)
     name(fmt::format("{} held at given values in a region", material(f.material)), true, f.where);
   for (const models::AddedHeat& h : ice.added_heat)

@@ -5,7 +5,6 @@
 
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/material_name.hpp"
 
 namespace sluice::models {
 
@@ -30,23 +29,24 @@ TagSpec mass_exchange_tag() {
            tag("startTime", "from when on").real().at_least(0).unit("time").by_default("0")});
 }
 
-void check_mass_exchange(const DeckNode& parameters, const std::vector<std::string>& materials,
-                         std::vector<Fault>& faults) {
-  const auto from = check_material(parameters, "fromMaterial", materials, faults);
-  const auto to = check_material(parameters, "toMaterial", materials, faults);
-  if (from && to && *from == *to)
-    add_error(faults, parameters.child("toMaterial")->where,
-              "<toMaterial> is <fromMaterial>: nothing would pass", "name two materials");
-}
-
-MassExchange read_mass_exchange(const DeckNode& parameters,
-                                const std::vector<std::string>& materials) {
+MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names) {
   MassExchange m;
-  m.from = read_material(parameters, "fromMaterial", materials);
-  m.to = read_material(parameters, "toMaterial", materials);
+  const Reactant reactant = read_reactant(parameters, names);
+  m.from = reactant.from;
+  m.to = reactant.to;
   m.rate = parameters.real("rate");
   m.when.start = real_or(parameters, "startTime", 0);
   m.where = parameters.where;
+  return m;
+}
+
+MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m;
+  const Reactant reactant = read_reactant(parameters, names);
+  m.from = reactant.from;
+  m.to = reactant.to;
+  m.where = parameters.where;
+  m.by_pressure = read_jwlpp_law(parameters);
   return m;
 }
 

@@ -2,14 +2,17 @@
 //
 //   dm/dt = -k m from startTime on: of what is there, the share 1 - exp(-k (t1 - t0)) passes in a
 //   step, t0..t1 being the part of the step in which the model acts
-// With it go its volume, its momentum and its internal energy: totals stay. The shares of two steps
+// or as JWL++ has it (jwlpp.hpp). With it go its volume, its momentum and its internal energy: totals stay. The shares of two steps
 // are together the share of one as long: the law is exact whatever the steps are.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/base/error.hpp"
 #include "framework/deck/deck.hpp"
+#include "models/jwlpp.hpp"
+#include "models/reactant.hpp"
 #include "models/time_window.hpp"
 
 namespace sluice {
@@ -19,19 +22,18 @@ struct TagSpec;
 namespace sluice::models {
 
 struct MassExchange {
-  int from = 0, to = 0;  // materials
+  int from = 0, to = 0;  // materials, each among its like
   double rate = 0;       // 1/s
   TimeWindow when;
   Location where;
+  std::optional<JwlPp> by_pressure;  // in place of the constant rate
 
   // Of the mass at `time`, what has passed at time + dt.
   double share(double time, double dt) const;
 };
 
 TagSpec mass_exchange_tag();
-void check_mass_exchange(const DeckNode& parameters, const std::vector<std::string>& materials,
-                         std::vector<Fault>& faults);
-MassExchange read_mass_exchange(const DeckNode& parameters,
-                                const std::vector<std::string>& materials);
+MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names);
+MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -12,6 +12,7 @@
 #include "models/adiabatic_table.hpp"
 #include "models/binary_properties.hpp"
 #include "models/flame_sheet.hpp"
+#include "models/jwlpp.hpp"
 #include "models/material_name.hpp"
 #include "models/mixture_scalar.hpp"
 
@@ -19,7 +20,8 @@ namespace sluice::models {
 namespace {
 
 struct Reading {
-  const std::vector<std::string>& materials;
+  const std::vector<std::string>& materials;  // fluids
+  const MaterialNames& names;
   const GeometryReader& geometry;
   ModelList& list;
   std::vector<Fault>& faults;
@@ -29,13 +31,14 @@ struct Reading {
 struct Entry {
   const char* type;
   TagSpec parameters;
-  void (*check)(const DeckNode& parameters, const std::vector<std::string>& materials,
-                std::vector<Fault>& faults);
+  void (*check)(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults);
   void (*read)(const DeckNode& parameters, const Reading& to);
   // Names of variables that it brings; null: none.
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
   bool mixes = false;  // the gas
   std::optional<double> (*coefficient)(const DeckNode& parameters, Coefficient) = nullptr;
+  // Where the reactant is a solid.
+  SolidBurn (*burn)(const DeckNode& parameters, const MaterialNames& names) = nullptr;
 };
 
 // A mixed gas and its scalars; `constants`: the element with <diffusivity>.
@@ -46,41 +49,72 @@ void add_gas(const DeckNode& parameters, const char* constants, MixedGas gas, co
   to.list.mixed = std::move(gas);
 }
 
+// Rules of models that know fluids alone.
+template <auto check>
+void of_fluids(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults) {
+  check(parameters, names.fluids, faults);
+}
+
+// Of a fluid; what solids give is told by `burn`.
+void add_exchange(const DeckNode& parameters, const Reading& to,
+                  MassExchange (*read)(const DeckNode&, const MaterialNames&)) {
+  if (!read_reactant(parameters, to.names).solid)
+    to.list.mass_exchanges.push_back(read(parameters, to.names));
+}
+
+template <auto read>
+SolidBurn burn(const DeckNode& parameters, const MaterialNames& names) {
+  const Reactant reactant = read_reactant(parameters, names);
+  return {reactant.from, reactant.to, read(parameters, names), parameters.where};
+}
+
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries = {
-      {"Test", mass_exchange_tag(), check_mass_exchange,
+      {"Test", mass_exchange_tag(), check_reactant,
        [](const DeckNode& parameters, const Reading& to) {
-         to.list.mass_exchanges.push_back(read_mass_exchange(parameters, to.materials));
-       }},
-      {"mass_momentum_energy_src", fixed_values_tag(), check_fixed_values,
+         add_exchange(parameters, to, read_mass_exchange);
+       },
+       nullptr, false, nullptr, burn<read_mass_exchange>},
+      {"JWLpp", jwlpp_tag(), check_reactant,
+       [](const DeckNode& parameters, const Reading& to) {
+         add_exchange(parameters, to, read_jwlpp);
+       },
+       nullptr, false, nullptr, burn<read_jwlpp>},
+      {"Simple_Burn", simple_burn_tag(), check_solid_reactant,
+       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
+       burn<read_simple_burn>},
+      {"Steady_Burn", steady_burn_tag(), check_solid_reactant,
+       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
+       burn<read_steady_burn>},
+      {"mass_momentum_energy_src", fixed_values_tag(), of_fluids<check_fixed_values>,
        [](const DeckNode& parameters, const Reading& to) {
          for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
            to.list.fixed_values.push_back(std::move(v));
        }},
-      {"PassiveScalar", passive_scalar_tag(), check_passive_scalar,
+      {"PassiveScalar", passive_scalar_tag(), of_fluids<check_passive_scalar>,
        [](const DeckNode& parameters, const Reading& to) {
          to.list.scalars.push_back(
              read_passive_scalar(parameters, to.materials, to.geometry, to.faults));
        },
        scalar_labels},
-      {"BinaryProperties", binary_properties_tag(), check_binary_properties,
+      {"BinaryProperties", binary_properties_tag(), of_fluids<check_binary_properties>,
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
        },
        scalar_labels, true, largest_binary_coefficient},
-      {"AdiabaticTable", adiabatic_table_tag(), check_adiabatic_table,
+      {"AdiabaticTable", adiabatic_table_tag(), of_fluids<check_adiabatic_table>,
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "constants", read_adiabatic_table(parameters, to.materials, to.faults),
                  to);
        },
        mixing_labels, true,
        [](const DeckNode&, Coefficient) -> std::optional<double> { return infinity; }},
-      {"flameSheet_rxn", flame_sheet_tag(), check_flame_sheet,
+      {"flameSheet_rxn", flame_sheet_tag(), of_fluids<check_flame_sheet>,
        [](const DeckNode& parameters, const Reading& to) {
          add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials), to);
        },
        mixing_labels, true},
-      {"TracerParticles", tracer_particles_tag(), check_tracer_particles,
+      {"TracerParticles", tracer_particles_tag(), of_fluids<check_tracer_particles>,
        [](const DeckNode& parameters, const Reading& to) {
          to.list.tracers.push_back(
              read_tracer_particles(parameters, to.materials, to.geometry, to.faults));
@@ -186,7 +220,7 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-void check_models(const DeckNode& root, const std::vector<std::string>& materials,
+void check_models(const DeckNode& root, const MaterialNames& materials,
                   std::vector<Fault>& faults) {
   std::set<std::string> labels;
   std::set<int> traced;
@@ -195,7 +229,7 @@ void check_models(const DeckNode& root, const std::vector<std::string>& material
     entry.check(parameters, materials, faults);
     if (entry.labels == nullptr) return;
     if (entry.labels == tracer_labels &&
-        !traced.insert(read_material(parameters, "material", materials)).second)
+        !traced.insert(read_material(parameters, "material", materials.fluids)).second)
       return add_error(faults, parameters.where, "two <TracerParticles> of the same material",
                        "write the regions of both into one");
     for (const std::string& label : entry.labels(parameters))
@@ -208,14 +242,23 @@ void check_models(const DeckNode& root, const std::vector<std::string>& material
   });
 }
 
-ModelList read_models(const DeckNode& root, const std::vector<std::string>& materials,
+ModelList read_models(const DeckNode& root, const MaterialNames& materials,
                       const GeometryReader& geometry, std::vector<Fault>& faults) {
   ModelList list;
   if (const DeckNode* models = root.child("Models")) list.where = models->where;
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
-    entry.read(parameters, {materials, geometry, list, faults});
+    entry.read(parameters, {materials.fluids, materials, geometry, list, faults});
   });
   return list;
+}
+
+std::vector<SolidBurn> read_burns(const DeckNode& root, const MaterialNames& materials) {
+  std::vector<SolidBurn> burns;
+  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+    if (entry.burn != nullptr && read_reactant(parameters, materials).solid)
+      burns.push_back(entry.burn(parameters, materials));
+  });
+  return burns;
 }
 
 bool all_built(const DeckNode& root) {

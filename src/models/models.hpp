@@ -5,6 +5,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
@@ -13,6 +14,9 @@
 #include "models/mass_exchange.hpp"
 #include "models/mixed_gas.hpp"
 #include "models/passive_scalar.hpp"
+#include "models/reactant.hpp"
+#include "models/simple_burn.hpp"
+#include "models/steady_burn.hpp"
 #include "models/tracer_particles.hpp"
 
 namespace sluice {
@@ -20,6 +24,14 @@ struct TagSpec;
 }
 
 namespace sluice::models {
+
+// A solid that becomes a fluid, by any of these laws.
+struct SolidBurn {
+  int solid = 0;    // among the solids
+  int product = 0;  // among the fluids
+  std::variant<MassExchange, SimpleBurn, SteadyBurn> law;
+  Location where;
+};
 
 // What the models of a deck are; plain data.
 struct ModelList {
@@ -44,12 +56,13 @@ TagSpec models_tag();
 // Old decks write the parameters of "Test" beside its element, not in it: moved, with a warning.
 void move_parameters(DeckNode& root, std::vector<Fault>& faults);
 
-// Rules beyond single tags; `materials`: names by index.
-void check_models(const DeckNode& root, const std::vector<std::string>& materials,
-                  std::vector<Fault>& faults);
+// Rules beyond single tags.
+void check_models(const DeckNode& root, const MaterialNames& materials, std::vector<Fault>& faults);
 // Of a deck that has been checked.
-ModelList read_models(const DeckNode& root, const std::vector<std::string>& materials,
+ModelList read_models(const DeckNode& root, const MaterialNames& materials,
                       const GeometryReader& geometry, std::vector<Fault>& faults);
+// What of it solids give to fluids: no part of that list.
+std::vector<SolidBurn> read_burns(const DeckNode& root, const MaterialNames& materials);
 
 // Whether all models that the deck names are built: what others would bring nobody can judge.
 bool all_built(const DeckNode& root);

@@ -123,6 +123,7 @@ void SolidParticles::put_seeded(int kind, const Level& level, const SeededPartic
     for (int d = 0; d < 3; ++d)
       put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
   if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
+  put(carried_[static_cast<std::size_t>(kind)].filled, 1);
   for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
 }
 

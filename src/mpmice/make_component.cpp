@@ -18,7 +18,11 @@ std::unique_ptr<MpmIce> make_component(const Deck& deck, const Scene& scene,
   bind_solids(fluid, solids);
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
-  auto component = std::make_unique<MpmIce>(scene, std::move(fluid), std::move(solids));
+  models::MaterialNames names;
+  for (const ice::IceMaterial& m : fluid.materials) names.fluids.push_back(m.name);
+  for (const mpm::SolidMaterial& m : solids.materials) names.solids.push_back(m.name);
+  auto component = std::make_unique<MpmIce>(scene, std::move(fluid), std::move(solids),
+                                            models::read_burns(*deck.root, names));
   component->solids().warn_of_absent_labels(faults);
   return component;
 }

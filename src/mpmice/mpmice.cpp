@@ -4,6 +4,7 @@
 
 #include "ice/fluid/labels.hpp"
 #include "mpm/levels/solid_levels.hpp"
+#include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/step/coupling_on_levels.hpp"
 
 namespace sluice::mpmice {
@@ -31,7 +32,9 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 }
 
 // The coupling takes particles that carry their corners, whatever basis the deck names.
-mpm::MpmScene with_corners(mpm::MpmScene solids) {
+mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns) {
+  for (const models::SolidBurn& burn : burns)
+    solids.materials[static_cast<std::size_t>(burn.solid)].burns = true;
   solids.carry_corners();
   solids.whole_kicks = true;
   return solids;
@@ -57,10 +60,12 @@ void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids) {
     }
 }
 
-MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids)
+MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
+               std::vector<models::SolidBurn> burns)
     : scene_(scene),
-      solids_(scene, with_corners(std::move(solids))),
-      fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))) {
+      solids_(scene, with_corners(std::move(solids), burns)),
+      fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))),
+      burns_(std::move(burns)) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
 }
@@ -76,7 +81,8 @@ void MpmIce::initialise(Warehouse& state) const {
 void MpmIce::shape_step(StepShape& shape) const {
   using mpm::SolidLevels;
   const auto solids = solids_.make_step();
-  const auto coupling = std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids);
+  const auto coupling =
+      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids, burns_);
   const auto of_solids = [&](StepShape& to, const char* name,
                              Verdict (SolidLevels::*act)(const StageScope&)) {
     to.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
@@ -132,6 +138,7 @@ void MpmIce::shape_step(StepShape& shape) const {
   shape.take_over();
   of_both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
   of_solids(shape, "take over", &SolidLevels::take_over);
+  if (!burns_.empty()) of_both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
 }
 
 int MpmIce::reduction_maxima() const {
@@ -139,7 +146,27 @@ int MpmIce::reduction_maxima() const {
 }
 
 int MpmIce::reduction_sums() const {
-  return solids_.reduction_sums() + fluid_.reduction_sums();
+  return static_cast<int>(first_burned_sum()) +
+         (burns_.empty() ? 0 : BurnedSums::count(material_count()));
+}
+
+std::size_t MpmIce::first_burned_sum() const {
+  return static_cast<std::size_t>(solids_.reduction_sums() + fluid_.reduction_sums());
+}
+
+std::vector<std::string> MpmIce::tally_names() const {
+  std::vector<std::string> names = fluid_.tally_names();
+  if (!burns_.empty()) names.insert(names.end(), {"burned mass of solids", "heat of burning"});
+  return names;
+}
+
+std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
+  std::vector<double> all = fluid_.tallies(fluid_part(sums, solids_.reduction_sums()));
+  if (burns_.empty()) return all;
+  const std::size_t beside = first_burned_sum() + static_cast<std::size_t>(material_count());
+  all.push_back(sums[beside + BurnedSums::burned]);
+  all.push_back(sums[beside + BurnedSums::heat]);
+  return all;
 }
 
 StepLimit MpmIce::step_limit(const std::vector<double>& maxima) const {
@@ -183,10 +210,25 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
   b.momentum_of_forces = b.momentum_of_forces + f.momentum_of_forces;
   b.energy += f.energy;
   b.energy_of_forces += f.energy_of_forces;
+  if (burns_.empty()) return b;
+  b.mass_of_sources.resize(static_cast<std::size_t>(material_count()), 0.0);
+  for (std::size_t m = 0; m < b.mass_of_sources.size(); ++m)
+    b.mass_of_sources[m] += sums[first_burned_sum() + m];
+  b.energy_of_forces += sums[first_burned_sum() + b.mass_of_sources.size() + BurnedSums::energy];
   return b;
 }
 
 double MpmIce::history_value(Label label, const Totals& totals) const {
+  const std::size_t tallied = totals.tallies.size();
+  if (!burns_.empty() && tallied >= 2) {
+    // Fluids alone may burn too.
+    const double fluid = tallied > 2 && (label == ice::labels().total_mass_burned ||
+                                         label == ice::labels().total_heat_released)
+                             ? fluid_.history_value(label, totals)
+                             : 0.0;
+    if (label == ice::labels().total_mass_burned) return totals.tallies[tallied - 2] + fluid;
+    if (label == ice::labels().total_heat_released) return totals.tallies[tallied - 1] + fluid;
+  }
   return solids_.has_history(label) ? solids_.history_value(label, totals)
                                     : fluid_.history_value(label, totals);
 }

@@ -13,16 +13,16 @@ void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids);
 
 class MpmIce final : public Component {
  public:
-  MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids);
+  // `burns`: solids that become fluids.
+  MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
+         std::vector<models::SolidBurn> burns = {});
 
   const mpm::Mpm& solids() const { return solids_; }
   const ice::Ice& fluid() const { return fluid_; }
 
   std::string name() const override { return "mpmice"; }
   const EffectList& effects() const override { return effects_; }
-  int material_count() const override {
-    return solids_.material_count() + fluid_.material_count();
-  }
+  int material_count() const override { return solids_.material_count() + fluid_.material_count(); }
 
   std::vector<SlotInfo> state_slots() const override { return fluid_.state_slots(); }
   std::vector<std::vector<Label>> checkpoint_labels() const override {
@@ -85,18 +85,18 @@ class MpmIce final : public Component {
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
-  std::vector<std::string> tally_names() const override { return fluid_.tally_names(); }
-  std::vector<double> tallies(const std::vector<double>& sums) const override {
-    return fluid_.tallies(sums);
-  }
+  std::vector<std::string> tally_names() const override;
+  std::vector<double> tallies(const std::vector<double>& sums) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }
 
  private:
+  std::size_t first_burned_sum() const;
   const Scene& scene_;
   mpm::Mpm solids_;
   ice::Ice fluid_;
+  std::vector<models::SolidBurn> burns_;
   EffectList effects_;
 };
 

@@ -139,6 +139,14 @@ void ParticleCloud::take_over(double end) {
   time_ = end;
 }
 
+void ParticleCloud::keep_only(int kind, int level, int box,
+                              const std::vector<std::uint32_t>& kept) {
+  Kind& of = kinds_[static_cast<std::size_t>(kind)];
+  ParticleSet& set = of.store.set(level, box);
+  of.left += static_cast<std::int64_t>(set.size() - kept.size());
+  set.select(kept);
+}
+
 void ParticleCloud::relocate() {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     ParticleStore& store = kinds_[k].store;

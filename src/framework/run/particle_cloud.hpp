@@ -39,6 +39,8 @@ class ParticleCloud {
   // Particles that left the domain go, periodic ones are wrapped, all go to their boxes: needed
   // when one may have left its domain, or its block by most of a cell. Collective.
   void relocate();
+  // Of those in a box only the particles numbered `kept` stay, in that order; relocate() is next.
+  void keep_only(int kind, int level, int box, const std::vector<std::uint32_t>& kept);
   // Collective.
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.

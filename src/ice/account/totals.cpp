@@ -139,7 +139,8 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
 std::vector<std::string> tally_names(const SchemeOptions& o) {
   if (o.sources == nullptr) return {};
   return {"model mass",   "model momentum x", "model momentum y", "model momentum z",
-          "model energy", "exchanged mass",   "exchanged energy"};
+          "model energy", "exchanged mass",   "exchanged energy", "burned mass",
+          "released heat"};
 }
 
 std::vector<double> tallies(const SchemeOptions& o, const std::vector<double>& sums) {
@@ -156,7 +157,9 @@ std::vector<double> tallies(const SchemeOptions& o, const std::vector<double>& s
           momentum.z,
           sums[beside + SourceSums::total_energy] - sums[beside + SourceSums::heat],
           sums[beside + SourceSums::exchanged_mass],
-          sums[beside + SourceSums::exchanged_energy]};
+          sums[beside + SourceSums::exchanged_energy],
+          sums[beside + SourceSums::burned_mass],
+          sums[beside + SourceSums::released_heat]};
 }
 
 // Gravity acts on the mass at the start of the step and works along the mean momentum of the
@@ -199,6 +202,8 @@ double history_value(const SchemeOptions& o, Label label, const Totals& totals) 
   if (label == labels().total_model_energy) return tally(4);
   if (label == labels().total_mass_exchanged) return tally(5);
   if (label == labels().total_energy_exchanged) return tally(6);
+  if (label == labels().total_mass_burned) return tally(7);
+  if (label == labels().total_heat_released) return tally(8);
   for (std::size_t s = 0; s < o.scalars.size(); ++s)
     if (label == o.scalars[s].total()) return totals.amounts[s].sum.value();
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();

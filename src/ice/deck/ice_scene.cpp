@@ -233,7 +233,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   s.exchange.heat = s.exchange.heat.of(s.solids, count);
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
-  s.models = models::read_models(root, names, geometry, faults);
+  s.models = models::read_models(root, {names, names_of_solids(root)}, geometry, faults);
   complete_mixed_gas(s, faults);
   check_fixed_values(s, faults);
   for (const models::TransportedScalar& scalar : s.models.scalars)

@@ -276,7 +276,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
 
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
-  models::check_models(root, material_names(root), faults);
+  models::check_models(root, {material_names(root), names_of_solids(root)}, faults);
   const DeckNode* models = root.child("Models");
   if (models == nullptr || !models::all_built(root)) return;
   const DeckNode* scheme = root.find("CFD/ICE/scheme");

@@ -205,14 +205,19 @@ bool runs_ice(const DeckNode& root) {
   return type == "ice" || type == "mpmice" || type == "rmpmice" || type == "rigidmpmice";
 }
 
-int solids_beside_ice(const DeckNode& root) {
+std::vector<std::string> names_of_solids(const DeckNode& root) {
   const DeckNode* component = root.child("SimulationComponent");
-  if (component == nullptr || component->attribute("type") == "ice") return 0;
-  int count = 0;
+  std::vector<std::string> names;
+  if (component == nullptr || component->attribute("type") == "ice") return names;
   for (const DeckNode* properties : root.all("MaterialProperties"))
     if (const DeckNode* solids = properties->child("MPM"))
-      count += static_cast<int>(solids->all("material").size());
-  return count;
+      for (const DeckNode* material : solids->all("material"))
+        names.push_back(material->attribute("name").value_or(""));
+  return names;
+}
+
+int solids_beside_ice(const DeckNode& root) {
+  return static_cast<int>(names_of_solids(root).size());
 }
 
 std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
@@ -237,10 +242,6 @@ SaveLabels ice_save_labels() {
                        "cumulativeEnergyReleased",
                        "HeatReleaseRate",
                        "dt_chemistry",
-                       "F",
-                       "delF",
-                       "totalMassBurned",
-                       "totalHeatReleased",
                        "totalMassExchange"};
   savable.foreign = {
       {"temp_CC_Xchange", "heat passes between materials at the very end of a step",

@@ -32,6 +32,7 @@ void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);
 bool runs_ice(const DeckNode& root);
 // Materials of solids in the same deck: they come before those of ICE in all numbering.
 int solids_beside_ice(const DeckNode& root);
+std::vector<std::string> names_of_solids(const DeckNode& root);
 // The <material> nodes of ICE, in index order.
 std::vector<const DeckNode*> ice_materials(const DeckNode& root);
 

@@ -237,6 +237,10 @@ void declare_step_labels(Labels& l) {
   l.source_pressure = cell("delP_MassX", "Pa",
                            "Change of the pressure over the step by mass and energy that models "
                            "add or pass on, to first order.");
+  l.burned_share = cell("F", "1",
+                        "Burned share of an explosive in the cell, product over reactant and "
+                        "product by mass; of the model JWLpp, with the reactant.");
+  l.burned_in_step = cell("delF", "1", "What that share has gained by burning in the step.");
   l.model_mass = cell("modelMass_src", "kg", "Mass that models add to the material in the step.");
   l.model_momentum = cell_vector("modelMom_src", "kg m/s",
                                  "Momentum that models add to the material in the step.");
@@ -307,6 +311,12 @@ void declare_reductions(Labels& l) {
   l.total_energy_exchanged =
       reduction("totalIntEngExchanged", ValueType::real, "J",
                 "Internal energy that has passed with that mass since the start.");
+  l.total_mass_burned = reduction("totalMassBurned", ValueType::real, "kg",
+                                  "Mass that models have burned since the start.");
+  l.total_heat_released =
+      reduction("totalHeatReleased", ValueType::real, "J",
+                "Heat that burning has given to the products since the start, beside what the "
+                "burned mass brought with it.");
 }
 
 }  // namespace

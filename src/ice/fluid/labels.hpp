@@ -55,6 +55,10 @@ struct Labels {
   Label total_mass_exchanged, total_energy_exchanged;
 
   Label wave_amplitude[5];  // Li1 to Li5, from a state alone
+
+  // Of models that turn one material into another.
+  Label burned_share, burned_in_step;
+  Label total_mass_burned, total_heat_released;
 };
 
 // Declares them once; later calls return the same.

@@ -33,7 +33,9 @@ void account_cells(const Row& row, In change, const SchemeOptions& o, int first,
       {C::total_energy, SourceSums::total_energy},
       {C::heat, SourceSums::heat},
       {C::exchanged_mass, SourceSums::exchanged_mass},
-      {C::exchanged_energy, SourceSums::exchanged_energy}};
+      {C::exchanged_energy, SourceSums::exchanged_energy},
+      {C::burned_mass, SourceSums::burned_mass},
+      {C::released_heat, SourceSums::released_heat}};
   for (const auto& [what, slot] : of_cells)
     add_cells(row, change, layout.of(what), beside + slot, first, end);
 }
@@ -59,6 +61,20 @@ void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int 
       double* to = row(out, vector ? o.direction[static_cast<std::size_t>(c)] : 0);
       for (int i = 0; i < row.count(); ++i) to[i] = from[i] * volume;
     }
+  });
+}
+
+void save_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+                Label label, SourceChange::OfCell what, int material) {
+  TaskBuilder task = list.task("save " + label.name(), effect);
+  const SourceChange layout = source_change(o);
+  const In change = o.sources != nullptr ? task.read(v.source_change) : task.read(v.rho);
+  const Out out = task.write(list.output(label, material));
+  task.kernel([=](const Row& row) {
+    if (o.sources != nullptr)
+      std::copy_n(row(change, layout.of(what)), row.count(), row(out));
+    else
+      std::fill_n(row(out), row.count(), 0.0);
   });
 }
 
@@ -104,6 +120,10 @@ void declare_source_labels(TaskList& list, const SchemeVariables& v, const Schem
   const int first = o.mixture ? 0 : o.material;
   for (const SourceLabel& s : all)
     for (int m = 0; m < source_change(o).materials; ++m) save(list, v, o, effect, s, first + m, m);
+  for (int m = 0; m < source_change(o).materials; ++m) {
+    save_share(list, v, o, effect, l.burned_share, SourceChange::burned_share, first + m);
+    save_share(list, v, o, effect, l.burned_in_step, SourceChange::burned_in_step, first + m);
+  }
 }
 
 }  // namespace sluice::ice

@@ -8,7 +8,16 @@ namespace sluice::ice {
 // Where the exact sums of sources stand among those of a step, from SchemeOptions::first_source_sum
 // on: the mass of each material, then these.
 struct SourceSums {
-  enum { momentum = 0, total_energy = 3, heat, exchanged_mass, exchanged_energy, beside_masses };
+  enum {
+    momentum = 0,
+    total_energy = 3,
+    heat,
+    exchanged_mass,
+    exchanged_energy,
+    burned_mass,
+    released_heat,
+    beside_masses
+  };
   static constexpr int count(int materials) { return materials + beside_masses; }
 };
 

@@ -44,7 +44,10 @@ Sources::Sources(const models::ModelList& models, const std::vector<models::Adde
                  const std::vector<Fluid>& fluids, const Level& level,
                  const std::array<int, 3>& direction) {
   for (const models::MassExchange& x : models.mass_exchanges)
-    if (x.rate > 0) exchanges_.push_back(x);
+    if (x.by_pressure ? x.by_pressure->G > 0 : x.rate > 0) {
+      exchanges_.push_back(x);
+      if (x.by_pressure) fluids_ = fluids;
+    }
   for (const models::AddedHeat& h : heat)
     if (h.power != 0) heat_.push_back(h);
   for (const models::FixedValues& f : models.fixed_values) {
@@ -63,7 +66,7 @@ bool Sources::takes_from(int material) const {
 
 bool Sources::takes_from(int material, const StepConstants& step) const {
   return std::any_of(exchanges_.begin(), exchanges_.end(), [&](const models::MassExchange& x) {
-    return x.from == material && x.share(step.time, step.dt) > 0;
+    return x.from == material && (x.by_pressure || x.share(step.time, step.dt) > 0);
   });
 }
 
@@ -72,9 +75,13 @@ void Sources::apply(const SourceRows& r) const {
   const int n = r.row->count();
   for (int c = 0; c < r.layout.count(); ++c) std::fill_n(change_row(r, c), n, 0.0);
   // With one material in the graph there is nothing to exchange.
-  if (r.layout.materials > 1)
-    for (const models::MassExchange& x : exchanges_)
-      if (const double share = x.share(step.time, step.dt); share > 0) exchange(r, x, share);
+  for (const models::MassExchange& x : exchanges_) {
+    const double share = x.by_pressure ? 0.0 : x.share(step.time, step.dt);
+    if (r.layout.materials > 1 && share > 0) exchange(r, x, share);
+    if (!x.by_pressure) continue;
+    if (r.layout.materials > 1) burn(r, x);
+    tell_shares(r, x);
+  }
   const auto here = [&](int material) {
     return material >= r.first_material && material < r.first_material + r.layout.materials;
   };
@@ -90,51 +97,101 @@ void Sources::apply(const SourceRows& r) const {
 }
 
 // What passes is what the rest differs by: nothing is lost to rounding on the way.
-void Sources::exchange(const SourceRows& r, const models::MassExchange& x, double share) const {
-  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+Sources::Passed Sources::pass(const SourceRows& r, int giver, int taker, int i,
+                              double share) const {
+  const auto from = static_cast<std::size_t>(giver), to = static_cast<std::size_t>(taker);
   using C = SourceChange;
-  const auto row_of = [&](int m, C::OfMaterial q) { return change_row(r, r.layout.of(m, q)); };
-  double* const exchanged_mass = change_row(r, r.layout.of(C::exchanged_mass));
-  double* const exchanged_energy = change_row(r, r.layout.of(C::exchanged_energy));
-  for (int i = 0; i < r.row->count(); ++i) {
-    const double rho = density_at(r, i);
-    if (r.mass[from][i] == 0.0) continue;
-    const double V = r.volume[from][i];
-    const double stays = V * (1.0 - share) < least_volume ? 0.0 : 1.0 - share;
-    if (stays > 0 && r.mass[to][i] == 0.0 && V * share < least_volume) continue;
-    const double receiver = r.mass[to][i];
-    double velocity[3] = {}, apart = 0;  // of the giver; |u_from - u_to|^2
-    for (int c = 0; c < r.layout.components; ++c) {
-      const double w = drift(r, from, c, i), between = w - drift(r, to, c, i);
-      velocity[c] = r.momentum[c][i] / rho + w;
-      apart += between * between;
-    }
-    const auto pass = [&](double& giver, double& taker, C::OfMaterial q) {
-      const double rest = stays * giver, amount = giver - rest;
-      giver = rest;
-      taker += amount;
-      row_of(x.from, q)[i] -= amount;
-      row_of(x.to, q)[i] += amount;
-      return amount;
-    };
-    const double mass = pass(r.mass[from][i], r.mass[to][i], C::mass);
-    pass(r.volume[from][i], r.volume[to][i], C::volume);
-    exchanged_mass[i] += mass;
-    exchanged_energy[i] += pass(r.energy[from][i], r.energy[to][i], C::energy);
-    for (int c = 0; c < r.layout.components; ++c) {
-      const double carried = mass * velocity[c];
-      change_row(r, r.layout.of(x.from, C::momentum) + c)[i] -= carried;
-      change_row(r, r.layout.of(x.to, C::momentum) + c)[i] += carried;
-    }
-    if (!r.own_velocities()) continue;
-    r.energy[to][i] += 0.5 * apart * (mass * receiver / (mass + receiver));
-    for (std::size_t c = 0; c < static_cast<std::size_t>(r.layout.components); ++c) {
-      double &giver = r.slip[from][c][i], &taker = r.slip[to][c][i];
-      const double rest = stays * giver;
-      taker = r.mass[to][i] == rho ? 0.0 : taker + (giver - rest);
-      giver = rest;
-    }
+  const double rho = density_at(r, i), V = r.volume[from][i], receiver = r.mass[to][i];
+  if (r.mass[from][i] == 0.0) return {};
+  const double stays = V * (1.0 - share) < least_volume ? 0.0 : 1.0 - share;
+  if (stays > 0 && receiver == 0.0 && V * share < least_volume) return {};
+  double velocity[3] = {}, apart = 0;  // of the giver; |u_from - u_to|^2
+  for (int c = 0; c < r.layout.components; ++c) {
+    const double w = drift(r, from, c, i), between = w - drift(r, to, c, i);
+    velocity[c] = r.momentum[c][i] / rho + w;
+    apart += between * between;
   }
+  const auto move = [&](double& own, double& others, C::OfMaterial q) {
+    const double rest = stays * own, amount = own - rest;
+    own = rest;
+    others += amount;
+    change_row(r, r.layout.of(giver, q))[i] -= amount;
+    change_row(r, r.layout.of(taker, q))[i] += amount;
+    return amount;
+  };
+  const double mass = move(r.mass[from][i], r.mass[to][i], C::mass);
+  move(r.volume[from][i], r.volume[to][i], C::volume);
+  const double energy = move(r.energy[from][i], r.energy[to][i], C::energy);
+  for (int c = 0; c < r.layout.components; ++c) {
+    const double carried = mass * velocity[c];
+    change_row(r, r.layout.of(giver, C::momentum) + c)[i] -= carried;
+    change_row(r, r.layout.of(taker, C::momentum) + c)[i] += carried;
+  }
+  if (!r.own_velocities()) return {mass, energy};
+  r.energy[to][i] += 0.5 * apart * (mass * receiver / (mass + receiver));
+  for (std::size_t c = 0; c < static_cast<std::size_t>(r.layout.components); ++c) {
+    double &own = r.slip[from][c][i], &others = r.slip[to][c][i];
+    const double rest = stays * own;
+    others = r.mass[to][i] == rho ? 0.0 : others + (own - rest);
+    own = rest;
+  }
+  return {mass, energy};
+}
+
+void Sources::exchange(const SourceRows& r, const models::MassExchange& x, double share) const {
+  double* const mass = change_row(r, r.layout.of(SourceChange::exchanged_mass));
+  double* const energy = change_row(r, r.layout.of(SourceChange::exchanged_energy));
+  for (int i = 0; i < r.row->count(); ++i) {
+    const Passed passed = pass(r, x.from, x.to, i, share);
+    mass[i] += passed.mass;
+    energy[i] += passed.energy;
+  }
+}
+
+// Mean over the volumes of the materials, which one pressure has not met yet.
+double Sources::pressure(const SourceRows& r, int i) const {
+  double sum = 0, volume = 0;
+  for (std::size_t m = 0; m < static_cast<std::size_t>(r.layout.materials); ++m) {
+    const double V = r.volume[m][i];
+    if (r.mass[m][i] == 0.0 || !(V > 0)) continue;
+    sum += V * fluids_[m].pressure(r.mass[m][i] / V, r.energy[m][i] / V);
+    volume += V;
+  }
+  return volume > 0 ? sum / volume : 0.0;
+}
+
+void Sources::burn(const SourceRows& r, const models::MassExchange& x) const {
+  using C = SourceChange;
+  const models::JwlPp& law = *x.by_pressure;
+  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const double dt = r.row->step().dt;
+  const auto row_of = [&](C::OfCell q) { return change_row(r, r.layout.of(q)); };
+  for (int i = 0; i < r.row->count(); ++i) {
+    const double M = r.mass[from][i], product = r.mass[to][i];
+    if (M == 0.0 || !(r.volume[from][i] > law.least_volume_fraction)) continue;
+    const double p = pressure(r, i);
+    if (!law.burns(p, r.volume[from][i])) continue;
+    const double burned = law.burned(dt, p, M, product);
+    if (!(burned > 0)) continue;
+    const Passed passed = pass(r, x.from, x.to, i, std::min(burned / M, 1.0));
+    const double heat = law.heat * passed.mass;
+    r.energy[to][i] += heat;
+    change_row(r, r.layout.of(x.to, C::energy))[i] += heat;
+    row_of(C::total_energy)[i] += heat;
+    row_of(C::burned_mass)[i] += passed.mass;
+    row_of(C::released_heat)[i] += heat;
+    row_of(C::burned_in_step)[i] += passed.mass / (M + product);
+  }
+}
+
+void Sources::tell_shares(const SourceRows& r, const models::MassExchange& x) const {
+  double* share = change_row(r, r.layout.of(SourceChange::burned_share));
+  const auto mass_of = [&](int material, int i) {
+    const int m = material - r.first_material;
+    return m >= 0 && m < r.layout.materials ? r.mass[static_cast<std::size_t>(m)][i] : 0.0;
+  };
+  for (int i = 0; i < r.row->count(); ++i)
+    share[i] = models::JwlPp::share(mass_of(x.from, i), mass_of(x.to, i));
 }
 
 void Sources::heat(const SourceRows& r, int m, double q) const {

@@ -2,12 +2,14 @@
 // found.
 //
 // Each source acts on the state that the step has come to, one after the other as the deck names
-// them, first exchanges, then heat, then fixed values: an operator of its own (splitting of first
+// them, first exchanges, then burning, heat then fixed values: an operator of its own (splitting of first
 // order in time; what it does to a cell at rest is exact). Mass, momentum and total energy change
 // by what is told as `change`, to round-off:
 //   exchange   the share s of the mass of `from` passes with its volume, momentum and energy; all
 //              of it where less than 1e-16 of the cell would stay, nothing where the receiver is
 //              absent and would get less than that: supports stay compact
+//   burning    likewise (models/jwlpp.hpp), at the pressure sum V_m p_m of the cell; the heat of the
+//              reaction goes to the product
 //   heat       E_m += q M_m
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass
@@ -67,11 +69,19 @@ class Sources {
     models::TimeWindow when;
     CellRuns region;
   };
+  struct Passed {
+    double mass = 0, energy = 0;
+  };
+  Passed pass(const SourceRows& rows, int from, int to, int i, double share) const;
   void exchange(const SourceRows& rows, const models::MassExchange& model, double share) const;
+  void burn(const SourceRows& rows, const models::MassExchange& model) const;
+  double pressure(const SourceRows& rows, int i) const;
+  void tell_shares(const SourceRows& rows, const models::MassExchange& model) const;
   void heat(const SourceRows& rows, int material, double energy) const;
   void fix(const SourceRows& rows, const Fixed& fixed, int first, int end) const;
 
   std::vector<models::MassExchange> exchanges_;
+  std::vector<Fluid> fluids_;  // where something burns
   std::vector<models::AddedHeat> heat_;
   std::vector<Fixed> fixed_;
 };

@@ -11,7 +11,18 @@ struct SourceChange {
   int materials = 1;
 
   enum OfMaterial { mass = 0, energy, volume, momentum };
-  enum OfCell { total_energy = 0, heat, exchanged_mass, exchanged_energy, of_cell_count };
+  // burned_share and burned_in_step are no amounts: F and its gain.
+  enum OfCell {
+    total_energy = 0,
+    heat,
+    exchanged_mass,
+    exchanged_energy,
+    burned_mass,
+    released_heat,
+    burned_share,
+    burned_in_step,
+    of_cell_count
+  };
   int of(int material, OfMaterial what) const { return material * (momentum + components) + what; }
   int of(OfCell what) const { return materials * (momentum + components) + what; }
   int count() const { return of(of_cell_count); }

@@ -47,6 +47,7 @@ struct SolidMaterial {
   double specific_heat_p = 0;    // C_p
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
+  bool burns = false;  // its particles lose mass in place
   Location where;
 };
 

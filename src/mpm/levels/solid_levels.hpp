@@ -30,6 +30,8 @@ class SolidLevels {
   Verdict map_back(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
   Verdict take_over(const StageScope& scope);
+  // Particles to their boxes, corners with them: after some have been taken away. Collective.
+  void relocate(ParticleCloud& cloud);
 
   // After from_grid(), of a kind in a local box of a level: particles as they were, and as they are
   // at the end of the step. The latter has places and the columns that a step advances alone.

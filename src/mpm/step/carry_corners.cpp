@@ -49,12 +49,15 @@ std::optional<BatchFault> deform_batch(const Body& body, const BlockWork& w, std
   const Nine<const double> edges = read_columns<9>(*w.set, c.size);
   const Nine<double> F = write_columns<9>(*w.next, c.F);
   double* volume = w.next->column(static_cast<std::size_t>(c.volume));
+  const int part = body.carried->filled;
+  const double* filled = part >= 0 ? w.set->column(static_cast<std::size_t>(part)) : nullptr;
   for (int q = 0; q < b.count; ++q) {
     const std::size_t p = at + static_cast<std::size_t>(q);
     CornerVolume<D> v;
     read_carried<D>(corners, grid.active, p, v.x);
     v.find();
     volume[p] = v.volume * depth_of(grid, edges, p);
+    if (filled != nullptr) volume[p] *= filled[p];
     const double J = volume[p] / b.volume_0[q];
     // Written so that what is no number is a fault.
     if (!(J > 0))

@@ -41,6 +41,7 @@ struct Carried {
   Columns columns;
   std::vector<ParticleAttribute> attributes;
   int history_columns = 0;
+  int filled = -1;  // column: part of the volume between the corners that has not burned
   std::array<double, 3> half{0.5, 0.5, 0.5};          // where the particles do not differ
   std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };

@@ -61,6 +61,8 @@ SolidLabels declare_all() {
                     "Faces of a particle that no other of its object shared at the start: the sum "
                     "of 1 and 2 for the low and the high side of the first direction, 4 and 8, 16 "
                     "and 32 for the others.");
+  l.filled = declare("p.filled", real, "1",
+                     "Part of the volume between the corners of a particle that has not burned.");
   return l;
 }
 

@@ -12,6 +12,7 @@ struct SolidLabels {
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
       scale_factor, heat_source, heating, rate_of_format, outer;
   std::array<Label, most_corners> corner;
+  Label filled;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage, heating or another method of the format give particles this

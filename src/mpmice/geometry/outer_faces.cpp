@@ -43,6 +43,7 @@ void OuterFaces<D>::clear() {
       for (std::vector<double>& column : corner_places) column.clear();
   particle.clear();
   face.clear();
+  weight.clear();
 }
 
 template <int D>

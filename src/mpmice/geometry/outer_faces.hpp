@@ -38,8 +38,12 @@ struct OuterFaces {
   Places start, end;                    // [corner of the face][direction], cells
   std::vector<std::uint32_t> particle;  // whose face it is
   std::vector<std::uint8_t> face;       // which of its faces: 2 axis + side
+  // The part of the particle's volume that is solid, by face; empty: all of it. Sums over surfaces
+  // count a face by it: of particles that are solid in part all faces must be here.
+  std::vector<double> weight;
 
   std::size_t size() const { return face.size(); }
+  double weight_of(std::size_t i) const { return weight.empty() ? 1.0 : weight[i]; }
   void clear();  // keeps its memory
   // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`; they are numbered from
   // `first` on. Without `to` the corners do not move.

@@ -12,13 +12,15 @@ void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin,
   std::array<std::uint64_t*, D + 1> lanes;
   for (int i = 0; i <= D; ++i) lanes[static_cast<std::size_t>(i)] = sums_.lane(i);
   for_each_piece<D>(faces, when, begin, end,
-                    [&](std::size_t, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+                    [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
                       const std::size_t c = box.index(piece.cell);
-                      for (std::size_t d = 0; d < D; ++d) lanes[d][c] += to_sum(piece.area[d]);
+                      const double weight = faces.weight_of(i);
+                      for (std::size_t d = 0; d < D; ++d)
+                        lanes[d][c] += to_sum(weight * piece.area[d]);
                       double first = 0;
                       for (std::size_t k = 0; k < D; ++k)
                         first += piece.m[k] * (nodes[k][0] - piece.cell[0]);
-                      lanes[D][c] += to_sum(piece.n[0] * first);
+                      lanes[D][c] += to_sum(weight * (piece.n[0] * first));
                     });
 }
 

@@ -50,16 +50,18 @@ class FacetSums {
         M_[static_cast<std::size_t>(i)] = sums.lane(lane_of_M<D>(i));
   }
 
-  void add(const MixedFacet<D>& f) {
+  // `weight`: all sums are linear in the areas of the facet.
+  void add(const MixedFacet<D>& f, double weight) {
     check_reach<D>(f);
     SweptRows<D> rows(f, memory_);
     for_each_cut<D>(f, [&](const std::array<Slots, D>& slots, const FacetNodes<D>& nodes) {
-      const std::array<double, D> N = f.mean_area(slots);
+      std::array<double, D> N = f.mean_area(slots);
+      for (double& n : N) n *= weight;
       if constexpr (WithMoments) {
-        const FaceMoments<D> moments(f, slots, N);
+        const FaceMoments<D> moments(f, slots, f.mean_area(slots));
         cut_facet<D>(nodes, f.spans, N, [&](const Cell<D>& cell, const Moments<D>& piece) {
           add_piece(f, slots, nodes, N, cell, piece, rows);
-          add_moments(moments, cell, piece);
+          add_moments(moments, cell, piece, weight);
         });
       } else {
         cut_facet<D>(nodes, f.spans, N, [&](const Cell<D>& cell, const Moments<D>& piece) {
@@ -93,12 +95,13 @@ class FacetSums {
     q_[c] += to_sum(swept);
   }
 
-  void add_moments(const FaceMoments<D>& moments, const Cell<D>& cell, const Moments<D>& piece) {
+  void add_moments(const FaceMoments<D>& moments, const Cell<D>& cell, const Moments<D>& piece,
+                   double weight) {
     const std::size_t c = box_.index(cell);
     for (std::size_t u = 0; u < D; ++u) {
       const std::array<double, D> moment = moments.of(u, cell[u], piece.m);
       for (std::size_t d = 0; d < D; ++d)
-        if (d != u) M_[d * (D - 1) + (u < d ? u : u - 1)][c] += to_sum(moment[d]);
+        if (d != u) M_[d * (D - 1) + (u < d ? u : u - 1)][c] += to_sum(weight * moment[d]);
     }
   }
 
@@ -124,7 +127,8 @@ void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_
     for (std::size_t i = begin; i < end; ++i)
       for (int t = 0; t < facets_of_face<D>; ++t)
         to.add(MixedFacet<D>(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
-                             faces.face[i]));
+                             faces.face[i]),
+               faces.weight_of(i));
   };
   if (with_moments_)
     add_all(FacetSums<D, true>(sums_, local_));

@@ -29,6 +29,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     particles.start(k, state.level(), state.level().domain, set);
     SolidSet<D> s;
     s.columns = &solids.carried()[static_cast<std::size_t>(k)].columns;
+    s.part = solids.carried()[static_cast<std::size_t>(k)].filled;
     s.set = &set;
     find_faces<D>(frame, s, false);
     if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
@@ -49,21 +50,25 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
 
 template <int D>
 LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
-                                const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step)
+                                const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
+                                std::vector<models::SolidBurn> burns)
     : frame_(level),
       fluid_(&fluid),
       solids_(&solids),
       step_(std::move(step)),
-      shock_slope_(fluid.options().fluids.front().shock_slope()) {
+      shock_slope_(fluid.options().fluids.front().shock_slope()),
+      burns_(std::move(burns)) {
   if (!solids.scene().materials.empty())
     reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
 }
 
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
                                         const mpm::Mpm& solids,
-                                        std::shared_ptr<mpm::SolidLevels> step) {
+                                        std::shared_ptr<mpm::SolidLevels> step,
+                                        std::vector<models::SolidBurn> burns) {
   return dispatch(level, [&]<int D>() -> std::unique_ptr<Coupling> {
-    return std::make_unique<LevelCoupling<D>>(level, fluid, solids, std::move(step));
+    return std::make_unique<LevelCoupling<D>>(level, fluid, solids, std::move(step),
+                                              std::move(burns));
   });
 }
 

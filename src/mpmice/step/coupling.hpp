@@ -30,12 +30,15 @@ class Coupling {
   virtual Verdict keep_work_pressure(const StageScope& scope) = 0;
   // Once the fluid's state is taken over: what these cells allow the next step.
   virtual Verdict limit_step(const StageScope& scope) = 0;
+  // Once particles are taken over: those that have burned to their end go.
+  virtual Verdict remove_burned(const StageScope& scope) = 0;
 };
 
 // Of a level with one, two or three active directions.
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
                                         const mpm::Mpm& solids,
-                                        std::shared_ptr<mpm::SolidLevels> step);
+                                        std::shared_ptr<mpm::SolidLevels> step,
+                                        std::vector<models::SolidBurn> burns = {});
 
 // theta of the solids as they are at the start of a run, into a state of the fluid.
 void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids);

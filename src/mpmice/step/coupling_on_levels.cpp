@@ -11,10 +11,11 @@ namespace sluice::mpmice {
 
 CouplingOnLevels::CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid,
                                    const mpm::Mpm& solids,
-                                   std::shared_ptr<mpm::SolidLevels> step)
+                                   std::shared_ptr<mpm::SolidLevels> step,
+                                   const std::vector<models::SolidBurn>& burns)
     : fluid_(&fluid) {
   for (const Level& level : scene.grid.levels)
-    levels_.push_back(make_coupling(level, fluid, solids, step));
+    levels_.push_back(make_coupling(level, fluid, solids, step, burns));
 }
 
 Verdict CouplingOnLevels::on_finest(const StageScope& scope, Stage stage) {
@@ -91,6 +92,10 @@ Verdict CouplingOnLevels::keep_work_pressure(const StageScope& scope) {
 
 Verdict CouplingOnLevels::finish_cells(const StageScope& scope) {
   return on_finest(scope, &Coupling::finish_cells);
+}
+
+Verdict CouplingOnLevels::remove_burned(const StageScope& scope) {
+  return on_finest(scope, &Coupling::remove_burned);
 }
 
 Verdict CouplingOnLevels::limit_step(const StageScope& scope) {

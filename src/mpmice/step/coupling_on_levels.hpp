@@ -11,7 +11,8 @@ namespace sluice::mpmice {
 class CouplingOnLevels {
  public:
   CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid, const mpm::Mpm& solids,
-                   std::shared_ptr<mpm::SolidLevels> step);
+                   std::shared_ptr<mpm::SolidLevels> step,
+                   const std::vector<models::SolidBurn>& burns = {});
 
   // The stages of Coupling.
   Verdict find_surfaces(const StageScope& scope);
@@ -22,6 +23,7 @@ class CouplingOnLevels {
   Verdict finish_cells(const StageScope& scope);
   Verdict keep_work_pressure(const StageScope& scope);
   Verdict limit_step(const StageScope& scope);
+  Verdict remove_burned(const StageScope& scope);
 
  private:
   using Stage = Verdict (Coupling::*)(const StageScope&);

@@ -216,18 +216,23 @@ bool LevelCoupling<D>::share_spoilt(const StageScope& scope) {
 }
 
 template <int D>
+Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
+  Cell<D> stuck{};
+  if (redistribute<D>(frame_, fields_, amounts_, stuck)) return Verdict::good;
+  const IntVec3 at = frame_.index(stuck);
+  *scope.reason = fmt::format(
+      "solids close cell [{}, {}, {}], and no cell beside it can take the fluid that it holds",
+      at.x, at.y, at.z);
+  return Verdict::reject;
+}
+
+template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   book_rigid_work(scope);
   gather(scope);
-  Cell<D> stuck{};
-  if (!redistribute<D>(frame_, fields_, amounts_, stuck)) {
-    const IntVec3 at = frame_.index(stuck);
-    *scope.reason = fmt::format(
-        "solids close cell [{}, {}, {}], and no cell beside it can take the fluid that it holds",
-        at.x, at.y, at.z);
-    return Verdict::reject;
-  }
+  if (share_small_cells(scope) != Verdict::good) return Verdict::reject;
   exchange(scope);
+  if (burn(scope) != Verdict::good) return Verdict::reject;
   if (!settle(scope) && !share_spoilt(scope)) return Verdict::reject;
   fill_dry_cells();
   store(scope);
@@ -273,6 +278,9 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   return Verdict::good;
 }
 
+template Verdict LevelCoupling<1>::share_small_cells(const StageScope&);
+template Verdict LevelCoupling<2>::share_small_cells(const StageScope&);
+template Verdict LevelCoupling<3>::share_small_cells(const StageScope&);
 template Verdict LevelCoupling<1>::limit_step(const StageScope&);
 template Verdict LevelCoupling<2>::limit_step(const StageScope&);
 template Verdict LevelCoupling<3>::limit_step(const StageScope&);

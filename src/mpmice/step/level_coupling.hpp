@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/run/level_solver.hpp"
 #include "ice/closure/equilibrate.hpp"
+#include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
 #include "mpmice/step/coupling.hpp"
@@ -14,7 +15,7 @@ template <int D>
 class LevelCoupling final : public Coupling {
  public:
   LevelCoupling(const Level& level, const ice::FluidPart& fluid, const mpm::Mpm& solids,
-                std::shared_ptr<mpm::SolidLevels> step);
+                std::shared_ptr<mpm::SolidLevels> step, std::vector<models::SolidBurn> burns);
 
   Verdict find_surfaces(const StageScope& scope) override;
   Verdict press_on_solids(const StageScope& scope) override;
@@ -24,6 +25,7 @@ class LevelCoupling final : public Coupling {
   Verdict finish_cells(const StageScope& scope) override;
   Verdict keep_work_pressure(const StageScope& scope) override;
   Verdict limit_step(const StageScope& scope) override;
+  Verdict remove_burned(const StageScope& scope) override;
 
  private:
   void list_sets(const StageScope& scope);
@@ -52,6 +54,31 @@ class LevelCoupling final : public Coupling {
   };
   FluidHeat heat_of(std::size_t i) const;
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
+  Verdict share_small_cells(const StageScope& scope);
+  // What burns (burning.cpp).
+  Verdict burn(const StageScope& scope);
+  void begin_burning();
+  bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
+  void burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
+                     Column& shares) const;
+  void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
+  void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
+  double hottest_fluid(const Cell<D>& c, bool around) const;
+  // What a particle gives; energy (internal) and kinetic energy per mass.
+  struct Given {
+    std::size_t set, particle;
+    double mass, energy, kinetic;
+    Vec3 velocity{};
+  };
+  std::vector<Given> take_from_particles(const models::SolidBurn& burn,
+                                         const std::vector<Column>& shares);
+  bool give_to_cells(const StageScope& scope, int product, const std::vector<Given>& given,
+                     const Column& in_cells);
+  void add_product(std::size_t i, int product, double mass, double energy, double kinetic,
+                   const std::array<double, 3>& momentum);
+  void expose_neighbours(const StageScope& scope);
+  void note_burned(const StageScope& scope);
+  Verdict open_burned_volume(const StageScope& scope);
   bool settle(const StageScope& scope);
   bool share_spoilt(const StageScope& scope);
   bool settle_cell(std::size_t i, const ice::mixture::Equilibration& laws, double* M, double* V,
@@ -77,6 +104,10 @@ class LevelCoupling final : public Coupling {
   double shock_slope_ = 1, reference_pressure_ = 0;
   std::vector<SolidSet<D>> sets_;
   SolidFields<D> fields_;
+  std::vector<models::SolidBurn> burns_;
+  BurnedSums burned_;
+  std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
+  bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
   KnownByOne<D> known_;

@@ -44,7 +44,9 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       SolidSet<D>& s = sets_[n];
       s.kind = k;
       s.columns = &solids_->carried()[static_cast<std::size_t>(k)].columns;
-      s.set = &store.set(level, b);
+      s.part = solids_->carried()[static_cast<std::size_t>(k)].filled;
+      s.present = &store.set(level, b);
+      s.set = s.present;
       s.next = &store.next(level, b);
     }
   }
@@ -149,7 +151,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           if (!(size > 0)) return;
           std::array<double, D> unit = piece.n;
           for (double& n : unit) n /= size;
-          const double A = size * piece.s;
+          const double A = size * piece.s * s.faces.weight_of(i);
           sums.lane(area)[c] += to_sum(A);
           sums.lane(pressure)[c] +=
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));

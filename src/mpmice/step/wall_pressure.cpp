@@ -173,11 +173,12 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
   std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
   for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
-                      const double p =
-                          fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
-                          reference_pressure_;
                       // A body that a side of the domain cuts has no surface there.
                       if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
+                      const double p =
+                          (fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
+                           reference_pressure_) *
+                          s.faces.weight_of(i);
                       for (std::size_t d = 0; d < D; ++d) {
                         std::array<double, D> moments = piece.m;
                         for (double& m : moments)

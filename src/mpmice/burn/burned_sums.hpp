@@ -1,0 +1,41 @@
+// What burning has done in a step, for the books: exact sums over particles and ranks.
+#pragma once
+#include <vector>
+
+#include "framework/base/exact_sum.hpp"
+#include "framework/base/reduction.hpp"
+
+namespace sluice::mpmice {
+
+class BurnedSums {
+ public:
+  // Behind the masses that materials gain, solids first.
+  enum BesideMasses { energy, burned, heat, beside_masses };
+  static int count(int materials) { return materials + beside_masses; }
+
+  void begin(int materials) { sums_.assign(static_cast<std::size_t>(count(materials)), {}); }
+  // `new_energy`: what the books did not hold before: the heat of solids, and the work of the
+  // reference pressure on their volume, which the books take from what solids have.
+  void add(int from, int to, double mass, double heat_of_reaction, double new_energy) {
+    sums_[static_cast<std::size_t>(from)].add(-mass);
+    sums_[static_cast<std::size_t>(to)].add(mass);
+    const std::size_t beside = sums_.size() - beside_masses;
+    sums_[beside + energy].add(new_energy);
+    sums_[beside + burned].add(mass);
+    sums_[beside + heat].add(heat_of_reaction);
+  }
+  // Collective: adds to the sums of the step, from `first` on.
+  template <class Ranks>
+  void add_to(Ranks& ranks, std::vector<double>& sums, std::size_t first) const {
+    Reduction all;
+    std::vector<Reduction::Sum> slots;
+    for (const ExactSum& s : sums_) slots.push_back(all.add_sum(s));
+    ranks.reduce(all);
+    for (std::size_t n = 0; n < slots.size(); ++n) sums[first + n] += all.sum(slots[n]).value();
+  }
+
+ private:
+  std::vector<ExactSum> sums_;
+};
+
+}  // namespace sluice::mpmice

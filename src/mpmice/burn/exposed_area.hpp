@@ -1,0 +1,54 @@
+// Area of a particle that faces the fluid, from its exposed faces.
+//
+// Where a lattice of particles makes stairs of a surface, corners count too much: what counts is
+// the length of the sum of area vectors, |N_x + N_y + N_z|, where a particle exposed on both sides
+// of an axis has the difference of the two. Flat surfaces, stairs under 45 degrees and thin sheets
+// are exact, stairs of other slopes within 8 %; faces that curve with the body count as they are.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "mpmice/geometry/corner_table.hpp"
+
+namespace sluice::mpmice {
+
+template <int D>
+class ExposedArea {
+ public:
+  // A piece of face 2 axis + side with this area vector, and the mass flux there.
+  void add(int face, const std::array<double, D>& area, double flux) {
+    double size = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      sums_[static_cast<std::size_t>(face)][d] += area[d];
+      size += area[d] * area[d];
+    }
+    size = std::sqrt(size);
+    all_ += size;
+    flow_ += size * flux;
+  }
+  // Mass per time.
+  double flow() const {
+    if (!(all_ > 0)) return 0.0;
+    std::array<double, D> sum{};
+    for (std::size_t a = 0; a < D; ++a)
+      for (std::size_t d = 0; d < D; ++d) {
+        const double low = sums_[2 * a][d], high = sums_[2 * a + 1][d];
+        sum[d] += opposite(a) ? high - low : high + low;
+      }
+    double size = 0;
+    for (const double s : sum) size += s * s;
+    return flow_ / all_ * std::sqrt(size);
+  }
+
+ private:
+  // Do the two sides of an axis look away from each other.
+  bool opposite(std::size_t a) const {
+    double product = 0;
+    for (std::size_t d = 0; d < D; ++d) product += sums_[2 * a][d] * sums_[2 * a + 1][d];
+    return product < 0;
+  }
+  std::array<std::array<double, D>, 2 * D> sums_{};
+  double all_ = 0, flow_ = 0;
+};
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,90 @@
+// Exposed areas of particles of known shapes; faces that neighbours share.
+#include "mpmice/burn/exposed_area.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "mpmice/burn/vanished_faces.hpp"
+
+namespace sluice::mpmice::exposed_area_test {
+namespace {
+
+TEST(ExposedArea, OfFlatSurfacesIsTheirOwn) {
+  ExposedArea<2> one;
+  one.add(1, {0.3, 0}, 2);
+  one.add(1, {0.2, 0}, 4);  // another piece, where more burns
+  EXPECT_DOUBLE_EQ(one.flow(), 0.3 * 2 + 0.2 * 4);
+  ExposedArea<3> none;
+  EXPECT_EQ(none.flow(), 0);
+}
+
+TEST(ExposedArea, OfASheetCountsBothSides) {
+  ExposedArea<2> sheet;
+  sheet.add(0, {-1, 0}, 1);
+  sheet.add(1, {1, 0}, 1);
+  EXPECT_DOUBLE_EQ(sheet.flow(), 2);
+}
+
+// Stairs under 45 degrees: each particle has a step of two sides.
+TEST(ExposedArea, OfStairsIsThatOfTheSlope) {
+  ExposedArea<2> step;
+  step.add(1, {1, 0}, 1);
+  step.add(3, {0, 1}, 1);
+  EXPECT_DOUBLE_EQ(step.flow(), std::numbers::sqrt2);
+  ExposedArea<3> corner;
+  corner.add(0, {-1, 0, 0}, 1);
+  corner.add(3, {0, 1, 0}, 1);
+  corner.add(5, {0, 0, 1}, 1);
+  EXPECT_DOUBLE_EQ(corner.flow(), std::numbers::sqrt3);
+}
+
+// Where faces of two axes lie in one smooth surface both count in full.
+TEST(ExposedArea, OfASmoothSurfaceIsWhole) {
+  ExposedArea<2> smooth;
+  smooth.add(1, {0.6, 0.8}, 1);
+  smooth.add(3, {0.6, 0.8}, 1);
+  EXPECT_DOUBLE_EQ(smooth.flow(), 2);
+}
+
+// Particles in a row along x, corners as columns.
+template <int D>
+struct RowOfParticles {
+  std::array<std::array<std::vector<double>, D>, corners_of_particle<D>> x;
+  explicit RowOfParticles(std::size_t n) {
+    for (std::size_t c = 0; c < x.size(); ++c)
+      for (std::size_t d = 0; d < D; ++d)
+        for (std::size_t p = 0; p < n; ++p) {
+          const double side = c >> d & 1 ? 1 : 0;
+          x[c][d].push_back(0.1 * ((d == 0 ? static_cast<double>(p) : 0.0) + side));
+        }
+  }
+  CornerColumns<D> columns() const {
+    CornerColumns<D> to;
+    for (std::size_t c = 0; c < x.size(); ++c)
+      for (std::size_t d = 0; d < D; ++d) to[c][d] = x[c][d].data();
+    return to;
+  }
+};
+
+template <int D>
+void neighbours_lose_the_shared_face() {
+  const RowOfParticles<D> row(4);
+  VanishedFaces<D> gone;
+  gone.add(0, row.columns(), 1);
+  gone.tell_all(world());
+  EXPECT_FALSE(gone.empty());
+  EXPECT_EQ(gone.faces_of(0, row.columns(), 0), 1 << 1);
+  EXPECT_EQ(gone.faces_of(0, row.columns(), 2), 1 << 0);
+  EXPECT_EQ(gone.faces_of(0, row.columns(), 3), 0);
+  EXPECT_EQ(gone.faces_of(1, row.columns(), 0), 0);  // of another body
+}
+
+TEST(VanishedFaces, AreOuterOnesOfTheirNeighbours) {
+  neighbours_lose_the_shared_face<1>();
+  neighbours_lose_the_shared_face<2>();
+  neighbours_lose_the_shared_face<3>();
+}
+
+}  // namespace
+}  // namespace sluice::mpmice::exposed_area_test
