@@ -59,6 +59,8 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids)
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
+  if (const ParticleMethod* tracers = fluid_.particles())
+    joined_ = std::make_unique<JoinedParticles>(*solids_.particles(), *tracers);
 }
 
 void MpmIce::initialise(Warehouse& state) const {

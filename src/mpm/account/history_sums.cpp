@@ -65,7 +65,7 @@ void HistorySums::add(const ParticleCloud& cloud, const std::vector<Carried>& ca
                       Totals& totals) const {
   totals.amounts.resize(static_cast<std::size_t>(count_));
   for (const Entry& e : entries_)
-    for (int k = 0; k < cloud.kind_count(); ++k) {
+    for (int k = 0; k < static_cast<int>(carried.size()); ++k) {
       const ParticleStore& store = cloud.store(k);
       for (int l = 0; l < store.level_count(); ++l)
         for (int b = 0; b < store.box_count(l); ++b)

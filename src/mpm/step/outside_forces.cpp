@@ -43,7 +43,7 @@ void OutsideForces::count(const ParticleCloud& cloud, Communicator& ranks,
   counts_.assign(kept.begin(), kept.end());
   if (std::any_of(kept.begin(), kept.end(), [](double n) { return n > 0; })) return;
   std::vector<std::int64_t> found(loads_.count());
-  for (int k = 0; k < cloud.kind_count(); ++k) {
+  for (int k = 0; k < static_cast<int>(carried_->size()); ++k) {
     const Columns& c = (*carried_)[static_cast<std::size_t>(k)].columns;
     if (c.marks < 0) continue;
     const ParticleStore& store = cloud.store(k);
@@ -64,7 +64,7 @@ void OutsideForces::count(const ParticleCloud& cloud, Communicator& ranks,
 }
 
 void OutsideForces::make_room(const ParticleCloud& cloud, int level) {
-  for (int k = 0; k < cloud.kind_count(); ++k) {
+  for (int k = 0; k < static_cast<int>(carried_->size()); ++k) {
     if (!acts(k)) continue;
     std::vector<Forces>& boxes = forces_[static_cast<std::size_t>(k)];
     const ParticleStore& store = cloud.store(k);

@@ -32,7 +32,7 @@ SolidStep::SolidStep(const Scene& scene, const MpmScene& solids,
 
 void SolidStep::list_work(ParticleCloud& cloud) {
   work_.clear();
-  for (int k = 0; k < cloud.kind_count(); ++k) {
+  for (int k = 0; k < static_cast<int>(carried_->size()); ++k) {
     ParticleStore& store = cloud.store(k);
     for (int b = 0; b < store.box_count(level_.index); ++b)
       for (const BlockRun& run : store.runs(level_.index, b))

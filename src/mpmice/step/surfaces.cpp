@@ -59,8 +59,18 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
   for (const SolidSet<D>& s : sets_)
     if (s.faces.size() > 0) geometry_.add(s.faces, when, 0, s.faces.size());
   geometry_.sum_over_ranks(*scope.ranks);
+  const bool periodic = frame_.sides().any();
+  if (periodic) {
+    at_sides_.begin(frame_.box, frame_.sides());
+    for (const SolidSet<D>& s : sets_) {
+      at_sides_.add(s.outer_at_sides, true, when);
+      at_sides_.add(s.inner_at_sides, false, when);
+    }
+    at_sides_.sum_over_ranks(*scope.ranks);
+    at_sides_.finish();
+  }
   SolidInCells<D> found;
-  geometry_.finish(found);
+  geometry_.finish(found, periodic ? &at_sides_ : nullptr);
   theta = std::move(found.theta);
   covered = std::move(found.a);
   if (when == When::start) fields_.normal = std::move(found.n);
@@ -162,6 +172,8 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
         });
   }
   sums.sum_over_ranks(*scope.ranks);
+  for (int lane = 0; lane < velocity + D && frame_.sides().any(); ++lane)
+    sums.fold(frame_.sides(), lane);
   sums.values(area, fields_.area);
   const auto mean = [&](int lane, double factor, Column& to) {
     sums.values(lane, to);
