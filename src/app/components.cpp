@@ -12,7 +12,7 @@
 #include "mpm/deck/schema.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
-#include "mpmice/mpmice.hpp"
+#include "mpmice/make_component.hpp"
 
 namespace sluice {
 namespace {
@@ -37,18 +37,7 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
 
 std::unique_ptr<Component> make_mpmice(const Deck& deck, const Scene& scene,
                                        std::vector<Fault>& faults) {
-  ice::IceScene fluid = ice::read_ice_scene(deck, scene, faults);
-  mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
-  if (any_error(faults)) return nullptr;
-  // Rigid solids, whatever laws the deck gives them.
-  if (deck.root->child("SimulationComponent")->attribute("type") != "mpmice")
-    for (mpm::SolidMaterial& m : solids.materials) m.rigid = true;
-  mpmice::bind_solids(fluid, solids);
-  mpm::check_seeds(solids, scene.grid, faults);
-  if (any_error(faults)) return nullptr;
-  auto component = std::make_unique<mpmice::MpmIce>(scene, std::move(fluid), std::move(solids));
-  component->solids().warn_of_absent_labels(faults);
-  return component;
+  return mpmice::make_component(deck, scene, faults);
 }
 
 constexpr ComponentKind kinds[] = {

@@ -72,7 +72,7 @@ Outcome step(const DeckScene& deck, const Places& places, double dt) {
   return out;
 }
 
-const Places elsewhere{7, 3, 5, 100, {4}};
+const Places elsewhere{7, 3, 5, 100, {4}, {}};
 
 TEST(FluidPart, IsTheSameWhereverItStands) {
   const DeckScene deck(deck_text(stirred()));

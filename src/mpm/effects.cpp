@@ -32,6 +32,13 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
                                     s.contacts.size() == 1 ? "" : "s")
                                    : "no <contact> acts: velocities of their own",
             s.contacts.empty() ? Location{} : s.contacts.front().where});
+  std::size_t points = 0;
+  for (const CohesiveZone& zone : s.cohesive_zones) points += zone.points.size();
+  list.add({"cohesive zones", points > 0,
+            points > 0
+                ? fmt::format("{} points in {} <cohesive_zone>", points, s.cohesive_zones.size())
+                : "no <cohesive_zone> acts (use_cohesive_zones)",
+            s.cohesive_zones.empty() ? Location{} : s.cohesive_zones.front().where});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});

@@ -9,6 +9,7 @@
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"
 #include "mpm/levels/solid_levels.hpp"
+#include "mpm/step/cohesive_zones.hpp"
 
 namespace sluice::mpm {
 
@@ -92,8 +93,12 @@ void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage
 // Fluids of another part may come after the solids.
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
   totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
-  for (int k = 0; k < static_cast<int>(particles_.carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(particles_.kinds().size()); ++k) {
     const ParticleStore& store = cloud.store(k);
+    if (k >= static_cast<int>(solids_.materials.size())) {
+      add_cohesive_energy(store, totals);
+      continue;
+    }
     const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
     // Beside a fluid: solids free of stress bear the reference pressure, which works on them.
     const double reference =

@@ -9,6 +9,7 @@
 #include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/carry_corners.hpp"
+#include "mpm/step/cohesive_zones.hpp"
 #include "mpm/step/labels.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
@@ -20,6 +21,22 @@ namespace {
 
 double optional(const std::vector<double>& column, std::size_t p) {
   return column.empty() ? 0.0 : column[p];
+}
+
+// Layers of cells across z, y or x: what is seeded at once takes no more memory than it need.
+std::vector<IndexBox> layers_of(const IndexBox& cells) {
+  constexpr std::int64_t enough = 65536;  // cells
+  const IntVec3 size = cells.size();
+  const int along = size.z > 1 ? 2 : size.y > 1 ? 1 : 0;
+  const std::int64_t across = std::max<std::int64_t>(1, cells.volume() / std::max(1, size[along]));
+  const int thick = static_cast<int>(std::max<std::int64_t>(1, enough / across));
+  std::vector<IndexBox> layers;
+  for (int low = cells.lower[along]; low < cells.upper[along]; low += thick) {
+    IndexBox& layer = layers.emplace_back(cells);
+    layer.lower[along] = low;
+    layer.upper[along] = std::min(low + thick, cells.upper[along]);
+  }
+  return layers;
 }
 
 }  // namespace
@@ -37,9 +54,13 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.derived.push_back(
         mean_pressure_of(carried_.back().columns, m.constants.reference_pressure));
     kind.derived.push_back(thermal_volume_of(carried_.back().columns, m.constants));
+    if (carried_.back().columns.heating >= 0)
+      kind.derived.push_back(rate_of_format(carried_.back().columns));
     kind.by_blocks = true;
     if (scene.refinement.adaptive) kind.refine_distance = 0;
   }
+  for (std::size_t z = 0; z < solids.cohesive_zones.size(); ++z)
+    kinds_.push_back(cohesive_kind(solids, z));
 }
 
 // The loads that act on the particle just added.
@@ -59,45 +80,65 @@ void SolidParticles::mark(int kind, const Level& level, const SeededParticles& s
     set.attribute(static_cast<std::size_t>(c.marks) + n, last) = marks[n];
 }
 
+// What the deck says of the particles in these cells.
+void SolidParticles::seed(int kind, const Level& level, const IndexBox& cells,
+                          ParticleSet& set) const {
+  SeededParticles seeded;
+  seeder_.seed(kind, level, cells, {}, seeded);
+  if (const std::size_t count = set.size() + seeded.count(); count > set.capacity())
+    set.reserve(std::max(count, set.size() + set.size() / 4));
+  for (std::size_t p = 0; p < seeded.count(); ++p) {
+    set.add({seeded.x[p], seeded.y[p], seeded.z[p]}, seeded.id[p]);
+    put_seeded(kind, level, seeded, p, set);
+  }
+}
+
+// The columns of the particle just added.
+void SolidParticles::put_seeded(int kind, const Level& level, const SeededParticles& seeded,
+                                std::size_t p, ParticleSet& set) const {
+  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  const std::size_t n = set.size() - 1;
+  const auto put = [&](int column, double value) {
+    if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
+  };
+  for (int d = 0; d < 3; ++d)
+    put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
+                            ? seeded.velocity[static_cast<std::size_t>(d)][p]
+                            : 0.0);
+  put(c.mass, seeded.mass[p]);
+  put(c.volume_0, seeded.volume[p]);
+  put(c.volume, seeded.volume[p]);
+  for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
+  put(c.temperature, seeded.temperature[p]);
+  put(c.colour, seeded.colour[p]);
+  for (int d = 0; d < 3 && c.half >= 0; ++d)
+    put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
+  for (int e = 0; e < 9 && c.size >= 0; ++e)
+    put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
+  if (c.marks >= 0) mark(kind, level, seeded, p, set);
+  for (int d = 0; d < 3 && c.given_force >= 0; ++d)
+    put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
+  for (int d = 0; d < 3 && c.normal >= 0; ++d)
+    put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
+  for (int k = 0; k < c.corner_count; ++k)
+    for (int d = 0; d < 3; ++d)
+      put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
+  if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
+  for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
+}
+
 void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
                            ParticleSet& set) const {
+  const std::size_t materials = solids_->materials.size();
+  if (static_cast<std::size_t>(kind) >= materials) {
+    start_cohesive(*solids_, static_cast<std::size_t>(kind) - materials, level, cells, set);
+    return;
+  }
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
   const Columns& c = carried.columns;
   const std::size_t begin = set.size();
-  SeededParticles seeded;
-  seeder_.seed(kind, level, cells, {}, seeded);
-  for (std::size_t p = 0; p < seeded.count(); ++p) {
-    set.add({seeded.x[p], seeded.y[p], seeded.z[p]}, seeded.id[p]);
-    const std::size_t n = set.size() - 1;
-    const auto put = [&](int column, double value) {
-      if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
-    };
-    for (int d = 0; d < 3; ++d)
-      put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
-                              ? seeded.velocity[static_cast<std::size_t>(d)][p]
-                              : 0.0);
-    put(c.mass, seeded.mass[p]);
-    put(c.volume_0, seeded.volume[p]);
-    put(c.volume, seeded.volume[p]);
-    for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
-    put(c.temperature, seeded.temperature[p]);
-    put(c.colour, seeded.colour[p]);
-    for (int d = 0; d < 3 && c.half >= 0; ++d)
-      put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
-    for (int e = 0; e < 9 && c.size >= 0; ++e)
-      put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
-    if (c.marks >= 0) mark(kind, level, seeded, p, set);
-    for (int d = 0; d < 3 && c.given_force >= 0; ++d)
-      put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
-    for (int d = 0; d < 3 && c.normal >= 0; ++d)
-      put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
-    for (int k = 0; k < c.corner_count; ++k)
-      for (int d = 0; d < 3; ++d)
-        put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
-    if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
-    for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
-  }
+  for (const IndexBox& layer : layers_of(cells)) seed(kind, level, layer, set);
   if (const auto motion = manufactured_of(*solids_, material, level))
     for (std::size_t n = begin; n < set.size(); ++n) {
       const Vec3 v = motion->velocity(set.position(n), scene_->time.initial_time);
@@ -135,7 +176,7 @@ bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size
 }
 
 void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& set) const {
-  if (solids_->carries_corners())
+  if (solids_->carries_corners() && kind < static_cast<int>(carried_.size()))
     wrap_corners(level, carried_[static_cast<std::size_t>(kind)].columns, set);
 }
 
@@ -168,9 +209,9 @@ void SolidParticles::store_on_grid(const StageScope& scope,
 
 // The wave speed is that of a step of no length from what the particles are.
 std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) const {
-  std::vector<double> all(rate_count(kinds_.size()) + solids_->loads.size());
-  std::vector<KindRates> by_kind(kinds_.size());
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+  std::vector<double> all(rate_count(carried_.size()) + solids_->loads.size());
+  std::vector<KindRates> by_kind(carried_.size());
+  for (std::size_t k = 0; k < carried_.size(); ++k) {
     const ParticleStore& store = cloud.store(static_cast<int>(k));
     const Columns& c = carried_[k].columns;
     for (int b = 0; b < store.box_count(l); ++b) {
@@ -191,12 +232,15 @@ double SolidParticles::rate_of_step(int kind, const Level& level, const Particle
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
-  ParticleSet to = set;  // a law writes beside what it reads
+  ParticleSet to(set.attribute_count());  // a law writes beside what it reads
+  for (int q = 0; q < chunk_size; ++q) to.add({}, 0);
   double wave_speed[chunk_size], heating[chunk_size], still[chunk_size] = {}, rate = 0;
   LawBatch columns;
   for (std::size_t at = 0; at < set.size(); at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, set.size() - at));
-    Batch& b = columns.between(set, to, carried, at, n);
+    for (std::size_t a = 0; a < set.attribute_count(); ++a)
+      std::copy_n(set.column(a) + at, n, to.column(a));
+    Batch& b = columns.between(set, at, to, 0, carried, n);
     for (const double*& l : b.L) l = still;
     b.wave_speed = wave_speed;
     b.heating = heating;

@@ -30,6 +30,9 @@ class SolidParticles final : public ParticleMethod {
   std::vector<double> rates(const ParticleCloud& cloud, int level) const override;
 
  private:
+  void seed(int kind, const Level& level, const IndexBox& cells, ParticleSet& set) const;
+  void put_seeded(int kind, const Level& level, const SeededParticles& seeded, std::size_t p,
+                  ParticleSet& set) const;
   void mark(int kind, const Level& level, const SeededParticles& seeded, std::size_t p,
             ParticleSet& set) const;
   // Also raises the largest c_p/h.

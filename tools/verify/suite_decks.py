@@ -4,7 +4,7 @@
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
-inputs/ICE, coarsened to seconds) or mpm (decks of solids, a few steps). A deck that `sluice
+inputs/ICE, coarsened to seconds), mpm (decks of solids, a few steps) or mpmice (fluid and solids). A deck that `sluice
 check` finds good is run; of any other the first fault is told. --check writes nothing and fails
 when a page is not what it would write. --test runs only what it must: every deck that the page
 says runs, and fails when one no longer does; exit 77 means that SLUICE_DECKS is not set. Whatever
@@ -75,6 +75,20 @@ through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Deck
 values of its last output are finite, volumes and masses of particles are positive, and the mass of
 each material is conserved to {LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the
 first thing that is missing is told, as `sluice check` or the start of the run says it.
+
+"""
+
+
+MPMICE_HEAD = f"""# Decks of fluid and solids
+
+Every deck of the format's public suite whose component is `mpmice` or one of its kin, and its state.
+This page is written by `tools/verify/suite_decks.py mpmice`, which finds the suite through the
+variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for {FEW_STEPS} steps, a
+grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`; the last step
+is saved. A deck runs when it ends in good order, all totals and all values of its last output are
+finite, volumes and masses of particles are positive, and the mass of each material is conserved to
+{LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the first thing that is missing is
+told, as `sluice check` or the start of the run says it.
 
 """
 
@@ -370,7 +384,23 @@ class MpmList:
         return [component_of(path), models_of(path)]
 
 
-LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList}
+class MpmIceList:
+    page = ROOT / "docs" / "mpmice_decks.md"
+    head = MPMICE_HEAD
+    folders = ("inputs/MPMICE", "inputs/Models", "inputs/MPM", "inputs/UintahRelease/MPMICE")
+    columns = "| deck | component | fluids | constitutive models | state |\n| --- | --- | --- | --- | --- |\n"
+    told = "decks of fluid and solids run"
+    run_deck = staticmethod(run_few)
+
+    @staticmethod
+    def cells(path):
+        component = component_of(path)
+        if "mpmice" not in component.lower():
+            return None
+        return [component, str(materials_of(path)), models_of(path)]
+
+
+LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList, "mpmice": MpmIceList}
 
 
 def short_name(suite, path):

@@ -29,12 +29,13 @@ struct BlockNumbers {
 std::vector<BlockRun> sort_by_blocks(ParticleSet& set, const Level& level) {
   if (set.empty()) return {};
   const BlockShape shape = block_shape(level.active);
-  std::vector<IntVec3> blocks(set.size());
-  for (std::size_t n = 0; n < set.size(); ++n)
-    blocks[n] = shape.block_of(cell_at(level, set.position(n)));
-  BlockNumbers number{blocks[0], {}};
-  IntVec3 high = blocks[0];
-  for (const IntVec3& b : blocks) {
+  const auto block_of = [&](std::size_t n) {
+    return shape.block_of(cell_at(level, set.position(n)));
+  };
+  BlockNumbers number{block_of(0), {}};
+  IntVec3 high = number.low;
+  for (std::size_t n = 0; n < set.size(); ++n) {  // found twice: kept, they would be 12 bytes each
+    const IntVec3 b = block_of(n);
     number.low = min(number.low, b);
     high = max(high, b);
   }
@@ -42,7 +43,7 @@ std::vector<BlockRun> sort_by_blocks(ParticleSet& set, const Level& level) {
   std::vector<std::uint32_t> first(number.count() + 1, 0), at(set.size());
   bool sorted = true;
   for (std::size_t n = 0; n < set.size(); ++n) {
-    at[n] = static_cast<std::uint32_t>(number(blocks[n]));
+    at[n] = static_cast<std::uint32_t>(number(block_of(n)));
     ++first[at[n] + 1];
     sorted = sorted && (n == 0 || at[n - 1] <= at[n]);
   }

@@ -16,6 +16,18 @@ void select_values(std::vector<T>& values, const std::vector<std::uint32_t>& kep
 
 }  // namespace
 
+void ParticleSet::reserve(std::size_t count) {
+  for (std::vector<double>& x : positions_) x.reserve(count);
+  ids_.reserve(count);
+  for (std::vector<double>& a : attributes_) a.reserve(count);
+}
+
+void ParticleSet::shrink() {
+  for (std::vector<double>& x : positions_) x.shrink_to_fit();
+  ids_.shrink_to_fit();
+  for (std::vector<double>& a : attributes_) a.shrink_to_fit();
+}
+
 void ParticleSet::add(Vec3 place, std::int64_t id) {
   for (int d = 0; d < 3; ++d) positions_[static_cast<std::size_t>(d)].push_back(place[d]);
   ids_.push_back(id);

@@ -52,6 +52,11 @@ class ParticleSet {
   // These attributes and the positions become those of the other, whose own are handed back.
   void exchange(ParticleSet& next, const std::vector<std::size_t>& attributes);
 
+  // Memory for that many particles in all; and none beyond those that there are.
+  void reserve(std::size_t count);
+  std::size_t capacity() const { return ids_.capacity(); }
+  void shrink();
+
   // With attributes 0; its number is size() - 1.
   void add(Vec3 place, std::int64_t id);
   void add_from(const ParticleSet& other, std::size_t n);

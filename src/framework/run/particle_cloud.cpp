@@ -63,6 +63,9 @@ void ParticleCloud::start(const Levels& levels, double time) {
     kinds_[k].made = store.count();
   }
   settle();
+  for (Kind& kind : kinds_)
+    for (int l = 0; l < kind.store.level_count(); ++l)
+      for (int b = 0; b < kind.store.box_count(l); ++b) kind.store.set(l, b).shrink();
 }
 
 void ParticleCloud::keep_inside(int kind, const Level& level, ParticleSet& set) {

@@ -104,7 +104,9 @@ TagSpec cohesive_zone_tag() {
            opening("delta_t", "slip at the greatest tangential traction").once(),
            opening("delta_n_fail", "opening at which they fail; absent: 4 delta_n"),
            opening("delta_t_fail", "slip at which they fail; absent: 4 delta_t"),
-           tag("do_rotation", "normals turn with the materials").boolean().by_default("false")});
+           tag("do_rotation", "true: normals turn with the materials (not supported yet)")
+               .boolean()
+               .by_default("false")});
 }
 
 }  // namespace sluice::mpm

@@ -12,6 +12,8 @@
 namespace sluice::mpm {
 namespace {
 
+constexpr std::string_view no_velocity = "[0,0,0]";
+
 // Blocks <MPM> of materials: one, unless a deck repeats <MaterialProperties>.
 std::vector<const DeckNode*> material_blocks(const DeckNode& root) {
   std::vector<const DeckNode*> blocks;
@@ -93,7 +95,9 @@ void check_contact(const DeckNode& contact, int count, std::vector<Fault>& fault
               "write 0 for no friction");
   if (type == "friction_LRVar" && contact.child("variable_friction") == nullptr)
     add_error(faults, contact.where, "<contact> friction_LRVar needs <variable_friction>");
-  if (contact.has("velocity_after_stop") && contact.child("stop_time") == nullptr)
+  // The default is what the deck of an archive writes.
+  if (contact.has("velocity_after_stop") && contact.child("stop_time") == nullptr &&
+      contact.child("velocity_after_stop")->text != no_velocity)
     add_warning(faults, contact.child("velocity_after_stop")->where,
                 "<velocity_after_stop> has no effect without <stop_time>", "give the time");
 }

@@ -91,12 +91,18 @@ struct LoadCurve {
   Location where;
 };
 
+// One row of the file of a cohesive zone: materials below and above, local numbers.
+struct CohesivePoint {
+  Vec3 place{}, normal{}, tangent{};
+  double area = 0;
+  int below = 0, above = 0;
+};
+
 // Points that hold two materials together.
 struct CohesiveZone {
-  std::string file;  // resolved path
+  std::vector<CohesivePoint> points;
   double sig_max = 0, tau_max = 0, delta_n = 0, delta_t = 0;
   double delta_n_fail = 0, delta_t_fail = 0;
-  bool rotates = false;
   Location where;
 };
 

@@ -1,4 +1,4 @@
-// <contact> with its profile files; <cohesive_zone>.
+// <contact> with its profile files.
 #include <fmt/format.h>
 
 #include "framework/geometry/point_table.hpp"
@@ -84,22 +84,6 @@ void read_contacts(const DeckNode& block, MpmScene& s, std::vector<Fault>& fault
     s.contacts.push_back(std::move(rule));
   }
   s.thermal_contact = s.thermal_contact || block.child("thermal_contact") != nullptr;
-}
-
-void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults) {
-  for (const DeckNode* node : block.all("cohesive_zone")) {
-    CohesiveZone z;
-    z.where = node->where;
-    z.file = data_file(node->need("cz_filename"), faults);
-    z.sig_max = node->real("sig_max");
-    z.tau_max = node->real("tau_max");
-    z.delta_n = node->real("delta_n");
-    z.delta_t = node->real("delta_t");
-    z.delta_n_fail = real_or(*node, "delta_n_fail", 4 * z.delta_n);
-    z.delta_t_fail = real_or(*node, "delta_t_fail", 4 * z.delta_t);
-    z.rotates = boolean_or(*node, "do_rotation", false);
-    s.cohesive_zones.push_back(std::move(z));
-  }
 }
 
 }  // namespace sluice::mpm

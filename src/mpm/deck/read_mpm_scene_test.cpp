@@ -110,7 +110,7 @@ TEST(Flags, OfOtherMethodsAreRefusedByName) {
 }
 
 TEST(Flags, ThatContradictEachOtherAreFaults) {
-  EXPECT_THAT(flag_faults("<XPIC2>true</XPIC2><transfer>flip</transfer>"),
+  EXPECT_THAT(flag_faults("<XPIC2>true</XPIC2><transfer>pic</transfer>"),
               HasSubstr("both choose how velocities come back"));
   EXPECT_THAT(flag_faults("<artificial_viscosity_heating>true</artificial_viscosity_heating>"),
               HasSubstr("<artificial_viscosity_heating> without <artificial_viscosity>"));
@@ -122,6 +122,24 @@ TEST(Flags, ThatContradictEachOtherAreFaults) {
               AllOf(HasSubstr("warning"), HasSubstr("no effect without <transfer> affine")));
   EXPECT_THAT(flag_faults("<boundary_traction_faces>[xminus,zplas]</boundary_traction_faces>"),
               HasSubstr("'zplas' is no face (did you mean 'zplus'?)"));
+}
+
+// The deck of an archive has all defaults written: none of them is a fault.
+TEST(Flags, WrittenWithTheirDefaultsAreNoFaults) {
+  for (const char* flag :
+       {"<UseGradientEnhancedVelocityProjection>true</UseGradientEnhancedVelocityProjection>",
+        "<XPIC2>true</XPIC2>", "<interpolator>gimp</interpolator>"}) {
+    SolidDeck deck = with_contact("<type>specified</type><master_material>0</master_material>");
+    deck.flags = flag;
+    const ReadDeck first = read_solids(deck);
+    ASSERT_TRUE(first.deck.good()) << first.text;
+    ReadDeck again;
+    again.deck = load_deck_text(to_xml(*first.deck.root), "solids.ups", {}, solid_schema());
+    finish_reading(again);
+    EXPECT_EQ(again.faults.size(), first.faults.size()) << again.text;
+    EXPECT_EQ(again.solids.transfer, first.solids.transfer);
+    EXPECT_EQ(again.solids.basis, first.solids.basis);
+  }
 }
 
 TEST(Blocks, OfFluidsAreDroppedWithTheirLine) {
@@ -165,6 +183,58 @@ TEST(Materials, StrayStateAndConstantsAreToldAndDropped) {
   for (const char* told : {"<D1> is obsolete", "<gamma> is obsolete",
                            "<density> in <geom_object> has no effect", "<pressure> in"})
     EXPECT_THAT(read.text, HasSubstr(told));
+}
+
+// Two flow models call their yield stress <sigma_0>: neither takes it from the other.
+TEST(Materials, TakeTheYieldStressByTheNameOfTheirFlowModel) {
+  const auto metal = [](const std::string& flow) {
+    SolidDeck deck;
+    deck.further =
+        "<material><density>8930</density><constitutive_model type='elastic_plastic'>"
+        "<bulk_modulus>136e9</bulk_modulus><shear_modulus>46e9</shear_modulus>" +
+        flow +
+        "</constitutive_model><thermal_conductivity>1</thermal_conductivity>"
+        "<specific_heat>5</specific_heat></material>";
+    return read_solids(deck).text;
+  };
+  const std::string copper =
+      "<flow_model type='steinberg_cochran_guinan'><mu_0>47.7e9</mu_0><sigma_0>1e8</sigma_0>"
+      "<Y_max>6.4e8</Y_max><beta>36</beta><n>.45</n></flow_model>";
+  EXPECT_EQ(metal(copper), "");
+  for (const char* name : {"sigma_0", "sigma_Y"})
+    EXPECT_EQ(metal(fmt::format("<flow_model type='isotropic_hardening'><{0}>1e8</{0}><K>0</K>"
+                                "</flow_model>",
+                                name)),
+              "");
+  EXPECT_THAT(metal("<flow_model type='isotropic_hardening'><K>0</K></flow_model>"),
+              HasSubstr("<sigma_Y> is needed"));
+}
+
+TEST(CohesiveZones, BadPointsAreErrorsWithTheirLine) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& row, const std::string& more = {}) {
+    const std::filesystem::path file = folder.path() / "points.txt";
+    std::ofstream(file) << "0.4 0.4 0.4 1 1 0 0 0 1 0 0 1\n" << row << '\n';
+    SolidDeck deck;
+    deck.flags = "<use_cohesive_zones>true</use_cohesive_zones>";
+    deck.further = solid_material("other", "");
+    deck.contacts = "<cohesive_zone><cz_filename>" + file.string() +
+                    "</cz_filename><sig_max>1</sig_max><tau_max>1</tau_max><delta_n>1</delta_n>"
+                    "<delta_t>1</delta_t>" +
+                    more + "</cohesive_zone>";
+    try {
+      return read_solids(deck).text;
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+  };
+  EXPECT_EQ(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0"), "");
+  EXPECT_THAT(told("0.5 0.5 0.5 0 0 1 0 1 0 0 1 0"), HasSubstr("points.txt:2: area 0"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 0 2 0 1 0"), HasSubstr("parallel"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 2"), HasSubstr("there is no material 2"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("two materials together"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0", "<do_rotation>true</do_rotation>"),
+              HasSubstr("<do_rotation> true"));
 }
 
 TEST(Contacts, HaveTheFormatsNames) {

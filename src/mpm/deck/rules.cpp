@@ -16,9 +16,18 @@ std::string text_of(const DeckNode& parent, std::string_view name) {
   return child == nullptr ? "" : child->text;
 }
 
+// Does the deck write a flag, other than its default: an archive's deck writes all defaults too.
+bool says(const DeckNode& flags, std::string_view name) {
+  if (!flags.has(name)) return false;
+  static const TagSpec all = flags_tag();
+  const auto flag = std::find_if(all.children.begin(), all.children.end(),
+                                 [&](const TagSpec& t) { return t.name == name; });
+  return flag == all.children.end() || flag->value.default_text != text_of(flags, name);
+}
+
 void warn_of_idle(const DeckNode& flags, const char* name, const std::string& needs,
                   std::vector<Fault>& faults) {
-  if (!flags.has(name)) return;
+  if (!says(flags, name)) return;
   add_warning(faults, flags.child(name)->where,
               fmt::format("<{}> has no effect without {}", name, needs), "remove it");
 }
@@ -159,6 +168,20 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* flags = root.child("MPM");
+  if (!runs_solids(root) || !is_true(flags, "use_cohesive_zones")) return;
+  const DeckNode* grid = root.child("Grid");
+  if ((grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR"))
+    add_not_built(faults, flags->child("use_cohesive_zones")->where,
+                  "<use_cohesive_zones> on several levels");
+  for (const DeckNode* properties : root.all("MaterialProperties"))
+    if (const DeckNode* block = properties->child("MPM"))
+      for (const DeckNode* zone : block->all("cohesive_zone"))
+        if (is_true(zone, "do_rotation"))
+          add_not_built(faults, zone->child("do_rotation")->where, "<do_rotation> true");
+}
+
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
   if (flags == nullptr || !runs_solids(root)) return;
@@ -175,7 +198,7 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
-    if (is_true(flags, name) && flags->has("transfer"))
+    if (is_true(flags, name) && says(*flags, "transfer"))
       add_error(faults, flags->child(name)->where,
                 fmt::format("<{}> and <transfer> both choose how velocities come back", name),
                 "remove one of them");

@@ -38,6 +38,7 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults);
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults);
 void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults);
 void check_contacts(const DeckNode& root, std::vector<Fault>& faults);
+void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults);
 void check_loads(const DeckNode& root, std::vector<Fault>& faults);
 void check_solid_faces(const DeckNode& root, std::vector<Fault>& faults);
 

@@ -24,7 +24,7 @@ double binomial(int n, int k) {
 //
 // The sum in brackets is added to the lanes of dv, relative to v_ref: the factors add up to 1.
 Verdict SolidLevels::filter_velocities(const StageScope& scope) {
-  std::vector<double> most(kinds_->size());
+  std::vector<double> most(solids_->materials.size());
   for (const auto& step : steps_) {
     const std::vector<double> own = step->take_velocities();
     for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], own[k]);
@@ -51,7 +51,7 @@ Verdict SolidLevels::filter_velocities(const StageScope& scope) {
 // Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
 // they would have no bound (mpm_scheme, section 14).
 Verdict SolidLevels::map_back(const StageScope& scope) {
-  std::vector<KindRates> bounds(kinds_->size());
+  std::vector<KindRates> bounds(solids_->materials.size());
   for (int l = 0; l < count(); ++l) {
     const std::vector<KindRates> own = level(l).move_all(scope_of(scope, l));
     for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);

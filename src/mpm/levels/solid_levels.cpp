@@ -55,7 +55,7 @@ Verdict SolidLevels::begin(const StageScope& scope) {
     step->set_spacings(present_.back().spacing, present_.front().spacing);
   const Verdict verdict = on_levels(scope, &SolidStep::begin);
   if (count() > 1)
-    for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+    for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
       double most = 0;
       for (int l = 0; l < count(); ++l) most = std::max(most, level(l).body(m).most_force);
       for (int l = 0; l < count(); ++l) level(l).set_most_force(m, most);
@@ -106,7 +106,7 @@ Verdict SolidLevels::share_sums(const StageScope& scope) {
 
 void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
   for (const auto& step : steps_) step->fold(group);
-  for (int m = 0; m < static_cast<int>(kinds_->size()); ++m)
+  for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m)
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
       joints_[static_cast<std::size_t>(l)]->to_fine(coarse.table, coarse.*group, fine.table,
@@ -116,7 +116,7 @@ void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
     level(l).share_sums(scope_of(scope, l), group);
     if (l == 0) break;
     const CompositeNodes& joint = *joints_[static_cast<std::size_t>(l) - 1];
-    for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+    for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
       Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
       joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
       joint.to_coarse(fine.table, fine.*group, coarse.table, coarse.*group,
@@ -132,7 +132,7 @@ Verdict SolidLevels::move_nodes(const StageScope& scope) {
 }
 
 void SolidLevels::spread_velocities(NodeLanes Body::*group) {
-  for (int m = 0; m < static_cast<int>(kinds_->size()); ++m) {
+  for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
       joints_[static_cast<std::size_t>(l)]->from_coarse(fine.table, fine.*group, coarse.table,

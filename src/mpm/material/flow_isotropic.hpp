@@ -14,11 +14,20 @@ struct IsotropicHardening {
     return yield + hardening * strain;
   }
 
+  // No alias: <sigma_0> is a tag of another flow model.
   static Tags tags() {
-    return {tag("sigma_Y", "yield stress, Pa").once().real().at_least(0).alias("sigma_0"),
+    return {tag("sigma_Y", "yield stress, Pa").real().at_least(0),
+            tag("sigma_0", "yield stress under another name, Pa").real().at_least(0),
             number("K", "hardening modulus, Pa")};
   }
-  static IsotropicHardening read(const Parameters& p) { return {p.real("sigma_Y"), p.real("K")}; }
+  static IsotropicHardening read(const Parameters& p) {
+    const char* name = p.has("sigma_Y") ? "sigma_Y" : "sigma_0";
+    if (!p.has(name)) {
+      p.error(name, "<sigma_Y> is needed: yield stress, Pa");
+      return {};
+    }
+    return {p.real(name), p.real("K")};
+  }
 };
 
 }  // namespace sluice::mpm

@@ -11,7 +11,7 @@ namespace {
 
 struct NodeLabels {
   Label mass, volume, velocity, velocity_star, acceleration, internal_force, external_force, stress,
-      temperature, displacement;
+      temperature, heating, displacement;
 };
 
 const NodeLabels& labels() {
@@ -36,6 +36,8 @@ const NodeLabels& labels() {
       declare("g.externalforce", vector, "N", "Force of loads on a node: sum f S."),
       declare("g.stressFS", tensor, "Pa", "Mean stress of a material around a node, by volume."),
       declare("g.temperature", real, "K", "Mean temperature of a material around a node, by mass."),
+      declare("g.dTdt", real, "K/s",
+              "Mean rate of temperature of a material around a node in the last step, by mass."),
       declare("g.displacement", vector, "m",
               "Mean displacement of a material around a node, by mass."),
   };
@@ -113,6 +115,9 @@ class BodyFields {
     if (has(l.temperature))
       mean(c.mass, c.temperature, 1,
            [&](IntVec3 at, double, const double* T) { set(l.temperature, at, T[0]); });
+    if (has(l.heating) && c.heating >= 0)
+      mean(c.mass, c.heating, 1,
+           [&](IntVec3 at, double, const double* rate) { set(l.heating, at, rate[0]); });
     if (has(l.displacement) && c.displacement >= 0)
       mean(c.mass, c.displacement, 3, [&](IntVec3 at, double, const double* u) {
         set(l.displacement, at, Vec3{u[0], u[1], u[2]});
@@ -138,8 +143,9 @@ class BodyFields {
 
 std::vector<Label> node_labels() {
   const NodeLabels& l = labels();
-  return {l.mass,           l.volume,         l.velocity, l.velocity_star, l.acceleration,
-          l.internal_force, l.external_force, l.stress,   l.temperature,   l.displacement};
+  return {l.mass,         l.volume,         l.velocity,       l.velocity_star,
+          l.acceleration, l.internal_force, l.external_force, l.stress,
+          l.temperature,  l.heating,        l.displacement};
 }
 
 void store_node_fields(const Scene& scene, const MpmScene& /*solids*/, SolidStep& step,

@@ -104,6 +104,8 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (loaded && file_gives(material, "p.normal")) c.columns.normal = add(l.normal, false);
   if (is_saved(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
   if (is_saved(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
+  if (is_saved(scene, "p.dTdt") || is_saved(scene, "p.dTdt+") || is_saved(scene, "g.dTdt"))
+    c.columns.heating = add(l.heating, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   c.columns.history = next;
   for (const HistoryColumn& h : material.law->history())
@@ -141,6 +143,14 @@ DerivedAttribute scale_factor(const Columns& columns, Vec3 spacing) {
                          shape.edges[3 * k + e % 3][p];
                 to[e][p] = sum;
               }
+          }};
+}
+
+DerivedAttribute rate_of_format(const Columns& columns) {
+  const auto from = static_cast<std::size_t>(columns.heating);
+  return {solid_labels().rate_of_format,
+          [from](const ParticleSet& set, std::vector<std::vector<double>>& to) {
+            std::copy_n(set.column(from), set.size(), to[0].begin());
           }};
 }
 

@@ -33,6 +33,7 @@ struct Columns {
   int outside_force = -1;  // 3, of the last step, where it is saved, N
   int viscous = -1;        // artificial pressure, Pa
   int heat_source = -1;    // of the last step, where it is saved, W
+  int heating = -1;        // of the last step, where it is saved, K/s
   int history = -1;        // of the constitutive model
 };
 
@@ -77,5 +78,7 @@ ParticleShape shape_of(const ParticleSet& set, const Columns& columns);
 
 // p.scalefactor: the edges F diag(h) R0 of a particle; `spacing` h of the level of the set.
 DerivedAttribute scale_factor(const Columns& columns, Vec3 spacing);
+// p.dTdt+, as the format also calls p.dTdt.
+DerivedAttribute rate_of_format(const Columns& columns);
 
 }  // namespace sluice::mpm

@@ -316,6 +316,10 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
+    if (c.heating >= 0) {
+      double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;
+      for (int q = 0; q < n; ++q) rate[q] = (T[q] - b.temperature[q]) / dt;
+    }
     if (!jumps_.empty()) jump(w, at, n, report.left);
     report.rate = std::max(report.rate, step_rate(level_, *w.next, c, at, n, report.wave_speed));
     KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
@@ -369,6 +373,11 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     for (std::size_t k = 0; k < r.rates.size(); ++k) all.rates[k].add(r.rates[k]);
     for (std::size_t s = 0; s < r.books.sums.size(); ++s) all.books.sums[s].merge(r.books.sums[s]);
     if (!r.fault.empty()) all.keep_fault(r.fault_id, r.fault);
+  }
+  if (cohesive_ != nullptr) {
+    all.rate = std::max(all.rate, cohesive_->rate());
+    all.travel = std::max(all.travel, cohesive_->travel());
+    all.left |= cohesive_->any_left();
   }
   std::vector<double> maxima(rate_count(bodies_.size()));
   maxima.insert(maxima.end(), outside_->counts().begin(), outside_->counts().end());

@@ -58,7 +58,9 @@ class Heat {
   Scratch& scratch(int kind, int box) {
     return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];
   }
-  void make_room(const HeatLoan& loan);
+  void make_room(const HeatLoan& loan, bool conducts);
+  // Do loads bring heat into the particles.
+  static bool is_heated(const HeatLoan& loan, const BlockWork& work);
   Ranges find_ranges(const HeatLoan& loan);
   void to_nodes(const HeatLoan& loan, const Ranges& ranges);
   // The largest |V k dT/dx_d| of each kind.

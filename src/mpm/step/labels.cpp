@@ -42,6 +42,10 @@ SolidLabels declare_all() {
                             "point files, manufactured body forces.");
   l.heat_source = declare("p.externalHeatRate", real, "W",
                           "Heat that loads bring into a particle in the step just taken.");
+  l.heating = declare("p.dTdt", real, "K/s",
+                      "Rate of a particle's temperature in the step just taken: work that becomes "
+                      "heat, conduction, heat sources.");
+  l.rate_of_format = declare("p.dTdt+", real, "K/s", "p.dTdt, under another name of the format.");
   l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
   l.reference = declare("p.referencePlace", vector, "m",
                         "Place of a particle at the start, at which a total Lagrangian run takes "
@@ -63,10 +67,22 @@ SolidLabels declare_all() {
 }  // namespace
 
 bool is_label_of_laws(const std::string& name) {
-  constexpr std::string_view names[] = {
-      "p.damage",     "p.localizedMPM", "p.porosity",  "p.plasticStrain", "p.plasticStrainRate",
-      "p.strainRate", "p.epsf",         "p.timeofloc", "p.dTdt+",         "p.dTdt",
-      "p.q",          "p.JThermal",     "p.lastlevel", "p.refinedMPM",    "refineFlag"};
+  constexpr std::string_view names[] = {"p.damage",
+                                        "p.localizedMPM",
+                                        "p.porosity",
+                                        "p.plasticStrain",
+                                        "p.plasticStrainRate",
+                                        "p.strainRate",
+                                        "p.epsf",
+                                        "p.timeofloc",
+                                        "p.plasticTemp",
+                                        "p.plasticTempInc",
+                                        "p.xx",
+                                        "p.q",
+                                        "p.JThermal",
+                                        "p.lastlevel",
+                                        "p.refinedMPM",
+                                        "refineFlag"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 

@@ -10,11 +10,12 @@ namespace sluice::mpm {
 struct SolidLabels {
   Label velocity, mass, volume_0, volume, F, stress, energy, temperature, affine, half, size,
       displacement, colour, marks, given_force, normal, outside_force, viscous, reference,
-      scale_factor, heat_source, outer;
+      scale_factor, heat_source, heating, rate_of_format, outer;
   std::array<Label, most_corners> corner;
 };
 const SolidLabels& solid_labels();
-// Does a constitutive model, damage or heating give particles this label in some scenes.
+// Does a constitutive model, damage, heating or another method of the format give particles this
+// label in some scenes.
 bool is_label_of_laws(const std::string& name);
 
 }  // namespace sluice::mpm

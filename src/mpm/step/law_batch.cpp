@@ -2,11 +2,11 @@
 
 namespace sluice::mpm {
 
-Batch& LawBatch::between(const ParticleSet& from, ParticleSet& to, const Carried& carried,
-                         std::size_t at, int n) {
+Batch& LawBatch::between(const ParticleSet& from, std::size_t at, ParticleSet& to,
+                         std::size_t to_at, const Carried& carried, int n) {
   const Columns& c = carried.columns;
   const auto old = [&](int first) { return from.column(static_cast<std::size_t>(first)) + at; };
-  const auto made = [&](int first) { return to.column(static_cast<std::size_t>(first)) + at; };
+  const auto made = [&](int first) { return to.column(static_cast<std::size_t>(first)) + to_at; };
   Batch& b = batch_;
   b = {};
   b.count = n;

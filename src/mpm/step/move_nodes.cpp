@@ -160,6 +160,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   for (std::size_t n = 1; n < books.size(); ++n)
     for (std::size_t s = 0; s < books[0].sums.size(); ++s) books[0].sums[s].merge(books[n].sums[s]);
   if (prescribed_ == nullptr) unfold();
+  if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);
   kick_ = step.kick;
   return Verdict::good;

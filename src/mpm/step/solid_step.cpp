@@ -32,7 +32,7 @@ SolidStep::SolidStep(const Scene& scene, const MpmScene& solids,
 
 void SolidStep::list_work(ParticleCloud& cloud) {
   work_.clear();
-  for (int k = 0; k < static_cast<int>(carried_->size()); ++k) {
+  for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
     ParticleStore& store = cloud.store(k);
     for (int b = 0; b < store.box_count(level_.index); ++b)
       for (const BlockRun& run : store.runs(level_.index, b))
@@ -60,6 +60,8 @@ Verdict SolidStep::begin(const StageScope& scope) {
           std::make_unique<PrescribedMotion>(PrescribedMotion::read(solids_->prescribed_file));
     if (!solids_->insert_file.empty()) insertions_ = read_insertions(solids_->insert_file);
     if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
+    if (!solids_->cohesive_zones.empty())
+      cohesive_ = std::make_unique<CohesiveZones>(*solids_, level_, shape_);
   }
   if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
   const std::vector<double>& maxima = scope.maxima->front();
@@ -73,6 +75,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
       store.next(level_.index, b).make_room(store.set(level_.index, b), advanced);
   }
   list_work(cloud);
+  if (cohesive_ != nullptr) cohesive_->begin(cloud, *kinds_);
   bool far = solids_->total_lagrangian;
   for (const Body& body : bodies_) far |= body.rates.extent > farthest_corner_of_neighbours;
   if (exchange_ == nullptr || !exchange_->fits(level_, far))
@@ -110,7 +113,7 @@ void SolidStep::find_nodes_of(BlockWork& w) const {
 // Forces from outside at the time of the positions, and the largest on any particle of all ranks.
 void SolidStep::find_outside_forces(const StageScope& scope) {
   for (Body& body : bodies_) body.corners.clear();
-  if (!outside_->any()) return;
+  if (!outside_->any() && cohesive_ == nullptr) return;
   const ParticleCloud& cloud = *scope.particles;
   const std::vector<double>& maxima = scope.maxima->front();
   outside_->count(cloud, *scope.ranks, std::span(maxima).subspan(rate_count(bodies_.size())));
@@ -130,6 +133,7 @@ void SolidStep::find_outside_forces(const StageScope& scope) {
     double m = 0;
     for (const std::vector<double>& of : most) m = std::max(m, of[k]);
     if (solids_->loads_on_corners) m = std::max(m, find_corners(static_cast<int>(k)));
+    if (cohesive_ != nullptr) m = std::max(m, cohesive_->most_force(static_cast<int>(k)));
     slots.push_back(all.add_maximum(m));
   }
   scope.ranks->reduce(all);
@@ -176,6 +180,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     find_nodes_of(w);
     add_blocks(bodies_[static_cast<std::size_t>(w.kind)].table, w.lowest, w.highest);
   }
+  if (cohesive_ != nullptr) cohesive_->add_nodes(*boundary_, bodies_);
   const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
   for (Body& body : bodies_) {
     body.nodes.fit(body.table);
@@ -235,7 +240,18 @@ Verdict SolidStep::share_sums(const StageScope& scope, NodeLanes Body::*group) {
     NodeLanes* const groups[] = {&(body.*group), &body.surfaces};
     exchange_->share(body.table, std::span(groups).first(surfaces ? 2 : 1));
   }
+  if (first && cohesive_ != nullptr) share_cohesive();
   return Verdict::good;
+}
+
+// Cohesive forces follow the masses of nodes, so that these are shared before.
+void SolidStep::share_cohesive() {
+  cohesive_->to_grid(*boundary_, bodies_);
+  for (Body& body : bodies_) {
+    NodeLanes* const group = &body.cohesive;
+    exchange_->share(body.table, std::span(&group, 1));
+  }
+  cohesive_->take(bodies_);
 }
 
 }  // namespace sluice::mpm

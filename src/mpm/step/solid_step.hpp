@@ -19,6 +19,7 @@
 #include "mpm/loads/prescribed_motion.hpp"
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
+#include "mpm/step/cohesive_zones.hpp"
 #include "mpm/step/columns.hpp"
 #include "mpm/step/heat.hpp"
 #include "mpm/step/outside_forces.hpp"
@@ -55,6 +56,7 @@ struct Body {
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
   SumUnits mapped_units;
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles
+  NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -113,7 +115,7 @@ struct NodeMean {
 
 class SolidStep {
  public:
-  // The kinds of particles are the materials, in their order.
+  // The kinds of particles are the materials, in their order, and then the cohesive zones.
   SolidStep(const Scene& scene, const MpmScene& solids, const std::vector<Carried>& carried,
             const std::vector<ParticleKind>& kinds);
 
@@ -182,6 +184,7 @@ class SolidStep {
   SumUnits units_of(const Body& body, int kind, const KindRates& rates) const;
   void hold_boundary(int body);
   double find_corners(int kind);
+  void share_cohesive();
   void corners_to_grid();
   void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
   // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.
@@ -220,6 +223,7 @@ class SolidStep {
   std::unique_ptr<PrescribedMotion> prescribed_;  // null: the particles are free
   std::vector<Insertion> insertions_, jumps_;     // of the run, of this step
   std::unique_ptr<Heat> heat_;                    // null: heat cannot move
+  std::unique_ptr<CohesiveZones> cohesive_;       // null: the deck has none
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
   SurfaceUnits surface_units_;

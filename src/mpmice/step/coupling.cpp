@@ -26,7 +26,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   CoveredSides<D> at_sides;
   at_sides.begin(frame.box, frame.sides());
   const auto& particles = *solids.particles();
-  for (int k = 0; k < static_cast<int>(solids.carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
     ParticleSet set(particles.kinds()[static_cast<std::size_t>(k)].columns());
     particles.start(k, state.level(), state.level().domain, set);
     SolidSet<D> s;

@@ -26,7 +26,7 @@ struct KindInCells {
 template <int D>
 void LevelCoupling<D>::exchange(const StageScope& scope) {
   const ice::IceScene& ice = fluid_->scene();
-  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
     const double drag = ice.momentum_of_all(k, ice.solids), heat = ice.heat_of_all(k, ice.solids);
     if (drag > 0 || heat > 0) exchange_with(scope, k, drag, heat);
   }

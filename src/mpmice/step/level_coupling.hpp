@@ -33,14 +33,10 @@ class LevelCoupling final : public Coupling {
   void smooth_normals();
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u);
   void fill_dry_pressures();
-  struct OutsideBooks {
-    std::array<ExactSum, 3> force;
-    ExactSum power;
-    void add(const SolidSet<D>& s, std::size_t particle, int direction, double f);
-    void book(const StageScope& scope) const;
-  };
-  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s, OutsideBooks& outside) const;
+  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
+  void hold_rigid(const StageScope& scope);
+  void book_rigid_work(const StageScope& scope);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);

@@ -37,7 +37,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
   ParticleCloud& cloud = *scope.particles;
   const int level = scope.levels.front()->level().index;
   std::size_t n = 0;
-  for (int k = 0; k < static_cast<int>(solids_->carried().size()); ++k) {
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
     ParticleStore& store = cloud.store(k);
     for (int b = 0; b < store.box_count(level); ++b, ++n) {
       if (n == sets_.size()) sets_.emplace_back();
@@ -111,7 +111,7 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
 // by area; rigid bodies have no compliance.
 template <int D>
 void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
-  std::vector<double> wave(solids_->carried().size());
+  std::vector<double> wave(solids_->scene().materials.size());
   double least = 1e300;
   for (std::size_t a = 0; a < D; ++a)
     least = std::min(least, frame_.spacing[frame_.direction[a]]);

@@ -31,9 +31,23 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
   keep_pockets();
+  book_rigid_work(scope);
   mean_over_cells(scope);
   tell_fluid(scope);
   return Verdict::good;
+}
+
+// Where all solids are rigid: what the surfaces work on the fluid comes from outside.
+template <int D>
+void LevelCoupling<D>::book_rigid_work(const StageScope& scope) {
+  for (const mpm::SolidMaterial& m : solids_->scene().materials)
+    if (!m.rigid) return;
+  double work = 0;  // alike on every rank
+  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+    if (has_solid(i))
+      work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
+  });
+  (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
 }
 
 // A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by

@@ -21,26 +21,6 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 
 }  // namespace
 
-// What presses on solids from beyond the sides of the domain comes from outside.
-template <int D>
-void LevelCoupling<D>::OutsideBooks::add(const SolidSet<D>& s, std::size_t p, int d, double f) {
-  force[static_cast<std::size_t>(d)].add(f);
-  power.add(f * s.set->column(static_cast<std::size_t>(s.columns->velocity + d))[p]);
-}
-
-template <int D>
-void LevelCoupling<D>::OutsideBooks::book(const StageScope& scope) const {
-  Reduction all;
-  std::array<Reduction::Sum, 4> slots;
-  for (std::size_t d = 0; d < 3; ++d) slots[d] = all.add_sum(force[d]);
-  slots[3] = all.add_sum(power);
-  scope.ranks->reduce(all);
-  const double dt = scope.step.dt;
-  for (std::size_t d = 0; d < 3; ++d)
-    (*scope.sums)[mpm::StepSums::impulse_x + d] += dt * all.sum(slots[d]).value();
-  (*scope.sums)[mpm::StepSums::work] += dt * all.sum(slots[3]).value();
-}
-
 template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3;
@@ -151,19 +131,16 @@ void LevelCoupling<D>::fill_dry_pressures() {
 // On corners of the outer faces: -(p_w - p_ref) n m_k of each piece. Solids are free of stress at
 // the reference pressure of the deck.
 template <int D>
-std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s,
-                                                          OutsideBooks& outside) const {
+std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
   std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
   for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
                       const double p =
                           fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
                           reference_pressure_;
-                      const bool beyond = !frame_.in_domain(frame_.wrapped(piece.cell));
+                      // A body that a side of the domain cuts has no surface there.
+                      if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
                       for (std::size_t d = 0; d < D; ++d) {
-                        const double force = -p * piece.n[d] * piece.s *
-                                             frame_.face_area(static_cast<int>(d));
-                        if (beyond) outside.add(s, s.faces.particle[i], frame_.direction[d], force);
                         std::array<double, D> moments = piece.m;
                         for (double& m : moments)
                           m *= -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
@@ -185,21 +162,48 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s,
   return forces;
 }
 
+// What holds or drives rigid bodies against the fluid comes from outside: its impulse.
+template <int D>
+void LevelCoupling<D>::hold_rigid(const StageScope& scope) {
+  std::array<ExactSum, D> impulse;
+  bool any = false;  // alike on every rank
+  for (const mpm::SolidMaterial& m : solids_->scene().materials) any |= m.rigid;
+  if (!any) return;
+  for (const SolidSet<D>& s : sets_) {
+    if (!solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
+    for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                      [&](std::size_t, int, const FacetNodes<D>&, const Piece<D>& piece) {
+                        const Cell<D> c = frame_.wrapped(piece.cell);
+                        if (!frame_.in_domain(c)) return;
+                        const double p = fields_.wall_pressure[frame_.box.index(c)];
+                        for (std::size_t d = 0; d < D; ++d)
+                          impulse[d].add(scope.step.dt * p * piece.area[d] *
+                                         frame_.face_area(static_cast<int>(d)));
+                      });
+  }
+  Reduction all;
+  std::vector<Reduction::Sum> slots;
+  for (const ExactSum& sum : impulse) slots.push_back(all.add_sum(sum));
+  scope.ranks->reduce(all);
+  for (std::size_t d = 0; d < D; ++d)
+    (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
+        all.sum(slots[d]).value();
+}
+
 template <int D>
 Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   // Solids lie on the finest level.
   std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
       static_cast<std::size_t>(step_->count()));
-  for (auto& of_level : forces) of_level.resize(solids_->carried().size());
-  OutsideBooks outside;
+  for (auto& of_level : forces) of_level.resize(solids_->scene().materials.size());
   for (const SolidSet<D>& s : sets_) {
     if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
-    const std::vector<mpm::CornerForce> own = forces_on(s, outside);
+    const std::vector<mpm::CornerForce> own = forces_on(s);
     auto& all = forces.back()[static_cast<std::size_t>(s.kind)];
     all.insert(all.end(), own.begin(), own.end());
   }
   step_->add_corner_forces(scope, forces);
-  outside.book(scope);
+  hold_rigid(scope);
   return Verdict::good;
 }
 

@@ -1,0 +1,94 @@
+// Cohesive zones: points between two materials whose forces hold these together.
+//
+// A point has the velocities of the material below and of that above it, each a mean over the
+// nodes around it with hat functions S and masses M, and its force goes to these nodes by the same
+// shares, so that the work of the force is that of the separation D:
+//
+//   w_i = S_i M_i/sum_j S_j M_j,   f_i = +- A t(D) w_i,   dD/dt = sum_i w_i v*_i (above - below)
+//
+// The point moves with the middle of both materials. Sums of forces on nodes are exact integers,
+// like those of particles. A point that has one of its materials no longer around holds nothing.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "framework/run/component.hpp"
+#include "framework/run/particle_cloud.hpp"
+#include "mpm/boundary/node_boundary.hpp"
+#include "mpm/loads/cohesive_law.hpp"
+#include "mpm/nodes/node_blocks.hpp"
+#include "mpm/shape/axis.hpp"
+
+namespace sluice::mpm {
+
+struct Body;
+
+// What points carry: the kinds of particles behind those of the materials, in the deck's order.
+ParticleKind cohesive_kind(const MpmScene& solids, std::size_t zone);
+// The points of a zone that lie in these cells.
+void start_cohesive(const MpmScene& solids, std::size_t zone, const Level& level,
+                    const IndexBox& cells, ParticleSet& set);
+// Work that separating the points of a zone has taken, J.
+void add_cohesive_energy(const ParticleStore& points, Totals& to);
+
+class CohesiveZones {
+ public:
+  CohesiveZones(const MpmScene& solids, const Level& level, const BlockShape& shape);
+
+  // Points in their boxes: room for their next state.
+  void begin(ParticleCloud& cloud, const std::vector<ParticleKind>& kinds);
+  // The largest component of a force on a material, of this rank's points.
+  double most_force(int material) const { return most_[static_cast<std::size_t>(material)]; }
+  // Nodes around the points, where sums are wanted.
+  void add_nodes(const NodeBoundary& boundary, std::vector<Body>& bodies) const;
+  // Forces and stiffness into the lanes Body::cohesive, by masses that all ranks agree on; of those
+  // lanes, once ranks agree on them, the forces into the nodes.
+  void to_grid(const NodeBoundary& boundary, std::vector<Body>& bodies);
+  void take(std::vector<Body>& bodies);
+  // From velocities after the step, as finish_block() leaves them: the next state of the points.
+  void advance(const NodeBoundary& boundary, const std::vector<Body>& bodies, double dt);
+
+  double rate() const { return rate_; }      // of the time step, 1/s
+  double travel() const { return travel_; }  // farthest way of a point, cells
+  bool any_left() const { return left_; }    // the domain
+
+ private:
+  struct Work {
+    const CohesiveZone* zone;
+    const ParticleSet* set;
+    ParticleSet* next;
+  };
+
+  // Shares of the nodes around a point; none: the material is not there.
+  struct Shares {
+    int count = 0;
+    std::array<int, 8> block{}, lane{};  // of Body::nodes: block, first lane of the node in it
+    std::array<double, 8> share{};       // S M
+    double sum = 0;
+  };
+
+  // act(node, S) for the nodes around a place; of one beyond a periodic side, that which it is the
+  // image of.
+  template <class Act>
+  void around(Vec3 place, const NodeBoundary& boundary, int material, Act&& act) const;
+  template <class Mass>
+  Shares shares_of(Vec3 place, const NodeBoundary& boundary, const Body& body, int material,
+                   Mass&& mass) const;
+  void give(const Work& work, std::size_t p, const Shares& shares, double sign, Body& body) const;
+  bool read(Vec3 place, const NodeBoundary& boundary, const Body& body, int material,
+            Vec3& velocity) const;
+  // By the ways of the materials below and above in the step.
+  void advance_point(const Work& work, std::size_t p, Vec3 way_b, Vec3 way_a, bool held);
+
+  const MpmScene* solids_;
+  Level level_;
+  BlockShape shape_;
+  std::array<Axis, 3> axes_;
+  std::vector<Work> work_;
+  std::vector<double> most_;  // by material
+  double stiffness_scale_ = 1;
+  double rate_ = 0, travel_ = 0;
+  bool left_ = false;
+};
+
+}  // namespace sluice::mpm
