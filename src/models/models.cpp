@@ -7,6 +7,7 @@
 #include <set>
 
 #include "framework/base/infinity.hpp"
+#include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/adiabatic_table.hpp"

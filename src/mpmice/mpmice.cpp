@@ -150,14 +150,23 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
   return b;
 }
 
+// The amounts of the fluid come after those of the solids.
+Totals MpmIce::of_fluid(const Totals& all) const {
+  Totals own = all;
+  const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
+  if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
+    own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
+  return own;
+}
+
 double MpmIce::history_value(Label label, const Totals& totals) const {
   return solids_.has_history(label) ? solids_.history_value(label, totals)
-                                    : fluid_.history_value(label, totals);
+                                    : fluid_.history_value(label, of_fluid(totals));
 }
 
 Vec3 MpmIce::history_vector(Label label, const Totals& totals) const {
   return solids_.has_history(label) ? solids_.history_vector(label, totals)
-                                    : fluid_.history_vector(label, totals);
+                                    : fluid_.history_vector(label, of_fluid(totals));
 }
 
 }  // namespace sluice::mpmice

@@ -99,6 +99,7 @@ class MpmIce final : public Component {
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }
 
  private:
+  Totals of_fluid(const Totals& all) const;
   const Scene& scene_;
   mpm::Mpm solids_;
   ice::Ice fluid_;

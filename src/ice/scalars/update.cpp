@@ -265,14 +265,14 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         const Row part = row.part(begin, left < most_cells ? left : most_cells);
         for (const Each& e : h.each) {
           transport_row<D>(part, h, e, options.second_order, diffusive, part(e.now));
-          double before[most_cells], amount[most_cells], left[most_cells];
+          double before[most_cells], amount[most_cells], mass[most_cells];
           if (walled) {
             std::copy_n(part(e.now), part.count(), before);
-            amount_row<D>(part, h, e, diffusive, amount, left);
+            amount_row<D>(part, h, e, diffusive, amount, mass);
           }
           rates_row(part, e, *options.level, options.axes.direction[0]);
           regions_row(part, e);
-          if (walled) touched_row(part, h, e, amount, left, before);
+          if (walled) touched_row(part, h, e, amount, mass, before);
         }
       }
       if (diffusive)
