@@ -1,4 +1,5 @@
-// A detonation of JWL++ in one dimension: its speed against the Hugoniot of the same laws, the books.
+// A detonation of JWL++ in one dimension: its speed against the Hugoniot of the same laws, the
+// books.
 #include <gtest/gtest.h>
 
 #include <algorithm>

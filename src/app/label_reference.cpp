@@ -60,7 +60,9 @@ std::string label_reference() {
   scalar.name = "NAME";
   scalar.declare_labels();
   particle_labels();
-  models::TracerScalar{"p.NAME"}.label();
+  models::TracerScalar tracer_scalar;
+  tracer_scalar.name = "p.NAME";
+  tracer_scalar.label();
   std::string page = head;
   page += table("Cells", "Values at the centres of cells, after the step unless said otherwise.",
                 [](Label l) { return l.info().centring == Centring::cell && !is_state(l); });

@@ -130,13 +130,18 @@ class Planner {
         continue;
       }
       for (const AnalysedVariable& v : m.variables) {
-        const std::optional<Label> label = find_known(v.label, false);
+        std::optional<Label> label = find_known(v.label, false);
+        const std::optional<Label> node = find_label(v.label);
+        const bool of_nodes = m.name == "minMax" && node && is_on_nodes(*node);
+        if (of_nodes) label = node;
         if (!label) refuse(v.where, LabelUse::analyse, v.label);
         const bool in_step = step_labels_.count(*label) > 0;
-        (in_step ? stored_ : computed_).insert(*label);
+        if (!of_nodes) (in_step ? stored_ : computed_).insert(*label);
         PlannedOutput out;
         out.label = v.label;
-        out.made = fmt::format("{}, {}", m.name, in_step ? "stored in the step" : "from the state");
+        out.made = fmt::format("{}, {}", m.name, of_nodes  ? "from the particles"
+                               : in_step ? "stored in the step"
+                                         : "from the state");
         out.where = v.where;
         plan_.outputs.push_back(std::move(out));
       }

@@ -92,8 +92,9 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
                   ice_.materials.front().where});
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
-        ice_.models.tracers, scene.grid, boundary_,
-        FlowStorage{material_count(), slots.directions, options_.own_velocities, options_.places},
+        ice_.models.tracers, ice_.models.scalars, scene.grid, boundary_,
+        FlowStorage{material_count(), slots.directions, options_.own_velocities, options_.places,
+                    ice_.solids > 0},
         scene.time.max_time);
   transfer_ = make_transfer(scene, ice_, options_, state_slots());
   if (!effects_.on(effect_sources)) return;

@@ -88,6 +88,9 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
   SchemeVariables v = declare_conservative_variables(list, o);
   walls::declare_variables(list, o, v);
   if (o.implicit) pressure::declare_variables(list, o, v);
+  scalars::declare_variables(list, o, v,
+                             {std::span(&v.rho, 1), std::span(&v.walls.after_rho, 1), {}});
+  walls::declare_scalar_walls(list, o, v);
   const SchemeVariables fluid = walls::of_fluid_faces(v);
   SchemeVariables open = v;
   open.stress = v.walls.whole_stress;
@@ -109,6 +112,8 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
     pressure::add_end_of_walled(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;  // what passes through the sides of the domain
   sides.face_velocity = v.walls.flow;
+  walls::add_scalar_walls(list, v, o, effect_solids);     // rho, theta, open   M, weights
+  scalars::add_tasks(list, sides, o, effect_scalars);     // u, w, F, 1/J, N    new scalars
   add_accounts(list, sides, o, effects);  // fluxes, m, dp   sums, face tables
   SchemeVariables saved = v;
   saved.rho_new = v.walls.after_rho;
@@ -149,6 +154,8 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   SchemeVariables& v = m.common;
   walls::declare_variables(list, o, v);
   const walls::MaterialVariables x = walls::declare_materials(list, o, m);
+  scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
+  walls::declare_scalar_walls(list, o, v);
   const SchemeVariables fluid = walls::of_fluid_faces(v);
   mixture::Variables open = m;
   open.common.stress = v.walls.whole_stress;
@@ -177,6 +184,8 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   mixture::add_update(list, cells, o, effect_equilibration);   // fluxes    new state, rates
   SchemeVariables sides = v;
   sides.face_velocity = v.walls.flow;
+  walls::add_scalar_walls(list, v, o, effect_solids);         // M_m, theta  M, weights
+  scalars::add_tasks(list, sides, o, effect_scalars);         // w, fluxes   new scalars
   add_accounts(list, sides, o, effects);
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
 }

@@ -1,8 +1,8 @@
 // Model "JWLpp" (JWL++): an explosive becomes its products, by pressure, wherever it is.
 //
 //   dF/dt = G (1 - F) p^b,  F = m_q/(m_r + m_q): the burned share of a cell,
-// above a pressure and a volume fraction of the reactant, until F = 0.99. What burns in a step is at
-// most the reactant, and 0.2 of what the cell would hold unburned. Heat: E0 per mass.
+// above a pressure and a volume fraction of the reactant, until F = 0.99. What burns in a step
+// is at most the reactant, and 0.2 of what the cell would hold unburned. Heat: E0 per mass.
 // (Souers, Anderson, Mercer, McGuire and Vitello, Propellants Explos. Pyrotech. 25 (2000) 54.)
 #pragma once
 #include <algorithm>

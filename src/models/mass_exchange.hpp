@@ -2,7 +2,8 @@
 //
 //   dm/dt = -k m from startTime on: of what is there, the share 1 - exp(-k (t1 - t0)) passes in a
 //   step, t0..t1 being the part of the step in which the model acts
-// or as JWL++ has it (jwlpp.hpp). With it go its volume, its momentum and its internal energy: totals stay. The shares of two steps
+// or as JWL++ has it (jwlpp.hpp). With it go its volume, its momentum and its internal energy:
+// totals stay. The shares of two steps
 // are together the share of one as long: the law is exact whatever the steps are.
 #pragma once
 #include <optional>

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "framework/base/infinity.hpp"
+#include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/adiabatic_table.hpp"
@@ -239,6 +240,19 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
         return add_error(faults, parameters.where,
                          fmt::format("two models bring a variable {}", label),
                          "give each scalar a name of its own");
+  });
+  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+    const DeckNode* clones = parameters.child("cloneVariables");
+    if (entry.labels != tracer_labels || clones == nullptr) return;
+    for (const DeckNode* clone : clones->all("CCVarLabel")) {
+      const std::string label = clone->attribute("label").value_or("");
+      if (!label.starts_with("scalar-") || !labels.contains(label))
+        add_error(faults, clone->where,
+                  fmt::format("<CCVarLabel label=\"{}\">: particles have copies of scalars of the "
+                              "deck's models alone",
+                              label),
+                  suggest_name(label, {labels.begin(), labels.end()}));
+    }
   });
 }
 

@@ -230,6 +230,7 @@ std::vector<std::string> scalar_labels(const DeckNode& parameters) {
   const DeckNode* scalar = parameters.child("scalar");
   TransportedScalar named;
   named.name = scalar == nullptr ? "" : scalar->attribute("name").value_or("");
+  named.decay.any = scalar != nullptr && scalar->child("exponentialDecay") != nullptr;
   return named.name.empty() ? std::vector<std::string>{} : labels_of(named);
 }
 

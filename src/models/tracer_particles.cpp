@@ -83,6 +83,10 @@ TagSpec tracer_particles_tag() {
                .real()
                .at_least(0)
                .unit("length"),
+           tag("cloneVariables", "what particles have copies of, called p.clone-NAME")
+               .child(tag("CCVarLabel", "a scalar of the deck's models, of the particle's cell")
+                          .multiple()
+                          .attribute(attribute("label", "its variable").once().text())),
            tag("scalar", "a number that each particle carries")
                .attribute(attribute("name", "of its variable, begins with p.").once().text())
                .with_children({tag("initialValue", "when the particle appears").once().real(),
@@ -129,6 +133,9 @@ TracerParticles read_tracer_particles(const DeckNode& parameters,
   if (const DeckNode* scalar = parameters.child("scalar"))
     t.scalar = TracerScalar{scalar->attribute("name").value_or(""), scalar->real("initialValue"),
                             read_decay(*scalar)};
+  if (const DeckNode* clones = parameters.child("cloneVariables"))
+    for (const DeckNode* clone : clones->all("CCVarLabel"))
+      t.clones.push_back(clone->attribute("label").value_or(""));
   t.start = read_regions(tracer.child("initialization"), "particlesPerCell", geometry, faults);
   t.sources =
       read_regions(tracer.child("interiorSources"), "particlesPerCellPerSecond", geometry, faults);
@@ -140,6 +147,21 @@ Label TracerScalar::label() const {
       {name, ValueType::real, Centring::particle, "1", "Number that tracer particles carry."});
 }
 
+Label TracerScalar::coefficient() const {
+  return declare_label({name + "_expDecayCoef", ValueType::real, Centring::particle, "1",
+                        "Coefficient c2 of the decay of " + name + ", where the particle is."});
+}
+
+Label TracerScalar::total() const {
+  return declare_label({name + "_totalDecay", ValueType::real, Centring::particle, "1",
+                        "(c1 c2 + c3) dt summed since the particle appeared."});
+}
+
+Label clone_label(const std::string& variable) {
+  return declare_label({"p.clone-" + variable, ValueType::real, Centring::particle, "1",
+                        "The value of " + variable + " in the particle's cell."});
+}
+
 const std::vector<std::string>& particle_variables() {
   static const std::vector<std::string> names = {"p.x", "p.particleID"};
   return names;
@@ -148,7 +170,15 @@ const std::vector<std::string>& particle_variables() {
 std::vector<std::string> tracer_labels(const DeckNode& parameters) {
   const DeckNode* scalar = parameters.child("scalar");
   std::vector<std::string> labels = particle_variables();
-  if (scalar != nullptr) labels.push_back(scalar->attribute("name").value_or(""));
+  if (scalar != nullptr) {
+    const std::string name = scalar->attribute("name").value_or("");
+    labels.push_back(name);
+    if (scalar->child("exponentialDecay") != nullptr)
+      labels.insert(labels.end(), {name + "_expDecayCoef", name + "_totalDecay"});
+  }
+  if (const DeckNode* clones = parameters.child("cloneVariables"))
+    for (const DeckNode* clone : clones->all("CCVarLabel"))
+      labels.push_back("p.clone-" + clone->attribute("label").value_or(""));
   return labels;
 }
 

@@ -2,7 +2,8 @@
 //
 // They stand in regions at the start, and appear in others from timeStart to timeStop: in each cell
 // of a region the n-th one (n = 0, 1, ...) at timeStart + (n + 1/2)/particlesPerCellPerSecond. A
-// particle may carry a number that decays from when it appears: dq/dt = -(c1 c2 + c3) q.
+// particle may carry a number that decays from when it appears: dq/dt = -(c1 c2 + c3) q, with c2 of
+// its cell, and copies of scalars of its cell.
 #pragma once
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "framework/deck/deck.hpp"
 #include "framework/field/label.hpp"
 #include "framework/scene/geometry_reader.hpp"
+#include "models/exponential_decay.hpp"
 #include "models/time_window.hpp"
 
 namespace sluice {
@@ -29,8 +31,11 @@ struct TracerRegion {
 struct TracerScalar {
   std::string name;  // of its variable
   double initial = 0;
-  double decay = 0;  // 1/s
+  Decay decay;
   Label label() const;
+  // With a decay: c2 where the particle is; (c1 c2 + c3) dt summed since it appeared.
+  Label coefficient() const;
+  Label total() const;
 };
 
 struct TracerParticles {
@@ -39,6 +44,7 @@ struct TracerParticles {
   TimeWindow window;  // of the sources
   std::vector<TracerRegion> start, sources;
   std::optional<TracerScalar> scalar;
+  std::vector<std::string> clones;  // variables of cells that particles have copies of
   double refine_distance = -1;  // around particles; below 0: they ask for no finer level
   Location where;
 };
@@ -49,6 +55,7 @@ void check_tracer_particles(const DeckNode& parameters, const std::vector<std::s
 TracerParticles read_tracer_particles(const DeckNode& parameters,
                                       const std::vector<std::string>& materials,
                                       const GeometryReader& geometry, std::vector<Fault>& faults);
+Label clone_label(const std::string& variable);
 // Variables that particles of every material have, and those of these ones beside them.
 const std::vector<std::string>& particle_variables();
 std::vector<std::string> tracer_labels(const DeckNode& parameters);

@@ -56,11 +56,17 @@ void TransportedScalar::declare_labels() const {
   value();
   gradient();
   total();
+  if (plain_name) return;
+  source();
+  if (decay.any) coefficient();
 }
 
 std::vector<std::string> labels_of(const TransportedScalar& s) {
   const std::string name = s.variable();
-  return {name, "mag_grad_" + name, "totalSum_" + name};
+  std::vector<std::string> labels = {name, "mag_grad_" + name, "totalSum_" + name};
+  if (!s.plain_name) labels.push_back(name + "_src");
+  if (s.decay.any) labels.push_back(name + "_expDecayCoef");
+  return labels;
 }
 
 Label TransportedScalar::state() const {
@@ -81,6 +87,17 @@ Label TransportedScalar::gradient() const {
                         plain_name ? "J/(kg m)" : "1/m",
                         plain_name ? "Magnitude of the gradient of the released heat of mixing."
                                    : "Magnitude of the gradient of the scalar " + name + "."});
+}
+
+Label TransportedScalar::source() const {
+  return declare_label({variable() + "_src", ValueType::real, Centring::cell, "1",
+                        "What diffusion, growth, decay and sources add to the scalar " + name +
+                            " of a cell's mass in a step."});
+}
+
+Label TransportedScalar::coefficient() const {
+  return declare_label({variable() + "_expDecayCoef", ValueType::real, Centring::cell, "1",
+                        "Coefficient c2 of the decay of the scalar " + name + "."});
 }
 
 Label TransportedScalar::total() const {

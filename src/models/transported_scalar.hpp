@@ -10,6 +10,7 @@
 #include "framework/base/error.hpp"
 #include "framework/field/label.hpp"
 #include "framework/scene/geometry_reader.hpp"
+#include "models/exponential_decay.hpp"
 
 namespace sluice::models {
 
@@ -49,7 +50,7 @@ struct TransportedScalar {
   int material = 0;
   double diffusivity = 0;                  // m^2/s
   double constant_rate = 0, own_rate = 0;  // r0, r1: 1/s
-  double decay = 0;                        // c1 c2 + c3: 1/s
+  Decay decay;                             // c1 c2 + c3: 1/s
   std::vector<ScalarRegion> start;         // later ones overwrite earlier ones
   std::vector<ScalarSource> sources;
   bool totalled = false;     // test_conservation
@@ -58,7 +59,7 @@ struct TransportedScalar {
   Location where, diffusivity_where;
 
   bool grows() const {
-    return constant_rate != 0 || own_rate != 0 || decay != 0 || !sources.empty();
+    return constant_rate != 0 || own_rate != 0 || decay.any || !sources.empty();
   }
   // The value of the last region that holds the point; 0 without any.
   double at_start(Vec3 point) const;
@@ -69,6 +70,9 @@ struct TransportedScalar {
   Label value() const;     // scalar-NAME
   Label gradient() const;  // mag_grad_scalar-NAME
   Label total() const;     // totalSum_scalar-NAME
+  // In a step, by all but transport with the mass; c2 of the decay, where there is one.
+  Label source() const;       // scalar-NAME_src
+  Label coefficient() const;  // scalar-NAME_expDecayCoef
 };
 
 // Names of what a deck can save of it.

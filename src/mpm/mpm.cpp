@@ -93,7 +93,7 @@ void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage
 // Fluids of another part may come after the solids.
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
   totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
-  for (int k = 0; k < cloud.kind_count(); ++k) {
+  for (int k = 0; k < static_cast<int>(particles_.kinds().size()); ++k) {
     const ParticleStore& store = cloud.store(k);
     if (k >= static_cast<int>(solids_.materials.size())) {
       add_cohesive_energy(store, totals);

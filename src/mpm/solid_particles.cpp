@@ -8,6 +8,7 @@
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/saved/thermal_volume.hpp"
 #include "mpm/shape/weights.hpp"
+#include "mpm/step/carry_corners.hpp"
 #include "mpm/step/cohesive_zones.hpp"
 #include "mpm/step/labels.hpp"
 #include "mpm/step/law_batch.hpp"
@@ -173,6 +174,11 @@ bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size
     if (norm > s.value * s.value) return true;
   }
   return false;
+}
+
+void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& set) const {
+  if (solids_->carries_corners() && kind < static_cast<int>(carried_.size()))
+    wrap_corners(level, carried_[static_cast<std::size_t>(kind)].columns, set);
 }
 
 bool SolidParticles::is_absent(const std::string& name) const {

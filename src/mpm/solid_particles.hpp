@@ -18,6 +18,8 @@ class SolidParticles final : public ParticleMethod {
              ParticleSet& particles) const override;
   bool reflects(int, int, Side, IntVec3) const override { return false; }
   bool in_stages() const override { return true; }
+  using ParticleMethod::in_stages;
+  void follow_wrapped(int kind, const Level& level, ParticleSet& set) const override;
   // Solids on a finer level stay there; else where stress or stretch exceed the deck's thresholds,
   // or everywhere where it names none.
   bool asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,

@@ -12,7 +12,8 @@ namespace {
 // Largest |q - value| over the cells of a field, any component c.
 double farthest(const DenseField& f, double value, int c = 0) {
   double most = 0;
-  for (const double q : f.components[static_cast<std::size_t>(c)]) most = std::max(most, std::fabs(q - value));
+  for (const double q : f.components[static_cast<std::size_t>(c)])
+    most = std::max(most, std::fabs(q - value));
   return most;
 }
 
@@ -42,9 +43,9 @@ TEST(CoupledRuns, SolidAndGasThatMoveTogetherFeelNothing) {
 // Surfaces anywhere in their cell, three cells away from it.
 TEST(CoupledRuns, AShockLeavesARigidWallAsTheoryHasIt) {
   for (const char* surface : {"0.8000000001", "0.8013", "0.8025", "0.804999"}) {
-    const CoupledRun run("shock_on_wall",
-                         {std::string("MaterialProperties/MPM/material/geom_object/box/min=[") +
-                          surface + ",0,0]"});
+    const CoupledRun run(
+        "shock_on_wall",
+        {std::string("MaterialProperties/MPM/material/geom_object/box/min=[") + surface + ",0,0]"});
     ASSERT_EQ(run.report().status, RunStatus::done) << surface;
     const DenseField p = run.field("press_CC", 0), rho = run.field("rho_micro_CC", 1);
     const int wall = static_cast<int>(std::floor(std::stod(surface) * 200));
@@ -75,8 +76,9 @@ TEST(CoupledRuns, WhatIsSymmetricStaysSo) {
   double most = 0;
   for (int j = 0; j < n / 2; ++j)
     for (int i = 0; i < n; ++i)
-      most = std::max(most, std::fabs(p.components[0][static_cast<std::size_t>(j * n + i)] -
-                                      p.components[0][static_cast<std::size_t>((n - 1 - j) * n + i)]));
+      most =
+          std::max(most, std::fabs(p.components[0][static_cast<std::size_t>(j * n + i)] -
+                                   p.components[0][static_cast<std::size_t>((n - 1 - j) * n + i)]));
   EXPECT_LT(most, 1e-8 * 1e5);
 }
 

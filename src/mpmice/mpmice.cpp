@@ -68,6 +68,8 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
       burns_(std::move(burns)) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
+  if (const ParticleMethod* tracers = fluid_.particles())
+    joined_ = std::make_unique<JoinedParticles>(*solids_.particles(), *tracers);
 }
 
 void MpmIce::initialise(Warehouse& state) const {
@@ -218,6 +220,15 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
   return b;
 }
 
+// The amounts of the fluid come after those of the solids.
+Totals MpmIce::of_fluid(const Totals& all) const {
+  Totals own = all;
+  const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
+  if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
+    own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
+  return own;
+}
+
 double MpmIce::history_value(Label label, const Totals& totals) const {
   const std::size_t tallied = totals.tallies.size();
   if (!burns_.empty() && tallied >= 2) {
@@ -230,12 +241,12 @@ double MpmIce::history_value(Label label, const Totals& totals) const {
     if (label == ice::labels().total_heat_released) return totals.tallies[tallied - 1] + fluid;
   }
   return solids_.has_history(label) ? solids_.history_value(label, totals)
-                                    : fluid_.history_value(label, totals);
+                                    : fluid_.history_value(label, of_fluid(totals));
 }
 
 Vec3 MpmIce::history_vector(Label label, const Totals& totals) const {
   return solids_.has_history(label) ? solids_.history_vector(label, totals)
-                                    : fluid_.history_vector(label, totals);
+                                    : fluid_.history_vector(label, of_fluid(totals));
 }
 
 }  // namespace sluice::mpmice

@@ -2,6 +2,9 @@
 //
 // Numbers of effects, maxima, sums and materials: those of the solids come first.
 #pragma once
+#include <memory>
+
+#include "framework/run/joined_particles.hpp"
 #include "ice/ice.hpp"
 #include "mpm/mpm.hpp"
 
@@ -68,7 +71,9 @@ class MpmIce final : public Component {
     return fluid_.flag_seeds(state);
   }
   Label mask_label() const override { return fluid_.mask_label(); }
-  const ParticleMethod* particles() const override { return solids_.particles(); }
+  const ParticleMethod* particles() const override {
+    return joined_ ? joined_.get() : solids_.particles();
+  }
 
   int reduction_maxima() const override;
   int reduction_sums() const override;
@@ -93,11 +98,13 @@ class MpmIce final : public Component {
 
  private:
   std::size_t first_burned_sum() const;
+  Totals of_fluid(const Totals& all) const;
   const Scene& scene_;
   mpm::Mpm solids_;
   ice::Ice fluid_;
   std::vector<models::SolidBurn> burns_;
   EffectList effects_;
+  std::unique_ptr<JoinedParticles> joined_;  // of solids and tracers, where there are any
 };
 
 }  // namespace sluice::mpmice

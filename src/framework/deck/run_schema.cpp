@@ -75,8 +75,8 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "amrmpm", "mpmice", "rmpmice", "rigidmpmice", "poisson1", "poisson2", "poisson3",
-                             "solvertest", "burger", "wave", "benchmark"})
+                     .words({"ice", "mpm", "amrmpm", "mpmice", "rmpmice", "rigidmpmice", "poisson1",
+                             "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")

@@ -1,5 +1,6 @@
 // When samples are taken, of which labels on which levels; their files to disk.
 #include "framework/run/analysis_recorder.hpp"
+#include "framework/run/analysis_nodes.hpp"
 
 #include <fmt/format.h>
 
@@ -65,7 +66,13 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
     if (follows_particles(m)) add_particles(m);
     const bool fields = keeps_statistics(m) || averages_cells(m);
     if (!samples_levels(m) && !keeps_budgets(m) && !fields) continue;
-    const FindQuantity find = [this](const AnalysedVariable& v) { return find_quantity(v); };
+    // Extremes are taken of what nodes have too.
+    const FindQuantity find = [this, nodes = m.name == "minMax"](const AnalysedVariable& v) {
+      const std::optional<Label> label = find_label(v.label);
+      return nodes && label && is_of_nodes(*hierarchy_, *label)
+                 ? node_quantity(*hierarchy_, v, *label)
+                 : find_quantity(v);
+    };
     check_fields(m, find);
     check_places(m, names);
     Module module;
@@ -279,7 +286,7 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
   std::vector<std::vector<Label>> labels(static_cast<std::size_t>(hierarchy_->level_count()));
   visit(due, [&](int l, LevelSampler& sampler) {
     for (const AnalysedQuantity& q : sampler.quantities())
-      if (!hierarchy_->level(l).is_step_label(q.label))
+      if (!hierarchy_->level(l).is_step_label(q.label) && !is_of_nodes(*hierarchy_, q.label))
         labels[static_cast<std::size_t>(l)].push_back(q.label);
   });
   for (const Module* m : due)
@@ -315,6 +322,11 @@ bool AnalysisRecorder::sample(int step, double time) {
   if (due.empty()) return false;
   lay_out();
   const bool filled = compute_labels(due, time);
+  std::vector<AnalysedQuantity> sampled;
+  visit(due, [&](int, LevelSampler& sampler) {
+    sampled.insert(sampled.end(), sampler.quantities().begin(), sampler.quantities().end());
+  });
+  store_node_quantities(*hierarchy_, sampled);
   std::vector<double> mine;
   visit(due, [&](int l, LevelSampler& sampler) {
     sampler.pack(hierarchy_->level(l).outputs(), communicator_->rank(), mine);

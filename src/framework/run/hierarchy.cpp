@@ -112,7 +112,10 @@ std::vector<LevelSolver*> Hierarchy::existing_levels() {
 }
 
 void Hierarchy::advance_particles() {
-  if (particles_ == nullptr || component_->particles()->in_stages()) return;
+  if (particles_ == nullptr) return;
+  bool any = false;
+  for (int k = 0; k < particles_->kind_count(); ++k) any |= !component_->particles()->in_stages(k);
+  if (!any) return;
   fill_ghosts(end_);
   particles_->advance(existing_levels(), end_,
                       in_coarse_step_[static_cast<std::size_t>(level_count()) - 1]);

@@ -101,6 +101,7 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
     step.begin = part == 0 ? step.old_time : step.end;
     step.end = part + 1 == parts ? end : step.old_time + (end - step.old_time) * (part + 1) / parts;
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      if (method_->in_stages(static_cast<int>(k))) continue;
       Kind& kind = kinds_[k];
       std::atomic<std::int64_t> made = 0, left = 0;
       for (std::size_t l = 0; l < levels.size(); ++l) {
@@ -130,6 +131,7 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
 
 void ParticleCloud::take_over(double end) {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    if (!method_->in_stages(static_cast<int>(k))) continue;
     const std::vector<std::size_t> advanced = method_->kinds()[k].advanced_columns();
     ParticleStore& store = kinds_[k].store;
     for (int l = 0; l < store.level_count(); ++l)
@@ -154,7 +156,9 @@ void ParticleCloud::relocate() {
       for (int b = 0; b < store.box_count(l); ++b) {
         ParticleSet& set = store.set(l, b);
         const std::size_t before = set.size();
-        keep_inside(static_cast<int>(k), map_->levels()[static_cast<std::size_t>(l)], set);
+        const Level& level = map_->levels()[static_cast<std::size_t>(l)];
+        keep_inside(static_cast<int>(k), level, set);
+        method_->follow_wrapped(static_cast<int>(k), level, set);
         kinds_[k].left += static_cast<std::int64_t>(before - set.size());
       }
   }

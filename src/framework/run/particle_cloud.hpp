@@ -32,7 +32,8 @@ class ParticleCloud {
   ParticleCloud(const ParticleMethod& method, Communicator& communicator);
 
   void start(const Levels& levels, double time);
-  // A coarse step that ends at `end`: states before and after it, ghosts filled. Collective.
+  // A coarse step that ends at `end`: states before and after it, ghosts filled; of the kinds that
+  // no stage moves. Collective.
   void advance(const Levels& levels, double end, int parts);
   // Of a method in stages: what was made beside the particles (next) is what they are at `end`.
   void take_over(double end);

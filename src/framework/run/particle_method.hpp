@@ -83,6 +83,10 @@ class ParticleMethod {
   }
   // Stages of the step move the particles (Component::shape_step): advance() is not asked.
   virtual bool in_stages() const { return false; }
+  // The same of one kind: others of the method may move by advance() all the same.
+  virtual bool in_stages(int /*kind*/) const { return in_stages(); }
+  // The run has taken particles of a set across periodic sides: places that they carry follow.
+  virtual void follow_wrapped(int /*kind*/, const Level& /*level*/, ParticleSet& /*set*/) const {}
   // Of particles in stages: what the next step's length and sums rest on, of this rank's particles
   // on a level; as many maxima as the component reduces.
   virtual std::vector<double> rates(const ParticleCloud& /*cloud*/, int /*level*/) const {

@@ -51,7 +51,11 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
 void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
                               std::span<const IceMaterial> materials) {
   const auto n = static_cast<std::size_t>(side);
-  scalar_rules_[n].push_back(scalars::make_rules(region, scalars_));
+  // As decks count: solids come before the fluids.
+  std::vector<models::TransportedScalar> numbered(scalars_.begin(), scalars_.end());
+  for (models::TransportedScalar& s : numbered)
+    s.material = materials[static_cast<std::size_t>(s.material)].number();
+  scalar_rules_[n].push_back(scalars::make_rules(region, numbered));
   if (materials.size() == 1) {
     rules_[n].push_back(
         make_gas_rule(region, materials.front().number(), direction_of(side), setting_.conditions));

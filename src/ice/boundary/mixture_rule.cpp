@@ -52,8 +52,9 @@ class MixtureRuleMaker {
 
   std::string name(std::size_t m) const {
     const IceMaterial& material = materials_[m];
-    return material.name.empty() ? fmt::format("material {}", material.number())
-                                 : fmt::format("material {} ({})", material.number(), material.name);
+    return material.name.empty()
+               ? fmt::format("material {}", material.number())
+               : fmt::format("material {} ({})", material.number(), material.name);
   }
   template <class Use>
   void each_present(Use use) {

@@ -234,6 +234,10 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, {names, names_of_solids(root)}, geometry, faults);
+  for (models::TransportedScalar& scalar : s.models.scalars)
+    read_field(scalar.decay, scene.grid.levels.front(), faults);
+  for (models::TracerParticles& tracers : s.models.tracers)
+    if (tracers.scalar) read_field(tracers.scalar->decay, scene.grid.levels.front(), faults);
   complete_mixed_gas(s, faults);
   check_fixed_values(s, faults);
   for (const models::TransportedScalar& scalar : s.models.scalars)

@@ -253,7 +253,8 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
           "remove it");
     }
   }
-  check_material_indices(root, solids_beside_ice(root) + static_cast<int>(materials.size()), faults);
+  check_material_indices(root, solids_beside_ice(root) + static_cast<int>(materials.size()),
+                         faults);
   check_saved_levels(root, faults);
   const auto names = material_names(root);
   const auto count = static_cast<int>(materials.size());

@@ -101,8 +101,7 @@ void declare_solve(Labels& l) {
 void declare_walls(Labels& l) {
   l.solid_fraction =
       cell("solid.fraction", "1", "Share of the cell that solids fill; the rest is the fluid's.");
-  l.solid_fraction_next =
-      cell("work.solid_fraction_next", "1", "The same at the end of the step.");
+  l.solid_fraction_next = cell("work.solid_fraction_next", "1", "The same at the end of the step.");
   l.wall_pressure = cell("solid.wall_pressure", "Pa",
                          "Pressure between the fluid of a cell and the solid in it.");
   constexpr const char* axes[] = {"x", "y", "z"};
@@ -114,8 +113,8 @@ void declare_walls(Labels& l) {
         cell(("work.mean_covered_" + axis).c_str(), "1", "The same, its mean over the step.");
     l.swept[d] = cell(("work.swept_" + axis).c_str(), "1",
                       "Volume that surfaces of solids sweep through the low face, cells.");
-    l.solid_face_velocity[d] =
-        cell(("work.solid_velocity_" + axis).c_str(), "m/s", "Velocity of the solid at the low face.");
+    l.solid_face_velocity[d] = cell(("work.solid_velocity_" + axis).c_str(), "m/s",
+                                    "Velocity of the solid at the low face.");
   }
 }
 

@@ -123,6 +123,20 @@ void save(TaskList& list, const DiagnosticQuantity& q) {
   });
 }
 
+// c2 of a scalar's decay.
+void save_coefficient(TaskList& list, const models::TransportedScalar& s, const SchemeOptions& o) {
+  TaskBuilder task = list.task("save " + s.coefficient().name(), effect_diagnostics);
+  const In q = task.read(list.old_state(s.state(), s.material, 1));
+  const Out out = task.write(list.output(s.coefficient(), s.material));
+  task.kernel([=, decay = s.decay, level = *o.level, along = o.axes.direction[0]](const Row& row) {
+    static_cast<void>(q);
+    double* to = row(out);
+    IntVec3 cell = row.cell();
+    for (int i = 0; i < row.count(); ++i, ++cell[along])
+      to[i] = decay.coefficient(level.centre(cell));
+  });
+}
+
 }  // namespace
 
 std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options) {
@@ -153,6 +167,8 @@ void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o,
                                 const std::vector<ErrorEstimate>& estimates) {
   const std::vector<DiagnosticQuantity> quantities = declare_quantities(list, o);
   for (const DiagnosticQuantity& q : quantities) save(list, q);
+  for (const models::TransportedScalar& s : o.scalars)
+    if (s.decay.any && !s.plain_name) save_coefficient(list, s, o);
   add_refine_flag(list, quantities, o, criteria);
   add_error_estimates(list, quantities, o, estimates);
 }

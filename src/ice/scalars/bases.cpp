@@ -171,11 +171,12 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     h.velocity_slope = task.read(v.velocity_slope);
   }
   h.velocity = task.read(v.velocity);
-  if (o.masked) h.mask = task.read(v.mask);
+  const bool masked = o.masked || v.scalars.walled;
+  if (masked) h.mask = task.read(v.scalars.walled ? v.scalars.slopes : v.mask);
   h.base = task.write(v.scalars.base);
   if (v.scalars.diffusive) h.half = task.write(v.scalars.half);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, axes = o.axes, masked = o.masked](const Row& row) {
+    task.kernel([=, axes = o.axes](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += most_cells) {
         const int left = row.count() - begin;
         const Row part = row.part(begin, left < most_cells ? left : most_cells);

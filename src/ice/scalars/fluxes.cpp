@@ -8,6 +8,8 @@
 // (remap_flux_rows.hpp): what stays of the share is between the same bounds, so that no step makes
 // a new extremum. Diffusion: dt D M_f (half_a - half_b)/dx^2, see bases.cpp, where a material that
 // does not fill its cell counts with what surely stays there in this step: all of it may leave.
+// Beside solids the open share of a face lets pass what spreads; a cell that they touch gives
+// its q.
 #include "ice/fluid/limiters.hpp"
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
@@ -17,6 +19,7 @@ namespace {
 
 struct Each {
   In q, mass, volume;
+  In density;  // mass that what spreads follows: per volume of fluid
   int carrier = 0, place = 0;
   int motion = 0;  // component of face velocity and outflow
   double diffusivity = 0;
@@ -27,6 +30,7 @@ struct Handles {
   std::vector<Each> each;
   In carrier, face_velocity, inverse_J, courant, base, half, mask;
   In pure;  // of a mixture with a mixed gas
+  In open;  // share of the face; beside solids
   Out face, spread;
 };
 
@@ -157,8 +161,8 @@ void spread_row(const Row& row, const Handles& h, const Each& e, int axis, doubl
   const int c = second_order ? e.place : 0;
   const double* __restrict qa = row(q, c, axis, -1);
   const double* __restrict qb = row(q, c);
-  const double* __restrict Ma = row(e.mass, 0, axis, -1);
-  const double* __restrict Mb = row(e.mass);
+  const double* __restrict Ma = row(e.density, 0, axis, -1);
+  const double* __restrict Mb = row(e.density);
   double* __restrict to = row(h.spread, e.place);
   const double D = e.diffusivity * weight;
   if (e.volume.index < 0) {
@@ -178,6 +182,13 @@ void spread_row(const Row& row, const Handles& h, const Each& e, int axis, doubl
   }
 }
 
+void open_row(const Row& row, const Handles& h, const Each& e) {
+  const double* __restrict share = row(h.open);
+  double* __restrict to = row(h.spread, e.place);
+#pragma GCC ivdep
+  for (int i = 0; i < row.count(); ++i) to[i] *= share[i];
+}
+
 Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, int axis) {
   const int direction = o.axes.direction[axis];
   const auto a = static_cast<std::size_t>(axis);
@@ -188,6 +199,7 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     Each each;
     each.q = task.read(e.old, o.second_order ? four : both);
     each.mass = task.read(e.mass, o.second_order ? four : both);
+    each.density = v.scalars.walled && v.scalars.diffusive ? task.read(e.density, both) : each.mass;
     if (o.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
     each.carrier = e.carrier;
     each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
@@ -203,9 +215,13 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     h.inverse_J = task.read(v.inverse_J, both);
     h.base = task.read(v.scalars.base, both);
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
-    if (o.masked) h.mask = task.read(v.mask, both);
+    if (v.scalars.walled)
+      h.mask = task.read(v.scalars.axis_slopes[a], both);
+    else if (o.masked)
+      h.mask = task.read(v.mask, both);
   }
   if (o.mixture && o.mixed != nullptr) h.pure = task.read(v.pure, both);
+  if (v.scalars.walled && v.scalars.diffusive) h.open = task.read(v.scalars.open_share[a]);
   h.face = task.write(v.scalars.face[a]);
   if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[a]);
   return h;
@@ -220,8 +236,8 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
     TaskBuilder task = list.task(names[axis], effect);
     const Handles h = declare(task, v, o, axis);
     const int direction = o.axes.direction[axis], axes = o.axes.count;
-    const bool second = o.second_order, masked = o.masked, diffusive = v.scalars.diffusive,
-               mixture = o.mixture;
+    const bool second = o.second_order, walled = v.scalars.walled, masked = o.masked || walled,
+               diffusive = v.scalars.diffusive, mixture = o.mixture;
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[direction], l = row.step().dt / dx;
       for (const Each& e : h.each) {
@@ -237,6 +253,7 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
           face_row<false>(row, h, e, axis, axes, l);
         if (e.by_volume && second && mixture) donors_beside_others(row, h, e, axis);
         if (diffusive) spread_row(row, h, e, axis, l / dx, second);
+        if (diffusive && walled) open_row(row, h, e);
       }
     });
   }

@@ -6,6 +6,10 @@
 // came in: round-off beyond that, large where little mass is left, is cut off.
 // Then the sources over the step, each exactly: dq/dt = r0 + (r1 - c) q, and in regions
 // dq/dt = rate up to a highest value. A sink takes no more than there is.
+// Cells that solids touch keep the amount M' q' per volume of the cell, which whoever couples the
+// two divides by the mass that a cell ends with (walls/variables.hpp):
+//   A = M q + sum_d [F- q_f- + G- - F+ q_f+ - G+]
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -13,6 +17,7 @@
 #include "ice/scalars/rows.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/step/cell_runs.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/step/end_of_step.hpp"
 
 namespace sluice::ice::scalars {
@@ -28,16 +33,18 @@ struct LocalSource {
 
 struct Each {
   In q, mass, mass_new;
+  In after;  // what the step made of it; of what is saved
   Out now;
   int carrier = 0, place = 0;
-  double constant_rate = 0, own_rate = 0;
+  double constant_rate = 0, own_rate = 0;  // without decay by a field
+  models::Decay decay;
   std::vector<LocalSource> sources;
 };
 
 struct Handles {
   std::vector<Each> each;
   std::array<In, 3> carrier, face, spread;
-  In base;
+  In base, touched;
 };
 
 // Between which values the new one must lie, so far as the cell's own mass is concerned.
@@ -57,7 +64,7 @@ void own_bounds(const Row& row, const Handles& h, const Each& e, bool second_ord
 
 template <int D>
 void transport_row(const Row& row, const Handles& h, const Each& e, bool second_order,
-                   bool diffusive) {
+                   bool diffusive, double* __restrict now) {
   const int n = row.count();
   const double *Fm[D], *Fp[D], *qm[D], *qp[D];
   for (int d = 0; d < D; ++d) {
@@ -81,7 +88,6 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
   }
   const double* __restrict q = row(e.q);
   const double* __restrict mass = row(e.mass_new);
-  double* __restrict now = row(e.now);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     double gain = 0, least = low[i], most = high[i];
@@ -100,17 +106,32 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
 }
 
 // dq/dt = r0 + k q over the step: q e^(k dt) + r0 (e^(k dt) - 1)/k.
-void rates_row(const Row& row, const Each& e) {
-  if (e.constant_rate == 0 && e.own_rate == 0) return;
-  const double dt = row.step().dt, k = e.own_rate;
-  const double growth = std::expm1(k * dt);
-  const double gained = e.constant_rate * (k != 0 ? growth / k : dt);
+struct Growth {
+  double growth, gained;
+
+  Growth(const Each& e, double k, double dt)
+      : growth(std::expm1(k * dt)), gained(e.constant_rate * (k != 0 ? growth / k : dt)) {}
+  double operator()(double now, double mass) const {
+    const double value = now + (growth * now + gained);
+    return mass > 0.0 ? larger(value, smaller(now, 0.0)) : 0.0;
+  }
+};
+
+void rates_row(const Row& row, const Each& e, const Level& level, int along) {
+  const double dt = row.step().dt;
   const double* mass = row(e.mass_new);
   double* now = row(e.now);
-  for (int i = 0; i < row.count(); ++i) {
-    const double value = now[i] + (growth * now[i] + gained);
-    now[i] = mass[i] > 0.0 ? larger(value, smaller(now[i], 0.0)) : 0.0;
+  if (e.decay.field) {
+    IntVec3 cell = row.cell();
+    for (int i = 0; i < row.count(); ++i, ++cell[along]) {
+      const double c2 = e.decay.field->at(level.centre(cell));
+      now[i] = Growth(e, e.own_rate - e.decay.rate(c2), dt)(now[i], mass[i]);
+    }
+    return;
   }
+  if (e.constant_rate == 0 && e.own_rate == 0) return;
+  const Growth grown(e, e.own_rate, dt);
+  for (int i = 0; i < row.count(); ++i) now[i] = grown(now[i], mass[i]);
 }
 
 void regions_row(const Row& row, const Each& e) {
@@ -127,21 +148,105 @@ void regions_row(const Row& row, const Each& e) {
   }
 }
 
+// A and M' of touched cells.
+template <int D>
+void amount_row(const Row& row, const Handles& h, const Each& e, bool diffusive, double* amount,
+                double* left) {
+  const int n = row.count();
+  const double *q = row(e.q), *M = row(e.mass);
+  for (int i = 0; i < n; ++i) {
+    amount[i] = M[i] * q[i];
+    left[i] = M[i];
+  }
+  for (int d = 0; d < D; ++d) {
+    const auto a = static_cast<std::size_t>(d);
+    const double *Fm = row(h.carrier[a], e.carrier), *Fp = row(h.carrier[a], e.carrier, d, 1);
+    const double *qm = row(h.face[a], e.place), *qp = row(h.face[a], e.place, d, 1);
+    for (int i = 0; i < n; ++i) {
+      amount[i] += Fm[i] * qm[i] - Fp[i] * qp[i];
+      left[i] += Fm[i] - Fp[i];
+    }
+    if (!diffusive) continue;
+    const double *Gm = row(h.spread[a], e.place), *Gp = row(h.spread[a], e.place, d, 1);
+    for (int i = 0; i < n; ++i) amount[i] += Gm[i] - Gp[i];
+  }
+}
+
+// Sources act on what a cell holds; where it holds no mass as yet, on nothing.
+void touched_row(const Row& row, const Handles& h, const Each& e, const double* amount,
+                 const double* left, const double* before) {
+  const double* touched = row(h.touched);
+  double* now = row(e.now);
+  for (int i = 0; i < row.count(); ++i) {
+    if (touched[i] == 0) continue;
+    const double gain = now[i] - before[i];
+    now[i] = left[i] > 0 ? amount[i] + left[i] * gain : amount[i];
+  }
+}
+
 Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const SchemeOptions& o,
-                  int place) {
+                  int place, bool saved = false) {
   const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
   Each each;
   each.q = task.read(e.old);
   each.mass = task.read(e.mass);
   each.mass_new = task.read(e.mass_new);
-  each.now = task.write(e.now);
+  if (saved)
+    each.after = task.read(e.now);
+  else
+    each.now = task.write(e.now);
   each.carrier = e.carrier;
   each.place = place;
   each.constant_rate = scalar.constant_rate;
-  each.own_rate = scalar.own_rate - scalar.decay;
+  each.decay = scalar.decay;
+  each.own_rate = scalar.own_rate - (scalar.decay.field ? 0.0 : scalar.decay.rate(scalar.decay.c2));
   for (const models::ScalarSource& s : scalar.sources)
     each.sources.push_back({std::make_shared<CellRuns>(*s.piece, *o.level), s.rate, s.most});
   return each;
+}
+
+// What all scalars' updates read of faces.
+void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, Handles& h) {
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+    h.carrier[a] = task.read(v.scalars.carrier[a], both);
+    h.face[a] = task.read(v.scalars.face[a], both);
+    if (v.scalars.diffusive) h.spread[a] = task.read(v.scalars.spread[a], both);
+  }
+  if (o.second_order) h.base = task.read(v.scalars.base);
+  if (v.scalars.walled) h.touched = task.read(v.scalars.touched);
+}
+
+// scalar-NAME_src: the new value less that of transport alone.
+void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                 std::size_t scalar) {
+  const ScalarVariables::Each& e = v.scalars.each[scalar];
+  const models::TransportedScalar& of = o.scalars[static_cast<std::size_t>(e.index)];
+  if (of.plain_name) return;
+  TaskBuilder task = list.task("save " + of.source().name(), effect_saved_intermediates);
+  Handles h;
+  h.each.push_back(declare_each(task, e, o, static_cast<int>(scalar), true));
+  read_faces(task, v, o, h);
+  const Out out = task.write(list.output(of.source(), of.material));
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=, second = o.second_order, walled = v.scalars.walled](const Row& row) {
+      for (int begin = 0; begin < row.count(); begin += most_cells) {
+        const Row part = row.part(begin, std::min(row.count() - begin, most_cells));
+        const Each& q = h.each.front();
+        double carried[most_cells], amount[most_cells], left[most_cells];
+        transport_row<D>(part, h, q, second, false, carried);
+        const double* now = part(q.after);
+        double* to = part(out);
+        for (int i = 0; i < part.count(); ++i) to[i] = now[i] - carried[i];
+        if (!walled) continue;
+        amount_row<D>(part, h, q, false, amount, left);
+        const double* touched = part(h.touched);
+        for (int i = 0; i < part.count(); ++i)
+          if (touched[i] != 0) to[i] = left[i] > 0 ? (now[i] - amount[i]) / left[i] : 0.0;
+      }
+    });
+  });
 }
 
 }  // namespace
@@ -151,23 +256,23 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   Handles h;
   for (const ScalarVariables::Each& e : v.scalars.each)
     h.each.push_back(declare_each(task, e, o, static_cast<int>(h.each.size())));
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.carrier[a] = task.read(v.scalars.carrier[a], both);
-    h.face[a] = task.read(v.scalars.face[a], both);
-    if (v.scalars.diffusive) h.spread[a] = task.read(v.scalars.spread[a], both);
-  }
-  if (o.second_order) h.base = task.read(v.scalars.base);
+  read_faces(task, v, o, h);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, options = o, diffusive = v.scalars.diffusive](const Row& row) {
+    task.kernel([=, options = o, diffusive = v.scalars.diffusive,
+                 walled = v.scalars.walled](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += most_cells) {
         const int left = row.count() - begin;
         const Row part = row.part(begin, left < most_cells ? left : most_cells);
         for (const Each& e : h.each) {
-          transport_row<D>(part, h, e, options.second_order, diffusive);
-          rates_row(part, e);
+          transport_row<D>(part, h, e, options.second_order, diffusive, part(e.now));
+          double before[most_cells], amount[most_cells], mass[most_cells];
+          if (walled) {
+            std::copy_n(part(e.now), part.count(), before);
+            amount_row<D>(part, h, e, diffusive, amount, mass);
+          }
+          rates_row(part, e, *options.level, options.axes.direction[0]);
           regions_row(part, e);
+          if (walled) touched_row(part, h, e, amount, mass, before);
         }
       }
       if (diffusive)
@@ -175,6 +280,7 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
                                  ordered_bits(diffusion_rate(options, row.step().spacing)));
     });
   });
+  for (std::size_t n = 0; n < v.scalars.each.size(); ++n) save_source(list, v, o, n);
 }
 
 }  // namespace sluice::ice::scalars

@@ -122,6 +122,7 @@ struct ScalarVariables {
     int index = 0;  // among the scalars of the scene
     VariableId old, now, mass, mass_new;
     VariableId volume;  // of the material; in a mixture
+    VariableId density;  // beside solids: `mass` per volume of fluid
     int carrier = 0;    // component of `carrier`
   };
   std::vector<Each> each;
@@ -132,6 +133,11 @@ struct ScalarVariables {
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
   std::array<VariableId, 3> carrier, face, spread;
+  // Beside solids (walls/scalars.cpp): 1 in cells that they touch; weight of slopes there, of all
+  // axes and of each; the open share of faces.
+  bool walled = false;
+  VariableId touched, slopes;
+  std::array<VariableId, 3> axis_slopes, open_share;
 };
 
 // Of a semi-implicit step: pressure/variables.hpp.

@@ -5,7 +5,8 @@
 
 namespace sluice::ice {
 
-FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow)
+FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow,
+                           const Warehouse& walls)
     : level_(&state.level()) {
   for (int m = 0; m < flow.materials; ++m)
     masses_.push_back(state.view(state.find(labels().mass, flow.places.material_of(m)), 0, box));
@@ -19,6 +20,14 @@ FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const 
   };
   momentum_ = components(labels().momentum, 0);
   known_ = masses_.front().box;
+  if (flow.solids) {
+    const int place = flow.places.material_of(0);
+    fraction_ = state.view(state.find(labels().solid_fraction, place), 0, box);
+    for (int d = 0; d < 3; ++d)
+      if (level_->active[static_cast<std::size_t>(d)])
+        solids_.push_back(
+            {d, walls.view(walls.find(labels().solid_face_velocity[d], place), 0, box)});
+  }
   if (!flow.own_velocities) return;
   slip_ = components(labels().slip, material);
   own_mass_ = masses_[static_cast<std::size_t>(material)];

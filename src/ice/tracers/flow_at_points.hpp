@@ -14,13 +14,16 @@ struct FlowStorage {
   int materials = 1;
   std::vector<int> directions;  // of the components of the momentum
   bool own_velocities = false;
-  Places places{};  // of the materials
+  Places places{};     // of the materials
+  bool solids = false;  // are beside them
 };
 
 class FlowAtPoints {
  public:
   // Of one local box: with velocities of their own that of `material`, else the common one.
-  FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow);
+  // `walls`: the state that a step began with, which knows how solids move in it (solids alone).
+  FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow,
+               const Warehouse& walls);
 
   // Linear between cell centres. False: too far outside the box.
   bool velocity(Vec3 point, Vec3& u) const {
@@ -31,7 +34,19 @@ class FlowAtPoints {
   }
 
  private:
+  // In cells that solids fill: their velocity, as the faces of the cell have it.
+  Vec3 of_solids(IntVec3 cell) const {
+    Vec3 u{};
+    for (const Component& c : solids_) {
+      IntVec3 above = cell;
+      ++above[c.direction];
+      const double low = c.value(cell);
+      u[c.direction] = c.value.box.contains(above) ? 0.5 * (low + c.value(above)) : low;
+    }
+    return u;
+  }
   Vec3 in_cell(IntVec3 cell) const {
+    if (!solids_.empty() && fraction_(cell) >= 1) return of_solids(cell);
     double rho = 0;
     for (const ConstRealView& mass : masses_) rho += mass(cell);
     if (rho == 0) return {};
@@ -51,8 +66,8 @@ class FlowAtPoints {
   const Level* level_;
   IndexBox known_;
   std::vector<ConstRealView> masses_;
-  std::vector<Component> momentum_, slip_;  // along active directions
-  ConstRealView own_mass_;
+  std::vector<Component> momentum_, slip_, solids_;  // along active directions
+  ConstRealView own_mass_, fraction_;
 };
 
 }  // namespace sluice::ice

@@ -40,8 +40,8 @@ class FlowInTime {
  public:
   FlowInTime(const ParticleStep& step, int material, const FlowStorage& flow)
       : step_(step),
-        before_(*step.old_state, step.box, material, flow),
-        after_(*step.new_state, step.box, material, flow) {}
+        before_(*step.old_state, step.box, material, flow, *step.old_state),
+        after_(*step.new_state, step.box, material, flow, *step.old_state) {}
 
   bool velocity(Vec3 point, double time, Vec3& u) const {
     const double share = (time - step_.old_time) / (step_.new_time - step_.old_time);
@@ -69,19 +69,45 @@ bool move(const FlowInTime& flow, double begin, double end, Vec3& x) {
 
 }  // namespace
 
-Tracers::Tracers(const std::vector<models::TracerParticles>& list, const Grid& grid,
+Tracers::Tracers(const std::vector<models::TracerParticles>& list,
+                 const std::vector<models::TransportedScalar>& scalars, const Grid& grid,
                  const Boundaries& boundaries, FlowStorage flow, double max_time)
-    : list_(&list), grid_(&grid), boundaries_(&boundaries), flow_(std::move(flow)) {
+    : list_(&list),
+      scalars_(&scalars),
+      grid_(&grid),
+      boundaries_(&boundaries),
+      flow_(std::move(flow)) {
   for (const models::TracerParticles& t : list) {
     ParticleKind kind;
     kind.name = t.name;
-    kind.material = t.material;
+    kind.material = flow_.places.material_of(t.material);
     kind.refine_distance = t.refine_distance;
-    if (t.scalar) kind.attributes.emplace_back(t.scalar->label());
     kinds_.push_back(std::move(kind));
+    add_attributes(t);
     ids_.push_back(number(t));
     check_ids(t, ids_.back(), max_time);
   }
+}
+
+void Tracers::add_attributes(const models::TracerParticles& t) {
+  std::vector<ParticleAttribute>& attributes = kinds_.back().attributes;
+  Columns& c = columns_.emplace_back();
+  const auto add = [&](Label label) {
+    attributes.emplace_back(label);
+    return static_cast<int>(attributes.size()) - 1;
+  };
+  if (t.scalar) c.scalar = add(t.scalar->label());
+  if (t.scalar && t.scalar->decay.any) {
+    c.coefficient = add(t.scalar->coefficient());
+    c.total = add(t.scalar->total());
+  }
+  c.first_clone = static_cast<int>(attributes.size());
+  for (const std::string& name : t.clones)
+    for (const models::TransportedScalar& s : *scalars_)
+      if (s.variable() == name) {
+        add(models::clone_label(name));
+        c.clones.push_back(&s);
+      }
 }
 
 void Tracers::check_ids(const models::TracerParticles& t, const Ids& ids, double max_time) {
@@ -123,10 +149,38 @@ Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
   return ids;
 }
 
-void Tracers::add(const models::TracerParticles& t, Vec3 point, std::int64_t id,
+// Scalars begin as their cells do.
+void Tracers::add(int kind, const Level& level, Vec3 point, std::int64_t id,
                   ParticleSet& particles) const {
+  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  const Columns& c = columns_[static_cast<std::size_t>(kind)];
   particles.add(point, id);
-  if (t.scalar) particles.attribute(0, particles.size() - 1) = t.scalar->initial;
+  const std::size_t last = particles.size() - 1;
+  const auto put = [&](int column, double value) {
+    if (column >= 0) particles.attribute(static_cast<std::size_t>(column), last) = value;
+  };
+  if (t.scalar) {
+    put(c.scalar, t.scalar->initial);
+    put(c.coefficient, t.scalar->decay.coefficient(point));
+  }
+  for (std::size_t n = 0; n < c.clones.size(); ++n)
+    put(c.first_clone + static_cast<int>(n),
+        c.clones[n]->at_start(level.centre(cell_at(level, point))));
+}
+
+void Tracers::take_clones(int kind, const ParticleStep& step, ParticleSet& particles) const {
+  const Columns& c = columns_[static_cast<std::size_t>(kind)];
+  const Level& level = step.new_state->level();
+  for (std::size_t n = 0; n < c.clones.size(); ++n) {
+    const models::TransportedScalar& s = *c.clones[n];
+    const int slot = step.new_state->find(s.state(), flow_.places.material_of(s.material));
+    const ConstRealView q = step.new_state->view(slot, 0, step.box);
+    const auto column = static_cast<std::size_t>(c.first_clone) + n;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      const IntVec3 cell = cell_at(level, particles.position(p));
+      if (q.box.contains(cell)) particles.attribute(column, p) = q(cell);
+    }
+  }
 }
 
 void Tracers::start(int kind, const Level& level, const IndexBox& cells,
@@ -142,7 +196,7 @@ void Tracers::start(int kind, const Level& level, const IndexBox& cells,
       for (int n = 0; n < count; ++n) {
         const Vec3 point = points.point(cell, n);
         if (region.piece->inside(point))
-          add(t, point, first + cell_number(level, cell) * points.most() + n, particles);
+          add(kind, level, point, first + cell_number(level, cell) * points.most() + n, particles);
       }
     });
   }
@@ -164,7 +218,7 @@ void Tracers::emit(int kind, const ParticleStep& step, std::vector<double>& born
         for_each_cell(cells_of(*source.piece, level, part), [&](IntVec3 cell) {
           const Vec3 point = spread_point(level, cell, n);
           if (!source.piece->inside(point)) return;
-          add(t, point, first + cell_number(level, cell), particles);
+          add(kind, level, point, first + cell_number(level, cell), particles);
           born.push_back(std::clamp(time, step.begin, step.end));
         });
     }
@@ -178,20 +232,27 @@ void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles
   emit(kind, step, born, particles);
   if (particles.empty()) return;
   const FlowInTime flow(step, t.material, flow_);
-  const double whole = t.scalar ? std::exp(-t.scalar->decay * (step.end - step.begin)) : 1.0;
+  const Columns& c = columns_[static_cast<std::size_t>(kind)];
+  const auto column = [&](int n) { return particles.column(static_cast<std::size_t>(n)); };
+  const models::Decay decay = t.scalar ? t.scalar->decay : models::Decay{};
   for (std::size_t n = 0; n < particles.size(); ++n) {
-    const double begin = n < earlier ? step.begin : born[n - earlier];
+    const double begin = n < earlier ? step.begin : born[n - earlier], dt = step.end - begin;
     Vec3 x = particles.position(n);
+    const double before = decay.any ? decay.rate(decay.coefficient(x)) : 0.0;
     if (!move(flow, begin, step.end, x))
       throw std::logic_error(fmt::format(
           "tracer particle {} at [{:g}, {:g}, {:g}] would cross more cells in a step than a box "
           "knows around it: the step is longer than the scheme allows",
           particles.id(n), x.x, x.y, x.z));
     particles.move_to(n, x);
-    if (t.scalar)
-      particles.attribute(0, n) *=
-          n < earlier ? whole : std::exp(-t.scalar->decay * (step.end - begin));
+    if (!decay.any) continue;
+    const double c2 = decay.coefficient(x);
+    const double lost = 0.5 * (before + decay.rate(c2)) * dt;
+    column(c.scalar)[n] *= std::exp(-lost);
+    column(c.coefficient)[n] = c2;
+    column(c.total)[n] += lost;
   }
+  take_clones(kind, step, particles);
 }
 
 bool Tracers::reflects(int /*kind*/, int level, Side side, IntVec3 cell) const {

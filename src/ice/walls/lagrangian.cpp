@@ -99,16 +99,16 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
       const double *tm = row(t, c), *tp = row(t, c, d, 1);
       for (int i = 0; i < n; ++i) {
         const double ub = u[i] - 0.5 * dP[i] * W[i];
-        energy[i] += s.l[d] * (tp[i] * (0.5 * (u[i] + up[i]) - ub) -
-                               tm[i] * (0.5 * (um[i] + u[i]) - ub));
+        energy[i] +=
+            s.l[d] * (tp[i] * (0.5 * (u[i] + up[i]) - ub) - tm[i] * (0.5 * (um[i] + u[i]) - ub));
       }
     }
   }
   if (o.mixture && o.viscous) {
     double* friction = row(h.mixture, 1);
     for (int i = 0; i < n; ++i)
-      friction[i] = energy[i] + row(h.mixture, 0)[i] -
-                    (1.0 - row(h.fraction)[i]) * row(h.energy)[i];
+      friction[i] =
+          energy[i] + row(h.mixture, 0)[i] - (1.0 - row(h.fraction)[i]) * row(h.energy)[i];
   }
   for (int d = 0; d < D && o.conducting; ++d) {
     const In q = h.heat_flux[static_cast<std::size_t>(d)];
@@ -141,8 +141,8 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     for (int d = 0; d < D; ++d) {
       const double ub = V > 0 ? u[d][i] - 0.5 * dP[d][i] * W[i] : 0.0;
       const double low = 1.0 - f.am[d][i], high = 1.0 - f.ap[d][i];
-      work += s.l[d] * (f.pp[d][i] * (f.wp[d][i] - high * ub) -
-                        f.pm[d][i] * (f.wm[d][i] - low * ub));
+      work +=
+          s.l[d] * (f.pp[d][i] * (f.wp[d][i] - high * ub) - f.pm[d][i] * (f.wm[d][i] - low * ub));
       closing += s.l[d] * (high - low) * ub;
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));

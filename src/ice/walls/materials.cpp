@@ -6,8 +6,7 @@
 
 namespace sluice::ice::walls {
 
-MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o,
-                                    mixture::Variables& v) {
+MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixture::Variables& v) {
   const int M = static_cast<int>(o.fluids.size());
   MaterialVariables x;
   x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
@@ -51,8 +50,8 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
   const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
   std::array<In, 3> flow;
   for (int a = 0; a < o.axes.count; ++a)
-    flow[static_cast<std::size_t>(a)] = task.read(
-        w.flow[static_cast<std::size_t>(a)], Stencil::along(o.axes.direction[a], 0, 1));
+    flow[static_cast<std::size_t>(a)] =
+        task.read(w.flow[static_cast<std::size_t>(a)], Stencil::along(o.axes.direction[a], 0, 1));
   const Out touched = task.write(v.touched), volume = task.write(x.volume_L),
             E_L = task.write(x.energy_L);
   const int materials = static_cast<int>(o.fluids.size());
@@ -117,8 +116,8 @@ class TouchedFace {
       const auto k = static_cast<std::size_t>(m);
       const double share = cell(h_.state.volume[k], 0, left)[i];
       const double M = cell(h_.state.mass[k], 0, left)[i];
-      const double E = old ? cell(h_.state.energy[k], 0, left)[i]
-                           : cell(h_.energy_L, m, left)[i] / V_L;
+      const double E =
+          old ? cell(h_.state.energy[k], 0, left)[i] : cell(h_.energy_L, m, left)[i] / V_L;
       const double density = old ? M : M * V / V_L;
       const bool there = share > 0;
       put(m, mixture::of_volume, i, there ? H * share : 0.0);

@@ -17,9 +17,9 @@
 namespace sluice::ice::walls {
 
 struct MaterialVariables {
-  VariableId energy_L;                      // E_mL of touched cells, by material
-  VariableId volume_L;                      // V_L
-  std::array<VariableId, 3> whole_flux;     // of the mixture and of each material, as the rules of
+  VariableId energy_L;                   // E_mL of touched cells, by material
+  VariableId volume_L;                   // V_L
+  std::array<VariableId, 3> whole_flux;  // of the mixture and of each material, as the rules of
   std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
 };
 

@@ -99,9 +99,8 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
     h.u_f = task.write(v.face_velocity[n]);
     h.p_f = task.write(v.face_pressure[n]);
     h.flow = task.write(v.walls.raw_flow[n]);
-    task.kernel([=](const Row& row) {
-      face_row(row, h, axis, row.step().spacing[d] / row.step().dt);
-    });
+    task.kernel(
+        [=](const Row& row) { face_row(row, h, axis, row.step().spacing[d] / row.step().dt); });
   }
   TaskBuilder closing = list.task("outflow of cells without fluid", effect);
   const In fraction = closing.read(v.walls.fraction, Stencil::box(1));

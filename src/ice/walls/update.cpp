@@ -82,11 +82,10 @@ void check_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
                                {good, state, nullptr, energy}}},
                              o.material);
   }
-  admissible_row<3>(row, o.axes,
-                    {{{rho, fault_density},
-                      {row(h.amounts.inverse_J), fault_volume, inverse},
-                      {energy, state}}},
-                    o.material);
+  admissible_row<3>(
+      row, o.axes,
+      {{{rho, fault_density}, {row(h.amounts.inverse_J), fault_volume, inverse}, {energy, state}}},
+      o.material);
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ void add_shares(TaskList&, const SchemeVariables& whole, const SchemeVariables& 
                 const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// What the tasks of scalars (scalars/) take of solids; once scalars are declared.
+void declare_scalar_walls(TaskList&, const SchemeOptions&, SchemeVariables&);
+void add_scalar_walls(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // Variables as the tasks of the whole cell take them: of the faces of the fluid alone; of the remap
 // along an axis.

@@ -175,12 +175,6 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
 void SolidLevels::relocate(ParticleCloud& cloud) {
   cloud.relocate();
   strayed_ = 0;
-  for (std::size_t k = 0; k < carried_->size() && solids_->carries_corners(); ++k)
-    for (int l = 0; l < count(); ++l) {
-      ParticleStore& store = cloud.store(static_cast<int>(k));
-      for (int b = 0; b < store.box_count(l); ++b)
-        wrap_corners(cloud.level(l), (*carried_)[k].columns, store.set(l, b));
-    }
 }
 
 }  // namespace sluice::mpm

@@ -64,6 +64,30 @@ void CellSums<D>::sum_over_ranks(Communicator& ranks) {
 }
 
 template <int D>
+void CellSums<D>::fold(const PeriodicSides<D>& sides, int lane_of) {
+  reach(box_);
+  std::uint64_t* sums = lane(lane_of);
+  for (std::size_t d = 0; d < D; ++d) {
+    if (!sides.periodic[d]) continue;
+    const int low = sides.domain.lower[d], high = sides.domain.upper[d], n = high - low;
+    for (int layer = box_.lower[d]; layer < box_.upper[d]; ++layer) {
+      if (layer >= low && layer < high) continue;
+      CellBox<D> beyond = box_;
+      beyond.lower[d] = layer;
+      beyond.upper[d] = layer + 1;
+      const int image = low + ((layer - low) % n + n) % n;
+      const std::ptrdiff_t shift = (image - layer) * box_.stride(static_cast<int>(d));
+      for_each_row_down<D>(box_, beyond, 0, [&](std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i) {
+          sums[static_cast<std::ptrdiff_t>(i) + shift] += sums[i];
+          sums[i] = 0;
+        }
+      });
+    }
+  }
+}
+
+template <int D>
 void CellSums<D>::add_from_above(int lane_of, int d) {
   std::uint64_t* sums = lane(lane_of);
   CellBox<D> part = reached_;

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mpmice/geometry/cell_box.hpp"
+#include "mpmice/geometry/periodic_sides.hpp"
 
 namespace sluice {
 class Communicator;
@@ -46,6 +46,9 @@ class CellSums {
   void merge(const CellSums& other);
   // Collective: all ranks have the same box and get the sums of all.
   void sum_over_ranks(Communicator& ranks);
+  // The sums of cells beyond periodic sides join those of their images, and end as 0. Of one lane;
+  // all of the box is reached then.
+  void fold(const PeriodicSides<D>& sides, int lane);
   // Each cell gets the sum of itself and all cells above it along d: what is 0 beyond the high end
   // of every row follows from its differences.
   void add_from_above(int lane, int d);

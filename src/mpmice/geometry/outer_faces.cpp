@@ -29,7 +29,8 @@ void put(typename OuterFaces<D>::Places& to, const OuterFaces<D>& faces, std::si
       column.resize(end);
       for (std::size_t i = begin; i < end; ++i) {
         const double* corner = x[face_corners<D>[faces.face[i]][k]][d];
-        column[i] = on_planes((corner[faces.particle[i] - first] - units.origin[d]) * units.inverse[d]);
+        column[i] =
+            on_planes((corner[faces.particle[i] - first] - units.origin[d]) * units.inverse[d]);
       }
     }
 }

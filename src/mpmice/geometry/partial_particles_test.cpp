@@ -98,7 +98,9 @@ void check_identity() {
       const auto& C = s.C[static_cast<std::size_t>(d)];
       gain += C[at] - C[at + static_cast<std::size_t>(s.box.stride(d))];
     }
-    if (inside) EXPECT_NEAR(after.theta[at] - before.theta[at], gain, of_identity) << D;
+    if (inside) {
+      EXPECT_NEAR(after.theta[at] - before.theta[at], gain, of_identity) << D;
+    }
     for (std::size_t d = 0; d < D; ++d) {
       if (++c[d] < s.box.upper[d]) break;
       c[d] = s.box.lower[d];

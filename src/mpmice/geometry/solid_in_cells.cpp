@@ -25,11 +25,13 @@ void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin,
 }
 
 template <int D>
-void SolidSums<D>::finish(SolidInCells<D>& to) {
+void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
   to.box = sums_.box();
+  for (int lane = 0; lane <= D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
   for (int d = 0; d < D; ++d) {
     const auto a = static_cast<std::size_t>(d);
     sums_.values(d, to.n[a]);
+    if (sides != nullptr) sides->add_to(d, sums_.lane(d));
     sums_.add_from_above(d, d);
     sums_.values(d, to.a[a]);
   }
@@ -41,7 +43,9 @@ void SolidSums<D>::finish(SolidInCells<D>& to) {
   });
   sums_.values(D, to.theta);
   for (int d = 0; d < D; ++d)
-    raise_open_rows<D>(to.box, d, to.a[static_cast<std::size_t>(d)], d == 0 ? &to.theta : nullptr);
+    if (sides == nullptr || !sides->sides().periodic[static_cast<std::size_t>(d)])
+      raise_open_rows<D>(to.box, d, to.a[static_cast<std::size_t>(d)],
+                         d == 0 ? &to.theta : nullptr);
 }
 
 void clean_covered_parts(std::span<double> a) {

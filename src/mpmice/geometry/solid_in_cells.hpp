@@ -10,11 +10,13 @@
 // closed, so that a = 0 beyond the high end of every row: whole rows are summed from there. A body
 // that ends on a side of the domain has faces there too, whose pieces belong to the cell that the
 // normal points to: the box of cells needs a layer beyond the domain. theta is taken with d = x.
+// Across periodic sides sums join those of the image cells, and rows begin with what covers the
+// side (covered_sides.hpp).
 #pragma once
 #include <span>
 
 #include "mpmice/geometry/cell_sums.hpp"
-#include "mpmice/geometry/outer_faces.hpp"
+#include "mpmice/geometry/covered_sides.hpp"
 
 namespace sluice::mpmice {
 
@@ -35,8 +37,8 @@ class SolidSums {
   void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end);
   void merge(const SolidSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
-  // Uses up the sums: begin() is next.
-  void finish(SolidInCells<D>& to);
+  // Uses up the sums: begin() is next. `sides`: where bodies may cross periodic ones.
+  void finish(SolidInCells<D>& to, const CoveredSides<D>* sides = nullptr);
 
  private:
   CellSums<D> sums_;  // lanes N_d, T_x

@@ -22,7 +22,7 @@
 // A(upper)). C is exactly 0 at faces that no facet crosses.
 #pragma once
 #include "mpmice/geometry/cell_sums.hpp"
-#include "mpmice/geometry/outer_faces.hpp"
+#include "mpmice/geometry/covered_sides.hpp"
 
 namespace sluice::mpmice {
 
@@ -48,8 +48,9 @@ class SweptSums {
   void add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end);
   void merge(const SweptSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
-  // Uses up the sums: begin() is next.
-  void finish(SweptVolumes<D>& to);
+  // Uses up the sums: begin() is next. `sides` (add_mean): across periodic ones; moments are not
+  // known there.
+  void finish(SweptVolumes<D>& to, const CoveredSides<D>* sides = nullptr);
 
  private:
   bool with_moments_ = false;

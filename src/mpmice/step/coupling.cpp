@@ -23,6 +23,8 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   const Frame<D> frame(state.level());
   SolidSums<D> sums;
   sums.begin(frame.box);
+  CoveredSides<D> at_sides;
+  at_sides.begin(frame.box, frame.sides());
   const auto& particles = *solids.particles();
   for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
     ParticleSet set(particles.kinds()[static_cast<std::size_t>(k)].columns());
@@ -33,9 +35,12 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     s.set = &set;
     find_faces<D>(frame, s, false);
     if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
+    at_sides.add(s.outer_at_sides, true, When::start);
+    at_sides.add(s.inner_at_sides, false, When::start);
   }
+  at_sides.finish();
   SolidInCells<D> found;
-  sums.finish(found);
+  sums.finish(found, frame.sides().any() ? &at_sides : nullptr);
   clean_volume_fractions(found.theta);
   const int slot = state.find(ice::labels().solid_fraction, fluid.options().place(0));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {

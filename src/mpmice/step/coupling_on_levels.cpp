@@ -10,10 +10,9 @@
 namespace sluice::mpmice {
 
 CouplingOnLevels::CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid,
-                                   const mpm::Mpm& solids,
-                                   std::shared_ptr<mpm::SolidLevels> step,
+                                   const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
                                    const std::vector<models::SolidBurn>& burns)
-    : fluid_(&fluid) {
+    : fluid_(&fluid), solids_(&solids) {
   for (const Level& level : scene.grid.levels)
     levels_.push_back(make_coupling(level, fluid, solids, step, burns));
 }
@@ -32,7 +31,7 @@ Verdict CouplingOnLevels::on_finest(const StageScope& scope, Stage stage) {
 bool CouplingOnLevels::all_on_finest(const StageScope& scope) const {
   const int finest = static_cast<int>(scope.levels.size()) - 1;
   bool coarse = false;
-  for (int k = 0; k < scope.particles->kind_count(); ++k)
+  for (int k = 0; k < solids_->material_count(); ++k)
     for (int l = 0; l < finest; ++l)
       for (int b = 0; b < scope.particles->store(k).box_count(l); ++b)
         coarse |= !scope.particles->store(k).set(l, b).empty();

@@ -33,6 +33,7 @@ class CouplingOnLevels {
   void clear_coarser(const StageScope& scope) const;
 
   const ice::FluidPart* fluid_;
+  const mpm::Mpm* solids_;
   std::vector<std::unique_ptr<Coupling>> levels_;
 };
 

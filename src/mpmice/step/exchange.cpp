@@ -4,8 +4,8 @@
 //   k = dt K V theta,  I = (u - u_s)/(1/k + 1/M + 1/M_s),   Q alike with M c_v, T and K_h
 //   fluid: P -= I, total energy -= I.(u_s + I/(2 M_s)) + Q
 //   particle: dv = sum_c w_c I/M_s (w_c: share of it in cell c), heat: what is left of that energy
-// Exact for any K: the relative velocity of the pair never changes its sign. What friction costs the
-// pair goes to the fluid. (mpmice_scheme, section 3.)
+// Exact for any K: the relative velocity of the pair never changes its sign. What friction costs
+// the pair goes to the fluid. (mpmice_scheme, section 3.)
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
@@ -17,7 +17,7 @@ namespace {
 // What one kind of solid has in cells, per cell volume.
 template <int D>
 struct KindInCells {
-  Column mass, heat;              // M_s; M_s T_s
+  Column mass, heat;               // M_s; M_s T_s
   std::array<Column, D> velocity;  // u_s
 };
 
@@ -104,8 +104,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   sums.values(0, solid.mass);
   sums.values(1, solid.heat);
   for (int d = 0; d < D; ++d) sums.values(2 + d, solid.velocity[static_cast<std::size_t>(d)]);
-  const double to_density =
-      most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
+  const double to_density = most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
   // Exchange in cells: dv and the energy that the particles get, by cell.
   std::array<Column, D> dv;
   for (Column& of : dv) of.assign(frame_.box.cells(), 0.0);
@@ -158,8 +157,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
         for (std::size_t d = 0; d < D; ++d) kick[d] += dv[d][cell] / (1 << D);
         heat += warm[cell] / (1 << D);
-        if (gain[cell] != 0)
-          energy += gain[cell] / (solid.mass[cell] * to_density) / (1 << D);
+        if (gain[cell] != 0) energy += gain[cell] / (solid.mass[cell] * to_density) / (1 << D);
       });
       for (std::size_t d = 0; d < D; ++d) {
         energy -= kick[d] * (v[d][p] + 0.5 * kick[d]);

@@ -16,7 +16,8 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   const FluidCells fluid(*fluid_, scope.levels.front()->attempted());
   const int C = fluid.components, M = fluid.materials();
   const int kinetic = 0, momentum = 1, first = momentum + C;  // then three of each material
-  known_.begin(frame_.box, first + 3 * M);
+  const int scalar = first + 3 * M, scalars = static_cast<int>(fluid.scalar.size());
+  known_.begin(frame_.box, scalar + scalars);
   amounts_.volume.assign(frame_.box.cells(), 1.0);
   amounts_.near.assign(frame_.box.cells(), 0);
   amounts_.touched.assign(frame_.box.cells(), 0);
@@ -43,14 +44,20 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
         known_.put(first + 3 * m + 1, i, M > 1 ? cells.volume(m, at) : amounts_.volume[i]);
         known_.put(first + 3 * m + 2, i, apart ? cells.energy(m, at) : 0.0);
       }
+      // What a cell with a solid has is an amount already.
+      for (std::size_t s = 0; s < fluid.scalar.size(); ++s) {
+        const double carried = solid ? 1.0 : cells.mass(static_cast<int>(fluid.carrier[s]), at);
+        known_.put(scalar + static_cast<int>(s), i, carried * cells.scalar(s, at));
+      }
       for (int c = 0; c < C; ++c) {
         const double m = cells.momentum(c, at);
         known_.put(momentum + c, i, m);
         squares += m * m;
       }
-      known_.put(kinetic, i, !solid  ? 0.5 * squares / rho
-                             : M > 1 ? cells.fraction(at)
-                                     : cells.energy(0, at));
+      known_.put(kinetic, i,
+                 !solid  ? 0.5 * squares / rho
+                 : M > 1 ? cells.fraction(at)
+                         : cells.energy(0, at));
     });
   }
   known_.tell_all(*scope.ranks);
@@ -66,6 +73,9 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
     known_.take(first + 3 * m + 1, amounts_.filled[k]);
     known_.take(first + 3 * m + 2, amounts_.energy[k]);
   }
+  amounts_.scalar.resize(fluid.scalar.size());
+  for (int s = 0; s < scalars; ++s)
+    known_.take(scalar + s, amounts_.scalar[static_cast<std::size_t>(s)]);
 }
 
 // Amounts become a state, of several fluids at one pressure. False: some are none.
@@ -78,7 +88,8 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
   bool good = true;
   spoilt_.assign(amounts_.near.size(), 0);
   for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
-    if (amounts_.near[i] == 0 || amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
+    if (amounts_.near[i] == 0 || !(amounts_.volume[i] > 0)) return;
+    if (amounts_.touched[i] == 0) return settle_scalars(i);
     // A gap that no fluid has reached: it waits, as if it were closed.
     if (amounts_.mass_of_all(i) == 0) {
       amounts_.volume[i] = 0;
@@ -93,6 +104,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
         settled_.energy[m][i] = E[m];
       }
       for (Column& m : settled_.momentum) m[i] /= amounts_.volume[i];
+      settle_scalars(i);
       return;
     }
     spoilt_[i] = 1;
@@ -108,6 +120,17 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
           fluid_->options().place(static_cast<int>(m)), amounts_.mass[m][i], V[m], E[m]);
   });
   return good;
+}
+
+// q = A/M: there is no scalar where nothing carries it.
+template <int D>
+void LevelCoupling<D>::settle_scalars(std::size_t i) {
+  const auto& scalars = fluid_->options().scalars;
+  for (std::size_t s = 0; s < scalars.size(); ++s) {
+    const auto m = static_cast<std::size_t>(scalars[s].material);
+    settled_.scalar[s][i] =
+        settled_.mass[m][i] > 0 ? amounts_.scalar[s][i] / amounts_.mass[m][i] : 0.0;
+  }
 }
 
 // Mass, volume and energy per volume of fluid. False: they are no state.
@@ -189,6 +212,8 @@ void LevelCoupling<D>::store(const StageScope& scope) {
         if (fluid.materials() > 1)
           cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
       }
+      for (std::size_t s = 0; s < fluid.scalar.size(); ++s)
+        cells.scalar(s, at) = known ? settled_.scalar[s][i] : old.scalar(s, at);
       for (int c = 0; c < fluid.components; ++c)
         cells.momentum(c, at) =
             known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);

@@ -15,6 +15,10 @@ FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
     energy.push_back(in.find(l.energy, o.place(m)));
     if (of.material_count() > 1) volume.push_back(in.find(l.volume, o.place(m)));
   }
+  for (const models::TransportedScalar& s : o.scalars) {
+    scalar.push_back(in.find(s.state(), o.place(s.material)));
+    carrier.push_back(static_cast<std::size_t>(s.material));
+  }
   momentum = in.find(l.momentum, o.place(0));
   fraction = in.find(l.solid_fraction, o.place(0));
   direction = o.direction;
@@ -45,6 +49,7 @@ FluidBox::FluidBox(const FluidCells& cells, int b)
   for (const int slot : cells.mass) mass_.push_back(cells.state->view(slot, 0, b));
   for (const int slot : cells.energy) energy_.push_back(cells.state->view(slot, 0, b));
   for (const int slot : cells.volume) volume_.push_back(cells.state->view(slot, 0, b));
+  for (const int slot : cells.scalar) scalar_.push_back(cells.state->view(slot, 0, b));
   for (int c = 0; c < cells.components; ++c)
     momentum_[static_cast<std::size_t>(c)] = cells.state->view(cells.momentum, c, b);
 }

@@ -27,6 +27,8 @@ class FluidCells {
   const Warehouse* state;
   ice::mixture::Equilibration laws;
   std::vector<int> mass, energy, volume;  // slots by material; volume: of several
+  std::vector<int> scalar;                // of each scalar of the fluids
+  std::vector<std::size_t> carrier;       // and the material that carries it
   int momentum, fraction;
   std::array<int, 3> direction;
   int components;
@@ -43,6 +45,8 @@ class FluidBox {
   double& momentum(int component, IntVec3 c) const {
     return momentum_[static_cast<std::size_t>(component)](c);
   }
+  // Per mass of its carrier.
+  double& scalar(std::size_t s, IntVec3 c) const { return scalar_[s](c); }
   double& fraction(IntVec3 c) const { return fraction_(c); }
 
  private:
@@ -50,7 +54,7 @@ class FluidBox {
   FluidState of_several(IntVec3 cell) const;
 
   const FluidCells* cells_;
-  std::vector<RealView> mass_, energy_, volume_;
+  std::vector<RealView> mass_, energy_, volume_, scalar_;
   std::array<RealView, 3> momentum_;
   RealView fraction_;
 };

@@ -83,6 +83,7 @@ class LevelCoupling final : public Coupling {
   bool share_spoilt(const StageScope& scope);
   bool settle_cell(std::size_t i, const ice::mixture::Equilibration& laws, double* M, double* V,
                    double* E) const;
+  void settle_scalars(std::size_t i);
   void fill_dry_cells();
   void store(const StageScope& scope);
 
@@ -110,6 +111,7 @@ class LevelCoupling final : public Coupling {
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
+  CoveredSides<D> at_sides_;  // of periodic sides
   KnownByOne<D> known_;
   CellAmounts<D> amounts_;
   CellAmounts<D> settled_;            // what becomes their state, per volume of fluid

@@ -6,7 +6,7 @@ namespace sluice::mpmice {
 namespace {
 
 constexpr double small_volume = 0.5;
-constexpr double margin = 1e-9;     // by which a neighbour must be larger: ties are none
+constexpr double margin = 1e-9;        // by which a neighbour must be larger: ties are none
 constexpr double near_largest = 0.99;  // of the largest component of a normal
 
 template <int D>

@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "framework/grid/level.hpp"
-#include "mpmice/geometry/cell_box.hpp"
+#include "mpmice/geometry/periodic_sides.hpp"
 
 namespace sluice::mpmice {
 
 // Active directions of a level, and cells of it as the geometry counts them.
 template <int D>
 struct Frame {
-  // Corners of particles of the domain lie at most so many cells beyond it.
-  static constexpr int layers = 2;
+  // Corners of particles of the domain lie at most so many cells beyond it; beyond periodic sides
+  // particles stay a while before they are taken to the other end.
+  static constexpr int layers = 2, periodic_layers = 4;
   std::array<int, D> direction{};
   Vec3 spacing{}, anchor{};
   double cell_volume = 1;
@@ -33,13 +34,15 @@ struct Frame {
       periodic[n] = level.periodic[static_cast<std::size_t>(d)];
       domain.lower[n] = level.domain.lower[d];
       domain.upper[n] = level.domain.upper[d];
-      box.lower[n] = domain.lower[n] - layers;
-      box.upper[n] = domain.upper[n] + layers;
+      const int beyond = periodic[n] ? periodic_layers : layers;
+      box.lower[n] = domain.lower[n] - beyond;
+      box.upper[n] = domain.upper[n] + beyond;
     }
     spacing = level.spacing;
     anchor = level.anchor;
     cell_volume = level.cell_volume();
   }
+  PeriodicSides<D> sides() const { return {domain, periodic}; }
   Cell<D> cell(IntVec3 c) const {
     Cell<D> to;
     for (std::size_t a = 0; a < D; ++a) to[a] = c[direction[a]];
@@ -130,6 +133,7 @@ struct CellAmounts {
   std::vector<Column> mass, filled, energy;
   Column kinetic;
   std::vector<Column> momentum;  // by component
+  std::vector<Column> scalar;    // of each scalar: its value times its carrier's mass
   std::vector<std::uint8_t> near;     // 1: a cell near solids, whose amounts are here
   std::vector<std::uint8_t> touched;  // 1: they become its state anew
   // 1: what is left there is no state; it is shared through covered faces too.
@@ -150,7 +154,7 @@ struct CellAmounts {
   // Act on every column of amounts.
   template <class F>
   void for_each_amount(F&& act) {
-    for (auto* columns : {&mass, &filled, &energy, &momentum})
+    for (auto* columns : {&mass, &filled, &energy, &momentum, &scalar})
       for (Column& column : *columns) act(column);
     act(kinetic);
   }

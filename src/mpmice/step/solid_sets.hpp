@@ -5,7 +5,7 @@
 
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
-#include "mpmice/geometry/outer_faces.hpp"
+#include "mpmice/geometry/covered_sides.hpp"
 #include "mpmice/step/solid_fields.hpp"
 
 namespace sluice::mpmice {
@@ -23,6 +23,8 @@ struct SolidSet {
   ParticleSet* present = nullptr;  // the set, for what a step leaves behind
   std::vector<double> filled, stays;
   std::vector<std::uint8_t> outer;
+  // All faces of particles at periodic sides: outer, inner.
+  OuterFaces<D> outer_at_sides, inner_at_sides;
 };
 
 // Corners of a set in the columns that the geometry takes.
@@ -57,6 +59,29 @@ void weigh_faces(SolidSet<D>& s) {
     s.faces.weight[i] = s.filled[s.faces.particle[i]];
 }
 
+// Particles that reach a periodic side at either end of the step.
+template <int D>
+std::vector<std::uint8_t> at_sides(const Frame<D>& frame, const CornerColumns<D>& from,
+                                   const CornerColumns<D>& to, const CellUnits<D>& units,
+                                   std::size_t count) {
+  std::vector<std::uint8_t> found(count);
+  constexpr double hair = 1e-9;  // corners a rounding beside a side are in it
+  for (std::size_t p = 0; p < count; ++p) {
+    std::array<double, D> low, high;
+    low.fill(1e300);
+    high.fill(-1e300);
+    for (const CornerColumns<D>* places : {&from, &to})
+      for (const auto& corner : *places)
+        for (std::size_t a = 0; a < D; ++a) {
+          const double x = (corner[a][p] - units.origin[a]) * units.inverse[a];
+          low[a] = std::min(low[a], x - hair);
+          high[a] = std::max(high[a], x + hair);
+        }
+    found[p] = crosses<D>(frame.sides(), low, high) ? 1 : 0;
+  }
+  return found;
+}
+
 // Finds the outer faces of a set, at both ends of the step where `moved`.
 template <int D>
 void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved) {
@@ -69,16 +94,23 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved) {
     units.origin[a] = frame.anchor[frame.direction[a]];
     units.inverse[a] = 1 / frame.spacing[frame.direction[a]];
   }
-  const std::vector<std::uint8_t> outer = faces_in_sums(s);
+  std::vector<std::uint8_t> outer = faces_in_sums(s);
   const CornerColumns<D> from = corner_columns<D>(frame, *s.columns, *s.set);
-  s.faces.clear();
-  if (moved) {
-    const CornerColumns<D> to = corner_columns<D>(frame, *s.columns, *s.next);
-    s.faces.add(from, &to, outer.data(), outer.size(), units);
-  } else {
-    s.faces.add(from, nullptr, outer.data(), outer.size(), units);
-  }
+  const CornerColumns<D> to = moved ? corner_columns<D>(frame, *s.columns, *s.next) : from;
+  const CornerColumns<D>* end = moved ? &to : nullptr;
+  for (OuterFaces<D>* faces : {&s.faces, &s.outer_at_sides, &s.inner_at_sides}) faces->clear();
+  s.faces.add(from, end, outer.data(), outer.size(), units);
   weigh_faces(s);
+  if (!frame.sides().any()) return;
+  const std::vector<std::uint8_t> there = at_sides<D>(frame, from, to, units, outer.size());
+  std::vector<std::uint8_t> inner(outer.size());
+  constexpr unsigned all = (1u << (2 * D)) - 1;
+  for (std::size_t p = 0; p < outer.size(); ++p) {
+    inner[p] = there[p] != 0 ? static_cast<std::uint8_t>(all & ~unsigned{outer[p]}) : 0;
+    if (there[p] == 0) outer[p] = 0;
+  }
+  s.outer_at_sides.add(from, end, outer.data(), outer.size(), units);
+  s.inner_at_sides.add(from, end, inner.data(), inner.size(), units);
 }
 
 // Sums over parts of particles have room for so many of the heaviest in a cell.

@@ -61,8 +61,18 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
   for (const SolidSet<D>& s : sets_)
     if (s.faces.size() > 0) geometry_.add(s.faces, when, 0, s.faces.size());
   geometry_.sum_over_ranks(*scope.ranks);
+  const bool periodic = frame_.sides().any();
+  if (periodic) {
+    at_sides_.begin(frame_.box, frame_.sides());
+    for (const SolidSet<D>& s : sets_) {
+      at_sides_.add(s.outer_at_sides, true, when);
+      at_sides_.add(s.inner_at_sides, false, when);
+    }
+    at_sides_.sum_over_ranks(*scope.ranks);
+    at_sides_.finish();
+  }
   SolidInCells<D> found;
-  geometry_.finish(found);
+  geometry_.finish(found, periodic ? &at_sides_ : nullptr);
   theta = std::move(found.theta);
   covered = std::move(found.a);
   if (when == When::start) fields_.normal = std::move(found.n);
@@ -105,8 +115,7 @@ template <int D>
 void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   std::vector<double> wave(solids_->scene().materials.size());
   double least = 1e300;
-  for (std::size_t a = 0; a < D; ++a)
-    least = std::min(least, frame_.spacing[frame_.direction[a]]);
+  for (std::size_t a = 0; a < D; ++a) least = std::min(least, frame_.spacing[frame_.direction[a]]);
   for (std::size_t k = 0; k < wave.size(); ++k)
     wave[k] = step_->level(step_->count() - 1).body(static_cast<int>(k)).rates.wave * least;
   Scales most;
@@ -120,10 +129,9 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   for (const SolidSet<D>& s : sets_)
     for (const std::uint32_t p : s.faces.particle) {
       for (std::size_t a = 0; a < D; ++a)
-        most.velocity = std::max(
-            most.velocity,
-            std::fabs(s.set->column(static_cast<std::size_t>(s.columns->velocity +
-                                                             frame_.direction[a]))[p]));
+        most.velocity =
+            std::max(most.velocity, std::fabs(s.set->column(static_cast<std::size_t>(
+                                        s.columns->velocity + frame_.direction[a]))[p]));
       const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
       for (const double* e : stress) most.pressure = std::max(most.pressure, 3 * std::fabs(e[p]));
       most.compliance = std::max(most.compliance, compliance(s, p));
@@ -164,6 +172,8 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
         });
   }
   sums.sum_over_ranks(*scope.ranks);
+  for (int lane = 0; lane < velocity + D && frame_.sides().any(); ++lane)
+    sums.fold(frame_.sides(), lane);
   sums.values(area, fields_.area);
   const auto mean = [&](int lane, double factor, Column& to) {
     sums.values(lane, to);

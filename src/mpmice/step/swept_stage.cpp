@@ -15,8 +15,18 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   for (const SolidSet<D>& s : sets_)
     if (s.faces.size() > 0) swept_.add(s.faces, 0, s.faces.size());
   swept_.sum_over_ranks(*scope.ranks);
+  const bool periodic = frame_.sides().any();
+  if (periodic) {
+    at_sides_.begin(frame_.box, frame_.sides());
+    for (const SolidSet<D>& s : sets_) {
+      at_sides_.add_mean(s.outer_at_sides, true);
+      at_sides_.add_mean(s.inner_at_sides, false);
+    }
+    at_sides_.sum_over_ranks(*scope.ranks);
+    at_sides_.finish();
+  }
   SweptVolumes<D> found;
-  swept_.finish(found);
+  swept_.finish(found, periodic ? &at_sides_ : nullptr);
   fields_.mean_covered = std::move(found.A);
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
@@ -33,8 +43,7 @@ void LevelCoupling<D>::book_rigid_work(const StageScope& scope) {
     if (!m.rigid) return;
   double work = 0;  // alike on every rank
   for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
-    if (has_solid(i))
-      work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
+    if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
   });
   (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
 }
@@ -150,7 +159,8 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
         const double M = fields_.mass[i] + fields_.mass[j];
         if (!(M > 0)) return 0.0;
         return (fields_.mass[i] * fields_.velocity[n][i] +
-                fields_.mass[j] * fields_.velocity[n][j]) / M;
+                fields_.mass[j] * fields_.velocity[n][j]) /
+               M;
       });
     }
   }

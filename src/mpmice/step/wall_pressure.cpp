@@ -69,6 +69,7 @@ void LevelCoupling<D>::smooth_normals() {
         other[static_cast<std::size_t>(d)] += step;
         weight *= step == 0 ? 2 : 1;
       }
+      other = frame_.wrapped(other);
       if (!frame_.in_domain(other)) continue;
       const std::size_t j = frame_.box.index(other);
       if (!wet(j)) continue;

@@ -1,0 +1,98 @@
+// Scalars where solids are. Their tasks (scalars/) are those of whole cells, told that
+//
+//   M = rho V is the mass of a cell (nothing in a dry one), rho that of what spreads,
+//   slopes count along an axis where no solid touches the cell and walls/openness.cpp lets them,
+//   through 1 - a of a face between cells with fluid passes what spreads.
+//
+// A touched donor therefore gives its q. Cells without solids around them get the bits of the
+// ordinary graph.
+#include <string>
+
+#include "ice/walls/variables.hpp"
+
+namespace sluice::ice::walls {
+
+void declare_scalar_walls(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
+  ScalarVariables& s = v.scalars;
+  if (s.each.empty()) return;
+  s.walled = true;
+  s.touched = list.temporary("cells with scalars that solids touch");
+  for (ScalarVariables::Each& e : s.each) {
+    e.density = e.mass;
+    e.mass = list.temporary("mass with scalar " + std::to_string(e.index) + " in the cell");
+  }
+  if (o.second_order) s.slopes = list.temporary("weight of slopes of scalars");
+  for (int a = 0; a < o.axes.count; ++a) {
+    const auto n = static_cast<std::size_t>(a);
+    const std::string axis = " of axis " + std::to_string(a);
+    if (o.second_order) s.axis_slopes[n] = list.temporary("weight of slopes of scalars" + axis);
+    if (s.diffusive) s.open_share[n] = list.temporary("open share" + axis, 1, o.axes.direction[a]);
+  }
+}
+
+namespace {
+
+void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("cells with scalars beside solids", effect);
+  const ScalarVariables& s = v.scalars;
+  const In fraction = task.read(v.walls.fraction), next = task.read(v.walls.next);
+  std::vector<In> density;
+  std::vector<Out> mass;
+  for (const ScalarVariables::Each& e : s.each) {
+    density.push_back(task.read(e.density));
+    mass.push_back(task.write(e.mass));
+  }
+  const Out touched = task.write(s.touched);
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    const double *theta = row(fraction), *after = row(next);
+    double* here = row(touched);
+    for (int i = 0; i < n; ++i) here[i] = theta[i] > 0 || after[i] > 0;
+    for (std::size_t k = 0; k < mass.size(); ++k) {
+      const double* rho = row(density[k]);
+      double* M = row(mass[k]);
+      for (int i = 0; i < n; ++i) M[i] = rho[i] * (1.0 - theta[i]);
+    }
+  });
+  if (!o.second_order) return;
+  TaskBuilder weights = list.task("weight of slopes of scalars", effect);
+  const In touches = weights.read(s.touched), open = weights.read(v.walls.open);
+  const Out whole = weights.write(s.slopes);
+  std::array<Out, 3> along;
+  for (int a = 0; a < o.axes.count; ++a)
+    along[static_cast<std::size_t>(a)] = weights.write(s.axis_slopes[static_cast<std::size_t>(a)]);
+  weights.kernel([=, axes = o.axes.count](const Row& row) {
+    const int n = row.count();
+    const double* here = row(touches);
+    double* all = row(whole);
+    for (int i = 0; i < n; ++i) all[i] = 1.0 - here[i];
+    for (int a = 0; a < axes; ++a) {
+      const double* o_a = row(open, a);
+      double* to = row(along[static_cast<std::size_t>(a)]);
+      for (int i = 0; i < n; ++i) to[i] = (1.0 - here[i]) * o_a[i];
+      for (int i = 0; i < n; ++i) all[i] *= o_a[i];
+    }
+  });
+}
+
+}  // namespace
+
+void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                      int effect) {
+  if (v.scalars.each.empty()) return;
+  add_cells(list, v, o, effect);
+  for (int axis = 0; axis < o.axes.count && v.scalars.diffusive; ++axis) {
+    const auto n = static_cast<std::size_t>(axis);
+    TaskBuilder task = list.task("open share with scalars " + std::to_string(axis), effect);
+    const In fraction = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
+    const In covered = task.read(v.walls.covered[n]);
+    const Out share = task.write(v.scalars.open_share[n]);
+    task.kernel([=](const Row& row) {
+      const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction), *a = row(covered);
+      double* to = row(share);
+      for (int i = 0; i < row.count(); ++i) to[i] = ta[i] < 1 && tb[i] < 1 ? 1.0 - a[i] : 0.0;
+    });
+  }
+}
+
+}  // namespace sluice::ice::walls

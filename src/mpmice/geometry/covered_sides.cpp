@@ -1,0 +1,105 @@
+#include "mpmice/geometry/covered_sides.hpp"
+
+#include <cmath>
+
+#include "mpmice/geometry/mixed_facet.hpp"
+#include "mpmice/geometry/pieces.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// What chooses the cells of pieces in grid planes: above, for inner faces.
+template <int D>
+std::array<double, D> choice(std::array<double, D> normal, bool outer) {
+  if (!outer)
+    for (double& n : normal) n = std::fabs(n);
+  return normal;
+}
+
+}  // namespace
+
+template <int D>
+void CoveredSides<D>::begin(const CellBox<D>& box, const PeriodicSides<D>& sides) {
+  sides_ = sides;
+  sums_.begin(box, D);
+  sums_.reach(box);
+}
+
+template <int D>
+void CoveredSides<D>::add_piece(const Cell<D>& cell, const std::array<double, D>& area) {
+  for (std::size_t d = 0; d < D; ++d) {
+    if (!sides_.periodic[d]) continue;
+    const bool under = cell[d] < sides_.domain.lower[d], over = cell[d] >= sides_.domain.upper[d];
+    if (!under && !over) continue;
+    Cell<D> to = cell;
+    to[d] = sides_.domain.upper[d];
+    std::uint64_t& sum = sums_.lane(static_cast<int>(d))[sums_.box().index(to)];
+    sum += under ? to_sum(-area[d]) : to_sum(area[d]);
+  }
+}
+
+template <int D>
+void CoveredSides<D>::add(const OuterFaces<D>& faces, bool outer, When when) {
+  const auto& x = when == When::start ? faces.start : faces.end;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (int t = 0; t < facets_of_face<D>; ++t) {
+      const FacetNodes<D> nodes = facet_nodes<D>(x, i, t);
+      const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
+      const std::array<double, D> chosen = choice<D>(n, outer);
+      std::array<CellSpan, D> spans;
+      for (int d = 0; d < D; ++d)
+        spans[static_cast<std::size_t>(d)] =
+            span_along<D>(nodes, d, chosen[static_cast<std::size_t>(d)]);
+      cut_facet<D>(nodes, spans, chosen, [&](const Cell<D>& cell, const Moments<D>& piece) {
+        std::array<double, D> area = n;
+        for (double& a : area) a *= piece.s;
+        add_piece(cell, area);
+      });
+    }
+}
+
+template <int D>
+void CoveredSides<D>::add_mean(const OuterFaces<D>& faces, bool outer) {
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (int t = 0; t < facets_of_face<D>; ++t) {
+      const MixedFacet<D> f(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
+                            faces.face[i]);
+      for_each_cut<D>(f, [&](const std::array<Slots, D>& slots, const FacetNodes<D>& nodes) {
+        const std::array<double, D> N = f.mean_area(slots);
+        cut_facet<D>(nodes, f.spans, choice<D>(N, outer),
+                     [&](const Cell<D>& cell, const Moments<D>& piece) {
+                       std::array<double, D> area = N;
+                       for (double& a : area) a *= piece.s;
+                       add_piece(cell, area);
+                     });
+      });
+    }
+}
+
+template <int D>
+void CoveredSides<D>::finish() {
+  for (int d = 0; d < D; ++d) {
+    PeriodicSides<D> others = sides_;
+    others.periodic[static_cast<std::size_t>(d)] = false;
+    sums_.fold(others, d);
+  }
+}
+
+template <int D>
+void CoveredSides<D>::add_to(int d, std::uint64_t* lane) const {
+  const auto a = static_cast<std::size_t>(d);
+  if (!sides_.periodic[a]) return;
+  CellBox<D> first = sums_.box();
+  first.lower[a] = sides_.domain.upper[a];
+  first.upper[a] = first.lower[a] + 1;
+  const std::uint64_t* from = sums_.lane(d);
+  for_each_row_down<D>(sums_.box(), first, 0, [&](std::size_t begin, std::size_t n) {
+    for (std::size_t i = begin; i < begin + n; ++i) lane[i] += from[i];
+  });
+}
+
+template class CoveredSides<1>;
+template class CoveredSides<2>;
+template class CoveredSides<3>;
+
+}  // namespace sluice::mpmice
