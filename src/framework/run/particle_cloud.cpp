@@ -124,7 +124,9 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
       kind.made += made;
       kind.left += left;
     }
-    settle();
+    // What stages have made lies beside what they began with, in its order, until it is taken over.
+    for (std::size_t k = 0; k < kinds_.size(); ++k)
+      if (!method_->in_stages(static_cast<int>(k))) kinds_[k].store.settle(*communicator_);
   }
   time_ = end;
 }
