@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "ice/step/step_bounds.hpp"
 #include "mpmice/step/fluid_cells.hpp"
@@ -173,7 +174,9 @@ void LevelCoupling<D>::fill_dry_cells() {
   });
   std::vector<Column*> columns;
   settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
-  for (int layer = 0; layer < 2; ++layer) {
+  // Scalars change by themselves: all cells that a solid fills follow.
+  const int layers = settled_.scalar.empty() ? 2 : std::numeric_limits<int>::max();
+  for (int layer = 0; layer < layers; ++layer) {
     std::vector<std::size_t> found;
     for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
       if (amounts_.volume[i] > 0 || known[i] != 0) return;
@@ -189,6 +192,7 @@ void LevelCoupling<D>::fill_dry_cells() {
       }
       found.push_back(i);
     });
+    if (found.empty()) break;
     for (const std::size_t i : found) known[i] = 1;
   }
   filled_ = std::move(known);
