@@ -38,10 +38,17 @@ bool is_scalar(const std::string& name) {
   return name.rfind("scalar-", 0) == 0 || name == models::cumulative_energy;
 }
 
-// "scalar-f" for each scalar of the deck's models.
+// "scalar-f" for each scalar of the deck's models; its saved source and its decay coefficient,
+// "scalar-f_src" and "scalar-f_expDecayCoef", are no variables of the flow.
 std::vector<std::string> scalar_variables(const DeckNode& root) {
   std::vector<std::string> names = models::save_labels(root);
   std::erase_if(names, [](const std::string& name) { return !is_scalar(name); });
+  const std::vector<std::string> all = names;
+  std::erase_if(names, [&](const std::string& name) {
+    return std::any_of(all.begin(), all.end(), [&](const std::string& scalar) {
+      return name == scalar + "_src" || name == scalar + "_expDecayCoef";
+    });
+  });
   return names;
 }
 
