@@ -172,7 +172,8 @@ void amount_row(const Row& row, const Handles& h, const Each& e, bool diffusive,
   }
 }
 
-// Sources act on what a cell holds; where it holds no mass as yet, on nothing.
+// Sources act on what a cell holds before its neighbours share, which may be less than nothing:
+// linear in the mass, so that what all cells lose alike stays the same everywhere.
 void touched_row(const Row& row, const Handles& h, const Each& e, const double* amount,
                  const double* left, const double* before) {
   const double* touched = row(h.touched);
@@ -180,7 +181,7 @@ void touched_row(const Row& row, const Handles& h, const Each& e, const double* 
   for (int i = 0; i < row.count(); ++i) {
     if (touched[i] == 0) continue;
     const double gain = now[i] - before[i];
-    now[i] = left[i] > 0 ? amount[i] + left[i] * gain : amount[i];
+    now[i] = amount[i] + left[i] * gain;
   }
 }
 
