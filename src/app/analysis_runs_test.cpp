@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_test_support.hpp"
-#include "framework/base/temporary_folder.hpp"
+#include "app/archive_runs_test_support.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::analysis_runs_test {
@@ -47,7 +46,7 @@ std::string module_text(const std::string& name, const std::string& content) {
   return "<Module name=\"" + name + "\">" + times + content + "</Module>\n";
 }
 
-class AnalysisRuns : public ::testing::Test {
+class AnalysisRuns : public ArchiveRuns {
  protected:
   // One of our decks with these modules.
   void write_deck(const std::string& deck, const std::string& modules,
@@ -59,22 +58,6 @@ class AnalysisRuns : public ::testing::Test {
     text.replace(at, end.size(), "<DataAnalysis>" + modules + "</DataAnalysis>" + end);
     text.insert(text.find("</DataArchiver>"), saves_too);
     std::ofstream(folder_ / "deck.ups") << text;
-  }
-  // The archive of a run into a folder of this name.
-  fs::path run(const std::string& name, const std::string& arguments, int ranks = 1) const {
-    const fs::path folder = folder_ / name;
-    fs::create_directories(folder);
-    std::string command = std::string(SLUICE_COMMAND) + " run -o " + folder.string() + " " +
-                          arguments + " > " + (folder / "said").string() + " 2>&1";
-    if (ranks > 1)
-      command = std::string(SLUICE_MPIEXEC) + " --allow-run-as-root --oversubscribe -np " +
-                std::to_string(ranks) + " " + command;
-    const int status = std::system(command.c_str());
-    EXPECT_EQ(status, 0) << text_of(folder / "said");
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.is_directory() && !entry.is_symlink()) return entry.path();
-    ADD_FAILURE() << "no archive";
-    return {};
   }
   std::string deck() const { return (folder_ / "deck.ups").string(); }
 
@@ -92,15 +75,6 @@ class AnalysisRuns : public ::testing::Test {
     }
     return found;
   }
-
-  // All outputs and the last checkpoints, those of statistics among them.
-  static void expect_same_fields(const fs::path& a, const fs::path& b) {
-    const std::string compare = std::string(SLUICE_COMMAND) + " compare --common-times --quiet " +
-                                a.string() + " " + b.string();
-    EXPECT_EQ(std::system(compare.c_str()), 0);
-  }
-
-  TemporaryFolder folder_;
 };
 
 // The change of what is held between two lines is what the rates of the second say: columns of
@@ -337,7 +311,7 @@ TEST_F(AnalysisRuns, NeitherRanksNorBoxesNorThreadsShow) {
   const auto whole = samples(a);
   EXPECT_GT(whole.size(), 50u);
   EXPECT_EQ(whole, samples(b));
-  expect_same_fields(a, b);
+  expect_same(a, b);
 }
 
 // On levels that move, with the model that looks farthest around a cell.
@@ -350,7 +324,7 @@ TEST_F(AnalysisRuns, StressBelowTheGridIsTheSameForAnyBoxes) {
   const fs::path a = run("a", deck() + eddies);
   const fs::path b =
       run("b", deck() + eddies + " --set Grid/Level/Box/patches=[3,2,1] --threads 2", 3);
-  expect_same_fields(a, b);
+  expect_same(a, b);
   EXPECT_EQ(samples(a), samples(b));
   const auto extremes = lines_of(a / "MinMax/L-0/SGS_uv_vw_wu_0");
   ASSERT_EQ(extremes.back().size(), 7u);  // time, three least, three most
@@ -366,7 +340,7 @@ TEST_F(AnalysisRuns, ARestartGoesOnAsIfNothingHadHappened) {
   const fs::path first = run("b", deck() + checkpoints + " --max-steps 8");
   const fs::path second = run("c", "--restart " + first.string() + " --set Time/maxTime=0.6");
   EXPECT_EQ(samples(whole), samples(second));
-  expect_same_fields(whole, second);
+  expect_same(whole, second);
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/command_test_support.hpp"
-#include "framework/base/temporary_folder.hpp"
+#include "app/archive_runs_test_support.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::coupled_bits_test {
@@ -14,31 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CoupledBits : public testing::TestWithParam<const char*> {
- protected:
-  fs::path run(const std::string& name, const std::string& arguments, int ranks = 1) const {
-    const fs::path folder = folder_ / name;
-    fs::create_directories(folder);
-    std::string command =
-        std::string(SLUICE_COMMAND) + " run -o " + folder.string() + " " + arguments;
-    if (ranks > 1)
-      command = std::string(SLUICE_MPIEXEC) + " --allow-run-as-root --oversubscribe -np " +
-                std::to_string(ranks) + " " + command;
-    const Outcome outcome = run_in_shell(command);
-    EXPECT_EQ(outcome.status, 0) << outcome.text;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.is_directory() && !entry.is_symlink()) return entry.path();
-    ADD_FAILURE() << "no archive";
-    return {};
-  }
-  static void expect_same(const fs::path& a, const fs::path& b) {
-    const Outcome outcome = run_in_shell(std::string(SLUICE_COMMAND) + " compare --common-times " +
-                                         a.string() + " " + b.string());
-    EXPECT_EQ(outcome.status, 0) << outcome.text;
-  }
-
-  TemporaryFolder folder_;
-};
+class CoupledBits : public ArchiveRuns, public testing::WithParamInterface<const char*> {};
 
 TEST_P(CoupledBits, AreTheSameOnRanksAndAfterARestart) {
   const std::string end = " --set Time/maxTime=0.0006 --set DataArchiver/outputInterval=0.0003";
