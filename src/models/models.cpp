@@ -241,17 +241,19 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
                          fmt::format("two models bring a variable {}", label),
                          "give each scalar a name of its own");
   });
+  const std::vector<std::string> scalars = scalar_variables(root);
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     const DeckNode* clones = parameters.child("cloneVariables");
     if (entry.labels != tracer_labels || clones == nullptr) return;
     for (const DeckNode* clone : clones->all("CCVarLabel")) {
       const std::string label = clone->attribute("label").value_or("");
-      if (!label.starts_with("scalar-") || !labels.contains(label))
+      if (!label.starts_with("scalar-") ||
+          std::find(scalars.begin(), scalars.end(), label) == scalars.end())
         add_error(faults, clone->where,
                   fmt::format("<CCVarLabel label=\"{}\">: particles have copies of scalars of the "
                               "deck's models alone",
                               label),
-                  suggest_name(label, {labels.begin(), labels.end()}));
+                  suggest_name(label, scalars));
     }
   });
 }
@@ -290,6 +292,14 @@ std::vector<std::string> save_labels(const DeckNode& root) {
     if (entry.labels == nullptr) return;
     for (std::string& label : entry.labels(parameters)) labels.push_back(std::move(label));
   });
+  return labels;
+}
+
+std::vector<std::string> scalar_variables(const DeckNode& root) {
+  std::vector<std::string> labels = save_labels(root);
+  const std::set<std::string> all(labels.begin(), labels.end());
+  std::erase_if(labels,
+                [&](const std::string& label) { return !all.contains("totalSum_" + label); });
   return labels;
 }
 

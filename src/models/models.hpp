@@ -68,5 +68,7 @@ std::vector<SolidBurn> read_burns(const DeckNode& root, const MaterialNames& mat
 bool all_built(const DeckNode& root);
 // Variables that the models of this deck bring and that can be saved, beside the component's own.
 std::vector<std::string> save_labels(const DeckNode& root);
+// Those of them that the flow transports, as "scalar-f": a label with a total over the domain.
+std::vector<std::string> scalar_variables(const DeckNode& root);
 
 }  // namespace sluice::models

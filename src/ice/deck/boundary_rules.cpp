@@ -38,20 +38,6 @@ bool is_scalar(const std::string& name) {
   return name.rfind("scalar-", 0) == 0 || name == models::cumulative_energy;
 }
 
-// "scalar-f" for each scalar of the deck's models; its saved source and its decay coefficient,
-// "scalar-f_src" and "scalar-f_expDecayCoef", are no variables of the flow.
-std::vector<std::string> scalar_variables(const DeckNode& root) {
-  std::vector<std::string> names = models::save_labels(root);
-  std::erase_if(names, [](const std::string& name) { return !is_scalar(name); });
-  const std::vector<std::string> all = names;
-  std::erase_if(names, [&](const std::string& name) {
-    return std::any_of(all.begin(), all.end(), [&](const std::string& scalar) {
-      return name == scalar + "_src" || name == scalar + "_expDecayCoef";
-    });
-  });
-  return names;
-}
-
 bool is_listed(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -216,7 +202,7 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* conditions = root.find("Grid/BoundaryConditions");
   if (!runs_ice(root) || conditions == nullptr) return;
   const auto materials = static_cast<int>(ice_materials(root).size());
-  const std::vector<std::string> scalars = scalar_variables(root);
+  const std::vector<std::string> scalars = models::scalar_variables(root);
   const bool has_default = conditions->child("DefaultMaterial") != nullptr;
   for (const DeckNode* face : conditions->all("Face")) {
     for (const DeckNode* condition : face->all("BCType")) {
@@ -236,7 +222,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   const auto materials = static_cast<int>(ice_materials(root).size());
   const int first = solids_beside_ice(root);
   const auto periodic = periodic_directions(*grid);
-  const std::vector<std::string> scalars = scalar_variables(root);
+  const std::vector<std::string> scalars = models::scalar_variables(root);
   for (std::size_t s = 0; s < 6; ++s) {
     if (periodic[s / 2]) continue;
     std::vector<const DeckNode*> whole;
