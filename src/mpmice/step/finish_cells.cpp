@@ -1,8 +1,9 @@
 // Behind the sweep: from amounts of cells to the state of the fluid in them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "ice/step/step_bounds.hpp"
 #include "mpmice/step/fluid_cells.hpp"
@@ -165,37 +166,43 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
   return count == 1 || laws.equilibrate({M, V, E}).failed < 0;
 }
 
-// Cells without fluid hold the mean of the states around them, two layers deep.
+// Cells without fluid hold the mean of the states around them, two layers deep; where there are
+// scalars, which change by themselves, all the way.
 template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
-  std::vector<std::uint8_t> known(frame_.box.cells(), 0);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
-    known[i] = amounts_.near[i] != 0 && amounts_.volume[i] > 0 ? 1 : 0;
+  filled_.assign(frame_.box.cells(), 0);
+  std::vector<std::pair<Cell<D>, std::size_t>> dry;
+  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+    if (!(amounts_.volume[i] > 0))
+      dry.emplace_back(c, i);
+    else if (amounts_.near[i] != 0)
+      filled_[i] = 1;
   });
   std::vector<Column*> columns;
   settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
-  // Scalars change by themselves: all cells that a solid fills follow.
-  const int layers = settled_.scalar.empty() ? 2 : std::numeric_limits<int>::max();
-  for (int layer = 0; layer < layers; ++layer) {
-    std::vector<std::size_t> found;
-    for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
-      if (amounts_.volume[i] > 0 || known[i] != 0) return;
-      std::vector<std::size_t> around;
-      for_each_neighbour(c, [&](std::size_t j) {
-        if (known[j] != 0) around.push_back(j);
-      });
-      if (around.empty()) return;
-      for (Column* column : columns) {
-        double sum = 0;
-        for (const std::size_t j : around) sum += (*column)[j];
-        (*column)[i] = sum / static_cast<double>(around.size());
-      }
-      found.push_back(i);
+  std::vector<std::size_t> around;
+  // What the cells around hold; false: nothing is known there.
+  const auto fill = [&](const Cell<D>& c, std::size_t i) {
+    around.clear();
+    for_each_neighbour(c, [&](std::size_t j) {
+      if (filled_[j] != 0) around.push_back(j);
     });
-    if (found.empty()) break;
-    for (const std::size_t i : found) known[i] = 1;
+    if (around.empty()) return false;
+    for (Column* column : columns) {
+      double sum = 0;
+      for (const std::size_t j : around) sum += (*column)[j];
+      (*column)[i] = sum / static_cast<double>(around.size());
+    }
+    return true;
+  };
+  const bool all = !settled_.scalar.empty();
+  for (int layer = 0; all || layer < 2; ++layer) {
+    const auto found = std::partition(
+        dry.begin(), dry.end(), [&](const auto& cell) { return !fill(cell.first, cell.second); });
+    if (found == dry.end()) return;
+    for (auto cell = found; cell != dry.end(); ++cell) filled_[cell->second] = 1;
+    dry.erase(found, dry.end());
   }
-  filled_ = std::move(known);
 }
 
 // Into the new state. Cells deep in a solid keep what they had.
