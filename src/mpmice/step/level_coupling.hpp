@@ -60,7 +60,8 @@ class LevelCoupling final : public Coupling {
   void begin_burning();
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
   void burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
-                     Column& shares) const;
+                     Column& shares);
+  void store_burning(const StageScope& scope, int slot);
   void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
   void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
   double hottest_fluid(const Cell<D>& c, bool around) const;
@@ -108,6 +109,7 @@ class LevelCoupling final : public Coupling {
   std::vector<models::SolidBurn> burns_;
   BurnedSums burned_;
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
+  CellSums<D> burning_;           // of a law: pieces of surface that burn in each cell
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
