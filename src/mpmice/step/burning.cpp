@@ -87,9 +87,10 @@ void LevelCoupling<D>::store_burning(const StageScope& scope, int slot) {
   burning_.sum_over_ranks(*scope.ranks);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView to = state.view(slot, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
-      if (burning_.lane(0)[frame_.box.index(frame_.cell(c))] > 0) to(c) = 1;
-    });
+    for_each_cell(frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells),
+                  [&](IntVec3 c) {
+                    if (burning_.lane(0)[frame_.box.index(frame_.cell(c))] > 0) to(c) = 1;
+                  });
   }
 }
 
@@ -106,7 +107,7 @@ void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBu
   const models::JwlPp* law = &*exchange.by_pressure;
   Column reactant, pressure;
   mean_in_cells(scope, burn.solid, reactant, pressure);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!(reactant[i] > 0) || amounts_.near[i] == 0) return;
     const double theta = fields_.theta_next[i], V = wet(i) ? amounts_.volume[i] : 0.0;
     const double p = (V * fields_.pressure[i] + theta * pressure[i]) / (V + theta);
@@ -248,7 +249,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
   }
   sums.sum_over_ranks(*scope.ranks);
   const double to_density = most_mass * most_parts<D> / frame_.cell_volume;
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (sums.lane(mass)[i] == 0) return;
     const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };
     std::array<double, 3> P{};
@@ -371,7 +372,7 @@ template <int D>
 Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
   for (SolidSet<D>& s : sets_) weigh_faces(s);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];
     if (opened == 0) return;
     amounts_.volume[i] = volume;
