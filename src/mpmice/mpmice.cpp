@@ -33,10 +33,11 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 }
 
 // The coupling takes particles that carry their corners, whatever basis the deck names.
-mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns) {
+mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns,
+                           const Level& level) {
   for (const models::SolidBurn& burn : burns)
     solids.materials[static_cast<std::size_t>(burn.solid)].burns = true;
-  solids.carry_corners();
+  solids.carry_corners(level.active);
   solids.whole_kicks = true;
   return solids;
 }
@@ -64,7 +65,7 @@ void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids) {
 MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
                std::vector<models::SolidBurn> burns)
     : scene_(scene),
-      solids_(scene, with_corners(std::move(solids), burns)),
+      solids_(scene, with_corners(std::move(solids), burns, scene.grid.levels.front())),
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))),
       burns_(std::move(burns)),
       burning_(scene, burns_) {
