@@ -370,7 +370,7 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
 // theta and a once more, with what is left of the particles. The products fill what opens.
 template <int D>
 Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
-  for (SolidSet<D>& s : sets_) weigh_faces(s);
+  find_all_faces(scope, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];

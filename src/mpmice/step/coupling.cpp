@@ -40,7 +40,8 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     s.columns = &solids.carried()[k].columns;
     s.part = solids.carried()[k].filled;
     s.set = &sets[k];
-    find_faces<D>(frame, s, false);
+    read_filled<D>(s);
+    find_faces<D>(frame, s, false, outer_faces_of<D>(s));
     if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
     at_sides.add(s.outer_at_sides, true, When::start);
     at_sides.add(s.inner_at_sides, false, When::start);

@@ -29,6 +29,7 @@ class LevelCoupling final : public Coupling {
 
  private:
   void list_sets(const StageScope& scope);
+  void find_all_faces(const StageScope& scope, bool moved);
   CellBox<D> cells_of_solids(const StageScope& scope, bool moved) const;
   CellBox<D> cells_kept_closed(const StageScope& scope) const;
   void add_geometry(const StageScope& scope, When when, Column& theta,

@@ -61,12 +61,10 @@ CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std:
   return to;
 }
 
-// Bits of the faces over which surfaces are summed: those that no other particle shares; of
-// particles that burn all, since a neighbour may be solid in another part.
+// Bits of the faces that no other particle shares.
 template <int D>
-std::vector<std::uint8_t> faces_in_sums(const SolidSet<D>& s) {
-  std::vector<std::uint8_t> faces(s.set->size(), (1 << faces_of_particle<D>)-1);
-  if (s.part >= 0) return faces;
+std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
+  std::vector<std::uint8_t> faces(s.set->size());
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < faces.size(); ++p) faces[p] = static_cast<std::uint8_t>(bits[p]);
   return faces;
@@ -104,19 +102,23 @@ std::vector<std::uint8_t> at_sides(const Frame<D>& frame, const CornerColumns<D>
   return found;
 }
 
-// Finds the outer faces of a set, at both ends of the step where `moved`.
+// What is left of particles that burn, as the step begins.
 template <int D>
-void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved) {
+void read_filled(SolidSet<D>& s) {
+  if (s.part < 0) return;
+  const double* filled = s.set->column(static_cast<std::size_t>(s.part));
+  s.filled.assign(filled, filled + s.set->size());
+}
+
+// Takes the faces of a set with these bits, at both ends of the step where `moved`.
+template <int D>
+void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved,
+                std::vector<std::uint8_t> outer) {
   CellUnits<D> units;
-  if (!moved && s.part >= 0) {
-    const double* filled = s.set->column(static_cast<std::size_t>(s.part));
-    s.filled.assign(filled, filled + s.set->size());
-  }
   for (std::size_t a = 0; a < D; ++a) {
     units.origin[a] = frame.anchor[frame.direction[a]];
     units.inverse[a] = 1 / frame.spacing[frame.direction[a]];
   }
-  std::vector<std::uint8_t> outer = faces_in_sums(s);
   const CornerColumns<D> from = corner_columns<D>(frame, *s.columns, *s.set);
   const CornerColumns<D> to = moved ? corner_columns<D>(frame, *s.columns, *s.next) : from;
   const CornerColumns<D>* end = moved ? &to : nullptr;

@@ -6,6 +6,7 @@
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
+#include "mpmice/step/partly_burned.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -109,6 +110,18 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
   for (Column& a : covered) clean_covered_parts(a);
 }
 
+// With inner faces where particles have burned in part.
+template <int D>
+void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
+  if (burns_.empty()) {
+    for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, moved, outer_faces_of<D>(s));
+    return;
+  }
+  PartlyBurned<D> burned;
+  burned.find(frame_, sets_, moved, *scope.ranks);
+  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, moved, burned.faces_in_sums(frame_, s));
+}
+
 // What the last step left is what this one begins with: the geometry, but for pockets that are
 // kept open and gaps that hold no fluid.
 template <int D>
@@ -133,7 +146,8 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   CellBox<D> near = solids_at_start_;
   near.include(cells_kept_closed(scope));
   frame_.look_at(near);
-  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
+  for (SolidSet<D>& s : sets_) read_filled<D>(s);
+  find_all_faces(scope, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
   take_kept_fractions(scope);
   mean_over_surfaces(scope);
@@ -227,6 +241,9 @@ template CellBox<3> LevelCoupling<3>::cells_of_solids(const StageScope&, bool) c
 template CellBox<1> LevelCoupling<1>::cells_kept_closed(const StageScope&) const;
 template CellBox<2> LevelCoupling<2>::cells_kept_closed(const StageScope&) const;
 template CellBox<3> LevelCoupling<3>::cells_kept_closed(const StageScope&) const;
+template void LevelCoupling<1>::find_all_faces(const StageScope&, bool);
+template void LevelCoupling<2>::find_all_faces(const StageScope&, bool);
+template void LevelCoupling<3>::find_all_faces(const StageScope&, bool);
 template void LevelCoupling<1>::add_geometry(const StageScope&, When, Column&,
                                              std::array<Column, 1>&);
 template void LevelCoupling<2>::add_geometry(const StageScope&, When, Column&,

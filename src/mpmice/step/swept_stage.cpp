@@ -26,7 +26,7 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
     *scope.reason = fmt::format("a solid moves by more than {} cells", Frame<D>::most_move);
     return Verdict::reject;
   }
-  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, true);
+  find_all_faces(scope, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   swept_.begin(frame_.box);
   for (const SolidSet<D>& s : sets_)
