@@ -265,21 +265,6 @@ class MixedCells : public MaterialCells<D> {
   double* defect_;
 };
 
-// Runs of cells that no solid touches.
-template <class F>
-void for_each_untouched(const Row& row, const TouchedCells& touched, int first, int count, F&& f) {
-  const double* cells = row(touched.cells);
-  for (int i = first; i < first + count;) {
-    if (cells[i] != 0) {
-      ++i;
-      continue;
-    }
-    const int begin = i;
-    while (i < first + count && cells[i] == 0) ++i;
-    f(begin, i - begin);
-  }
-}
-
 // Touched cells hold the old state, while the row is looked at.
 void hold_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
   const double* cells = row(h.touched.cells);
@@ -382,7 +367,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
       if (h.touched.any) {
         MixedCells<D, C> mixed(row, h, o, laws);
         for_each_run(runs, n, [&](int from, int number, double pure) {
-          for_each_untouched(row, h.touched, from, number, [&](int first, int count) {
+          for_each_untouched(row(h.touched.cells), from, number, [&](int first, int count) {
             if (pure < 0.0)
               mixed.run(first, count, count);
             else if (alone(first, count, pure))
