@@ -9,8 +9,9 @@
 //   M_m' = V M_m + sum FM,  V_m' = V_m V_L + sum FV,  E_m' = E_mL + sum FE     per cell volume
 //
 // A cell without fluid gives the mixture that it takes in: of any other it would give what it does
-// not have. What the kinetic energy leaves is told apart, until the cell is settled. All other cells
-// take the rules of mixture/, to the bit.
+// not have. One that gives its old state (step/walled_donors.hpp) keeps V_m V in place of V_m V_L,
+// which may be anything then. What the kinetic energy leaves is told apart, until the cell is
+// settled. All other cells take the rules of mixture/, to the bit.
 #pragma once
 #include "ice/mixture/variables.hpp"
 #include "ice/walls/variables.hpp"
