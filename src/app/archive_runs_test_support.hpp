@@ -19,9 +19,7 @@ class ArchiveRuns : public testing::Test {
     std::filesystem::create_directories(folder);
     std::string command =
         std::string(SLUICE_COMMAND) + " run -o " + folder.string() + " " + arguments;
-    if (ranks > 1)
-      command = std::string(SLUICE_MPIEXEC) + " --allow-run-as-root --oversubscribe -np " +
-                std::to_string(ranks) + " " + command;
+    if (ranks > 1) command = on_ranks(ranks) + command;
     const Outcome outcome = run_in_shell(command);
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     for (const auto& entry : std::filesystem::directory_iterator(folder))

@@ -31,6 +31,13 @@ inline Outcome run_in_shell(const std::string& line) {
   return outcome;
 }
 
+// What starts a command on so many ranks, before its words. A process that has used MPI alone, as
+// solvers do in tests, tells its children that they are alone too; the launcher must not hear that.
+inline std::string on_ranks(int ranks) {
+  return "env -u OMPI_MCA_ess " SLUICE_MPIEXEC " --allow-run-as-root --oversubscribe -np " +
+         std::to_string(ranks) + " ";
+}
+
 // Of a file; nothing where there is none.
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -214,10 +214,9 @@ TEST(OwnExamples, SameBitsOnTwoRanks) {
     const DeckRun alone(own_deck(name), {"--set", options});
     const TemporaryFolder folder(TemporaryFolder::Place::disk);
     const std::string record = (folder / "run.json").string();
-    const Outcome outcome = run_in_shell(
-        SLUICE_MPIEXEC " --allow-run-as-root --oversubscribe -np 2 " SLUICE_COMMAND " run " +
-        own_deck(name) + " --set " + options + " -o " + folder.string() +
-        " --progress none --json " + record);
+    const Outcome outcome =
+        run_in_shell(on_ranks(2) + SLUICE_COMMAND " run " + own_deck(name) + " --set " + options +
+                     " -o " + folder.string() + " --progress none --json " + record);
     ASSERT_EQ(outcome.status, 0) << name << outcome.text;
     const std::string shared = nlohmann::json::parse(text_of(record)).at("archive");
     const Outcome same = run_sluice({"compare", alone.archive(), shared, "--histories"});

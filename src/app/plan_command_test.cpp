@@ -199,15 +199,12 @@ TEST_F(PlanCommand, PredictsTheMemoryThatAllRanksTake) {
   std::vector<std::string> planning = words;
   planning.insert(planning.end(), {"--ranks", "2"});
   const json planned = plan(planning);
-  ProcessRequest request;
   const std::string report = (folder_ / "run.json").string();
-  request.words = {
-      SLUICE_MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-np", "2", SLUICE_COMMAND, "run"};
-  request.words.insert(request.words.end(), words.begin(), words.end());
-  request.words.insert(request.words.end(),
-                       {"--max-steps", "1", "-o", folder_.string(), "--json", report});
-  request.output = folder_ / "said";
-  ASSERT_EQ(run_process(request), 0) << text_of(request.output);
+  std::string line = on_ranks(2) + SLUICE_COMMAND + " run";
+  for (const std::string& word : words) line += " '" + word + "'";
+  const Outcome ran =
+      run_in_shell(line + " --max-steps 1 -o " + folder_.string() + " --json " + report);
+  ASSERT_EQ(ran.status, 0) << ran.text;
   const double measured = json::parse(text_of(report)).at("peak_memory_bytes").get<double>();
   // Planned and measured: 2.55e8 and 2.55e8.
   EXPECT_NEAR(planned.at("memory").at("all_ranks_bytes").get<double>(), measured, 0.1 * measured);

@@ -22,9 +22,6 @@ class RunEnding : public ::testing::Test {
            "/inputs/ice/shock_tube.ups --set Grid/Level/Box/resolution=[40,1,1] -o " +
            folder_.path().string() + " " + more;
   }
-  static std::string on_ranks(const std::string& command) {
-    return std::string(SLUICE_MPIEXEC) + " --allow-run-as-root --oversubscribe -np 2 " + command;
-  }
   // Starts the command, sends a signal to `whom` (from $p, the process started) once it steps, and
   // ends with its status.
   Outcome signalled(const std::string& command, const std::string& signal,
@@ -85,7 +82,7 @@ TEST_F(RunEnding, StepsThatWereAskedForAreAGoodEndWithACheckpoint) {
 }
 
 TEST_F(RunEnding, RanksThatRunOutOfTimeEndWith4) {
-  const Outcome outcome = run_in_shell(on_ranks(run("--wall-limit 1e-9")));
+  const Outcome outcome = run_in_shell(on_ranks(2) + run("--wall-limit 1e-9"));
   EXPECT_EQ(outcome.status, 4) << outcome.text;
   EXPECT_TRUE(has_checkpoint());
   EXPECT_THAT(last_line(outcome.text), HasSubstr("mpirun -np 2 sluice run --restart /"));
@@ -93,14 +90,14 @@ TEST_F(RunEnding, RanksThatRunOutOfTimeEndWith4) {
 
 // The launcher gives its ranks a terminal, whatever its own output is.
 TEST_F(RunEnding, RanksWriteNoEscapeCodes) {
-  const Outcome outcome = run_in_shell(on_ranks(run("--max-steps 5")));
+  const Outcome outcome = run_in_shell(on_ranks(2) + run("--max-steps 5"));
   EXPECT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("Timestep "));
   EXPECT_THAT(outcome.text, Not(HasSubstr("\033")));
 }
 
 TEST_F(RunEnding, ASignalToOneRankEndsAllWith4) {
-  const Outcome outcome = signalled(on_ranks(run(endless_)), "TERM",
+  const Outcome outcome = signalled(on_ranks(2) + run(endless_), "TERM",
                                     "$(cat /proc/$p/task/*/children | awk 'NF {print $NF; exit}')");
   EXPECT_EQ(outcome.status, 4) << outcome.text;
   EXPECT_TRUE(has_checkpoint());
@@ -108,7 +105,7 @@ TEST_F(RunEnding, ASignalToOneRankEndsAllWith4) {
 
 // The status is then the launcher's.
 TEST_F(RunEnding, ASignalToTheLauncherLeavesACheckpoint) {
-  const Outcome outcome = signalled(on_ranks(run(endless_)), "USR1", "$p");
+  const Outcome outcome = signalled(on_ranks(2) + run(endless_), "USR1", "$p");
   EXPECT_NE(outcome.status, 0) << outcome.text;
   EXPECT_TRUE(has_checkpoint());
 }

@@ -282,8 +282,9 @@ void FluidPart::declare_passes(StepShape& shape,
       });
 }
 
-// What the sweep is told of solids.
-void FluidPart::add_wall_slots(std::vector<SlotInfo>& slots) const {
+std::vector<SlotInfo> FluidPart::wall_slots() const {
+  std::vector<SlotInfo> slots;
+  if (ice_.solids == 0) return slots;
   const Labels& l = labels();
   for (const Label label : {l.solid_fraction_next, l.wall_pressure})
     slots.push_back({label, options_.place(0), 1, 0});
@@ -293,11 +294,11 @@ void FluidPart::add_wall_slots(std::vector<SlotInfo>& slots) const {
          {l.covered[d], l.mean_covered[d], l.swept[d], l.solid_face_velocity[d]})
       slots.push_back({label, options_.place(0), 1, 0});
   }
+  return slots;
 }
 
 std::vector<SlotInfo> FluidPart::work_slots() const {
-  std::vector<SlotInfo> slots;
-  if (ice_.solids > 0) add_wall_slots(slots);
+  std::vector<SlotInfo> slots = wall_slots();
   if (!options_.implicit) return slots;
   slots.insert(slots.end(), {{labels().pressure_increment, options_.place(0), 1, 0},
                              {labels().pressure_correction, options_.place(0), 1, 0}});

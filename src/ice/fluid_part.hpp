@@ -41,9 +41,10 @@ class FluidPart {
   void shape_step(StepShape& shape) const;
   // The passes of a semi-implicit step up to the new state, as a part of a larger step; in each,
   // `behind_solve` (may be empty) declares what acts between the solve and the sweep.
-  void declare_passes(StepShape& shape,
-                      const std::function<void(StepShape&)>& behind_solve) const;
+  void declare_passes(StepShape& shape, const std::function<void(StepShape&)>& behind_solve) const;
   std::vector<SlotInfo> work_slots() const;
+  // Of them, what the sweep is told of solids.
+  std::vector<SlotInfo> wall_slots() const;
   int step_kinds() const;
   int step_kind(const Warehouse& old_state, int local_box, const IndexBox& cells_with_halo) const;
 
@@ -61,7 +62,6 @@ class FluidPart {
  private:
   int walled_kind() const { return step_kinds() - 1; }
   bool meets_solid(const Warehouse& state, int box, const IndexBox& cells) const;
-  void add_wall_slots(std::vector<SlotInfo>& slots) const;
 
   const Scene* scene_;
   IceScene ice_;

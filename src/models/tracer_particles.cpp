@@ -182,4 +182,27 @@ std::vector<std::string> tracer_labels(const DeckNode& parameters) {
   return labels;
 }
 
+void rename_clones(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* archiver = root.child("DataArchiver");
+  const DeckNode* models = root.child("Models");
+  if (archiver == nullptr || models == nullptr) return;
+  std::vector<std::string> known;
+  for (const DeckNode* model : models->all("Model"))
+    if (const DeckNode* tracers = model->child("TracerParticles"))
+      for (std::string& label : tracer_labels(*tracers)) known.push_back(std::move(label));
+  const auto is_known = [&](const std::string& label) {
+    return std::find(known.begin(), known.end(), label) != known.end();
+  };
+  for (const auto& save : archiver->children)
+    for (auto& [name, value] : save->attributes) {
+      if (save->name != "save" || name != "label" || !value.starts_with(prefix) || is_known(value))
+        continue;
+      const std::string now = "p.clone-" + value.substr(prefix.size());
+      if (!is_known(now)) continue;
+      add_warning(faults, save->where, fmt::format("variable {} is now {}", value, now),
+                  fmt::format("write {}", now));
+      value = now;
+    }
+}
+
 }  // namespace sluice::models

@@ -45,7 +45,7 @@ struct TracerParticles {
   std::vector<TracerRegion> start, sources;
   std::optional<TracerScalar> scalar;
   std::vector<std::string> clones;  // variables of cells that particles have copies of
-  double refine_distance = -1;  // around particles; below 0: they ask for no finer level
+  double refine_distance = -1;      // around particles; below 0: they ask for no finer level
   Location where;
 };
 
@@ -59,5 +59,8 @@ Label clone_label(const std::string& variable);
 // Variables that particles of every material have, and those of these ones beside them.
 const std::vector<std::string>& particle_variables();
 std::vector<std::string> tracer_labels(const DeckNode& parameters);
+// Old decks save the copy of a variable as p.NAME: renamed, with a warning, unless a scalar of the
+// particles has that name.
+void rename_clones(DeckNode& root, std::vector<Fault>& faults);
 
 }  // namespace sluice::models

@@ -133,9 +133,11 @@ TEST(CornerForces, ThreadsChangeNoBit) {
 TEST(CornerForces, CarryCornersTakesTheBasisOfAnyDeck) {
   SolidDeck deck = block();
   deck.flags = "<interpolator>quadraticBS</interpolator><transfer>apic</transfer>";
+  deck.objects.replace(deck.objects.find("[2,2,1]"), 7, "[2,2,2]");
   const TextRun run(deck, saves(), "taken", 1, [&](const Scene& scene, MpmScene solids) {
-    solids.carry_corners();
+    solids.carry_corners({true, true, false});
     EXPECT_EQ(solids.transfer, Transfer::affine);
+    for (const SeedObject& o : solids.materials.front().objects) EXPECT_EQ(o.per_cell.z, 1);
     return std::make_unique<Mpm>(scene, solids);
   });
   EXPECT_GT(run.report().steps, 1);

@@ -86,11 +86,11 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
 
 void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
                      Totals& totals) const {
-  totals.mass.resize(solids_.materials.size());
-  totals.amounts.resize(static_cast<std::size_t>(history_sums_.count()));
+  // Once for each level; fluids of another part may come after the solids.
+  totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
+  totals.amounts.resize(std::max(totals.amounts.size(), amount_count()));
 }
 
-// Fluids of another part may come after the solids.
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
   totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
   for (int k = 0; k < static_cast<int>(particles_.kinds().size()); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ice/fluid/labels.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "mpm/levels/solid_levels.hpp"
 #include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/step/coupling_on_levels.hpp"
@@ -32,10 +33,11 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 }
 
 // The coupling takes particles that carry their corners, whatever basis the deck names.
-mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns) {
+mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns,
+                           const Level& level) {
   for (const models::SolidBurn& burn : burns)
     solids.materials[static_cast<std::size_t>(burn.solid)].burns = true;
-  solids.carry_corners();
+  solids.carry_corners(level.active);
   solids.whole_kicks = true;
   return solids;
 }
@@ -63,9 +65,10 @@ void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids) {
 MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
                std::vector<models::SolidBurn> burns)
     : scene_(scene),
-      solids_(scene, with_corners(std::move(solids), burns)),
+      solids_(scene, with_corners(std::move(solids), burns, scene.grid.levels.front())),
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))),
-      burns_(std::move(burns)) {
+      burns_(std::move(burns)),
+      burning_(scene, burns_) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
   if (const ParticleMethod* tracers = fluid_.particles())
@@ -75,6 +78,18 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
 void MpmIce::initialise(Warehouse& state) const {
   fluid_.initialise(state);
   start_fractions(state, fluid_.part(), solids_);
+  burning_.clear(state);
+}
+
+std::vector<SlotInfo> MpmIce::work_slots() const {
+  std::vector<SlotInfo> slots = fluid_.work_slots();
+  slots.insert(slots.end(), burning_.slots().begin(), burning_.slots().end());
+  return slots;
+}
+
+void MpmIce::declare_diagnostics(TaskList& list, int level) const {
+  fluid_.declare_diagnostics(list, level);
+  burning_.declare(list, solids_.effects().size() + ice::effect_diagnostics);
 }
 
 // The step, as a table. A semi-implicit one moves the solids once to see what they sweep, which the
@@ -84,7 +99,7 @@ void MpmIce::shape_step(StepShape& shape) const {
   using mpm::SolidLevels;
   const auto solids = solids_.make_step();
   const auto coupling =
-      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids, burns_);
+      std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids, burns_, burning_);
   const auto of_solids = [&](StepShape& to, const char* name,
                              Verdict (SolidLevels::*act)(const StageScope&)) {
     to.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
@@ -188,7 +203,10 @@ void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
   for (int d = 0; d < 3; ++d) totals.momentum[d].merge(of_fluid.momentum[d]);
   totals.internal_energy.merge(of_fluid.internal_energy);
   totals.kinetic_energy.merge(of_fluid.kinetic_energy);
-  totals.amounts.insert(totals.amounts.end(), of_fluid.amounts.begin(), of_fluid.amounts.end());
+  const std::size_t first = solids_.amount_count();
+  totals.amounts.resize(first + of_fluid.amounts.size());
+  for (std::size_t n = 0; n < of_fluid.amounts.size(); ++n)
+    totals.amounts[first + n].merge(of_fluid.amounts[n]);
 }
 
 void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {

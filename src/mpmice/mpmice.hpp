@@ -7,6 +7,7 @@
 #include "framework/run/joined_particles.hpp"
 #include "ice/ice.hpp"
 #include "mpm/mpm.hpp"
+#include "mpmice/burn/burning_cells.hpp"
 
 namespace sluice::mpmice {
 
@@ -53,13 +54,11 @@ class MpmIce final : public Component {
     return fluid_.absent_value(label, material, kind);
   }
   void shape_step(StepShape& shape) const override;
-  std::vector<SlotInfo> work_slots() const override { return fluid_.work_slots(); }
+  std::vector<SlotInfo> work_slots() const override;
   void fill_work_boundary(Warehouse& state, Label label, const ThreadTeam& team) const override {
     fluid_.fill_work_boundary(state, label, team);
   }
-  void declare_diagnostics(TaskList& list, int level) const override {
-    fluid_.declare_diagnostics(list, level);
-  }
+  void declare_diagnostics(TaskList& list, int level) const override;
 
   const TransferOperators& transfer() const override { return fluid_.transfer(); }
   IntVec3 interface_depth(const Level& level) const override {
@@ -103,6 +102,7 @@ class MpmIce final : public Component {
   mpm::Mpm solids_;
   ice::Ice fluid_;
   std::vector<models::SolidBurn> burns_;
+  BurningCells burning_;
   EffectList effects_;
   std::unique_ptr<JoinedParticles> joined_;  // of solids and tracers, where there are any
 };

@@ -70,6 +70,11 @@ bool check_count(const DeckNode& coefficients, const char* kind, int materials,
   const std::size_t wanted = pairs_of(materials);
   // One material: whatever stands there has nobody to act on.
   if (values->size() == wanted || materials == 1) return true;
+  if (values->empty()) {
+    add_warning(faults, list->where, fmt::format("<{}> is empty: 0 for each pair", kind),
+                fmt::format("write {} numbers, or remove the tag", wanted));
+    return true;
+  }
   add_error(faults, list->where,
             fmt::format("<{}> has {} coefficient{}; {} materials have {} pair{}: {}", kind,
                         values->size(), values->size() == 1 ? "" : "s", materials, wanted,
@@ -175,6 +180,19 @@ double PairCoefficients::least_of_pairs() const {
   for (int m = 0; m < materials_; ++m)
     for (int n = m + 1; n < materials_; ++n) least = std::min(least, (*this)(m, n));
   return least;
+}
+
+bool PairCoefficients::bind_all(double least) const {
+  std::vector<int> bound = {0};
+  std::vector<bool> reached(static_cast<std::size_t>(materials_), false);
+  if (materials_ > 0) reached[0] = true;
+  for (std::size_t i = 0; i < bound.size() && materials_ > 0; ++i)
+    for (int n = 0; n < materials_; ++n) {
+      if (reached[static_cast<std::size_t>(n)] || (*this)(bound[i], n) < least) continue;
+      reached[static_cast<std::size_t>(n)] = true;
+      bound.push_back(n);
+    }
+  return materials_ == 0 || static_cast<int>(bound.size()) == materials_;
 }
 
 ExchangeSettings read_exchange(const DeckNode& root, int materials) {

@@ -40,8 +40,10 @@ class PairCoefficients {
     return varies_ && k > 0.0 ? k * growth_with_mass_ratio(M_m, M_n) : k;
   }
   PairCoefficients of(int first, int count) const;  // of some that follow each other
-  bool any() const;               // one pair at least exchanges
-  double least_of_pairs() const;  // 0 when there is no pair
+  bool any() const;                                 // one pair at least exchanges
+  double least_of_pairs() const;                    // 0 when there is no pair
+  // Are all bound to each other by pairs of at least this, if only through others.
+  bool bind_all(double least) const;
 
  private:
   std::size_t index(int m, int n) const {

@@ -235,23 +235,14 @@ SaveLabels ice_save_labels() {
   SaveLabels savable;
   for (const Label label : ice::own_labels())
     if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
-  savable.not_built = {"matrix",
-                       "max_RHS",
-                       "TMV_CC",
-                       "delT",
-                       "cumulativeEnergyReleased",
-                       "HeatReleaseRate",
-                       "dt_chemistry",
-                       "totalMassExchange"};
+  savable.not_built = {
+      "matrix",          "max_RHS",      "TMV_CC",           "delT", "cumulativeEnergyReleased",
+      "HeatReleaseRate", "dt_chemistry", "totalMassExchange"};
   savable.foreign = {
       {"temp_CC_Xchange", "heat passes between materials at the very end of a step",
        "save temp_CC, the temperature after it"},
       {"grad_dp_", "the pressure changes in one go, without corrections",
        "save grad_P_XFC, grad_P_YFC or grad_P_ZFC"},
-      {"mom_exch_error", "what one material gives another takes",
-       "the run's report says how far momentum is kept; save TotalMomentum"},
-      {"eng_exch_error", "what one material gives another takes",
-       "the run's report says how far energy is kept; save TotalIntEng and KineticEnergy"},
       {"eq_press_iters",
        "one pressure is found by closed forms and bracketed searches, not counted",
        "remove the line"},
@@ -263,18 +254,25 @@ SaveLabels ice_save_labels() {
   return savable;
 }
 
-// What registers hold where levels meet is no field here: such lines are dropped.
-void drop_register_labels(DeckNode& root, std::vector<Fault>& faults) {
+// What is zero by construction, of the fields that hold errors of the format's own scheme; else
+// empty.
+std::string why_zero(const std::string& label) {
+  if (label.ends_with("_FC_flux") || label.ends_with("_FC_corr"))
+    return "registers match the fluxes where levels meet";
+  if (label == "mom_exch_error" || label == "eng_exch_error")
+    return "what one material gives another takes";
+  return "";
+}
+
+void drop_labels_of_errors(DeckNode& root, std::vector<Fault>& faults) {
   DeckNode* archiver = root.child("DataArchiver");
   if (archiver == nullptr || !runs_ice(root)) return;
   std::erase_if(archiver->children, [&](const std::unique_ptr<DeckNode>& save) {
     const std::string label = save->attribute("label").value_or("");
-    if (save->name != "save" || !(label.ends_with("_FC_flux") || label.ends_with("_FC_corr")))
-      return false;
+    const std::string why = save->name == "save" ? why_zero(label) : "";
+    if (why.empty()) return false;
     add_warning(faults, save->where,
-                fmt::format("variable '{}' is no field here: registers match the fluxes where "
-                            "levels meet; dropped",
-                            label),
+                fmt::format("variable '{}' is no field here: {}; dropped", label, why),
                 "remove the line");
     return true;
   });
@@ -301,7 +299,8 @@ void add_ice_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_foreign_eos_tags);
   schema.rewrites.emplace_back(models::move_parameters);
   schema.rewrites.emplace_back(models::rename_scalar_totals);
-  schema.rewrites.emplace_back(drop_register_labels);
+  schema.rewrites.emplace_back(models::rename_clones);
+  schema.rewrites.emplace_back(drop_labels_of_errors);
   schema.rewrites.emplace_back(models::locate_tables);
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);

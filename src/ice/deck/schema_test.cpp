@@ -202,7 +202,7 @@ TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
   for (const auto& [label, advice] :
        {std::pair{"maxMach_xminus", "save mach"}, std::pair{"temp_CC_Xchange", "save temp_CC"},
         std::pair{"sp_volY_FC", "save sp_vol_CC"}, std::pair{"grad_dp_ZFC", "grad_P_ZFC"},
-        std::pair{"eng_exch_error", "TotalIntEng"}, std::pair{"eq_press_iters", "remove"}}) {
+        std::pair{"eq_press_iters", "remove"}}) {
     Sample sample;
     std::string text = sample.text();
     text.insert(text.find("</DataArchiver>"), std::string("<save label='") + label + "'/>");
@@ -212,6 +212,21 @@ TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
     const std::string said = messages(load_deck_text(text, "one.ups", {}, schema));
     EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' does not exist"));
     EXPECT_THAT(said, ::testing::HasSubstr(advice));
+  }
+}
+
+// Fields of errors that the scheme has not.
+TEST(IceSchema, DropsLabelsOfWhatIsZeroByConstruction) {
+  for (const char* label : {"mom_exch_error", "eng_exch_error", "mass_X_FC_flux"}) {
+    Sample sample;
+    std::string text = sample.text();
+    text.insert(text.find("</DataArchiver>"), std::string("<save label='") + label + "'/>");
+    Schema schema;
+    add_framework_tags(schema);
+    add_ice_tags(schema);
+    const std::string said = messages(load_deck_text(text, "one.ups", {}, schema));
+    EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' is no field"));
+    EXPECT_EQ(said.find("error:"), std::string::npos) << said;
   }
 }
 
@@ -248,6 +263,9 @@ TEST(IceSchema, CountsExchangeCoefficients) {
               HasSubstr("<momentum> has 2 coefficients; 2 materials have 1 pair: 0-1"));
   EXPECT_THAT(messages(with_a_second_material(coefficients("[1e10]", "[1,2,3]"))),
               HasSubstr("<heat> has 3 coefficients; 2 materials have 1 pair: 0-1"));
+  const std::string empty = messages(with_a_second_material(coefficients("[1e10]", "[]")));
+  EXPECT_THAT(empty, HasSubstr("warning: <heat> is empty: 0 for each pair"));
+  EXPECT_EQ(empty.find("error"), std::string::npos) << empty;
   const std::string good = messages(with_a_second_material(coefficients("[1e10]", "[0]")));
   EXPECT_EQ(good.find("coefficient"), std::string::npos) << good;
 }

@@ -104,6 +104,9 @@ void declare_walls(Labels& l) {
   l.solid_fraction_next = cell("work.solid_fraction_next", "1", "The same at the end of the step.");
   l.wall_pressure = cell("solid.wall_pressure", "Pa",
                          "Pressure between the fluid of a cell and the solid in it.");
+  l.burning_cells = cell("SteadyBurn.BurningCell", "1",
+                         "1 where surfaces of the solid of Steady_Burn lost mass in the step.");
+  l.burning_in_step = cell("work.burning", "1", "The same, while steps are taken.");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const std::string axis = axes[d];

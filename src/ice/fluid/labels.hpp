@@ -27,6 +27,7 @@ struct Labels {
   // Where solids stand in the fluid: walls/variables.hpp.
   Label solid_fraction, solid_fraction_next, wall_pressure;
   Label covered[3], mean_covered[3], swept[3], solid_face_velocity[3];
+  Label burning_cells, burning_in_step;  // as saved; as kept
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

@@ -1,5 +1,7 @@
 #include "mpm/account/history_sums.hpp"
 
+#include <algorithm>
+
 #include "mpm/account/face_sums.hpp"
 
 namespace sluice::mpm {
@@ -63,7 +65,7 @@ void HistorySums::add_set(const Entry& entry, const Level& level, int kind, cons
 
 void HistorySums::add(const ParticleCloud& cloud, const std::vector<Carried>& carried,
                       Totals& totals) const {
-  totals.amounts.resize(static_cast<std::size_t>(count_));
+  totals.amounts.resize(std::max(totals.amounts.size(), static_cast<std::size_t>(count_)));
   for (const Entry& e : entries_)
     for (int k = 0; k < static_cast<int>(carried.size()); ++k) {
       const ParticleStore& store = cloud.store(k);

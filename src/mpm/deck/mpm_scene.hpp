@@ -132,11 +132,16 @@ struct MpmScene {
   bool maps_back() const { return basis == Basis::linear && musl; }
   bool carries_corners() const { return basis == Basis::carried; }
   // For those who need corners whatever the deck's basis is. Before the scene is used; what
-  // corners have no form of gives way.
-  void carry_corners() {
+  // corners have no form of gives way. Along directions of one cell a particle has no corners: it
+  // fills the cell, and is one whatever <res> says.
+  void carry_corners(const std::array<bool, 3>& active) {
     basis = Basis::carried;
     total_lagrangian = false;
     if (transfer == Transfer::apic) transfer = Transfer::affine;
+    for (SolidMaterial& m : materials)
+      for (SeedObject& o : m.objects)
+        for (int d = 0; d < 3; ++d)
+          if (!active[static_cast<std::size_t>(d)]) o.per_cell[d] = 1;
   }
   bool total_lagrangian = false;
   double cpdi_limit = 1e300;  // cells

@@ -55,6 +55,7 @@ class CellSums {
   // Values of a lane into an array over the box, zero outside of reached().
   void values(int lane, std::vector<double>& to) const;
 
+  int lanes() const { return cells_ > 0 ? static_cast<int>(sums_.size() / cells_) : 0; }
   const CellBox<D>& box() const { return box_; }
   const CellBox<D>& reached() const { return reached_; }
   std::uint64_t* lane(int i) { return sums_.data() + static_cast<std::size_t>(i) * cells_; }

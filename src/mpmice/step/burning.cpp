@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
+#include "ice/fluid/labels.hpp"
 #include "mpmice/burn/burn_law.hpp"
 #include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
@@ -44,8 +45,9 @@ double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
 // Shares of the particles' masses that their surfaces lose.
 template <int D>
 void LevelCoupling<D>::burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
-                                     Column& shares) const {
+                                     Column& shares) {
   std::vector<ExposedArea<D>> exposed(s.set->size());
+  const bool marks = burning_.lanes() > 0;
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
@@ -69,10 +71,27 @@ void LevelCoupling<D>::burn_surfaces(const models::SolidBurn& burn, const SolidS
                       std::array<double, D> area = piece.area;
                       for (int d = 0; d < D; ++d)
                         area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
-                      exposed[p].add(s.faces.face[i], area, surface_flux(burn, at));
+                      const double flux = surface_flux(burn, at);
+                      if (flux > 0 && marks) ++burning_.lane(0)[k];
+                      exposed[p].add(s.faces.face[i], area, flux);
                     });
   for (std::size_t p = 0; p < shares.size(); ++p)
     if (s.stays[p] > 0) shares[p] = dt * exposed[p].flow() / (mass[p] * s.stays[p]);
+}
+
+// For the archive, by all ranks' pieces of surface.
+template <int D>
+void LevelCoupling<D>::store_burning(const StageScope& scope, int slot) {
+  Warehouse& state = scope.levels.front()->state();
+  burning_.reach(frame_.box);
+  burning_.sum_over_ranks(*scope.ranks);
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView to = state.view(slot, 0, b);
+    for_each_cell(frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells),
+                  [&](IntVec3 c) {
+                    if (burning_.lane(0)[frame_.box.index(frame_.cell(c))] > 0) to(c) = 1;
+                  });
+  }
 }
 
 // Of what burns everywhere: the share that burns in each cell.
@@ -88,7 +107,7 @@ void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBu
   const models::JwlPp* law = &*exchange.by_pressure;
   Column reactant, pressure;
   mean_in_cells(scope, burn.solid, reactant, pressure);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!(reactant[i] > 0) || amounts_.near[i] == 0) return;
     const double theta = fields_.theta_next[i], V = wet(i) ? amounts_.volume[i] : 0.0;
     const double p = (V * fields_.pressure[i] + theta * pressure[i]) / (V + theta);
@@ -230,7 +249,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
   }
   sums.sum_over_ranks(*scope.ranks);
   const double to_density = most_mass * most_parts<D> / frame_.cell_volume;
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (sums.lane(mass)[i] == 0) return;
     const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };
     std::array<double, 3> P{};
@@ -313,6 +332,8 @@ template <int D>
 bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
   Column in_cells;
   if (!burns_surfaces(burn)) burn_cells(scope, burn, in_cells);
+  const int kept = scope.levels.front()->state().find(ice::labels().burning_in_step, burn.solid);
+  burning_.begin(frame_.box, kept < 0 ? 0 : 1);
   std::vector<Column> shares(sets_.size());
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     const SolidSet<D>& s = sets_[n];
@@ -327,6 +348,7 @@ bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn&
       for_each_part<D>(frame_, x, *s.next, p,
                        [&](std::size_t i) { shares[n][p] += in_cells[i] / (1 << D); });
   }
+  if (kept >= 0) store_burning(scope, kept);
   return give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
 }
 
@@ -350,7 +372,7 @@ template <int D>
 Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
   for (SolidSet<D>& s : sets_) weigh_faces(s);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];
     if (opened == 0) return;
     amounts_.volume[i] = volume;

@@ -20,19 +20,26 @@ auto dispatch(const Level& level, F&& f) {
 
 template <int D>
 void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
-  const Frame<D> frame(state.level());
+  Frame<D> frame(state.level());
+  const auto& particles = *solids.particles();
+  std::vector<ParticleSet> sets;
+  CellBox<D> cells;
+  for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
+    ParticleSet& set = sets.emplace_back(particles.kinds()[static_cast<std::size_t>(k)].columns());
+    particles.start(k, state.level(), state.level().domain, set);
+    const mpm::Columns& c = solids.carried()[static_cast<std::size_t>(k)].columns;
+    cells.include(cells_of<D>(frame, corner_columns<D>(frame, c, set), set.size()));
+  }
+  frame.look_at(cells);
   SolidSums<D> sums;
   sums.begin(frame.box);
   CoveredSides<D> at_sides;
   at_sides.begin(frame.box, frame.sides());
-  const auto& particles = *solids.particles();
-  for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
-    ParticleSet set(particles.kinds()[static_cast<std::size_t>(k)].columns());
-    particles.start(k, state.level(), state.level().domain, set);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
     SolidSet<D> s;
-    s.columns = &solids.carried()[static_cast<std::size_t>(k)].columns;
-    s.part = solids.carried()[static_cast<std::size_t>(k)].filled;
-    s.set = &set;
+    s.columns = &solids.carried()[k].columns;
+    s.part = solids.carried()[k].filled;
+    s.set = &sets[k];
     find_faces<D>(frame, s, false);
     if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
     at_sides.add(s.outer_at_sides, true, When::start);
@@ -46,7 +53,8 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView to = state.view(slot, 0, b);
     for_each_cell(to.box, [&](IntVec3 c) {
-      to(c) = found.theta[frame.box.index(frame.mirrored(frame.cell(c)))];
+      const Cell<D> cell = frame.mirrored(frame.cell(c));
+      to(c) = frame.holds(cell) ? found.theta[frame.box.index(cell)] : 0.0;
     });
   }
 }

@@ -11,8 +11,9 @@ namespace sluice::mpmice {
 
 CouplingOnLevels::CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid,
                                    const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
-                                   const std::vector<models::SolidBurn>& burns)
-    : fluid_(&fluid), solids_(&solids) {
+                                   const std::vector<models::SolidBurn>& burns,
+                                   const BurningCells& burning)
+    : fluid_(&fluid), solids_(&solids), burning_(&burning) {
   for (const Level& level : scene.grid.levels)
     levels_.push_back(make_coupling(level, fluid, solids, step, burns));
 }
@@ -50,7 +51,7 @@ bool CouplingOnLevels::all_on_finest(const StageScope& scope) const {
 void CouplingOnLevels::clear_coarser(const StageScope& scope) const {
   for (std::size_t l = 0; l + 1 < scope.levels.size(); ++l) {
     Warehouse& state = scope.levels[l]->state();
-    std::vector<SlotInfo> slots = fluid_->work_slots();
+    std::vector<SlotInfo> slots = fluid_->wall_slots();
     slots.push_back({ice::labels().solid_fraction, fluid_->options().place(0), 1, 0});
     for (const SlotInfo& s : slots) {
       const int slot = state.find(s.label, s.material);
@@ -90,6 +91,7 @@ Verdict CouplingOnLevels::keep_work_pressure(const StageScope& scope) {
 }
 
 Verdict CouplingOnLevels::finish_cells(const StageScope& scope) {
+  for (LevelSolver* level : scope.levels) burning_->clear(level->state());
   return on_finest(scope, &Coupling::finish_cells);
 }
 

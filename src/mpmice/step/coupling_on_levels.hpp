@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "mpmice/burn/burning_cells.hpp"
 #include "mpmice/step/coupling.hpp"
 
 namespace sluice::mpmice {
@@ -12,7 +13,7 @@ class CouplingOnLevels {
  public:
   CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid, const mpm::Mpm& solids,
                    std::shared_ptr<mpm::SolidLevels> step,
-                   const std::vector<models::SolidBurn>& burns = {});
+                   const std::vector<models::SolidBurn>& burns, const BurningCells& burning);
 
   // The stages of Coupling.
   Verdict find_surfaces(const StageScope& scope);
@@ -34,6 +35,7 @@ class CouplingOnLevels {
 
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
+  const BurningCells* burning_;
   std::vector<std::unique_ptr<Coupling>> levels_;
 };
 

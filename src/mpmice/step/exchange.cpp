@@ -112,7 +112,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
     component[static_cast<std::size_t>(fluid_->options().direction[k])] = static_cast<int>(k);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double V = amounts_.volume[i], theta = fields_.theta_next[i];
     if (!(V > 0 && V < 1) || !(solid.mass[i] > 0) || amounts_.near[i] == 0) return;
     const double M = amounts_.mass_of_all(i), Ms = solid.mass[i] * to_density;

@@ -23,7 +23,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   amounts_.volume.assign(frame_.box.cells(), 1.0);
   amounts_.near.assign(frame_.box.cells(), 0);
   amounts_.touched.assign(frame_.box.cells(), 0);
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     amounts_.volume[i] = 1 - fields_.theta_next[i];
     if (!has_solid(i)) return;
     amounts_.touched[i] = 1;
@@ -33,34 +33,35 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   const Warehouse& state = scope.levels.front()->attempted();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
-      const std::size_t i = frame_.box.index(frame_.cell(at));
-      if (amounts_.near[i] == 0) return;
-      const bool solid = has_solid(i);
-      double rho = 0, squares = 0;
-      for (int m = 0; m < M; ++m) {
-        rho += cells.mass(m, at);
-        // One fluid beside a solid: its energy is told as `kinetic`.
-        const bool apart = M > 1 || !solid;
-        known_.put(first + 3 * m, i, cells.mass(m, at));
-        known_.put(first + 3 * m + 1, i, M > 1 ? cells.volume(m, at) : amounts_.volume[i]);
-        known_.put(first + 3 * m + 2, i, apart ? cells.energy(m, at) : 0.0);
-      }
-      // What a cell with a solid has is an amount already.
-      for (std::size_t s = 0; s < fluid.scalar.size(); ++s) {
-        const double carried = solid ? 1.0 : cells.mass(static_cast<int>(fluid.carrier[s]), at);
-        known_.put(scalar + static_cast<int>(s), i, carried * cells.scalar(s, at));
-      }
-      for (int c = 0; c < C; ++c) {
-        const double m = cells.momentum(c, at);
-        known_.put(momentum + c, i, m);
-        squares += m * m;
-      }
-      known_.put(kinetic, i,
-                 !solid  ? 0.5 * squares / rho
-                 : M > 1 ? cells.fraction(at)
-                         : cells.energy(0, at));
-    });
+    for_each_cell(
+        frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells), [&](IntVec3 at) {
+          const std::size_t i = frame_.box.index(frame_.cell(at));
+          if (amounts_.near[i] == 0) return;
+          const bool solid = has_solid(i);
+          double rho = 0, squares = 0;
+          for (int m = 0; m < M; ++m) {
+            rho += cells.mass(m, at);
+            // One fluid beside a solid: its energy is told as `kinetic`.
+            const bool apart = M > 1 || !solid;
+            known_.put(first + 3 * m, i, cells.mass(m, at));
+            known_.put(first + 3 * m + 1, i, M > 1 ? cells.volume(m, at) : amounts_.volume[i]);
+            known_.put(first + 3 * m + 2, i, apart ? cells.energy(m, at) : 0.0);
+          }
+          // What a cell with a solid has is an amount already.
+          for (std::size_t s = 0; s < fluid.scalar.size(); ++s) {
+            const double carried = solid ? 1.0 : cells.mass(static_cast<int>(fluid.carrier[s]), at);
+            known_.put(scalar + static_cast<int>(s), i, carried * cells.scalar(s, at));
+          }
+          for (int c = 0; c < C; ++c) {
+            const double m = cells.momentum(c, at);
+            known_.put(momentum + c, i, m);
+            squares += m * m;
+          }
+          known_.put(kinetic, i,
+                     !solid  ? 0.5 * squares / rho
+                     : M > 1 ? cells.fraction(at)
+                             : cells.energy(0, at));
+        });
   }
   known_.tell_all(*scope.ranks);
   known_.take(kinetic, amounts_.kinetic);
@@ -89,7 +90,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
   const std::size_t count = fluids.size();
   bool good = true;
   spoilt_.assign(amounts_.near.size(), 0);
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (amounts_.near[i] == 0 || !(amounts_.volume[i] > 0)) return;
     if (amounts_.touched[i] == 0) return settle_scalars(i);
     // A gap that no fluid has reached: it waits, as if it were closed.
@@ -173,7 +174,7 @@ template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
   filled_.assign(frame_.box.cells(), 0);
   std::vector<std::pair<Cell<D>, std::size_t>> dry;
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!(amounts_.volume[i] > 0))
       dry.emplace_back(c, i);
     else if (amounts_.near[i] != 0)
@@ -213,24 +214,25 @@ void LevelCoupling<D>::store(const StageScope& scope) {
   const FluidCells before(*fluid_, scope.levels.front()->state()), fluid(*fluid_, next);
   for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b), old = before.box(b);
-    for_each_cell(next.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
-      const std::size_t i = frame_.box.index(frame_.cell(at));
-      if (amounts_.touched[i] == 0) return;
-      const bool known = filled_[i] != 0;
-      for (int m = 0; m < fluid.materials(); ++m) {
-        const auto k = static_cast<std::size_t>(m);
-        cells.mass(m, at) = known ? settled_.mass[k][i] : old.mass(m, at);
-        cells.energy(m, at) = known ? settled_.energy[k][i] : old.energy(m, at);
-        if (fluid.materials() > 1)
-          cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
-      }
-      for (std::size_t s = 0; s < fluid.scalar.size(); ++s)
-        cells.scalar(s, at) = known ? settled_.scalar[s][i] : old.scalar(s, at);
-      for (int c = 0; c < fluid.components; ++c)
-        cells.momentum(c, at) =
-            known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
-      cells.fraction(at) = fields_.theta_next[i];
-    });
+    for_each_cell(
+        frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells), [&](IntVec3 at) {
+          const std::size_t i = frame_.box.index(frame_.cell(at));
+          if (amounts_.touched[i] == 0) return;
+          const bool known = filled_[i] != 0;
+          for (int m = 0; m < fluid.materials(); ++m) {
+            const auto k = static_cast<std::size_t>(m);
+            cells.mass(m, at) = known ? settled_.mass[k][i] : old.mass(m, at);
+            cells.energy(m, at) = known ? settled_.energy[k][i] : old.energy(m, at);
+            if (fluid.materials() > 1)
+              cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
+          }
+          for (std::size_t s = 0; s < fluid.scalar.size(); ++s)
+            cells.scalar(s, at) = known ? settled_.scalar[s][i] : old.scalar(s, at);
+          for (int c = 0; c < fluid.components; ++c)
+            cells.momentum(c, at) =
+                known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
+          cells.fraction(at) = fields_.theta_next[i];
+        });
   }
   next.forget();
 }
@@ -282,7 +284,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   const ice::SchemeOptions& o = fluid_->options();
   const ice::mixture::Equilibration laws(o.fluids);
   double deck = 0, flow = 0, sound = 0;
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
     double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials], rho = 0;
     for (std::size_t m = 0; m < o.fluids.size(); ++m) {

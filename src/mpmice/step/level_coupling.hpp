@@ -29,11 +29,15 @@ class LevelCoupling final : public Coupling {
 
  private:
   void list_sets(const StageScope& scope);
+  CellBox<D> cells_of_solids(const StageScope& scope, bool moved) const;
+  CellBox<D> cells_kept_closed(const StageScope& scope) const;
   void add_geometry(const StageScope& scope, When when, Column& theta,
                     std::array<Column, D>& covered);
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
   void keep_pockets();
+  bool stays_near(const CellBox<D>& end) const;
+  IndexBox seen_from(IndexBox cells) const;
   void find_pressures(const StageScope& scope, bool solved);
   void smooth_normals();
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
@@ -60,7 +64,8 @@ class LevelCoupling final : public Coupling {
   void begin_burning();
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
   void burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
-                     Column& shares) const;
+                     Column& shares);
+  void store_burning(const StageScope& scope, int slot);
   void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
   void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
   double hottest_fluid(const Cell<D>& c, bool around) const;
@@ -94,11 +99,12 @@ class LevelCoupling final : public Coupling {
   void for_each_neighbour(const Cell<D>& c, F&& act) const;
   template <class F>
   void for_each_around(const Cell<D>& c, int reach, F&& act) const;
-  // act(cell, place in the arrays) for the cells of the domain.
+  // act(cell, place in the arrays) for the cells near solids.
   template <class F>
-  void for_each_cell_of_domain(F&& act) const;
+  void for_each_cell_near(F&& act) const;
 
   Frame<D> frame_;
+  CellBox<D> solids_at_start_;  // cells in which they lie
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;
@@ -108,6 +114,7 @@ class LevelCoupling final : public Coupling {
   std::vector<models::SolidBurn> burns_;
   BurnedSums burned_;
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
+  CellSums<D> burning_;           // of a law: pieces of surface that burn in each cell
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
@@ -154,20 +161,21 @@ void LevelCoupling<D>::for_each_around(const Cell<D>& c, int reach, F&& act) con
 
 template <int D>
 template <class F>
-void LevelCoupling<D>::for_each_cell_of_domain(F&& act) const {
-  Cell<D> c = frame_.domain.lower;
+void LevelCoupling<D>::for_each_cell_near(F&& act) const {
+  const CellBox<D>& near = frame_.window;
+  Cell<D> c = near.lower;
   const auto along_x = [&] {
-    c[0] = frame_.domain.lower[0];
+    c[0] = near.lower[0];
     std::size_t i = frame_.box.index(c);
-    for (; c[0] < frame_.domain.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
+    for (; c[0] < near.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
   };
   if constexpr (D == 1) {
     along_x();
   } else if constexpr (D == 2) {
-    for (c[1] = frame_.domain.lower[1]; c[1] < frame_.domain.upper[1]; ++c[1]) along_x();
+    for (c[1] = near.lower[1]; c[1] < near.upper[1]; ++c[1]) along_x();
   } else {
-    for (c[2] = frame_.domain.lower[2]; c[2] < frame_.domain.upper[2]; ++c[2])
-      for (c[1] = frame_.domain.lower[1]; c[1] < frame_.domain.upper[1]; ++c[1]) along_x();
+    for (c[2] = near.lower[2]; c[2] < near.upper[2]; ++c[2])
+      for (c[1] = near.lower[1]; c[1] < near.upper[1]; ++c[1]) along_x();
   }
 }
 

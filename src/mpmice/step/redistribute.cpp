@@ -77,7 +77,7 @@ class Neighbourhoods {
  private:
   template <class F>
   void visit(Cell<D>& cell, std::size_t d, const F& f) {
-    for (cell[d] = frame_.domain.lower[d]; cell[d] < frame_.domain.upper[d]; ++cell[d]) {
+    for (cell[d] = frame_.window.lower[d]; cell[d] < frame_.window.upper[d]; ++cell[d]) {
       if (d == 0)
         f(cell);
       else

@@ -1,7 +1,7 @@
 // What the fluid is told of the solids in the cells of a level, and what of it solids are told.
 //
-// Arrays over a box of cells: those of the domain and layers around it, whole on every rank, so
-// that no bit depends on boxes or ranks. Directions are the active ones.
+// Arrays over a box of cells: those near solids and layers around them, whole on every rank, so that
+// no bit depends on boxes or ranks. Directions are the active ones.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -17,12 +17,15 @@ struct Frame {
   // Corners of particles of the domain lie at most so many cells beyond it; beyond periodic sides
   // particles stay a while before they are taken to the other end.
   static constexpr int layers = 2, periodic_layers = 4;
+  // Cells by which solids may move in a step, and by which what they do reaches beyond them.
+  static constexpr int most_move = 2, reach = 3;
   std::array<int, D> direction{};
   Vec3 spacing{}, anchor{};
   double cell_volume = 1;
   IntVec3 base{};  // index along directions that are not active
-  CellBox<D> domain, box;
-  std::array<bool, D> periodic{};
+  // Cells of the domain; those near solids, which a step may touch; those of the arrays.
+  CellBox<D> domain, window, box;
+  std::array<bool, D> periodic{};  // sides that solids are near
 
   explicit Frame(const Level& level) {
     int a = 0;
@@ -31,16 +34,46 @@ struct Frame {
       if (!level.active[static_cast<std::size_t>(d)]) continue;
       const auto n = static_cast<std::size_t>(a++);
       direction[n] = d;
-      periodic[n] = level.periodic[static_cast<std::size_t>(d)];
+      repeats_[n] = level.periodic[static_cast<std::size_t>(d)];
       domain.lower[n] = level.domain.lower[d];
       domain.upper[n] = level.domain.upper[d];
-      const int beyond = periodic[n] ? periodic_layers : layers;
-      box.lower[n] = domain.lower[n] - beyond;
-      box.upper[n] = domain.upper[n] + beyond;
     }
+    look_at({});
     spacing = level.spacing;
     anchor = level.anchor;
     cell_volume = level.cell_volume();
+  }
+  // To solids that lie in these cells.
+  void look_at(const CellBox<D>& solids) {
+    for (std::size_t a = 0; a < D; ++a) {
+      window.lower[a] = solids.lower[a] - (most_move + reach);
+      window.upper[a] = solids.upper[a] + (most_move + reach);
+      periodic[a] = repeats_[a] && !solids.empty() &&
+                    (window.lower[a] <= domain.lower[a] || window.upper[a] >= domain.upper[a]);
+      window.lower[a] = periodic[a] || solids.empty() ? domain.lower[a]
+                                                      : std::max(window.lower[a], domain.lower[a]);
+      window.upper[a] = periodic[a]      ? domain.upper[a]
+                        : solids.empty() ? domain.lower[a]
+                                         : std::min(window.upper[a], domain.upper[a]);
+      window.upper[a] = std::max(window.upper[a], window.lower[a]);
+      const int beyond = periodic[a] ? periodic_layers : layers;
+      box.lower[a] = window.lower[a] - beyond;
+      box.upper[a] = window.upper[a] + beyond;
+    }
+  }
+  // Those of `cells` that the arrays hold.
+  IndexBox held(IndexBox cells) const {
+    for (std::size_t a = 0; a < D; ++a) {
+      const int d = direction[a];
+      cells.lower[d] = std::max(cells.lower[d], box.lower[a]);
+      cells.upper[d] = std::max(std::min(cells.upper[d], box.upper[a]), cells.lower[d]);
+    }
+    return cells;
+  }
+  bool holds(const Cell<D>& c) const {
+    for (std::size_t a = 0; a < D; ++a)
+      if (c[a] < box.lower[a] || c[a] >= box.upper[a]) return false;
+    return true;
   }
   PeriodicSides<D> sides() const { return {domain, periodic}; }
   Cell<D> cell(IntVec3 c) const {
@@ -103,6 +136,9 @@ struct Frame {
   double face_area(int a) const {
     return cell_volume / spacing[direction[static_cast<std::size_t>(a)]];
   }
+
+ private:
+  std::array<bool, D> repeats_{};  // the level's periodic directions
 };
 
 using Column = std::vector<double>;
@@ -132,8 +168,8 @@ struct CellAmounts {
   // energy and what remapping momentum left to heat, and for one fluid alone its whole energy.
   std::vector<Column> mass, filled, energy;
   Column kinetic;
-  std::vector<Column> momentum;  // by component
-  std::vector<Column> scalar;    // of each scalar: its value times its carrier's mass
+  std::vector<Column> momentum;       // by component
+  std::vector<Column> scalar;         // of each scalar: its value times its carrier's mass
   std::vector<std::uint8_t> near;     // 1: a cell near solids, whose amounts are here
   std::vector<std::uint8_t> touched;  // 1: they become its state anew
   // 1: what is left there is no state; it is shared through covered faces too.

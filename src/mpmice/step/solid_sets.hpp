@@ -39,6 +39,28 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
   return to;
 }
 
+// The cells in which particles of a set lie, with these corners.
+template <int D>
+CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t count) {
+  CellBox<D> to;
+  if (count == 0) return to;
+  for (std::size_t a = 0; a < D; ++a) {
+    const int d = frame.direction[a];
+    double low = 1e300, high = -1e300;
+    for (const auto& corner : corners)
+      for (std::size_t p = 0; p < count; ++p) {
+        low = std::min(low, corner[a][p]);
+        high = std::max(high, corner[a][p]);
+      }
+    const auto cell = [&](double x) {
+      return static_cast<int>(std::floor((x - frame.anchor[d]) / frame.spacing[d]));
+    };
+    to.lower[a] = cell(low);
+    to.upper[a] = cell(high) + 1;
+  }
+  return to;
+}
+
 // Bits of the faces over which surfaces are summed: those that no other particle shares; of
 // particles that burn all, since a neighbour may be solid in another part.
 template <int D>

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
+#include "ice/fluid/labels.hpp"
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
@@ -53,6 +54,34 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
   sets_.resize(n);
 }
 
+template <int D>
+CellBox<D> LevelCoupling<D>::cells_of_solids(const StageScope& scope, bool moved) const {
+  CellBox<D> all;
+  for (const SolidSet<D>& s : sets_)
+    all.include(cells_of<D>(frame_, corner_columns<D>(frame_, *s.columns, moved ? *s.next : *s.set),
+                            s.set->size()));
+  return box_of_all<D>(all, *scope.ranks);
+}
+
+// Cells that the last step left closed in part, if only as gaps that no fluid has reached.
+template <int D>
+CellBox<D> LevelCoupling<D>::cells_kept_closed(const StageScope& scope) const {
+  const Warehouse& state = scope.levels.front()->state();
+  const int slot = state.find(ice::labels().solid_fraction, fluid_->options().place(0));
+  CellBox<D> all;
+  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
+    const RealView fraction = state.view(slot, 0, b);
+    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
+      if (fraction(at) == 0) return;
+      const Cell<D> c = frame_.cell(at);
+      CellBox<D> one{c, c};
+      for (int& upper : one.upper) ++upper;
+      all.include(one);
+    });
+  }
+  return box_of_all<D>(all, *scope.ranks);
+}
+
 // theta and a at one end of the step.
 template <int D>
 void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& theta,
@@ -89,18 +118,21 @@ void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
   const FluidCells fluid(*fluid_, level.state());
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
-    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
-      known_.put(0, frame_.box.index(frame_.cell(at)), cells.fraction(at));
-    });
+    for_each_cell(
+        frame_.held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells),
+        [&](IntVec3 at) { known_.put(0, frame_.box.index(frame_.cell(at)), cells.fraction(at)); });
   }
   known_.tell_all(*scope.ranks);
-  for_each_cell_of_domain(
-      [&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
 }
 
 template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
+  solids_at_start_ = cells_of_solids(scope, false);
+  CellBox<D> near = solids_at_start_;
+  near.include(cells_kept_closed(scope));
+  frame_.look_at(near);
   for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
   take_kept_fractions(scope);
@@ -189,6 +221,12 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
 template void LevelCoupling<1>::list_sets(const StageScope&);
 template void LevelCoupling<2>::list_sets(const StageScope&);
 template void LevelCoupling<3>::list_sets(const StageScope&);
+template CellBox<1> LevelCoupling<1>::cells_of_solids(const StageScope&, bool) const;
+template CellBox<2> LevelCoupling<2>::cells_of_solids(const StageScope&, bool) const;
+template CellBox<3> LevelCoupling<3>::cells_of_solids(const StageScope&, bool) const;
+template CellBox<1> LevelCoupling<1>::cells_kept_closed(const StageScope&) const;
+template CellBox<2> LevelCoupling<2>::cells_kept_closed(const StageScope&) const;
+template CellBox<3> LevelCoupling<3>::cells_kept_closed(const StageScope&) const;
 template void LevelCoupling<1>::add_geometry(const StageScope&, When, Column&,
                                              std::array<Column, 1>&);
 template void LevelCoupling<2>::add_geometry(const StageScope&, When, Column&,

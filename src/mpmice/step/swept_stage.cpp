@@ -1,4 +1,6 @@
 // What the solids do to cells and faces in the step, told to the sweep of the fluid.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
@@ -7,8 +9,23 @@
 
 namespace sluice::mpmice {
 
+// Do solids end where the arrays have room for them.
+template <int D>
+bool LevelCoupling<D>::stays_near(const CellBox<D>& end) const {
+  CellBox<D> room = solids_at_start_;
+  for (std::size_t a = 0; a < D; ++a) {
+    room.lower[a] -= Frame<D>::most_move;
+    room.upper[a] += Frame<D>::most_move;
+  }
+  return room.contains(end);
+}
+
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
+  if (!stays_near(cells_of_solids(scope, true))) {
+    *scope.reason = fmt::format("a solid moves by more than {} cells", Frame<D>::most_move);
+    return Verdict::reject;
+  }
   for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   swept_.begin(frame_.box);
@@ -42,7 +59,7 @@ void LevelCoupling<D>::book_rigid_work(const StageScope& scope) {
   for (const mpm::SolidMaterial& m : solids_->scene().materials)
     if (!m.rigid) return;
   double work = 0;  // alike on every rank
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
   });
   (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
@@ -54,7 +71,7 @@ template <int D>
 void LevelCoupling<D>::keep_pockets() {
   constexpr double least_pocket = 1e-3;  // of a cell
   std::vector<std::size_t> pockets;
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || fields_.theta_next[i] < 1) return;
     bool taken = false;
     for_each_neighbour(c, [&](std::size_t j) { taken |= fields_.theta_next[j] < 1 - 1e-8; });
@@ -114,6 +131,22 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
     mass *= most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
 }
 
+// Of cells of a box with its ghosts, those that may see what the arrays hold, in a mirror too.
+template <int D>
+IndexBox LevelCoupling<D>::seen_from(IndexBox cells) const {
+  const IndexBox all = cells;
+  for (std::size_t a = 0; a < D; ++a) {
+    const int d = frame_.direction[a];
+    // Behind a side that the window reaches lie ghosts alone.
+    if (frame_.window.lower[a] > frame_.domain.lower[a])
+      cells.lower[d] = std::max(all.lower[d], frame_.box.lower[a]);
+    if (frame_.window.upper[a] < frame_.domain.upper[a])
+      cells.upper[d] = std::min(all.upper[d], frame_.box.upper[a]);
+    cells.upper[d] = std::max(cells.upper[d], cells.lower[d]);
+  }
+  return cells;
+}
+
 // Work slots of the sweep, ghost cells too: beyond the sides of the domain as in a mirror.
 template <int D>
 void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
@@ -124,23 +157,27 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   const int next = slot(l.solid_fraction_next), pressure = slot(l.wall_pressure),
             theta = slot(l.solid_fraction);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const auto fill = [&](int at, const Column& from) {
+    const auto fill_cells = [&](int at, const Column& from) {
       const RealView to = state.view(at, 0, b);
-      for_each_cell(to.box, [&](IntVec3 c) {
-        to(c) = from[frame_.box.index(frame_.mirrored(frame_.cell(c)))];
+      fill(to, to.box, 0.0);
+      for_each_cell(seen_from(to.box), [&](IntVec3 c) {
+        const Cell<D> cell = frame_.mirrored(frame_.cell(c));
+        if (frame_.holds(cell)) to(c) = from[frame_.box.index(cell)];
       });
     };
-    fill(theta, fields_.theta);
-    fill(next, fields_.theta_next);
-    fill(pressure, fields_.wall_pressure);
+    fill_cells(theta, fields_.theta);
+    fill_cells(next, fields_.theta_next);
+    fill_cells(pressure, fields_.wall_pressure);
     for (int a = 0; a < D; ++a) {
       const auto n = static_cast<std::size_t>(a);
       const int d = frame_.direction[n];
       const auto fill_faces = [&](Label label, bool odd, auto value) {
         const RealView to = state.view(slot(label), 0, b);
-        for_each_cell(to.box, [&](IntVec3 c) {
+        fill(to, to.box, 0.0);
+        for_each_cell(seen_from(to.box), [&](IntVec3 c) {
           bool flipped = false;
           const Cell<D> face = frame_.mirrored_face(frame_.cell(c), n, flipped);
+          if (!frame_.holds(face)) return;
           const double q = value(face);
           to(c) = odd && flipped ? -q : q;
         });
@@ -154,6 +191,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
       fill_faces(l.solid_face_velocity[d], true, [&](const Cell<D>& face) {
         Cell<D> below = face;
         --below[n];
+        if (!frame_.holds(below)) return 0.0;
         const std::size_t i = frame_.box.index(frame_.inside(below)),
                           j = frame_.box.index(frame_.inside(face));
         const double M = fields_.mass[i] + fields_.mass[j];

@@ -32,16 +32,18 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
     const WorkPressure::Box work = of_solve.box(b);
-    for_each_cell(level.state().local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
-      const std::size_t i = frame_.box.index(frame_.cell(at));
-      if (!wet(i)) return;
-      const FluidState s = cells.at(at);
-      known_.put(density, i, s.rho);
-      known_.put(pressure, i, work.at(at, s.pressure));
-      known_.put(speed, i, s.sound);
-      for (int a = 0; a < D; ++a)
-        known_.put(velocity + a, i, s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
-    });
+    for_each_cell(frame_.held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells),
+                  [&](IntVec3 at) {
+                    const std::size_t i = frame_.box.index(frame_.cell(at));
+                    if (!wet(i)) return;
+                    const FluidState s = cells.at(at);
+                    known_.put(density, i, s.rho);
+                    known_.put(pressure, i, work.at(at, s.pressure));
+                    known_.put(speed, i, s.sound);
+                    for (int a = 0; a < D; ++a)
+                      known_.put(velocity + a, i,
+                                 s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
+                  });
   }
   known_.tell_all(*scope.ranks);
   Column rho, sound;
@@ -58,7 +60,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
 template <int D>
 void LevelCoupling<D>::smooth_normals() {
   for (Column& s : fields_.smooth) s.assign(frame_.box.cells(), 0.0);
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!(fields_.area[i] > 0)) return;
     constexpr int around = D == 1 ? 3 : D == 2 ? 9 : 27;
     for (int n = 0; n < around; ++n) {
@@ -82,7 +84,7 @@ template <int D>
 void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
                                       const std::array<Column, D>& u, double dt) {
   fields_.wall_pressure = fields_.pressure;
-  for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
     double size = 0, whole = 0, du = 0;
     for (std::size_t d = 0; d < D; ++d) {
@@ -145,10 +147,10 @@ double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, d
 template <int D>
 std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   std::vector<std::uint8_t> known(frame_.box.cells(), 0);
-  for_each_cell_of_domain([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
   for (int layer = 0; layer < 2; ++layer) {
     std::vector<std::pair<std::size_t, double>> found;
-    for_each_cell_of_domain([&](const Cell<D>& c, std::size_t i) {
+    for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
       if (known[i] != 0) return;
       double sum = 0;
       int count = 0;
