@@ -141,8 +141,9 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
   // Slopes of the semi-implicit step reach one cell further.
   const int own = options_.classic ? classic::ghost_layers(options_) : options_.implicit ? 4 : 3;
-  // What cells without fluid close to is known of their neighbours' neighbours.
-  const int closing = ice_.solids > 0 ? 1 : 0;
+  // What cells without fluid close to is known of their neighbours' neighbours, and of several
+  // fluids what they pass on is what the neighbours give.
+  const int closing = ice_.solids == 0 ? 0 : material_count() == 1 ? 1 : 2;
   const int ghosts = own + aside + around + closing;
   std::vector<SlotInfo> slots;
   const auto of_each = [&](Label label) {

@@ -112,9 +112,9 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
     pressure::add_end_of_walled(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;  // what passes through the sides of the domain
   sides.face_velocity = v.walls.flow;
-  walls::add_scalar_walls(list, v, o, effect_solids);     // rho, theta, open   M, weights
-  scalars::add_tasks(list, sides, o, effect_scalars);     // u, w, F, 1/J, N    new scalars
-  add_accounts(list, sides, o, effects);  // fluxes, m, dp   sums, face tables
+  walls::add_scalar_walls(list, v, o, effect_solids);  // rho, theta, open   M, weights
+  scalars::add_tasks(list, sides, o, effect_scalars);  // u, w, F, 1/J, N    new scalars
+  add_accounts(list, sides, o, effects);               // fluxes, m, dp   sums, face tables
   SchemeVariables saved = v;
   saved.rho_new = v.walls.after_rho;
   saved.momentum_new = v.walls.after_momentum;
@@ -153,6 +153,7 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
   walls::declare_variables(list, o, v);
+  if (o.implicit) pressure::declare_variables(list, o, v);
   const walls::MaterialVariables x = walls::declare_materials(list, o, m);
   scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   walls::declare_scalar_walls(list, o, v);
@@ -168,6 +169,7 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
+  if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   mixture::add_friction(list, open, o);                       // V_m, T_m, u  mu, t_f
   mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
   walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
@@ -182,10 +184,12 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
     mixture::add_remap_flux(list, walls::of_whole_remap(m, x, axis), masked, effect_flow, axis);
   walls::add_fluxes_of_touched(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
   mixture::add_update(list, cells, o, effect_equilibration);   // fluxes    new state, rates
+  if (o.implicit)
+    pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;
   sides.face_velocity = v.walls.flow;
-  walls::add_scalar_walls(list, v, o, effect_solids);         // M_m, theta  M, weights
-  scalars::add_tasks(list, sides, o, effect_scalars);         // w, fluxes   new scalars
+  walls::add_scalar_walls(list, v, o, effect_solids);  // M_m, theta  M, weights
+  scalars::add_tasks(list, sides, o, effect_scalars);  // w, fluxes   new scalars
   add_accounts(list, sides, o, effects);
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
 }

@@ -40,9 +40,6 @@ std::unique_ptr<MpmIce> make_component(const Deck& deck, const Scene& scene,
   ice::IceScene fluid = ice::read_ice_scene(deck, scene, faults);
   mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
   if (any_error(faults)) return nullptr;
-  if (fluid.implicit && fluid.materials.size() > 1)
-    add_not_built(faults, deck.root->find("CFD/ICE/ImplicitSolver")->where,
-                  "<ImplicitSolver> with solids and several fluids", "remove <ImplicitSolver>");
   bind_fluids(fluid, faults);
   bind_solids(fluid, solids);
   mpm::check_seeds(solids, scene.grid, faults);

@@ -68,6 +68,12 @@ void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         const double pi = -law.lowest_pressure();
+        // Water that contracts when heated: its pressure falls with energy.
+        if constexpr (std::is_same_v<Law, eos::KnaussSeaWater>)
+          if (law.a > 0.0) {
+            for (int i = 0; i < n; ++i) scale[i] = rho[i] * law.thermal_energy(rho[i], rho_e[i]);
+            return;
+          }
         if constexpr (Law::depends_on_energy && !eos::TwoTemperatures<Law>) {
 #pragma GCC ivdep
           for (int i = 0; i < n; ++i)

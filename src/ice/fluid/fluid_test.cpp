@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "eos/eos_test_support.hpp"
+#include "ice/fluid/closure_rows.hpp"
 #include "ice/test_support/fluid.hpp"
 
 namespace sluice::ice::fluid_test {
@@ -42,6 +43,19 @@ TEST(HeatCapacity, OfNextToNothingIsThatOfTheLaw) {
   const Fluid liquid = stiffened_gas(3.0, 1e6);
   for (const double rho : {1e-20, 1e-60, 1e-180})
     EXPECT_EQ(liquid.heat_capacity(rho, liquid.energy_from_temperature(rho, 300.0)), 1000.0);
+}
+
+// Water may contract when heated: its pressure then falls with energy.
+TEST(EnergyScale, IsAboveZeroWhateverHeatDoesToTheDensity) {
+  for (const double a : {-0.15, 0.18}) {
+    eos::KnaussSeaWater water;
+    water.a = a;
+    const Fluid fluid{water, std::nullopt, 1.0, water.specific_heat};
+    const double rho = fluid.density(1e5, 290.0), E = fluid.energy_from_temperature(rho, 290.0);
+    double scale = 0;
+    energy_scale_row(fluid, 1, &rho, &E, &scale);
+    EXPECT_GT(scale, 0.0) << a;
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -265,21 +266,6 @@ class MixedCells : public MaterialCells<D> {
   double* defect_;
 };
 
-// Runs of cells that no solid touches.
-template <class F>
-void for_each_untouched(const Row& row, const TouchedCells& touched, int first, int count, F&& f) {
-  const double* cells = row(touched.cells);
-  for (int i = first; i < first + count;) {
-    if (cells[i] != 0) {
-      ++i;
-      continue;
-    }
-    const int begin = i;
-    while (i < first + count && cells[i] == 0) ++i;
-    f(begin, i - begin);
-  }
-}
-
 // Touched cells hold the old state, while the row is looked at.
 void hold_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
   const double* cells = row(h.touched.cells);
@@ -311,11 +297,15 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
   bool any = false;
   for (int i = 0; i < row.count(); ++i) any |= cells[i] != 0;
   if (!any) return;
+  const double* E_star = row(h.common.energy_star);
   mark_alone(row, -1);
   const MotionRows<D, C> motion(row, h.common);
   for (int i = 0; i < row.count(); ++i) {
     if (cells[i] == 0) continue;
     double rho = 0;
+    const double V = 1.0 - before[i];
+    // Who gives its old state keeps it too: V_L may be anything then, but a volume is above zero.
+    const double kept = gives_new_state(V, V_L[i], E_star[i]) ? V_L[i] : V;
     for (int m = 0; m < static_cast<int>(h.state.size()); ++m) {
       const MaterialState& s = h.state[static_cast<std::size_t>(m)];
       const auto gain = [&](Carried q) {
@@ -326,9 +316,8 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
         }
         return sum;
       };
-      const double V = 1.0 - before[i];
       const double M = row(s.mass)[i] * V + gain(of_mass);
-      row(s.volume_new)[i] = row(s.volume)[i] * V_L[i] + gain(of_volume);
+      row(s.volume_new)[i] = row(s.volume)[i] * kept + gain(of_volume);
       row(s.energy_new)[i] = row(h.touched.energy_L, m)[i] + gain(of_energy);
       row(s.mass_new)[i] = M;
       rho += M;
@@ -382,7 +371,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
       if (h.touched.any) {
         MixedCells<D, C> mixed(row, h, o, laws);
         for_each_run(runs, n, [&](int from, int number, double pure) {
-          for_each_untouched(row, h.touched, from, number, [&](int first, int count) {
+          for_each_untouched(row(h.touched.cells), from, number, [&](int first, int count) {
             if (pure < 0.0)
               mixed.run(first, count, count);
             else if (alone(first, count, pure))

@@ -4,21 +4,80 @@
 // is the pressure at which the materials of a cell agree after the Lagrangian phase, to first order
 // in what they disagree by. Where one material is alone it is that of its law; so is that of the
 // new state, which elsewhere is the one pressure at which the step ended.
+//
+// Cells that solids touch (walls/materials.hpp; V fluid's volume in the cell) hold M_m V and E_mL
+// in V_m V_L, or what they had where they give that (step/walled_donors.hpp); X - p of them follows
+// when their state does, behind the sweep.
 #include <cmath>
 
 #include "ice/mixture/variables.hpp"
 #include "ice/pressure/variables.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
 
+struct Touched {
+  bool any = false;
+  In cells, fraction, volume_L, energy_L, energy_star;
+};
+
 struct Handles {
   mixture::StateReads state;
   In pure, rho_L, energy_L, specific_energy_L, stretch;
+  Touched touched;
   LawsOfCells laws;
   Out p, scratch;
+};
+
+Touched read_touched(TaskBuilder& task, const mixture::Variables& v, const SchemeOptions& o) {
+  Touched t;
+  t.any = o.walled;
+  if (!t.any) return t;
+  t.cells = task.read(v.touched);
+  t.fraction = task.read(v.common.walls.fraction);
+  t.volume_L = task.read(v.touched_volume);
+  t.energy_L = task.read(v.touched_energy);
+  t.energy_star = task.read(v.common.energy_star);
+  return t;
+}
+
+// Density and energy of a material per its own volume, after the Lagrangian phase.
+class OwnState {
+ public:
+  OwnState(const Row& row, const Handles& h, std::size_t m)
+      : M_(row(h.state.mass[m])),
+        V_(row(h.state.volume[m])),
+        E_(row(h.state.energy[m])),
+        J_(row(h.stretch, 0)),
+        of_volume_(row(h.specific_energy_L, static_cast<int>(m))) {
+    const Touched& t = h.touched;
+    if (!t.any) return;
+    touched_ = row(t.cells);
+    theta_ = row(t.fraction);
+    V_L_ = row(t.volume_L);
+    E_L_ = row(t.energy_L, static_cast<int>(m));
+    E_star_ = row(t.energy_star);
+  }
+  void find(int i, double& rho, double& e) const {
+    if (touched_ != nullptr && touched_[i] != 0) return beside_solids(i, rho, e);
+    rho = M_[i] / (V_[i] * J_[i]);
+    e = of_volume_[i];
+  }
+
+ private:
+  void beside_solids(int i, double& rho, double& e) const {
+    const double V = 1.0 - theta_[i];
+    const bool moved = gives_new_state(V, V_L_[i], E_star_[i]);
+    rho = moved ? M_[i] * V / (V_[i] * V_L_[i]) : M_[i] / V_[i];
+    e = moved ? E_L_[i] / (V_[i] * V_L_[i]) : E_[i] / V_[i];
+  }
+
+  const double *M_, *V_, *E_, *J_, *of_volume_;
+  const double *touched_ = nullptr, *theta_ = nullptr, *V_L_ = nullptr, *E_L_ = nullptr,
+               *E_star_ = nullptr;
 };
 
 // Cells of one material alone.
@@ -29,7 +88,6 @@ void alone(const Row& row, const Handles& h, std::size_t m) {
 // Several, or near others.
 void mixed(const Row& row, const Handles& h, std::size_t materials) {
   const int n = row.count();
-  const double* J = row(h.stretch, 0);
   double *rho = row(h.scratch, 0), *e = row(h.scratch, 1), *pm = row(h.scratch, 2),
          *Km = row(h.scratch, 3), *sum = row(h.scratch, 4);
   double* p = row(h.p);
@@ -37,11 +95,10 @@ void mixed(const Row& row, const Handles& h, std::size_t materials) {
   std::fill_n(p, n, 0.0);
   for (std::size_t m = 0; m < materials; ++m) {
     const double *M = row(h.state.mass[m]), *V = row(h.state.volume[m]);
-    const double* of_volume = row(h.specific_energy_L, static_cast<int>(m));
+    const OwnState own(row, h, m);
     for (int i = 0; i < n; ++i) {
       if (!(M[i] > 0.0)) continue;
-      rho[i] = M[i] / (V[i] * J[i]);
-      e[i] = of_volume[i];
+      own.find(i, rho[i], e[i]);
       h.laws.of(row.part(i, 1), m).pressure_and_modulus(1, rho + i, e + i, pm + i, Km + i);
       const double softness = V[i] / Km[i];
       p[i] += softness * pm[i];
@@ -62,6 +119,7 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   h.energy_L = task.read(v.common.energy_L);
   h.specific_energy_L = task.read(v.specific_energy_L);
   h.stretch = task.read(v.stretch);
+  h.touched = read_touched(task, v, o);
   h.laws = LawsOfCells(task, list, o);
   h.p = task.write(p_L);
   h.scratch = task.write(list.temporary("closure after the Lagrangian phase", 5));
@@ -84,10 +142,11 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
     energy.push_back(task.read(v.energy_new[m]));
   }
   const In pure_in = task.read(v.pure), closed = task.read(v.common.new_pressure);
+  const Touched touched = read_touched(task, v, o);
   const Out out = task.write(p_new);
   const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   task.kernel([=](const Row& row) {
-    for_each_run(runs_of(row, pure_in), row.count(), [&](int first, int count, double pure) {
+    const auto find = [&](int first, int count, double pure) {
       const Row part = row.part(first, count);
       if (pure < 0.0) {
         std::copy_n(part(closed), count, part(out));
@@ -95,6 +154,12 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
       }
       const auto m = static_cast<std::size_t>(pure);
       laws.of(part, m).pressure(count, part(mass[m]), part(energy[m]), part(out));
+    };
+    if (touched.any) std::fill_n(row(out), row.count(), 0.0);
+    for_each_run(runs_of(row, pure_in), row.count(), [&](int from, int number, double pure) {
+      if (!touched.any) return find(from, number, pure);
+      for_each_untouched(row(touched.cells), from, number,
+                         [&](int first, int count) { find(first, count, pure); });
     });
   });
   return p_new;
@@ -104,7 +169,9 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
 
 void add_end_of_mixture(TaskList& list, const mixture::Variables& v, const SchemeVariables& faces,
                         const SchemeOptions& o, int effect) {
-  add_volume_error(list, faces, o, add_lagrangian_pressure(list, v, o, effect), effect);
+  const VariableId p_L = add_lagrangian_pressure(list, v, o, effect);
+  o.walled ? add_walled_error(list, faces, o, p_L, effect)
+           : add_volume_error(list, faces, o, p_L, effect);
   add_offset(list, faces, o, add_new_pressure(list, v, o, effect), effect);
 }
 

@@ -64,11 +64,14 @@ void add_offset(TaskList&, const SchemeVariables&, const SchemeOptions&, Variabl
 void add_end_of_one(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // Beside solids: the system, of faces as far as they are open and cells as far as fluid fills them;
-// the end of the step.
+// the volume error; the end of the step of one material.
 void add_walled_system(TaskList&, const SchemeVariables& v, const SchemeOptions&, int effect);
+void add_walled_error(TaskList&, const SchemeVariables& v, const SchemeOptions&, VariableId p_L,
+                      int effect);
 void add_end_of_walled(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
-// Both where several materials may meet; `faces`: what moves with the faces' velocity.
+// The end of the step where several materials may meet, with or without solids beside them;
+// `faces`: what moves with the faces' velocity.
 void add_end_of_mixture(TaskList&, const mixture::Variables&, const SchemeVariables& faces,
                         const SchemeOptions&, int effect);
 

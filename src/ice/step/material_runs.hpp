@@ -67,6 +67,20 @@ inline void mark_alone(const Row& row, int material) {
   if (RowMarks* marks = row.new_marks()) marks->set(row.cell(), row.count(), material + 1);
 }
 
+// Runs of cells that no solid touches: calls f(first, count).
+template <class F>
+void for_each_untouched(const double* touched, int first, int count, F&& f) {
+  for (int i = first; i < first + count;) {
+    if (touched[i] != 0) {
+      ++i;
+      continue;
+    }
+    const int begin = i;
+    while (i < first + count && touched[i] == 0) ++i;
+    f(begin, i - begin);
+  }
+}
+
 // The values of a material: its own where the neighbourhood (`pure`) is mixed, those of the mixture
 // where it is alone, nothing where another is. No row overlaps `to`.
 inline void pick_row(int n, const double* __restrict pure, int material,

@@ -1,5 +1,6 @@
 #include "ice/walls/materials.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "ice/step/material_runs.hpp"
@@ -11,6 +12,7 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   MaterialVariables x;
   x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
   x.volume_L = list.temporary("Lagrangian volume beside solids");
+  x.passed_on = list.temporary("what cells without fluid pass on", 3 * M);
   v.touched = list.temporary("cells that solids touch");
   v.touched_volume = x.volume_L;
   v.touched_energy = x.energy_L;
@@ -89,99 +91,191 @@ namespace {
 struct FluxHandles {
   mixture::StateReads state;
   In touched, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
-  In rho_L, energy_of_donor, energy_of_mixture;
+  In rho_L, energy_of_donor, energy_of_mixture, passed_on;
   Out flux, each;
 };
 
-// The face of cells a (low) and b.
-class TouchedFace {
- public:
-  TouchedFace(const Row& row, const FluxHandles& h, const SchemeOptions& o, int axis)
-      : row_(row), h_(h), o_(o), axis_(axis), materials_(static_cast<int>(o.fluids.size())) {}
+// Volume, mass and energy of one fluid.
+struct Carried {
+  double volume = 0, mass = 0, energy = 0;
+};
 
-  // What a touched donor gives.
-  void give(int i, bool left) const {
-    const double l = row_.step().dt / row_.step().spacing[o_.axes.direction[axis_]];
-    const double H = l * row_(h_.flow)[i];
-    const double V = 1.0 - cell(h_.theta, 0, left)[i];
-    const double V_L = 1.0 / cell(h_.inverse_J, 0, left)[i];
-    const double rho_L = cell(h_.rho_L, 0, left)[i], eps_L = cell(h_.energy_of_donor, 0, left)[i];
-    const double old_E = cell(h_.energy_of_mixture, 0, left)[i];
-    double rho = 0;
-    for (const In mass : h_.state.mass) rho += cell(mass, 0, left)[i];
-    // A donor that gives its old state gives that of each fluid.
-    const bool old = rho_L == rho && eps_L == old_E;
-    double F = 0, G = 0;
+// Low faces of cells `shift` further along the axis, between cells a (low) and b.
+class TouchedFaces {
+ public:
+  TouchedFaces(const Row& row, const FluxHandles& h, const SchemeOptions& o, int axis,
+               int shift = 0)
+      : row_(row),
+        h_(h),
+        axis_(axis),
+        shift_(shift),
+        materials_(static_cast<int>(o.fluids.size())),
+        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {}
+
+  // The volume that passes, and whether b gives it.
+  double volume(int i) const { return l_ * face(h_.flow)[i]; }
+  bool left(int i) const { return face(h_.flow)[i] < 0; }
+  bool meets_touched(int i) const {
+    return cell(h_.touched, 0, true)[i] != 0 || cell(h_.touched, 0, false)[i] != 0;
+  }
+  bool donor_is_touched(int i) const { return cell(h_.touched, 0, left(i))[i] != 0; }
+  bool donor_is_dry(int i) const { return !(cell(h_.theta, 0, left(i))[i] < 1); }
+  double donor_velocity(int c, int i) const { return cell(h_.velocity_L, c, left(i))[i]; }
+
+  // What a touched donor with fluid gives of each.
+  template <class F>
+  void give(int i, F&& take) const {
+    const bool b = left(i);
+    const double H = volume(i);
+    const double V = 1.0 - cell(h_.theta, 0, b)[i];
+    const double V_L = 1.0 / cell(h_.inverse_J, 0, b)[i];
+    const bool old = gives_old_state(i, b);
     for (int m = 0; m < materials_; ++m) {
       const auto k = static_cast<std::size_t>(m);
-      const double share = cell(h_.state.volume[k], 0, left)[i];
-      const double M = cell(h_.state.mass[k], 0, left)[i];
-      const double E =
-          old ? cell(h_.state.energy[k], 0, left)[i] : cell(h_.energy_L, m, left)[i] / V_L;
+      const double share = cell(h_.state.volume[k], 0, b)[i];
+      const double M = cell(h_.state.mass[k], 0, b)[i];
+      const double E = old ? cell(h_.state.energy[k], 0, b)[i] : cell(h_.energy_L, m, b)[i] / V_L;
       const double density = old ? M : M * V / V_L;
-      const bool there = share > 0;
-      put(m, mixture::of_volume, i, there ? H * share : 0.0);
-      put(m, mixture::of_mass, i, there ? H * density : 0.0);
-      put(m, mixture::of_energy, i, there ? H * E : 0.0);
-      F += there ? H * density : 0.0;
-      G += there ? H * E : 0.0;
+      take(m, share > 0 ? Carried{H * share, H * density, H * E} : Carried{});
     }
-    row_(h_.flux, 0)[i] = F;
-    row_(h_.flux, 1)[i] = G;
-    for (int c = 0; c < o_.components; ++c)
-      row_(h_.flux, 2 + c)[i] = cell(h_.velocity_L, c, left)[i];
   }
-  // A whole donor that holds one fluid, as its neighbour does.
-  void tell_apart(int i, int pure) const {
-    const double l = row_.step().dt / row_.step().spacing[o_.axes.direction[axis_]];
+  // One without fluid: what it takes in.
+  template <class F>
+  void pass_on(int i, F&& take) const {
+    const double H = volume(i);
+    const auto per_volume = [&](int m, mixture::Carried q) {
+      return cell(h_.passed_on, mixture::component(m, q), left(i))[i];
+    };
+    for (int m = 0; m < materials_; ++m)
+      take(m, {H * per_volume(m, mixture::of_volume), H * per_volume(m, mixture::of_mass),
+               H * per_volume(m, mixture::of_energy)});
+  }
+  // One that no solid touches: by the rules of whole cells, which do not tell fluids apart where
+  // both cells hold the same one alone.
+  bool tells_apart(int i) const {
+    const double a = cell(h_.pure, 0, false)[i];
+    return !(a >= 0 && a == cell(h_.pure, 0, true)[i]);
+  }
+  template <class F>
+  void give_whole(int i, F&& take) const {
+    const int pure = static_cast<int>(cell(h_.pure, 0, true)[i]);
+    const bool apart = tells_apart(i);
     for (int m = 0; m < materials_; ++m) {
-      const bool own = m == pure;
-      put(m, mixture::of_volume, i, own ? l * row_(h_.flow)[i] : 0.0);
-      put(m, mixture::of_mass, i, own ? row_(h_.flux, 0)[i] : 0.0);
-      put(m, mixture::of_energy, i, own ? row_(h_.flux, 1)[i] : 0.0);
+      const auto each = [&](mixture::Carried q) {
+        return face(h_.whole_each, mixture::component(m, q))[i];
+      };
+      if (apart)
+        take(m, {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
+      else
+        take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
+                          : Carried{});
     }
   }
 
  private:
-  const double* cell(In in, int c, bool left) const {
-    return left ? row_(in, c) : row_(in, c, axis_, -1);
+  // A donor that gives its old state gives that of each fluid.
+  bool gives_old_state(int i, bool b) const {
+    double rho = 0;
+    for (const In mass : h_.state.mass) rho += cell(mass, 0, b)[i];
+    return cell(h_.rho_L, 0, b)[i] == rho &&
+           cell(h_.energy_of_donor, 0, b)[i] == cell(h_.energy_of_mixture, 0, b)[i];
   }
-  void put(int m, mixture::Carried q, int i, double value) const {
-    row_(h_.each, mixture::component(m, q))[i] = value;
+  const double* face(In in, int c = 0) const { return row_(in, c, axis_, shift_); }
+  const double* cell(In in, int c, bool b) const {
+    return row_(in, c, axis_, b ? shift_ : shift_ - 1);
   }
 
   const Row& row_;
   const FluxHandles& h_;
-  const SchemeOptions& o_;
-  int axis_, materials_;
+  int axis_, shift_, materials_;
+  double l_;
 };
+
+// `cells`, `faces`: around those of a row.
+FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const MaterialVariables& x,
+                        std::size_t axis, const Stencil& cells, const Stencil& faces) {
+  FluxHandles h;
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    h.state.mass.push_back(task.read(v.mass[m], cells));
+    h.state.volume.push_back(task.read(v.volume[m], cells));
+    h.state.energy.push_back(task.read(v.energy[m], cells));
+  }
+  h.touched = task.read(v.touched, cells);
+  h.theta = task.read(v.common.walls.fraction, cells);
+  h.inverse_J = task.read(v.common.inverse_J, cells);
+  h.flow = task.read(v.common.walls.flow[axis], faces);
+  h.pure = task.read(v.pure, cells);
+  h.whole = task.read(x.whole_flux[axis], faces);
+  h.whole_each = task.read(x.whole_flux_of_each[axis], faces);
+  h.velocity_L = task.read(v.common.walls.donor_velocity, cells);
+  h.energy_L = task.read(x.energy_L, cells);
+  h.rho_L = task.read(v.common.rho_L, cells);
+  h.energy_of_donor = task.read(v.common.energy_L, cells);
+  h.energy_of_mixture = task.read(v.common.energy, cells);
+  return h;
+}
+
+// What cells without fluid take in of each fluid, per volume. Had they another mixture to give than
+// that, of some fluid they would give what they do not have.
+void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+                   const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("what cells without fluid pass on", effect);
+  std::vector<FluxHandles> of_axis;
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const int d = o.axes.direction[axis];
+    of_axis.push_back(read_fluxes(task, v, x, static_cast<std::size_t>(axis),
+                                  Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
+  }
+  const Out out = task.write(x.passed_on);
+  const int materials = static_cast<int>(o.fluids.size());
+  task.kernel([=](const Row& row) {
+    const double* theta = row(of_axis.front().theta);
+    for (int c = 0; c < 3 * materials; ++c) std::fill_n(row(out, c), row.count(), 0.0);
+    const auto to = [&](int m, mixture::Carried q, int i) -> double& {
+      return row(out, mixture::component(m, q))[i];
+    };
+    for (int i = 0; i < row.count(); ++i) {
+      if (theta[i] < 1) continue;
+      double all = 0;
+      const auto take_in = [&](const TouchedFaces& face, double into) {
+        const bool enters = into * face.volume(i) > 0;
+        if (!enters || face.donor_is_dry(i)) return;
+        all += std::fabs(face.volume(i));
+        const auto take = [&](int m, const Carried& q) {
+          to(m, mixture::of_volume, i) += into * q.volume;
+          to(m, mixture::of_mass, i) += into * q.mass;
+          to(m, mixture::of_energy, i) += into * q.energy;
+        };
+        face.donor_is_touched(i) ? face.give(i, take) : face.give_whole(i, take);
+      };
+      for (int axis = 0; axis < o.axes.count; ++axis) {
+        const FluxHandles& h = of_axis[static_cast<std::size_t>(axis)];
+        take_in(TouchedFaces(row, h, o, axis, 0), 1);
+        take_in(TouchedFaces(row, h, o, axis, 1), -1);
+      }
+      // From others without fluid alone: the mean of the states around, which is what they hold.
+      const mixture::StateReads& state = of_axis.front().state;
+      for (int m = 0; m < materials; ++m) {
+        const auto k = static_cast<std::size_t>(m);
+        const In own[] = {state.volume[k], state.mass[k], state.energy[k]};
+        for (const mixture::Carried q : {mixture::of_volume, mixture::of_mass, mixture::of_energy})
+          to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
+      }
+    }
+  });
+}
 
 }  // namespace
 
 void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
                            const SchemeOptions& o, int effect) {
+  add_passed_on(list, v, x, o, effect);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
-    FluxHandles h;
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.state.mass.push_back(task.read(v.mass[m], both));
-      h.state.volume.push_back(task.read(v.volume[m], both));
-      h.state.energy.push_back(task.read(v.energy[m], both));
-    }
-    h.touched = task.read(v.touched, both);
-    h.theta = task.read(v.common.walls.fraction, both);
-    h.inverse_J = task.read(v.common.inverse_J, both);
-    h.flow = task.read(v.common.walls.flow[a]);
-    h.pure = task.read(v.pure, both);
-    h.whole = task.read(x.whole_flux[a]);
-    h.whole_each = task.read(x.whole_flux_of_each[a]);
-    h.velocity_L = task.read(v.common.walls.donor_velocity, both);
-    h.energy_L = task.read(x.energy_L, both);
-    h.rho_L = task.read(v.common.rho_L, both);
-    h.energy_of_donor = task.read(v.common.energy_L, both);
-    h.energy_of_mixture = task.read(v.common.energy, both);
+    FluxHandles h = read_fluxes(task, v, x, a, both, Stencil::point());
+    h.passed_on = task.read(x.passed_on, both);
     h.flux = task.write(v.common.flux[a]);
     h.each = task.write(v.flux[a]);
     task.kernel([=](const Row& row) {
@@ -189,16 +283,25 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
       for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
       for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
         std::copy_n(row(h.whole_each, c), n, row(h.each, c));
-      const TouchedFace face(row, h, o, axis);
-      const double *ta = row(h.touched, 0, axis, -1), *tb = row(h.touched);
-      const double *pa = row(h.pure, 0, axis, -1), *pb = row(h.pure), *w = row(h.flow);
+      const TouchedFaces face(row, h, o, axis);
       for (int i = 0; i < n; ++i) {
-        if (ta[i] == 0 && tb[i] == 0) continue;
-        const bool left = w[i] < 0;
-        if ((left ? tb[i] : ta[i]) != 0)
-          face.give(i, left);
-        else if (pa[i] >= 0 && pa[i] == pb[i])
-          face.tell_apart(i, static_cast<int>(pa[i]));
+        if (!face.meets_touched(i)) continue;
+        double F = 0, G = 0;
+        const auto take = [&](int m, const Carried& q) {
+          row(h.each, mixture::component(m, mixture::of_volume))[i] = q.volume;
+          row(h.each, mixture::component(m, mixture::of_mass))[i] = q.mass;
+          row(h.each, mixture::component(m, mixture::of_energy))[i] = q.energy;
+          F += q.mass;
+          G += q.energy;
+        };
+        if (!face.donor_is_touched(i)) {
+          if (!face.tells_apart(i)) face.give_whole(i, take);
+          continue;
+        }
+        face.donor_is_dry(i) ? face.pass_on(i, take) : face.give(i, take);
+        row(h.flux, 0)[i] = F;
+        row(h.flux, 1)[i] = G;
+        for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
       }
     });
   }

@@ -8,8 +8,10 @@
 //   FV_m = H V_m,  FM_m = FV_m M_m V/(V_m V_L),  FE_m = FV_m E_mL/(V_m V_L),  U = its velocity
 //   M_m' = V M_m + sum FM,  V_m' = V_m V_L + sum FV,  E_m' = E_mL + sum FE     per cell volume
 //
-// and what the kinetic energy leaves is told apart, until the cell is settled. All other cells take
-// the rules of mixture/, to the bit.
+// A cell without fluid gives the mixture that it takes in: of any other it would give what it does
+// not have. One that gives its old state (step/walled_donors.hpp) keeps V_m V in place of V_m V_L,
+// which may be anything then. What the kinetic energy leaves is told apart, until the cell is
+// settled. All other cells take the rules of mixture/, to the bit.
 #pragma once
 #include "ice/mixture/variables.hpp"
 #include "ice/walls/variables.hpp"
@@ -17,8 +19,9 @@
 namespace sluice::ice::walls {
 
 struct MaterialVariables {
-  VariableId energy_L;                   // E_mL of touched cells, by material
-  VariableId volume_L;                   // V_L
+  VariableId energy_L;   // E_mL of touched cells, by material
+  VariableId volume_L;   // V_L
+  VariableId passed_on;  // of cells without fluid, by material: what they give per volume
   std::array<VariableId, 3> whole_flux;  // of the mixture and of each material, as the rules of
   std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
 };

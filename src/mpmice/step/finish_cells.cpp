@@ -140,7 +140,7 @@ void LevelCoupling<D>::settle_scalars(std::size_t i) {
 template <int D>
 bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibration& laws,
                                    double* M, double* V, double* E) const {
-  constexpr double trace = 1e-13;  // of the cell's mass: round-off
+  constexpr double trace = 1e-13;  // of the cell's mass and of its volume: round-off
   const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
   const std::size_t count = fluids.size();
   const double left = amounts_.volume[i], all = amounts_.mass_of_all(i);
@@ -150,7 +150,8 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
     M[m] = amounts_.mass[m][i] / left;
     V[m] = count == 1 ? 1.0 : amounts_.filled[m][i] / left;
     E[m] = amounts_.energy[m][i] / left;
-    const bool gone = count > 1 && (!(M[m] > trace * all / left) || !(V[m] > 0));
+    const bool less_than_round_off = !(M[m] > trace * all / left) && !(V[m] > trace);
+    const bool gone = count > 1 && (!(M[m] > 0) || !(V[m] > 0) || less_than_round_off);
     if (gone) {
       lost += E[m];
       M[m] = V[m] = E[m] = 0;
