@@ -1,7 +1,7 @@
 // What the fluid is told of the solids in the cells of a level, and what of it solids are told.
 //
-// Arrays over a box of cells: those near solids and layers around them, whole on every rank, so that
-// no bit depends on boxes or ranks. Directions are the active ones.
+// Arrays over a box of cells: those near solids and layers around them, whole on every rank, so
+// that no bit depends on boxes or ranks. Directions are the active ones.
 #pragma once
 #include <cstdint>
 #include <vector>
