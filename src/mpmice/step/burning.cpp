@@ -9,6 +9,7 @@
 //
 // in the cells of the particle, where its volume opens. Redistribution then joins what little cells
 // hold with their neighbours at once: products alone in a crack would tear the body.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
@@ -202,6 +203,22 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
   return given;
 }
 
+// The largest number of parts of the giving particles in a cell: sums need room for no more.
+template <int D>
+double LevelCoupling<D>::most_parts_given(const StageScope& scope,
+                                          const std::vector<Given>& given) const {
+  CellSums<D> parts;
+  parts.begin(frame_.box, 1);
+  parts.reach(frame_.box);
+  for (const Given& g : given) {
+    const SolidSet<D>& s = sets_[g.set];
+    for_each_part<D>(frame_, corner_columns<D>(frame_, *s.columns, *s.next), *s.next, g.particle,
+                     [&](std::size_t i) { ++parts.lane(0)[i]; });
+  }
+  parts.sum_over_ranks(*scope.ranks);
+  return static_cast<double>(*std::max_element(parts.lane(0), parts.lane(0) + frame_.box.cells()));
+}
+
 // Cells get what particles have given: each cell of a particle as many parts as lie in it, by
 // `in_cells` where that is not empty. False: no rank has anything.
 template <int D>
@@ -227,6 +244,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
   most_energy = all.maximum(maxima[1]);
   most_kinetic = all.maximum(maxima[2]);
   most_speed = all.maximum(maxima[3]);
+  const double room = most_parts_given(scope, given);
   CellSums<D> sums;
   sums.begin(frame_.box, momentum + components);
   sums.reach(frame_.box);
@@ -237,7 +255,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
     double whole = 0;  // of the weights of its parts
     for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) { whole += weight(i); });
     for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) {
-      const double share = g.mass / most_mass / most_parts<D> * (weight(i) / whole);
+      const double share = g.mass / most_mass / room * (weight(i) / whole);
       sums.lane(mass)[i] += to_sum(share);
       sums.lane(energy)[i] += to_sum(share * (g.energy / most_energy));
       sums.lane(kinetic)[i] += to_sum(share * (g.kinetic / most_kinetic));
@@ -248,7 +266,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
     });
   }
   sums.sum_over_ranks(*scope.ranks);
-  const double to_density = most_mass * most_parts<D> / frame_.cell_volume;
+  const double to_density = most_mass * room / frame_.cell_volume;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (sums.lane(mass)[i] == 0) return;
     const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };

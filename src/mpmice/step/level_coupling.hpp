@@ -78,6 +78,7 @@ class LevelCoupling final : public Coupling {
   };
   std::vector<Given> take_from_particles(const models::SolidBurn& burn,
                                          const std::vector<Column>& shares);
+  double most_parts_given(const StageScope& scope, const std::vector<Given>& given) const;
   bool give_to_cells(const StageScope& scope, int product, const std::vector<Given>& given,
                      const Column& in_cells);
   void add_product(std::size_t i, int product, double mass, double energy, double kinetic,
