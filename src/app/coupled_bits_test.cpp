@@ -1,5 +1,5 @@
-// Runs of fluid and solids with scalars, tracers and periodic sides: the same bits on several ranks
-// and boxes, and after a restart.
+// Runs of fluid and solids with scalars, tracers, periodic sides, surfaces that remember: the same
+// bits on several ranks and boxes, and after a restart.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -26,7 +26,8 @@ TEST_P(CoupledBits, AreTheSameOnRanksAndAfterARestart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, CoupledBits,
-                         testing::Values("disk_in_dye", "across_periodic_sides"));
+                         testing::Values("disk_in_dye", "across_periodic_sides",
+                                         "unsteady_strand"));
 
 }  // namespace
 }  // namespace sluice::coupled_bits_test
