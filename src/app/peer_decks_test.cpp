@@ -38,7 +38,6 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/Models/CH4Fire_container.ups", "there is no material 4"},
     {"inputs/Models/JP8Fire_containerAddProdMatl.ups", "<momentum> has 6 coefficients"},
     {"inputs/Models/explodeJCVMEPKSPB.ups", "<momentum> has 10 coefficients"},
-    {"inputs/MPMICE/explode2D_amr.ups", "<heat> has 0 coefficients"},
     {"inputs/MPMICE/NG_nozzle/NG_Nozzle.ups", "'1 0.0' is not a number"},
     {"inputs/UintahRelease/MPM/WSphereIntoSteel.axi.ups", "does not exist"},
 };

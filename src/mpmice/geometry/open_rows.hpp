@@ -2,7 +2,8 @@
 // faces that are out.
 //
 // Covered parts summed from the high end, where none is covered, end below zero at the low end by
-// what is covered at the high one: there the body goes on. All of the row is raised by that.
+// what is covered at the high one: there the body goes on. The row is raised by that, from the
+// lowest cell that faces reach on: sums have not gone farther down.
 #pragma once
 #include <vector>
 
@@ -10,16 +11,18 @@
 
 namespace sluice::mpmice {
 
-// `covered`: covered parts of the low faces along d, as summed; `raised` (or null): volume
-// fractions that follow from them.
+// `covered`: covered parts of the low faces along d, as summed over the cells `reached`; `raised`
+// (or null): volume fractions that follow from them.
 template <int D>
-void raise_open_rows(const CellBox<D>& box, int d, std::vector<double>& covered,
-                     std::vector<double>* raised) {
+void raise_open_rows(const CellBox<D>& box, const CellBox<D>& reached, int d,
+                     std::vector<double>& covered, std::vector<double>* raised) {
   constexpr double round_off = 1e-9;
   const std::ptrdiff_t step = box.stride(d);
-  const int length = box.size(d);
-  CellBox<D> first = box;  // the first cell of every row
-  first.upper[static_cast<std::size_t>(d)] = first.lower[static_cast<std::size_t>(d)] + 1;
+  const auto along = static_cast<std::size_t>(d);
+  CellBox<D> first = reached;  // the first cell of every row
+  if (first.empty()) return;
+  first.upper[along] = first.lower[along] + 1;
+  const int length = box.upper[along] - first.lower[along];
   for_each_row_down<D>(box, first, 0, [&](std::size_t begin, std::size_t n) {
     for (std::size_t i = begin; i < begin + n; ++i) {
       double least = 0;

@@ -44,7 +44,7 @@ void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
   sums_.values(D, to.theta);
   for (int d = 0; d < D; ++d)
     if (sides == nullptr || !sides->sides().periodic[static_cast<std::size_t>(d)])
-      raise_open_rows<D>(to.box, d, to.a[static_cast<std::size_t>(d)],
+      raise_open_rows<D>(to.box, sums_.reached(), d, to.a[static_cast<std::size_t>(d)],
                          d == 0 ? &to.theta : nullptr);
 }
 

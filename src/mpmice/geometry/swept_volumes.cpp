@@ -147,7 +147,7 @@ void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
     sums_.add_from_above(lane_of_A(d), d);
     sums_.values(lane_of_A(d), to.A[a]);
     if (sides == nullptr || !sides->sides().periodic[a])
-      raise_open_rows<D>(to.box, d, to.A[a], nullptr);
+      raise_open_rows<D>(to.box, sums_.reached(), d, to.A[a], nullptr);
     sums_.values(lane_of_C<D>(d), to.C[a]);
   }
   for (int i = 0; i < face_moments<D>; ++i) {

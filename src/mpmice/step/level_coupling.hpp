@@ -39,6 +39,7 @@ class LevelCoupling final : public Coupling {
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
   void keep_pockets();
+  void close_cells_at_sides();
   bool stays_near(const CellBox<D>& end) const;
   IndexBox seen_from(IndexBox cells) const;
   void find_pressures(const StageScope& scope, bool solved);
@@ -50,7 +51,7 @@ class LevelCoupling final : public Coupling {
   std::vector<std::uint8_t> fill_dry(Column& values) const;
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
-  void hold_rigid(const StageScope& scope);
+  void book_outside(const StageScope& scope);
   void book_rigid_work(const StageScope& scope);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);

@@ -48,6 +48,7 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
   keep_pockets();
+  close_cells_at_sides();
   mean_over_cells(scope);
   tell_fluid(scope);
   return Verdict::good;
@@ -79,6 +80,36 @@ void LevelCoupling<D>::keep_pockets() {
   });
   for (const std::size_t i : pockets)
     fields_.theta_next[i] = 1 - std::min(least_pocket, 1 - fields_.theta[i]);
+}
+
+// A cell without fluid on a side of the domain that a body covers all step long has no open faces,
+// though the side has taken particles that close them.
+template <int D>
+void LevelCoupling<D>::close_cells_at_sides() {
+  const auto whole = [&](std::size_t d, std::size_t face) {
+    return fields_.covered[d][face] >= 1 && fields_.covered_next[d][face] >= 1 &&
+           fields_.mean_covered[d][face] >= 1;
+  };
+  std::vector<Cell<D>> closed;
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+    if (fields_.theta[i] < 1 || fields_.theta_next[i] < 1) return;
+    for (std::size_t d = 0; d < D; ++d) {
+      if (frame_.periodic[d]) continue;
+      Cell<D> above = c;
+      ++above[d];
+      if ((c[d] == frame_.domain.lower[d] && whole(d, i)) ||
+          (above[d] == frame_.domain.upper[d] && whole(d, frame_.box.index(above))))
+        closed.push_back(c);
+    }
+  });
+  for (const Cell<D>& c : closed)
+    for (std::size_t d = 0; d < D; ++d) {
+      Cell<D> above = c;
+      ++above[d];
+      for (const std::size_t face : {frame_.box.index(c), frame_.box.index(above)})
+        for (auto* covered : {&fields_.covered, &fields_.covered_next, &fields_.mean_covered})
+          (*covered)[d][face] = 1;
+    }
 }
 
 // Mass of the solids in cells and their velocity, from a 2^D-th of each particle half way between

@@ -204,20 +204,20 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
   return forces;
 }
 
-// What holds or drives rigid bodies against the fluid comes from outside: its impulse.
+// The impulse that comes from outside: of what holds or drives rigid bodies against the fluid; and
+// of sides of the domain that cut other bodies, which push these with the reference pressure, of
+// which their stress is free. (Around a body that no side cuts it sums to none.)
 template <int D>
-void LevelCoupling<D>::hold_rigid(const StageScope& scope) {
+void LevelCoupling<D>::book_outside(const StageScope& scope) {
   std::array<ExactSum, D> impulse;
-  bool any = false;  // alike on every rank
-  for (const mpm::SolidMaterial& m : solids_->scene().materials) any |= m.rigid;
-  if (!any) return;
   for (const SolidSet<D>& s : sets_) {
-    if (!solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
+    const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
     for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                      [&](std::size_t, int, const FacetNodes<D>&, const Piece<D>& piece) {
+                      [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
                         const Cell<D> c = frame_.wrapped(piece.cell);
                         if (!frame_.in_domain(c)) return;
-                        const double p = fields_.wall_pressure[frame_.box.index(c)];
+                        const double p = rigid ? fields_.wall_pressure[frame_.box.index(c)]
+                                               : reference_pressure_ * s.faces.weight_of(i);
                         for (std::size_t d = 0; d < D; ++d)
                           impulse[d].add(scope.step.dt * p * piece.area[d] *
                                          frame_.face_area(static_cast<int>(d)));
@@ -245,7 +245,7 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
     all.insert(all.end(), own.begin(), own.end());
   }
   step_->add_corner_forces(scope, forces);
-  hold_rigid(scope);
+  book_outside(scope);
   return Verdict::good;
 }
 
