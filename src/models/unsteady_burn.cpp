@@ -1,7 +1,6 @@
 // Model "Unsteady_Burn": what a surface remembers, and how a deck says it.
 #include "models/unsteady_burn.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "framework/deck/schema.hpp"
@@ -9,8 +8,6 @@
 
 namespace sluice::models {
 namespace {
-
-constexpr double round_off = 1e-9;  // of two equal roots
 
 // Of y' = (target - y)/tau, over dt: exact while the target stays.
 double relaxed(double y, double target, double dt, double tau) {
@@ -30,15 +27,14 @@ SurfaceHistory UnsteadyBurn::after(double dt, const SurfaceHistory& before, cons
           relaxed(before.gradient, gradient, dt, tau)};
 }
 
-std::optional<double> UnsteadyBurn::flux(const SurfaceHistory& now, double steady_flux,
-                                         double density) const {
+double UnsteadyBurn::flux(const SurfaceHistory& now, double steady_flux, double density) const {
   const double T = now.temperature, R = gas_constant;
   const double conducted = conductivity * now.gradient;
   const double reaction = solid_rate * R * conductivity * density / activation * T * T *
                           std::exp(-activation / (R * T));
   const double under_root = conducted * conducted - 2 * solid_heat * reaction;
-  if (under_root < -round_off * conducted * conducted) return std::nullopt;
-  const double m = 2 * reaction / (conducted + std::sqrt(std::max(0.0, under_root)));
+  const double m =
+      under_root > 0 ? 2 * reaction / (conducted + std::sqrt(under_root)) : conducted / solid_heat;
   return steady_flux * std::pow(m / steady_flux, rate_power);
 }
 

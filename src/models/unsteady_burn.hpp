@@ -6,10 +6,10 @@
 //   tau = N_c K_c rho/(c_p m_s^2)
 // The reaction in the solid then burns m', the smaller root of
 //   Q_c m'^2/2 - K_c beta m' + X = 0,   X = A_c R K_c rho T_s^2 exp(-E_c/(R T_s))/E_c
-// which is m_s where nothing changes; what burns is m = m_s (m'/m_s)^B_m.
+// which is m_s where nothing changes; what burns is m = m_s (m'/m_s)^B_m. Once T_s has outrun beta
+// so far that no root is left, at any length of the step, m' stays at K_c beta/Q_c, where the two
+// roots have met.
 #pragma once
-#include <optional>
-
 #include "models/steady_burn.hpp"
 
 namespace sluice::models {
@@ -30,8 +30,8 @@ struct UnsteadyBurn : SteadyBurn {
   // After a step; a surface that has not burned begins with the steady state.
   SurfaceHistory after(double dt, const SurfaceHistory& before, const Surface& steady,
                        double solid_temperature, double density) const;
-  // Mass flux m; nothing where no m' exists: the surface is too hot for its gradient.
-  std::optional<double> flux(const SurfaceHistory& now, double steady_flux, double density) const;
+  // Mass flux m, kg/(m^2 s).
+  double flux(const SurfaceHistory& now, double steady_flux, double density) const;
 };
 
 TagSpec unsteady_burn_tag();

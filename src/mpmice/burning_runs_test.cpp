@@ -76,7 +76,7 @@ double steady_gradient(const models::SteadyBurn& law, const models::SteadyBurn::
 }
 
 // The surface remembers a pressure of 4.5 MPa, and settles to what Steady_Burn has at the new one.
-// Measured: early .., at the end ..
+// Measured: the gradient -6.8 % at first; 1.8e-5, the temperature 1.1e-5 at the end.
 TEST(BurningRuns, AStrandSettlesAfterARiseOfPressure) {
   const models::SteadyBurn law = models::hmx();
   for (const bool early : {true, false}) {
@@ -88,20 +88,18 @@ TEST(BurningRuns, AStrandSettlesAfterARiseOfPressure) {
     ASSERT_EQ(burned_surfaces(run).size(), 1u);
     const models::SurfaceHistory surface = burned_surfaces(run).front();
     const double gradient = surface.gradient / steady_gradient(law, steady) - 1;
-    std::printf("p %g gradient %g T %g\n", p, gradient,
-                surface.temperature / steady.temperature - 1);
     if (early) {
       EXPECT_LT(gradient, -0.05);
       continue;
     }
-    EXPECT_NEAR(gradient, 0, 0.01);
-    EXPECT_NEAR(surface.temperature / steady.temperature, 1, 0.001);
+    EXPECT_NEAR(gradient, 0, 0.001);
+    EXPECT_NEAR(surface.temperature / steady.temperature, 1, 0.0005);
     // The cell of the surface, as it is saved.
     const std::vector<double> burns = run.field("UnsteadyBurn.BurningCell", 0).components[0],
                               T = run.field("UnsteadyBurn.SurfTemp", 0).components[0],
                               beta = run.field("UnsteadyBurn.SurfTempGrad", 0).components[0];
     for (std::size_t i = 0; i < burns.size(); ++i) {
-      EXPECT_EQ(burns[i], i == 44 || i == 45 ? 1.0 - burns[89 - i] : 0.0) << i;
+      EXPECT_EQ(burns[i], i == 44 ? 1.0 : 0.0) << i;
       EXPECT_NEAR(T[i], burns[i] * surface.temperature, 1e-9) << i;
       EXPECT_NEAR(beta[i], burns[i] * surface.gradient, 1e-9 * surface.gradient) << i;
     }
@@ -109,7 +107,8 @@ TEST(BurningRuns, AStrandSettlesAfterARiseOfPressure) {
 }
 
 // A hundred times the rate, and surfaces that never forget: they burn as at the start whatever the
-// pressure does, and so does the particle behind one that has vanished. Measured:
+// pressure does, and so does the particle behind one that has vanished. Measured: burned
+// mass 0.09 %.
 TEST(BurningRuns, AParticleGoesOnWhereTheOneBeforeItHasEnded) {
   const std::string model = "Models/Model/Unsteady_Burn/";
   const std::vector<std::string> overrides = {
@@ -122,15 +121,14 @@ TEST(BurningRuns, AParticleGoesOnWhereTheOneBeforeItHasEnded) {
   law.gas_rate *= 1e4;
   const models::SteadyBurn::Surface first = law.surface(4.5e6, 300, 1840);
   const std::vector<double> masses = run.particles("p.mass").front();
-  EXPECT_EQ(masses.size(), 99u);
+  EXPECT_EQ(masses.size(), 109u);
   ASSERT_EQ(burned_surfaces(run).size(), 1u);
   EXPECT_NEAR(burned_surfaces(run).front().temperature / first.temperature, 1, 1e-6);
   EXPECT_NEAR(burned_surfaces(run).front().gradient / steady_gradient(law, first), 1, 1e-6);
   double left = 0;
   for (const double m : masses) left += m;
-  const double area = 0.02 * 0.02, burned = 0.1 * area * 1840 - left;
-  std::printf("burned %g\n", burned / (first.flux * area * 0.0015) - 1);
-  EXPECT_NEAR(burned / (first.flux * area * 0.0015), 1, 0.01);
+  const double area = 0.02 * 0.02, burned = 0.11 * area * 1840 - left;
+  EXPECT_NEAR(burned / (first.flux * area * 0.0015), 1, 0.005);
 }
 
 TEST(BurningRuns, NeitherBoxesNorThreadsShowInWhatSurfacesRemember) {

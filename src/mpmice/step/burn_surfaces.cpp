@@ -1,11 +1,8 @@
 // Surfaces that burn: what particles lose over their outer faces, by the fluid that these look
 // into, and what their surfaces remember.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/communicator.hpp"
 #include "framework/base/reduction.hpp"
 #include "mpmice/burn/burn_law.hpp"
 #include "mpmice/geometry/pieces.hpp"
@@ -67,45 +64,31 @@ std::vector<ExposedArea<D>> LevelCoupling<D>::exposed_areas(
   return exposed;
 }
 
-// Surfaces that remember burn at rates of their own. The fault of a particle that has none, empty
-// where all have.
+// Surfaces that remember burn at rates of their own.
 template <int D>
-std::string LevelCoupling<D>::delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
-                                            const std::vector<ExposedArea<D>>& exposed, double dt,
-                                            Column& shares) const {
+void LevelCoupling<D>::delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
+                                     const std::vector<ExposedArea<D>>& exposed, double dt,
+                                     Column& shares) const {
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-  std::string fault;
   for (std::size_t p = 0; p < shares.size(); ++p) {
     const models::SteadyBurn::Surface steady = exposed[p].burning();
     if (!(steady.flux > 0) || !(s.stays[p] > 0)) continue;
     const double density = mass[p] / volume[p];
     s.surface[p] = law.after(dt, s.surface[p], steady, T[p], density);
-    if (const auto flux = law.flux(s.surface[p], steady.flux, density)) {
-      shares[p] *= *flux / steady.flux;
-      continue;
-    }
-    const std::string text = fmt::format(
-        "Unsteady_Burn has no rate for the particle at [{:g}, {:g}, {:g}]: its surface is too hot "
-        "({:g} K) for its gradient ({:g} K/m); pressure changes too fast there",
-        s.set->coordinate(0)[p], s.set->coordinate(1)[p], s.set->coordinate(2)[p],
-        s.surface[p].temperature, s.surface[p].gradient);
-    if (fault.empty() || text < fault) fault = text;
+    shares[p] *= law.flux(s.surface[p], steady.flux, density) / steady.flux;
   }
-  return fault;
 }
 
 // Shares of the particles' masses that their surfaces lose.
 template <int D>
-Verdict LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
-                                        std::vector<Column>& shares) {
-  const auto* unsteady = std::get_if<models::UnsteadyBurn>(&burn.law);
+void LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
+                                     std::vector<Column>& shares) {
   const Warehouse& state = scope.levels.front()->state();
   std::vector<BurningField> fields = burning_fields(burn);
   std::erase_if(fields, [&](const BurningField& f) { return state.find(f.kept, burn.solid) < 0; });
   std::vector<BurningPiece> pieces;
-  std::string fault;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
     if (s.kind != burn.solid) continue;
@@ -115,20 +98,10 @@ Verdict LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::S
     shares[n].assign(s.set->size(), 0.0);
     for (std::size_t p = 0; p < shares[n].size(); ++p)
       if (s.stays[p] > 0) shares[n][p] = scope.step.dt * exposed[p].flow() / (mass[p] * s.stays[p]);
-    if (unsteady == nullptr) continue;
-    const std::string text = delay_burning(*unsteady, s, exposed, scope.step.dt, shares[n]);
-    if (fault.empty() || (!text.empty() && text < fault)) fault = text;
-  }
-  if (unsteady != nullptr) {
-    for (const std::string& text : scope.ranks->gather_to_all(fault))
-      if (!text.empty() && (fault.empty() || text < fault)) fault = text;
-    if (!fault.empty()) {
-      *scope.reason = fault;
-      return Verdict::reject;
-    }
+    if (const auto* unsteady = std::get_if<models::UnsteadyBurn>(&burn.law))
+      delay_burning(*unsteady, s, exposed, scope.step.dt, shares[n]);
   }
   if (!fields.empty()) store_burning(scope, burn, fields, pieces);
-  return Verdict::good;
 }
 
 // Of what surfaces remember, in cells; `most` pieces are in one.
@@ -186,11 +159,11 @@ void LevelCoupling<D>::store_burning(const StageScope& scope, const models::Soli
   }
 }
 
-template Verdict LevelCoupling<1>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                                 std::vector<Column>&);
-template Verdict LevelCoupling<2>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                                 std::vector<Column>&);
-template Verdict LevelCoupling<3>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                                 std::vector<Column>&);
+template void LevelCoupling<1>::burn_surfaces(const StageScope&, const models::SolidBurn&,
+                                              std::vector<Column>&);
+template void LevelCoupling<2>::burn_surfaces(const StageScope&, const models::SolidBurn&,
+                                              std::vector<Column>&);
+template void LevelCoupling<3>::burn_surfaces(const StageScope&, const models::SolidBurn&,
+                                              std::vector<Column>&);
 
 }  // namespace sluice::mpmice

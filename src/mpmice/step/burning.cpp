@@ -211,20 +211,17 @@ void LevelCoupling<D>::burn_particles(const models::SolidBurn& burn, const Colum
   }
 }
 
-// `any`: does it burn anything.
 template <int D>
-Verdict LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn,
-                                  bool& any) {
+bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
   Column in_cells;
   std::vector<Column> shares(sets_.size());
   if (!burns_surfaces(burn)) {
     burn_cells(scope, burn, in_cells);
     burn_particles(burn, in_cells, shares);
-  } else if (burn_surfaces(scope, burn, shares) == Verdict::reject) {
-    return Verdict::reject;
+  } else {
+    burn_surfaces(scope, burn, shares);
   }
-  any |= give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
-  return Verdict::good;
+  return give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
 }
 
 template <int D>
@@ -233,8 +230,7 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   if (burns_.empty()) return Verdict::good;
   begin_burning();
   bool any = false;
-  for (const models::SolidBurn& law : burns_)
-    if (burn_by(scope, law, any) == Verdict::reject) return Verdict::reject;
+  for (const models::SolidBurn& law : burns_) any |= burn_by(scope, law);
   if (!any) return Verdict::good;
   burned_.add_to(*scope.ranks, *scope.sums,
                  static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums()));

@@ -66,17 +66,16 @@ class LevelCoupling final : public Coupling {
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
   Verdict burn(const StageScope& scope);
   void begin_burning();
-  Verdict burn_by(const StageScope& scope, const models::SolidBurn& burn, bool& any);
+  bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
   struct BurningPiece {
     std::size_t set, particle, cell;
   };
   std::vector<ExposedArea<D>> exposed_areas(const models::SolidBurn& burn, std::size_t n,
                                             std::vector<BurningPiece>* pieces) const;
-  std::string delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
-                            const std::vector<ExposedArea<D>>& exposed, double dt,
-                            Column& shares) const;
-  Verdict burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
-                        std::vector<Column>& shares);
+  void delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
+                     const std::vector<ExposedArea<D>>& exposed, double dt, Column& shares) const;
+  void burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
+                     std::vector<Column>& shares);
   void mean_of_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
                       bool gradient, const CellSums<D>& counts, double most, Column& mean) const;
   void store_burning(const StageScope& scope, const models::SolidBurn& burn,
