@@ -109,6 +109,8 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   std::array<Column, D> dv;
   for (Column& of : dv) of.assign(frame_.box.cells(), 0.0);
   Column gain(frame_.box.cells(), 0.0), warm(frame_.box.cells(), 0.0);
+  std::array<double, D> impulse{};  // on the fluid; of rigid solids it comes from outside
+  double work = 0;                  // likewise, and heat; alike on every rank
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
     component[static_cast<std::size_t>(fluid_->options().direction[k])] = static_cast<int>(k);
@@ -128,8 +130,10 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         const double us = solid.velocity[d][i] / solid.mass[i] * most_speed;
         const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
         P -= I;
+        impulse[d] -= I;
         const double given = I * (us + 0.5 * I * inverse_s);
         amounts_.kinetic[i] -= given;
+        work -= given;
         dv[d][i] = I * inverse_s;
         gain[i] += given;
       }
@@ -138,10 +142,17 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       const double Q = (fluid.temperature - Ts) / (1 / (dt * K_h * V * theta) + 1 / fluid.capacity +
                                                    (rigid ? 0.0 : 1 / (Ms * c_s)));
       amounts_.kinetic[i] -= Q;
+      work -= Q;
       warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
     }
   });
-  if (rigid) return;
+  if (rigid) {
+    for (std::size_t d = 0; d < D; ++d)
+      (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
+          impulse[d] * frame_.cell_volume;
+    (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
+    return;
+  }
   ExactSum heated;
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
