@@ -91,6 +91,7 @@ std::vector<Entry> own() {
       {"held_region_classic", "held_region", {cells("[24,20,1]"), classic}},
       {"implicit_pulse", "implicit_pulse", {cells("[40,1,1]")}},
       {"implicit_channel", "implicit_couette_poiseuille", {}},
+      {"implicit_inflow", "implicit_inflow", {cells("[16,12,1]")}},
       {"implicit_cavity", "implicit_cavity", {cells("[12,14,1]")}},
       {"implicit_convection", "implicit_natural_convection", {cells("[12,14,1]")}},
       {"cube", "blast_3d", {cells("[14,12,13]")}},

@@ -187,7 +187,30 @@ void BoundaryFill::fill_side(Warehouse& state, int box, const IndexBox& ghosts, 
   if (one || setting_.mixed != nullptr) fill_scalars(state, box, ghosts, side, true);
   fill_flow(state, box, ghosts, side, moment);
   if (!one) fill_scalars(state, box, ghosts, side, false);
-  if (slots_.offset.valid()) fill_like_pressure(offset_view(state, box), ghosts, side);
+  if (slots_.offset.valid()) fill_offset(state, box, ghosts, side, moment);
+}
+
+// X - p of the work pressure X, which beside a velocity that is given goes on as inside whatever
+// pressure density and temperature of the ghost make: else what a solve left of the equation of
+// state in the cell would be a gradient of X, and feed itself by C/8 a step.
+void BoundaryFill::fill_offset(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                               const Moment& moment) const {
+  const RealView offset = offset_view(state, box);
+  fill_like_pressure(offset, ghosts, side);
+  const auto n = static_cast<std::size_t>(side);
+  const auto made = [](const GhostRule& r) {
+    return r.side_kind() == SideKind::velocity && r.fixed_density && r.fixed_temperature;
+  };
+  if (std::none_of(rules_[n].begin(), rules_[n].end(), made)) return;
+  const BoundaryViews v = views(state, box);
+  const int d = direction_of(side);
+  const GhostStates states(setting_, v, d, is_plus(side), moment);
+  for_each_cell(ghosts, [&](IntVec3 ghost) {
+    const GhostRule& here = rules_[n][region(side, ghost)];
+    if (!made(here)) return;
+    const IntVec3 source = source_cell(ghost, d, is_plus(side), here.mirrored(), level_->domain);
+    offset(ghost) += states.pressure(source) - states.pressure(ghost);
+  });
 }
 
 RealView BoundaryFill::offset_view(const Warehouse& state, int box) const {

@@ -116,6 +116,8 @@ class BoundaryFill {
                  const Moment& moment) const;
   // Of open faces, a row of cells at a time (boundary/open_sides.cpp).
   void fill_open_side(GhostStates& states, const IndexBox& ghosts, Side side) const;
+  void fill_offset(Warehouse& state, int box, const IndexBox& ghosts, Side side,
+                   const Moment& moment) const;
   // Of a number that has no rule of its own: mirrored or copied, 0 where the pressure is given.
   void fill_like_pressure(const RealView& view, const IndexBox& ghosts, Side side) const;
   // By any rule but waves.

@@ -63,6 +63,7 @@ class GhostStates {
   void waves(const GhostRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source,
              std::size_t material = 0) const;
   void mixture_waves(const MixtureRule& rule, const WaveState& out, IntVec3 ghost, IntVec3 source);
+  double pressure(IntVec3 cell) const;
 
  private:
   friend class WaveRows;
@@ -106,7 +107,6 @@ class GhostStates {
   };
   FaceFrame in_face_frame(int direction) const;
   void to_face_frame(Vec3 u, WaveState& s) const;
-  double pressure(IntVec3 cell) const;
   double sound_speed(IntVec3 cell, const WaveState& s) const;
   double lowest_pressure(IntVec3 cell) const;  // of the laws of what is there
   WaveState wave_state(IntVec3 cell) const;
