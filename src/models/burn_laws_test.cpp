@@ -6,6 +6,7 @@
 #include "models/jwlpp.hpp"
 #include "models/simple_burn.hpp"
 #include "models/steady_burn.hpp"
+#include "models/test_support/hmx.hpp"
 
 namespace sluice::models::burn_laws_test {
 namespace {
@@ -57,20 +58,7 @@ TEST(JwlPp, BurnsNoMoreThanItMayInAStep) {
   EXPECT_FALSE(law.burns(3e8, 0.005));
 }
 
-SteadyBurn hmx() {
-  SteadyBurn law;
-  law.solid_rate = 1.637e15;
-  law.activation = 1.76e5;
-  law.gas_rate = 1.6e-3;
-  law.solid_heat = 4.0e5;
-  law.gas_heat = 3.018e6;
-  law.gas_conductivity = 0.07;
-  law.conductivity = 0.2;
-  law.specific_heat = 1.4e3;
-  law.molar_mass = 3.42e-2;
-  return law;
-}
-constexpr double density = 1840;
+constexpr double density = hmx_density;
 
 // The flame stands x_g before the surface: x_g = 2 x_cd/(sqrt(1 + Da) - 1), x_cd = K_g/(m c_p),
 // Da = 4 B_g W^2 c_p p^2 x_cd^2/(R^2 K_g); T_s = T_0 + Q_c/c_p + Q_g/(c_p (1 + x_g/x_cd)).

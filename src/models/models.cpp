@@ -87,6 +87,9 @@ const std::vector<Entry>& table() {
       {"Steady_Burn", steady_burn_tag(), check_solid_reactant,
        [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
        burn<read_steady_burn>},
+      {"Unsteady_Burn", unsteady_burn_tag(), check_solid_reactant,
+       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
+       burn<read_unsteady_burn>},
       {"mass_momentum_energy_src", fixed_values_tag(), of_fluids<check_fixed_values>,
        [](const DeckNode& parameters, const Reading& to) {
          for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
@@ -224,10 +227,14 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
 void check_models(const DeckNode& root, const MaterialNames& materials,
                   std::vector<Fault>& faults) {
   std::set<std::string> labels;
-  std::set<int> traced;
+  std::set<int> traced, remembering;
   const auto& of_all_particles = particle_variables();
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     entry.check(parameters, materials, faults);
+    if (parameters.name == "Unsteady_Burn" &&
+        !remembering.insert(read_material(parameters, "fromMaterial", materials.all())).second)
+      return add_error(faults, parameters.where, "two <Unsteady_Burn> of the same material",
+                       "a surface can follow one of them alone");
     if (entry.labels == nullptr) return;
     if (entry.labels == tracer_labels &&
         !traced.insert(read_material(parameters, "material", materials.fluids)).second)

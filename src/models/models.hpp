@@ -18,6 +18,7 @@
 #include "models/simple_burn.hpp"
 #include "models/steady_burn.hpp"
 #include "models/tracer_particles.hpp"
+#include "models/unsteady_burn.hpp"
 
 namespace sluice {
 struct TagSpec;
@@ -29,7 +30,7 @@ namespace sluice::models {
 struct SolidBurn {
   int solid = 0;    // among the solids
   int product = 0;  // among the fluids
-  std::variant<MassExchange, SimpleBurn, SteadyBurn> law;
+  std::variant<MassExchange, SimpleBurn, SteadyBurn, UnsteadyBurn> law;
   Location where;
 };
 

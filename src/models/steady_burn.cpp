@@ -53,37 +53,40 @@ SteadyBurn::Surface SteadyBurn::surface(double p, double T0, double density) con
   return {T, k.flux(T)};
 }
 
-TagSpec steady_burn_tag() {
+std::vector<TagSpec> surface_and_flame_tags() {
   const auto number = [](const char* name, const char* text, const char* unit) {
     return tag(name, text).once().real().at_least(0).unit(unit);
   };
   const auto positive = [](const char* name, const char* text, const char* unit) {
     return tag(name, text).once().real().above(0).unit(unit);
   };
+  return {tag("fromMaterial", "name of the solid that burns").once().text(),
+          tag("toMaterial", "name of the fluid that it becomes").once().text(),
+          tag("Active", "accepted without effect").boolean(),
+          positive("IdealGasConst", "gas constant", "energy/(K mol)"),
+          number("PreExpCondPh", "rate of the reaction in the solid, A_c", "1/time"),
+          positive("ActEnergyCondPh", "its activation energy, E_c", "energy/mol"),
+          number("PreExpGasPh", "rate of the reaction in the gas, B_g", "m^3/(kg s K)"),
+          number("CondPhaseHeat", "heat of the reaction in the solid, Q_c", "energy/mass"),
+          number("GasPhaseHeat", "heat of the reaction in the gas, Q_g", "energy/mass"),
+          positive("HeatConductGasPh", "conductivity of the gas, K_g", "W/(m K)"),
+          positive("HeatConductCondPh", "conductivity of the solid, K_c", "W/(m K)"),
+          positive("SpecificHeatBoth", "specific heat of both, c_p", "energy/(mass K)"),
+          positive("MoleWeightGasPh", "molar mass of the gas, W", "kg/mol"),
+          tag("BoundaryParticles",
+              "accepted without effect: which faces of particles are on the surface is known")
+              .real()
+              .at_least(0),
+          number("ThresholdPressure", "burns from this pressure on", "pressure"),
+          number("IgnitionTemp",
+                 "burns where the fluid at the surface or around it, or the solid, is hotter than "
+                 "this",
+                 "temperature")};
+}
+
+TagSpec steady_burn_tag() {
   return tag("Steady_Burn", "surface of a solid burns by the model of Ward, Son and Brewster")
-      .with_children(
-          {tag("fromMaterial", "name of the solid that burns").once().text(),
-           tag("toMaterial", "name of the fluid that it becomes").once().text(),
-           tag("Active", "accepted without effect").boolean(),
-           positive("IdealGasConst", "gas constant", "energy/(K mol)"),
-           number("PreExpCondPh", "rate of the reaction in the solid, A_c", "1/time"),
-           positive("ActEnergyCondPh", "its activation energy, E_c", "energy/mol"),
-           number("PreExpGasPh", "rate of the reaction in the gas, B_g", "m^3/(kg s K)"),
-           number("CondPhaseHeat", "heat of the reaction in the solid, Q_c", "energy/mass"),
-           number("GasPhaseHeat", "heat of the reaction in the gas, Q_g", "energy/mass"),
-           positive("HeatConductGasPh", "conductivity of the gas, K_g", "W/(m K)"),
-           positive("HeatConductCondPh", "conductivity of the solid, K_c", "W/(m K)"),
-           positive("SpecificHeatBoth", "specific heat of both, c_p", "energy/(mass K)"),
-           positive("MoleWeightGasPh", "molar mass of the gas, W", "kg/mol"),
-           tag("BoundaryParticles",
-               "accepted without effect: which faces of particles are on the surface is known")
-               .real()
-               .at_least(0),
-           number("ThresholdPressure", "burns from this pressure on", "pressure"),
-           number("IgnitionTemp",
-                  "burns where the fluid at the surface or around it, or the solid, is hotter than "
-                  "this",
-                  "temperature")});
+      .with_children(surface_and_flame_tags());
 }
 
 SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& /*names*/) {

@@ -9,6 +9,8 @@
 // (Ward, Son, Brewster, Combust. Flame 114 (1998) 556.) m rises with T_s above C2 up to a highest
 // point, F falls where m rises: the root lies between C4 and the F of that point.
 #pragma once
+#include <vector>
+
 #include "models/reactant.hpp"
 
 namespace sluice {
@@ -39,6 +41,8 @@ struct SteadyBurn {
   Surface surface(double pressure, double solid_temperature, double density) const;
 };
 
+// Its parameters, which models of the same surface and flame share.
+std::vector<TagSpec> surface_and_flame_tags();
 TagSpec steady_burn_tag();
 SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& names);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/run/particle_cloud.hpp"
+#include "models/unsteady_burn.hpp"
 #include "mpm/saved/mean_pressure.hpp"
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/saved/thermal_volume.hpp"
@@ -125,6 +126,11 @@ void SolidParticles::put_seeded(int kind, const Level& level, const SeededPartic
       put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
   if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
   put(carried_[static_cast<std::size_t>(kind)].filled, 1);
+  if (const int surface = carried_[static_cast<std::size_t>(kind)].surface; surface >= 0) {
+    const models::SurfaceHistory unlit;
+    put(surface, unlit.temperature);
+    put(surface + 1, unlit.gradient);
+  }
   for (int d = 0; d < 3 && c.reference >= 0; ++d) put(c.reference + d, set.position(n)[d]);
 }
 

@@ -35,8 +35,11 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 // The coupling takes particles that carry their corners, whatever basis the deck names.
 mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns,
                            const Level& level) {
-  for (const models::SolidBurn& burn : burns)
-    solids.materials[static_cast<std::size_t>(burn.solid)].burns = true;
+  for (const models::SolidBurn& burn : burns) {
+    mpm::SolidMaterial& solid = solids.materials[static_cast<std::size_t>(burn.solid)];
+    solid.burns = true;
+    solid.surface_remembers |= std::holds_alternative<models::UnsteadyBurn>(burn.law);
+  }
   solids.carry_corners(level.active);
   solids.whole_kicks = true;
   return solids;

@@ -104,9 +104,23 @@ void declare_walls(Labels& l) {
   l.solid_fraction_next = cell("work.solid_fraction_next", "1", "The same at the end of the step.");
   l.wall_pressure = cell("solid.wall_pressure", "Pa",
                          "Pressure between the fluid of a cell and the solid in it.");
-  l.burning_cells = cell("SteadyBurn.BurningCell", "1",
-                         "1 where surfaces of the solid of Steady_Burn lost mass in the step.");
-  l.burning_in_step = cell("work.burning", "1", "The same, while steps are taken.");
+  const auto at_surfaces = [](const char* saved, const char* kept, const char* unit,
+                              const char* definition) {
+    return Labels::AtSurfaces{cell(saved, unit, definition),
+                              cell(kept, unit, "The same, while steps are taken.")};
+  };
+  l.burning_steady =
+      at_surfaces("SteadyBurn.BurningCell", "work.burning", "1",
+                  "1 where surfaces of the solid of Steady_Burn lost mass in the step.");
+  l.burning_unsteady =
+      at_surfaces("UnsteadyBurn.BurningCell", "work.burning_unsteady", "1",
+                  "1 where surfaces of the solid of Unsteady_Burn lost mass in the step.");
+  l.surface_temperature =
+      at_surfaces("UnsteadyBurn.SurfTemp", "work.surface_temperature", "K",
+                  "Temperature of surfaces of that solid where they burn, mean over the pieces in "
+                  "the cell; 0 elsewhere.");
+  l.surface_gradient = at_surfaces("UnsteadyBurn.SurfTempGrad", "work.surface_gradient", "K/m",
+                                   "Likewise the gradient of temperature in the solid there.");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const std::string axis = axes[d];

@@ -27,7 +27,11 @@ struct Labels {
   // Where solids stand in the fluid: walls/variables.hpp.
   Label solid_fraction, solid_fraction_next, wall_pressure;
   Label covered[3], mean_covered[3], swept[3], solid_face_velocity[3];
-  Label burning_cells, burning_in_step;  // as saved; as kept
+  // Where surfaces of solids burn: as saved; as kept while steps are taken.
+  struct AtSurfaces {
+    Label saved, kept;
+  };
+  AtSurfaces burning_steady, burning_unsteady, surface_temperature, surface_gradient;
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

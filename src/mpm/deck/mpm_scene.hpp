@@ -47,7 +47,8 @@ struct SolidMaterial {
   double specific_heat_p = 0;    // C_p
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
-  bool burns = false;  // its particles lose mass in place
+  bool burns = false;              // its particles lose mass in place
+  bool surface_remembers = false;  // at a rate that depends on what has burned before
   Location where;
 };
 

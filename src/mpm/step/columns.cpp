@@ -94,6 +94,10 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.columns.outer = add(l.outer, false);
   }
   if (material.burns) c.filled = add(l.filled, false);
+  if (material.surface_remembers) {
+    c.surface = add(l.surface_temperature, false);
+    add(l.surface_gradient, false);
+  }
   if (solids.total_lagrangian) c.columns.reference = add(l.reference, false);
   if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
       !solids.manufactured.empty())

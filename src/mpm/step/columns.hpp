@@ -41,7 +41,8 @@ struct Carried {
   Columns columns;
   std::vector<ParticleAttribute> attributes;
   int history_columns = 0;
-  int filled = -1;  // column: part of the volume between the corners that has not burned
+  int filled = -1;   // column: part of the volume between the corners that has not burned
+  int surface = -1;  // 2, what its burning surface remembers: temperature, gradient
   std::array<double, 3> half{0.5, 0.5, 0.5};          // where the particles do not differ
   std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };

@@ -63,6 +63,13 @@ SolidLabels declare_all() {
                     "and 32 for the others.");
   l.filled = declare("p.filled", real, "1",
                      "Part of the volume between the corners of a particle that has not burned.");
+  l.surface_temperature =
+      declare("UnsteadyBurn.PartSurfTemp", real, "K",
+              "Temperature that the surface of a particle remembers, of the model Unsteady_Burn; "
+              "300 before it burns.");
+  l.surface_gradient =
+      declare("UnsteadyBurn.PartSurfTempGrad", real, "K/m",
+              "Gradient of temperature in the solid at that surface; 1e12 before it burns.");
   return l;
 }
 

@@ -13,6 +13,7 @@ struct SolidLabels {
       scale_factor, heat_source, heating, rate_of_format, outer;
   std::array<Label, most_corners> corner;
   Label filled;
+  Label surface_temperature, surface_gradient;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage, heating or another method of the format give particles this

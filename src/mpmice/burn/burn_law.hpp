@@ -12,35 +12,41 @@ struct AtSurface {
   double density = 0;            // of the particle
 };
 
+// The law of surface and flame, where a model has one.
+inline const models::SteadyBurn* surface_and_flame(const models::SolidBurn& burn) {
+  if (const auto* unsteady = std::get_if<models::UnsteadyBurn>(&burn.law)) return unsteady;
+  return std::get_if<models::SteadyBurn>(&burn.law);
+}
+
 // Does a law burn surfaces; else whole particles.
 inline bool burns_surfaces(const models::SolidBurn& burn) {
-  return std::holds_alternative<models::SimpleBurn>(burn.law) ||
-         std::holds_alternative<models::SteadyBurn>(burn.law);
+  return std::holds_alternative<models::SimpleBurn>(burn.law) || surface_and_flame(burn) != nullptr;
 }
 
 // Is the temperature of the fluid around the cell asked too, or only where the cell has little.
 inline bool looks_around(const models::SolidBurn& burn) {
-  return std::holds_alternative<models::SteadyBurn>(burn.law);
+  return surface_and_flame(burn) != nullptr;
 }
 
 // Heat per mass that the product gets beside what the mass brings with it.
 inline double heat_of_reaction(const models::SolidBurn& burn) {
   if (const auto* simple = std::get_if<models::SimpleBurn>(&burn.law)) return simple->heat;
-  if (const auto* steady = std::get_if<models::SteadyBurn>(&burn.law)) return steady->heat();
+  if (const auto* steady = surface_and_flame(burn)) return steady->heat();
   if (const auto* exchange = std::get_if<models::MassExchange>(&burn.law))
     return exchange->by_pressure ? exchange->by_pressure->heat : 0.0;
   return 0;
 }
 
-// Mass per area and time.
-inline double surface_flux(const models::SolidBurn& burn, const AtSurface& at) {
-  if (const auto* simple = std::get_if<models::SimpleBurn>(&burn.law))
-    return simple->burns(at.pressure, at.hottest) ? simple->flux(at.pressure) : 0.0;
-  if (const auto* steady = std::get_if<models::SteadyBurn>(&burn.law))
-    return steady->burns(at.pressure, at.hottest)
-               ? steady->surface(at.pressure, at.solid_temperature, at.density).flux
-               : 0.0;
-  return 0;
+// A surface that remembers nothing; no flux: it does not burn.
+inline models::SteadyBurn::Surface steady_surface(const models::SolidBurn& burn,
+                                                  const AtSurface& at) {
+  if (const auto* simple = std::get_if<models::SimpleBurn>(&burn.law);
+      simple != nullptr && simple->burns(at.pressure, at.hottest))
+    return {0, simple->flux(at.pressure)};
+  if (const auto* steady = surface_and_flame(burn);
+      steady != nullptr && steady->burns(at.pressure, at.hottest))
+    return steady->surface(at.pressure, at.solid_temperature, at.density);
+  return {};
 }
 
 }  // namespace sluice::mpmice

@@ -1,5 +1,5 @@
-// The field SteadyBurn.BurningCell: 1 where surfaces of the solid of a model Steady_Burn lost mass
-// in the step. Kept only where the deck saves it.
+// Fields of the cells in which surfaces burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
+// SurfTemp and SurfTempGrad. Each is kept only where the deck saves it.
 #pragma once
 #include <vector>
 
@@ -10,6 +10,14 @@
 
 namespace sluice::mpmice {
 
+enum class SurfaceValue { burns, temperature, gradient };
+struct BurningField {
+  SurfaceValue value = SurfaceValue::burns;
+  Label saved, kept;
+};
+// What can be saved of a law.
+std::vector<BurningField> burning_fields(const models::SolidBurn& burn);
+
 class BurningCells {
  public:
   BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns);
@@ -17,11 +25,12 @@ class BurningCells {
   // Work slots of the coupling, by solid.
   const std::vector<SlotInfo>& slots() const { return slots_; }
   void clear(Warehouse& state) const;
-  // `effect`: what the output belongs to.
+  // `effect`: what the outputs belong to.
   void declare(TaskList& diagnostics, int effect) const;
 
  private:
   std::vector<SlotInfo> slots_;
+  std::vector<Label> saved_;  // of each slot
 };
 
 }  // namespace sluice::mpmice

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "models/steady_burn.hpp"
 #include "mpmice/geometry/corner_table.hpp"
 
 namespace sluice::mpmice {
@@ -15,8 +16,9 @@ namespace sluice::mpmice {
 template <int D>
 class ExposedArea {
  public:
-  // A piece of face 2 axis + side with this area vector, and the mass flux there.
-  void add(int face, const std::array<double, D>& area, double flux) {
+  using Surface = models::SteadyBurn::Surface;
+  // A piece of face 2 axis + side with this area vector, and what burns there.
+  void add(int face, const std::array<double, D>& area, const Surface& surface) {
     double size = 0;
     for (std::size_t d = 0; d < D; ++d) {
       sums_[static_cast<std::size_t>(face)][d] += area[d];
@@ -24,7 +26,14 @@ class ExposedArea {
     }
     size = std::sqrt(size);
     all_ += size;
-    flow_ += size * flux;
+    flow_ += size * surface.flux;
+    if (!(surface.flux > 0)) return;
+    burning_ += size;
+    heat_ += size * surface.temperature;
+  }
+  // Mean over the pieces that burn; no flux: none does.
+  Surface burning() const {
+    return burning_ > 0 ? Surface{heat_ / burning_, flow_ / burning_} : Surface{};
   }
   // Mass per time.
   double flow() const {
@@ -48,7 +57,7 @@ class ExposedArea {
     return product < 0;
   }
   std::array<std::array<double, D>, 2 * D> sums_{};
-  double all_ = 0, flow_ = 0;
+  double all_ = 0, flow_ = 0, burning_ = 0, heat_ = 0;
 };
 
 }  // namespace sluice::mpmice

@@ -12,8 +12,8 @@ namespace {
 
 TEST(ExposedArea, OfFlatSurfacesIsTheirOwn) {
   ExposedArea<2> one;
-  one.add(1, {0.3, 0}, 2);
-  one.add(1, {0.2, 0}, 4);  // another piece, where more burns
+  one.add(1, {0.3, 0}, {0, 2});
+  one.add(1, {0.2, 0}, {0, 4});  // another piece, where more burns
   EXPECT_DOUBLE_EQ(one.flow(), 0.3 * 2 + 0.2 * 4);
   ExposedArea<3> none;
   EXPECT_EQ(none.flow(), 0);
@@ -21,29 +21,29 @@ TEST(ExposedArea, OfFlatSurfacesIsTheirOwn) {
 
 TEST(ExposedArea, OfASheetCountsBothSides) {
   ExposedArea<2> sheet;
-  sheet.add(0, {-1, 0}, 1);
-  sheet.add(1, {1, 0}, 1);
+  sheet.add(0, {-1, 0}, {0, 1});
+  sheet.add(1, {1, 0}, {0, 1});
   EXPECT_DOUBLE_EQ(sheet.flow(), 2);
 }
 
 // Stairs under 45 degrees: each particle has a step of two sides.
 TEST(ExposedArea, OfStairsIsThatOfTheSlope) {
   ExposedArea<2> step;
-  step.add(1, {1, 0}, 1);
-  step.add(3, {0, 1}, 1);
+  step.add(1, {1, 0}, {0, 1});
+  step.add(3, {0, 1}, {0, 1});
   EXPECT_DOUBLE_EQ(step.flow(), std::numbers::sqrt2);
   ExposedArea<3> corner;
-  corner.add(0, {-1, 0, 0}, 1);
-  corner.add(3, {0, 1, 0}, 1);
-  corner.add(5, {0, 0, 1}, 1);
+  corner.add(0, {-1, 0, 0}, {0, 1});
+  corner.add(3, {0, 1, 0}, {0, 1});
+  corner.add(5, {0, 0, 1}, {0, 1});
   EXPECT_DOUBLE_EQ(corner.flow(), std::numbers::sqrt3);
 }
 
 // Where faces of two axes lie in one smooth surface both count in full.
 TEST(ExposedArea, OfASmoothSurfaceIsWhole) {
   ExposedArea<2> smooth;
-  smooth.add(1, {0.6, 0.8}, 1);
-  smooth.add(3, {0.6, 0.8}, 1);
+  smooth.add(1, {0.6, 0.8}, {0, 1});
+  smooth.add(3, {0.6, 0.8}, {0, 1});
   EXPECT_DOUBLE_EQ(smooth.flow(), 2);
 }
 
@@ -74,16 +74,31 @@ void neighbours_lose_the_shared_face() {
   gone.add(0, row.columns(), 1);
   gone.tell_all(world());
   EXPECT_FALSE(gone.empty());
-  EXPECT_EQ(gone.faces_of(0, row.columns(), 0), 1 << 1);
-  EXPECT_EQ(gone.faces_of(0, row.columns(), 2), 1 << 0);
-  EXPECT_EQ(gone.faces_of(0, row.columns(), 3), 0);
-  EXPECT_EQ(gone.faces_of(1, row.columns(), 0), 0);  // of another body
+  EXPECT_EQ(gone.exposed(0, row.columns(), 0).faces, 1 << 1);
+  EXPECT_EQ(gone.exposed(0, row.columns(), 2).faces, 1 << 0);
+  EXPECT_FALSE(gone.exposed(0, row.columns(), 2).surface.lit());
+  EXPECT_EQ(gone.exposed(0, row.columns(), 3).faces, 0);
+  EXPECT_EQ(gone.exposed(1, row.columns(), 0).faces, 0);  // of another body
 }
 
 TEST(VanishedFaces, AreOuterOnesOfTheirNeighbours) {
   neighbours_lose_the_shared_face<1>();
   neighbours_lose_the_shared_face<2>();
   neighbours_lose_the_shared_face<3>();
+}
+
+// Of two the steeper; of one that has not burned nothing.
+TEST(VanishedFaces, LeaveWhatTheirSurfacesRemember) {
+  const RowOfParticles<2> row(5);
+  VanishedFaces<2> gone;
+  gone.add(0, row.columns(), 3);
+  gone.add(0, row.columns(), 2, {700, 2e6});
+  gone.add(0, row.columns(), 0, {800, 1e6});
+  gone.tell_all(world());
+  const models::SurfaceHistory between = gone.exposed(0, row.columns(), 1).surface;
+  EXPECT_EQ(between.temperature, 700);
+  EXPECT_EQ(between.gradient, 2e6);
+  EXPECT_FALSE(gone.exposed(0, row.columns(), 4).surface.lit());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Faces of particles that have vanished: who shared one with them now has an outer face.
+// Faces of particles that have vanished: who shared one with them now has an outer face, and takes
+// over what the surface there remembers.
 //
 // Particles of a body share corners to the bit, so that faces are known by the places of their
 // corners, in an order of their own.
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "framework/base/communicator.hpp"
+#include "models/unsteady_burn.hpp"
 #include "mpmice/geometry/outer_faces.hpp"
 
 namespace sluice::mpmice {
@@ -17,36 +19,56 @@ namespace sluice::mpmice {
 template <int D>
 class VanishedFaces {
  public:
-  // Of particle p of a body.
-  void add(int body, const CornerColumns<D>& x, std::size_t p) {
+  // Of particle p of a body, whose surface remembered this.
+  void add(int body, const CornerColumns<D>& x, std::size_t p,
+           const models::SurfaceHistory& surface = {}) {
     for (int face = 0; face < faces_of_particle<D>; ++face)
-      keys_.push_back(key_of(body, x, p, face));
+      faces_.push_back({key_of(body, x, p, face), surface});
   }
   // Collective: then all ranks know all.
   void tell_all(Communicator& ranks) {
-    std::string bytes(keys_.size() * sizeof(Key), '\0');
-    if (!keys_.empty()) std::memcpy(bytes.data(), keys_.data(), bytes.size());
-    keys_.clear();
+    std::string bytes(faces_.size() * sizeof(Face), '\0');
+    if (!faces_.empty()) std::memcpy(bytes.data(), faces_.data(), bytes.size());
+    faces_.clear();
     for (const std::string& of_rank : ranks.gather_to_all(bytes)) {
-      const std::size_t before = keys_.size();
-      keys_.resize(before + of_rank.size() / sizeof(Key));
-      if (!of_rank.empty()) std::memcpy(keys_.data() + before, of_rank.data(), of_rank.size());
+      const std::size_t before = faces_.size();
+      faces_.resize(before + of_rank.size() / sizeof(Face));
+      if (!of_rank.empty()) std::memcpy(faces_.data() + before, of_rank.data(), of_rank.size());
     }
-    std::sort(keys_.begin(), keys_.end());
+    std::sort(faces_.begin(), faces_.end(),
+              [](const Face& a, const Face& b) { return a.key < b.key; });
   }
-  bool empty() const { return keys_.empty(); }
-  // Bits of the faces of particle p of a body that are among them.
-  std::uint8_t faces_of(int body, const CornerColumns<D>& x, std::size_t p) const {
-    std::uint8_t bits = 0;
-    for (int face = 0; face < faces_of_particle<D>; ++face)
-      if (std::binary_search(keys_.begin(), keys_.end(), key_of(body, x, p, face)))
-        bits = static_cast<std::uint8_t>(bits | (1 << face));
-    return bits;
+  bool empty() const { return faces_.empty(); }
+  struct Exposed {
+    std::uint8_t faces = 0;  // bits
+    // Of the vanished neighbour with the steepest gradient; unlit: none has burned by such a law.
+    models::SurfaceHistory surface;
+  };
+  // What particle p of a body shared with them.
+  Exposed exposed(int body, const CornerColumns<D>& x, std::size_t p) const {
+    Exposed to;
+    for (int face = 0; face < faces_of_particle<D>; ++face) {
+      const Key key = key_of(body, x, p, face);
+      const auto found = std::lower_bound(faces_.begin(), faces_.end(), key,
+                                          [](const Face& f, const Key& k) { return f.key < k; });
+      if (found == faces_.end() || found->key != key) continue;
+      to.faces = static_cast<std::uint8_t>(to.faces | (1 << face));
+      if (found->surface.lit() && (!to.surface.lit() || steeper(found->surface, to.surface)))
+        to.surface = found->surface;
+    }
+    return to;
   }
 
  private:
   // The body, then the corners in rising order.
   using Key = std::array<double, 1 + D * corners_of_face<D>>;
+  struct Face {
+    Key key;
+    models::SurfaceHistory surface;
+  };
+  static bool steeper(const models::SurfaceHistory& a, const models::SurfaceHistory& b) {
+    return std::array{a.gradient, a.temperature} > std::array{b.gradient, b.temperature};
+  }
   static Key key_of(int body, const CornerColumns<D>& x, std::size_t p, int face) {
     std::array<std::array<double, D>, corners_of_face<D>> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
@@ -59,7 +81,7 @@ class VanishedFaces {
       std::copy(corners[k].begin(), corners[k].end(), key.begin() + 1 + static_cast<int>(k * D));
     return key;
   }
-  std::vector<Key> keys_;
+  std::vector<Face> faces_;
 };
 
 }  // namespace sluice::mpmice

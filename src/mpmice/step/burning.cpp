@@ -7,93 +7,22 @@
 //
 //   m, V, V_0, W: (1 - f) of them;  fluid: + f m, f m v, heat f (W + m c_s T + m Q), f m v^2/2
 //
-// in the cells of the particle, where its volume opens. Redistribution then joins what little cells
-// hold with their neighbours at once: products alone in a crack would tear the body.
+// in the cells of the particle, where its volume opens (burn_products.cpp).
 #include <algorithm>
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
-#include "ice/fluid/labels.hpp"
 #include "mpmice/burn/burn_law.hpp"
-#include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
-#include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/level_coupling.hpp"
-#include "mpmice/step/redistribute.hpp"
 
 namespace sluice::mpmice {
 namespace {
 
 constexpr double least_filled = 1e-3;  // of a particle: the rest burns with it
 constexpr double least_share = 1e-9;   // of its mass that burns in a step
-constexpr double seen_volume = 0.2;    // fluids that fill less of a cell do not count as hot
 
 }  // namespace
-
-// Hottest fluid in a cell, or around it where asked or where the cell has little; 0: none.
-template <int D>
-double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
-  const std::size_t here = frame_.box.index(c);
-  if (!around && amounts_.volume[here] > seen_volume) return heat_of(here).temperature;
-  double most = 0;
-  for_each_around(c, 1, [&](std::size_t i) {
-    if (amounts_.near[i] != 0 && amounts_.volume[i] > seen_volume)
-      most = std::max(most, heat_of(i).temperature);
-  });
-  return most;
-}
-
-// Shares of the particles' masses that their surfaces lose.
-template <int D>
-void LevelCoupling<D>::burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
-                                     Column& shares) {
-  std::vector<ExposedArea<D>> exposed(s.set->size());
-  const bool marks = burning_.lanes() > 0;
-  const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
-  const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
-  const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                    [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-                      const std::size_t p = s.faces.particle[i];
-                      if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
-                      Cell<D> c = piece.cell;
-                      for (std::size_t d = 0; d < D; ++d)
-                        if (!frame_.periodic[d] &&
-                            (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
-                          return;  // on a side of the domain
-                      c = frame_.inside(c);
-                      const std::size_t k = frame_.box.index(c);
-                      if (!wet(k)) return;
-                      AtSurface at;
-                      at.pressure = fields_.pressure[k];
-                      at.solid_temperature = T[p];
-                      at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
-                      at.density = mass[p] / volume[p];
-                      std::array<double, D> area = piece.area;
-                      for (int d = 0; d < D; ++d)
-                        area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
-                      const double flux = surface_flux(burn, at);
-                      if (flux > 0 && marks) ++burning_.lane(0)[k];
-                      exposed[p].add(s.faces.face[i], area, flux);
-                    });
-  for (std::size_t p = 0; p < shares.size(); ++p)
-    if (s.stays[p] > 0) shares[p] = dt * exposed[p].flow() / (mass[p] * s.stays[p]);
-}
-
-// For the archive, by all ranks' pieces of surface.
-template <int D>
-void LevelCoupling<D>::store_burning(const StageScope& scope, int slot) {
-  Warehouse& state = scope.levels.front()->state();
-  burning_.reach(frame_.box);
-  burning_.sum_over_ranks(*scope.ranks);
-  for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const RealView to = state.view(slot, 0, b);
-    for_each_cell(frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells),
-                  [&](IntVec3 c) {
-                    if (burning_.lane(0)[frame_.box.index(frame_.cell(c))] > 0) to(c) = 1;
-                  });
-  }
-}
 
 // Of what burns everywhere: the share that burns in each cell.
 template <int D>
@@ -203,95 +132,7 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
   return given;
 }
 
-// The largest number of parts of the giving particles in a cell: sums need room for no more.
-template <int D>
-double LevelCoupling<D>::most_parts_given(const StageScope& scope,
-                                          const std::vector<Given>& given) const {
-  CellSums<D> parts;
-  parts.begin(frame_.box, 1);
-  parts.reach(frame_.box);
-  for (const Given& g : given) {
-    const SolidSet<D>& s = sets_[g.set];
-    for_each_part<D>(frame_, corner_columns<D>(frame_, *s.columns, *s.next), *s.next, g.particle,
-                     [&](std::size_t i) { ++parts.lane(0)[i]; });
-  }
-  parts.sum_over_ranks(*scope.ranks);
-  return static_cast<double>(*std::max_element(parts.lane(0), parts.lane(0) + frame_.box.cells()));
-}
-
-// Cells get what particles have given: each cell of a particle as many parts as lie in it, by
-// `in_cells` where that is not empty. False: no rank has anything.
-template <int D>
-bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
-                                     const std::vector<Given>& given, const Column& in_cells) {
-  constexpr int mass = 0, energy = 1, kinetic = 2, momentum = 3;
-  const int components = static_cast<int>(amounts_.momentum.size());
-  double most_mass = 1e-300, most_energy = 1e-300, most_kinetic = 1e-300, most_speed = 1e-300;
-  for (const Given& g : given) {
-    most_mass = std::max(most_mass, g.mass);
-    most_energy = std::max(most_energy, std::fabs(g.energy));
-    most_kinetic = std::max(most_kinetic, g.kinetic);
-    for (int d = 0; d < 3; ++d) most_speed = std::max(most_speed, std::fabs(g.velocity[d]));
-  }
-  Reduction all;
-  const std::array<Reduction::Maximum, 4> maxima{
-      all.add_maximum(most_mass), all.add_maximum(most_energy), all.add_maximum(most_kinetic),
-      all.add_maximum(most_speed)};
-  const auto any = all.add_any(!given.empty());
-  scope.ranks->reduce(all);
-  if (!all.any(any)) return false;
-  most_mass = all.maximum(maxima[0]);
-  most_energy = all.maximum(maxima[1]);
-  most_kinetic = all.maximum(maxima[2]);
-  most_speed = all.maximum(maxima[3]);
-  const double room = most_parts_given(scope, given);
-  CellSums<D> sums;
-  sums.begin(frame_.box, momentum + components);
-  sums.reach(frame_.box);
-  const auto weight = [&](std::size_t i) { return in_cells.empty() ? 1.0 : in_cells[i]; };
-  for (const Given& g : given) {
-    const SolidSet<D>& s = sets_[g.set];
-    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
-    double whole = 0;  // of the weights of its parts
-    for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) { whole += weight(i); });
-    for_each_part<D>(frame_, x, *s.next, g.particle, [&](std::size_t i) {
-      const double share = g.mass / most_mass / room * (weight(i) / whole);
-      sums.lane(mass)[i] += to_sum(share);
-      sums.lane(energy)[i] += to_sum(share * (g.energy / most_energy));
-      sums.lane(kinetic)[i] += to_sum(share * (g.kinetic / most_kinetic));
-      for (int k = 0; k < components; ++k) {
-        const int d = fluid_->options().direction[static_cast<std::size_t>(k)];
-        sums.lane(momentum + k)[i] += to_sum(share * (g.velocity[d] / most_speed));
-      }
-    });
-  }
-  sums.sum_over_ranks(*scope.ranks);
-  const double to_density = most_mass * room / frame_.cell_volume;
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    if (sums.lane(mass)[i] == 0) return;
-    const auto value = [&](int lane) { return from_sum(sums.lane(lane)[i]) * to_density; };
-    std::array<double, 3> P{};
-    for (int k = 0; k < components; ++k)
-      P[static_cast<std::size_t>(k)] = value(momentum + k) * most_speed;
-    add_product(i, product, value(mass), value(energy) * most_energy, value(kinetic) * most_kinetic,
-                P);
-  });
-  return true;
-}
-
-template <int D>
-void LevelCoupling<D>::add_product(std::size_t i, int product, double mass, double energy,
-                                   double kinetic, const std::array<double, 3>& momentum) {
-  const auto m = static_cast<std::size_t>(product);
-  amounts_.mass[m][i] += mass;
-  products_[m][i] += mass;
-  amounts_.energy[m][i] += energy;
-  amounts_.kinetic[i] += kinetic;
-  for (std::size_t k = 0; k < amounts_.momentum.size(); ++k) amounts_.momentum[k][i] += momentum[k];
-  amounts_.touched[i] = 1;
-}
-
-// Whose neighbours have vanished has more outer faces.
+// Whose neighbours have vanished has more outer faces, and goes on where they have ended.
 template <int D>
 void LevelCoupling<D>::expose_neighbours(const StageScope& scope) {
   VanishedFaces<D> gone;
@@ -299,7 +140,8 @@ void LevelCoupling<D>::expose_neighbours(const StageScope& scope) {
     if (s.part < 0) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     for (std::size_t p = 0; p < s.stays.size(); ++p)
-      if (s.stays[p] == 0) gone.add(s.kind, x, p);
+      if (s.stays[p] == 0)
+        gone.add(s.kind, x, p, s.surface.empty() ? models::SurfaceHistory{} : s.surface[p]);
   }
   gone.tell_all(*scope.ranks);
   vanished_ = !gone.empty();
@@ -307,8 +149,12 @@ void LevelCoupling<D>::expose_neighbours(const StageScope& scope) {
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
-    for (std::size_t p = 0; p < s.stays.size(); ++p)
-      if (s.stays[p] > 0) s.outer[p] |= gone.faces_of(s.kind, x, p);
+    for (std::size_t p = 0; p < s.stays.size(); ++p) {
+      if (!(s.stays[p] > 0)) continue;
+      const auto exposed = gone.exposed(s.kind, x, p);
+      s.outer[p] |= exposed.faces;
+      if (!s.surface.empty() && !s.surface[p].lit()) s.surface[p] = exposed.surface;
+    }
   }
 }
 
@@ -328,6 +174,10 @@ void LevelCoupling<D>::note_burned(const StageScope& scope) {
         filled[p] = s.filled[p];
         outer[p] = s.outer[p];
       }
+      for (std::size_t p = 0; p < s.surface.size(); ++p) {
+        column(s.surface_column)[p] = s.surface[p].temperature;
+        column(s.surface_column + 1)[p] = s.surface[p].gradient;
+      }
     }
   });
 }
@@ -343,30 +193,34 @@ void LevelCoupling<D>::begin_burning() {
     s.outer.resize(s.set->size());
     for (std::size_t p = 0; p < s.outer.size(); ++p)
       s.outer[p] = static_cast<std::uint8_t>(bits[p]);
+    read_surfaces(s);
+  }
+}
+
+template <int D>
+void LevelCoupling<D>::burn_particles(const models::SolidBurn& burn, const Column& in_cells,
+                                      std::vector<Column>& shares) const {
+  for (std::size_t n = 0; n < sets_.size(); ++n) {
+    const SolidSet<D>& s = sets_[n];
+    if (s.kind != burn.solid) continue;
+    shares[n].assign(s.set->size(), 0.0);
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+    for (std::size_t p = 0; p < s.set->size(); ++p)
+      for_each_part<D>(frame_, x, *s.next, p,
+                       [&](std::size_t i) { shares[n][p] += in_cells[i] / (1 << D); });
   }
 }
 
 template <int D>
 bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
   Column in_cells;
-  if (!burns_surfaces(burn)) burn_cells(scope, burn, in_cells);
-  const int kept = scope.levels.front()->state().find(ice::labels().burning_in_step, burn.solid);
-  burning_.begin(frame_.box, kept < 0 ? 0 : 1);
   std::vector<Column> shares(sets_.size());
-  for (std::size_t n = 0; n < sets_.size(); ++n) {
-    const SolidSet<D>& s = sets_[n];
-    if (s.kind != burn.solid) continue;
-    shares[n].assign(s.set->size(), 0.0);
-    if (in_cells.empty()) {
-      burn_surfaces(burn, s, scope.step.dt, shares[n]);
-      continue;
-    }
-    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
-    for (std::size_t p = 0; p < s.set->size(); ++p)
-      for_each_part<D>(frame_, x, *s.next, p,
-                       [&](std::size_t i) { shares[n][p] += in_cells[i] / (1 << D); });
+  if (!burns_surfaces(burn)) {
+    burn_cells(scope, burn, in_cells);
+    burn_particles(burn, in_cells, shares);
+  } else {
+    burn_surfaces(scope, burn, shares);
   }
-  if (kept >= 0) store_burning(scope, kept);
   return give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
 }
 
@@ -383,28 +237,6 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   expose_neighbours(scope);
   note_burned(scope);
   return open_burned_volume(scope);
-}
-
-// theta and a once more, with what is left of the particles. The products fill what opens.
-template <int D>
-Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
-  find_all_faces(scope, true);
-  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];
-    if (opened == 0) return;
-    amounts_.volume[i] = volume;
-    amounts_.touched[i] = 1;
-    double all = 0;
-    for (const Column& mass : products_) all += mass[i];
-    if (amounts_.mass.size() == 1) {
-      amounts_.filled[0][i] = volume;
-    } else if (all > 0) {
-      for (std::size_t m = 0; m < products_.size(); ++m)
-        amounts_.filled[m][i] += opened * (products_[m][i] / all);
-    }
-  });
-  return share_small_cells(scope);
 }
 
 // Once particles are taken over: those that are burned go.

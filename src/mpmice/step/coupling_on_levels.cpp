@@ -91,7 +91,7 @@ Verdict CouplingOnLevels::keep_work_pressure(const StageScope& scope) {
 }
 
 Verdict CouplingOnLevels::finish_cells(const StageScope& scope) {
-  for (LevelSolver* level : scope.levels) burning_->clear(level->state());
+  for (LevelSolver* level : scope.levels) burning_->clear(level->attempted());
   return on_finest(scope, &Coupling::finish_cells);
 }
 

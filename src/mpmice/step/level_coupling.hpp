@@ -3,6 +3,8 @@
 #include "framework/run/level_solver.hpp"
 #include "ice/closure/equilibrate.hpp"
 #include "mpmice/burn/burned_sums.hpp"
+#include "mpmice/burn/burning_cells.hpp"
+#include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
 #include "mpmice/step/coupling.hpp"
@@ -61,16 +63,30 @@ class LevelCoupling final : public Coupling {
   FluidHeat heat_of(std::size_t i) const;
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   Verdict share_small_cells(const StageScope& scope);
-  // What burns (burning.cpp).
+  // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
   Verdict burn(const StageScope& scope);
   void begin_burning();
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
-  void burn_surfaces(const models::SolidBurn& burn, const SolidSet<D>& s, double dt,
-                     Column& shares);
-  void store_burning(const StageScope& scope, int slot);
+  struct BurningPiece {
+    std::size_t set, particle, cell;
+  };
+  std::vector<ExposedArea<D>> exposed_areas(const models::SolidBurn& burn, std::size_t n,
+                                            std::vector<BurningPiece>* pieces) const;
+  void delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
+                     const std::vector<ExposedArea<D>>& exposed, double dt, Column& shares) const;
+  void burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
+                     std::vector<Column>& shares);
+  void mean_of_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
+                      bool gradient, const CellSums<D>& counts, double most, Column& mean) const;
+  void store_burning(const StageScope& scope, const models::SolidBurn& burn,
+                     const std::vector<BurningField>& fields,
+                     const std::vector<BurningPiece>& pieces) const;
+  void burn_particles(const models::SolidBurn& burn, const Column& in_cells,
+                      std::vector<Column>& shares) const;
   void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
   void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
   double hottest_fluid(const Cell<D>& c, bool around) const;
+  // Given to cells (burn_products.cpp).
   // What a particle gives; energy (internal) and kinetic energy per mass.
   struct Given {
     std::size_t set, particle;
@@ -117,7 +133,6 @@ class LevelCoupling final : public Coupling {
   std::vector<models::SolidBurn> burns_;
   BurnedSums burned_;
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
-  CellSums<D> burning_;           // of a law: pieces of surface that burn in each cell
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
+#include "models/unsteady_burn.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
 #include "mpmice/step/solid_fields.hpp"
@@ -18,11 +19,13 @@ struct SolidSet {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;  // null: the particles do not move
   OuterFaces<D> faces;
-  // Of particles that burn: what is left of each as the present step has it so far, and the faces
-  // that are outer since the last one vanished.
+  // Of particles that burn: what is left of each as the present step has it so far, the faces
+  // that are outer since the last one vanished, what surfaces remember (empty: nothing).
   ParticleSet* present = nullptr;  // the set, for what a step leaves behind
   std::vector<double> filled, stays;
   std::vector<std::uint8_t> outer;
+  int surface_column = -1;  // of mpm::Carried::surface
+  std::vector<models::SurfaceHistory> surface;
   // All faces of particles at periodic sides: outer, inner.
   OuterFaces<D> outer_at_sides, inner_at_sides;
 };
@@ -108,6 +111,16 @@ void read_filled(SolidSet<D>& s) {
   if (s.part < 0) return;
   const double* filled = s.set->column(static_cast<std::size_t>(s.part));
   s.filled.assign(filled, filled + s.set->size());
+}
+
+// What their surfaces remember, as the step begins.
+template <int D>
+void read_surfaces(SolidSet<D>& s) {
+  s.surface.clear();
+  if (s.surface_column < 0) return;
+  const double* T = s.set->column(static_cast<std::size_t>(s.surface_column));
+  const double* gradient = s.set->column(static_cast<std::size_t>(s.surface_column) + 1);
+  for (std::size_t p = 0; p < s.set->size(); ++p) s.surface.push_back({T[p], gradient[p]});
 }
 
 // Takes the faces of a set with these bits, at both ends of the step where `moved`.

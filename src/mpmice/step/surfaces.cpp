@@ -47,6 +47,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       s.kind = k;
       s.columns = &solids_->carried()[static_cast<std::size_t>(k)].columns;
       s.part = solids_->carried()[static_cast<std::size_t>(k)].filled;
+      s.surface_column = solids_->carried()[static_cast<std::size_t>(k)].surface;
       s.present = &store.set(level, b);
       s.set = s.present;
       s.next = &store.next(level, b);
