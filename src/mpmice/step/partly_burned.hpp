@@ -49,11 +49,7 @@ class PartlyBurned {
       const CornerColumns<D> corners = corner_columns<D>(frame, *s.columns, set);
       for (std::size_t k = 0; k < corners.size(); ++k) {
         Cell<D> c;
-        for (std::size_t a = 0; a < D; ++a) {
-          const int d = frame.direction[a];
-          c[a] =
-              static_cast<int>(std::floor((corners[k][a][p] - frame.anchor[d]) / frame.spacing[d]));
-        }
+        for (std::size_t a = 0; a < D; ++a) c[a] = frame.cell_at(corners[k][a][p], a);
         act(k, frame.box.index(frame.wrapped(c)));
       }
     }

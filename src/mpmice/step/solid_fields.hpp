@@ -3,6 +3,7 @@
 // Arrays over a box of cells: those near solids and layers around them, whole on every rank, so
 // that no bit depends on boxes or ranks. Directions are the active ones.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -80,6 +81,11 @@ struct Frame {
     Cell<D> to;
     for (std::size_t a = 0; a < D; ++a) to[a] = c[direction[a]];
     return to;
+  }
+  // The index along the a-th direction of the cell at x.
+  int cell_at(double x, std::size_t a) const {
+    const int d = direction[a];
+    return static_cast<int>(std::floor((x - anchor[d]) / spacing[d]));
   }
   IntVec3 index(const Cell<D>& c) const {
     IntVec3 to = base;

@@ -1,6 +1,5 @@
 // The sets of particles of all solids on a level, with the outer faces of each.
 #pragma once
-#include <cmath>
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
@@ -48,18 +47,14 @@ CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std:
   CellBox<D> to;
   if (count == 0) return to;
   for (std::size_t a = 0; a < D; ++a) {
-    const int d = frame.direction[a];
     double low = 1e300, high = -1e300;
     for (const auto& corner : corners)
       for (std::size_t p = 0; p < count; ++p) {
         low = std::min(low, corner[a][p]);
         high = std::max(high, corner[a][p]);
       }
-    const auto cell = [&](double x) {
-      return static_cast<int>(std::floor((x - frame.anchor[d]) / frame.spacing[d]));
-    };
-    to.lower[a] = cell(low);
-    to.upper[a] = cell(high) + 1;
+    to.lower[a] = frame.cell_at(low, a);
+    to.upper[a] = frame.cell_at(high, a) + 1;
   }
   return to;
 }
@@ -160,11 +155,8 @@ void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const
                    std::size_t p, F&& act) {
   for (const auto& corner : corners) {
     Cell<D> c;
-    for (std::size_t a = 0; a < D; ++a) {
-      const int d = frame.direction[a];
-      const double x = 0.5 * (corner[a][p] + set.coordinate(d)[p]);
-      c[a] = static_cast<int>(std::floor((x - frame.anchor[d]) / frame.spacing[d]));
-    }
+    for (std::size_t a = 0; a < D; ++a)
+      c[a] = frame.cell_at(0.5 * (corner[a][p] + set.coordinate(frame.direction[a])[p]), a);
     act(frame.box.index(frame.inside(c)));
   }
 }
