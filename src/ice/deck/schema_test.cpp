@@ -197,19 +197,22 @@ TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
     EXPECT_EQ(labels.find_foreign(label), nullptr) << label;
 }
 
+// What is said of a deck that saves this label too.
+std::string said_of_save(std::string text, const std::string& label) {
+  text.insert(text.find("</DataArchiver>"), "<save label='" + label + "'/>");
+  Schema schema;
+  add_framework_tags(schema);
+  add_ice_tags(schema);
+  return messages(load_deck_text(text, "one.ups", {}, schema));
+}
+
 // With what to save instead.
 TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
   for (const auto& [label, advice] :
        {std::pair{"maxMach_xminus", "save mach"}, std::pair{"temp_CC_Xchange", "save temp_CC"},
         std::pair{"sp_volY_FC", "save sp_vol_CC"}, std::pair{"grad_dp_ZFC", "grad_P_ZFC"},
         std::pair{"eq_press_iters", "remove"}}) {
-    Sample sample;
-    std::string text = sample.text();
-    text.insert(text.find("</DataArchiver>"), std::string("<save label='") + label + "'/>");
-    Schema schema;
-    add_framework_tags(schema);
-    add_ice_tags(schema);
-    const std::string said = messages(load_deck_text(text, "one.ups", {}, schema));
+    const std::string said = said_of_save(Sample{}.text(), label);
     EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' does not exist"));
     EXPECT_THAT(said, ::testing::HasSubstr(advice));
   }
@@ -218,14 +221,9 @@ TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
 // Fields of errors that the scheme has not.
 TEST(IceSchema, DropsLabelsOfWhatIsZeroByConstruction) {
   for (const char* label : {"mom_exch_error", "eng_exch_error", "mass_X_FC_flux"}) {
-    Sample sample;
-    std::string text = sample.text();
+    std::string text = Sample{}.text();
     text.replace(text.find("'ICE'"), 5, "'ice'");
-    text.insert(text.find("</DataArchiver>"), std::string("<save label='") + label + "'/>");
-    Schema schema;
-    add_framework_tags(schema);
-    add_ice_tags(schema);
-    const std::string said = messages(load_deck_text(text, "one.ups", {}, schema));
+    const std::string said = said_of_save(text, label);
     EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' is no field"));
     EXPECT_EQ(said.find("error:"), std::string::npos) << said;
   }
