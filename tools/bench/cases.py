@@ -47,6 +47,7 @@ class Program:
     limit: float | None = None
     unit: str = "ratio"
     arguments: tuple[str, ...] = ()
+    ranks: int = 1
 
 
 TUBE = "inputs/ice/shock_tube.ups"
@@ -201,6 +202,11 @@ CASES = [
     Program("solve, 128^3, hypre CG+PFMG", "sluice_solve_bench", None, "ns", ("cg+pfmg", "128")),
     Program("solve, 64^3, hypre CG+SMG", "sluice_solve_bench", None, "ns", ("cg+smg", "64")),
     Program("solve, 64^3, hypre AMG", "sluice_solve_bench", None, "ns", ("amg", "64")),
+    Program("solve, 64^3", "sluice_solve_bench", None, "ns", ("CGSolver", "64")),
+    Program("solve, 128 x 64 x 64, 2 ranks", "sluice_solve_bench", None, "ns",
+            ("CGSolver", "128x64x64"), ranks=2),
+    Ratio("solve: unknowns a second of 2 ranks over one", "solve, 64^3",
+          "solve, 128 x 64 x 64, 2 ranks", 1.6, at_least=True),
     Run("2-D, 256^2, explicit step at Mach 0.01", VORTICES, 60, "[256,256,1]", settings=SLOW),
     Run("2-D, 256^2, pressure solve at Mach 0.01", VORTICES, 30, "[256,256,1]",
         settings=SLOW + SOLVED),
@@ -226,10 +232,23 @@ CASES = [
 
 SUITE = os.environ.get("SLUICE_DECKS")
 if SUITE:
+    COUPLED = f"{SUITE}/inputs/UintahRelease/MPMICE"
     CASES += [
         Run("impHotBlob, 400 steps", f"{SUITE}/inputs/ICE/impHotBlob.ups", 400, limit=2600,
             savings=True, unit="ms"),
         Run("CouettePoiseuille/XY", f"{SUITE}/inputs/ICE/CouettePoiseuille/XY.ups", 400,
             limit=1000),
         Run("cavityFlow_dx", f"{SUITE}/inputs/ICE/cavityFlow_dx.ups", 400, limit=1000),
+        # Fluid and solids; limits: shares of what the format's reference code takes.
+        Run("Mach2wedge", f"{COUPLED}/Mach2wedge.ups", 100, limit=309, savings=True, settings=()),
+        Run("guni2dRT, 204^2", f"{COUPLED}/guni2dRT.ups", 20, "[204,204,1]", limit=2067,
+            savings=True, settings=()),
+        Run("cylinderCrossFlow", f"{COUPLED}/cylinderCrossFlow.ups", 20, limit=1094, savings=True,
+            settings=()),
+        Run("advect, solid and gases", f"{SUITE}/inputs/MPMICE/advect.ups", 100, limit=196,
+            savings=True, settings=()),
+        Run("explode2D_amr", f"{SUITE}/inputs/MPMICE/explode2D_amr.ups", 10, limit=5890,
+            savings=True, settings=()),
+        Run("taylorImpact", f"{SUITE}/inputs/UintahRelease/MPM/taylorImpact.ups", 100, limit=900,
+            savings=True, settings=(), unit="ns/particle/step"),
     ]

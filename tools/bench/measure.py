@@ -76,6 +76,8 @@ def figure_of(case, told, wall):
         return told["balance_s"] / told["stepping_s"]
     if case.unit == "ns/cell updated":  # what slept is not counted
         return 1e9 * told["stepping_s"] / (told["cell_updates"] - told["updates_asleep"])
+    if case.unit == "ns/particle/step":
+        return told["ns_per_particle_step"]
     return told["ns_per_cell_step"]
 
 
@@ -106,8 +108,9 @@ def program_figures(build, programs):
     """The figure that each program of a build prints, by case name."""
     figures = {}
     for case in programs:
-        done = subprocess.run(["taskset", "-c", ONE_CORE, str(build.bin / case.program),
-                               *case.arguments],
+        on_ranks = ["mpirun", "-np", str(case.ranks)] if case.ranks > 1 else []
+        done = subprocess.run(["taskset", "-c", TWO_CORES if on_ranks else ONE_CORE, *on_ranks,
+                               str(build.bin / case.program), *case.arguments],
                               capture_output=True, text=True)
         figures[case.name] = float(re.search(case.unit + " ([0-9.]+)", done.stdout).group(1))
     return figures

@@ -25,6 +25,10 @@ ConstRealView view_of(const double* numbers, const IndexBox& box) {
   return packed(numbers, box);
 }
 
+RealView view_of(double* numbers, const IndexBox& box) {
+  return packed(numbers, box);
+}
+
 BoxArrays::BoxArrays(const std::vector<IndexBox>& boxes) {
   for (const IndexBox& box : boxes) {
     memory_.emplace_back(static_cast<std::size_t>(box.volume()), 0.0);

@@ -38,6 +38,7 @@ class BoxArrays {
 
 // Numbers that lie without gaps, x fastest.
 ConstRealView view_of(const double* numbers, const IndexBox& box);
+RealView view_of(double* numbers, const IndexBox& box);
 
 class CellMatrix {
  public:

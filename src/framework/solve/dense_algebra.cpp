@@ -26,9 +26,9 @@ class Collected {
       held_ += n;
     }
   }
-  double value() {
+  const ExactSum& sum() {
     flush();
-    return sum_.value();
+    return sum_;
   }
 
  private:
@@ -45,7 +45,7 @@ class Collected {
 }  // namespace
 
 void DenseSystem::apply(DenseVector& x, DenseVector& out) const {
-  wrap(shape_, x.data());
+  exchange(x);
   const std::ptrdiff_t s1 = shape_.stride(1), s2 = shape_.stride(2);
   const int n = shape_.count[0];
   for_rows([&](std::ptrdiff_t row) {
@@ -89,7 +89,7 @@ double DenseSystem::dot(const DenseVector& a, const DenseVector& b) const {
     const double* v = b.data() + row;
     all.add_row(shape_.count[0], [&](int i) { return u[i] * v[i]; });
   });
-  return all.value();
+  return slabs_.total(all.sum());
 }
 
 double DenseSystem::sum(const DenseVector& v) const {
@@ -98,7 +98,7 @@ double DenseSystem::sum(const DenseVector& v) const {
     const double* u = v.data() + row;
     all.add_row(shape_.count[0], [&](int i) { return u[i]; });
   });
-  return all.value();
+  return slabs_.total(all.sum());
 }
 
 double DenseSystem::norm(const DenseVector& v, Norm kind) const {
@@ -109,7 +109,7 @@ double DenseSystem::norm(const DenseVector& v, Norm kind) const {
       const double* u = v.data() + row;
       all.add_row(shape_.count[0], [&](int i) { return std::fabs(u[i]); });
     });
-    return all.value();
+    return slabs_.total(all.sum());
   }
   double largest = 0;
   for_rows([&](std::ptrdiff_t row) {
@@ -118,25 +118,25 @@ double DenseSystem::norm(const DenseVector& v, Norm kind) const {
       if (size > largest || std::isnan(size)) largest = size;  // a NaN wins and stays
     }
   });
-  return largest;
+  return slabs_.largest(largest);
 }
 
 void DenseSystem::remove_mean(DenseVector& v) const {
   const double mean = sum(v) / static_cast<double>(unknowns_);
-  for (std::size_t c = 0; c < v.size(); ++c)
+  for_cells([&](std::size_t c) {
     if (present_[c] != 0) v[c] -= mean;
+  });
 }
 
 void DenseSystem::need_finite(const DenseVector& v, const char* what) const {
   if (std::isfinite(norm(v, Norm::largest))) return;
-  for_rows([&](std::ptrdiff_t row) {
-    for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c) {
-      const double number = v[static_cast<std::size_t>(c)];
-      if (std::isfinite(number)) continue;
-      throw PhysicsError(fmt::format("linear system: the {} of {} is {}; a finite number is needed",
-                                     what, cell_name(c), shortest_text(number)));
-    }
+  std::string fault;
+  for_cells([&](std::size_t c) {
+    if (!fault.empty() || std::isfinite(v[c])) return;
+    fault = fmt::format("linear system: the {} of {} is {}; a finite number is needed", what,
+                        cell_name(static_cast<std::ptrdiff_t>(c)), shortest_text(v[c]));
   });
+  need_none(fault);
 }
 
 }  // namespace sluice::solve

@@ -12,6 +12,7 @@
 #include "framework/base/exact_sum.hpp"
 #include "framework/base/text.hpp"
 #include "framework/solve/all_boxes.hpp"
+#include "framework/solve/slab_boxes.hpp"
 
 namespace sluice::solve {
 namespace {
@@ -24,6 +25,7 @@ constexpr double reorder_ratio = 4;
 IndexBox window_of(const Level& level) {
   IndexBox window = level.boxes.empty() ? IndexBox{} : level.boxes.front().cells;
   for (const GridBox& b : level.boxes) window = bounding(window, b.cells);
+  if (window.empty()) throw PhysicsError("linear system: the level has no cells");
   return window;
 }
 
@@ -31,56 +33,84 @@ ConstBoxViews constant(const BoxViews& views) {
   return {views.begin(), views.end()};
 }
 
-std::array<double, 3> total_couplings(const std::array<ConstBoxViews, 3>& low) {
+// Of boxes of this rank, over all ranks; or of all boxes, which every rank has.
+std::array<double, 3> total_couplings(const std::array<ConstBoxViews, 3>& low, bool own) {
   std::array<double, 3> total{};
+  std::vector<double> sizes;
   for (int d = 0; d < 3; ++d) {
     ExactSum sum;
-    for (const ConstRealView& v : low[d])
-      for_each_cell(v.box, [&](IntVec3 c) { sum.add(std::fabs(v(c))); });
-    total[d] = sum.value();
+    for (const ConstRealView& v : low[d]) {
+      sizes.clear();
+      for_each_cell(v.box, [&](IntVec3 c) { sizes.push_back(std::fabs(v(c))); });
+      sum.add(sizes.data(), sizes.size());
+    }
+    total[d] = own ? total_of_ranks(sum) : sum.value();
   }
   return total;
+}
+
+std::array<ConstBoxViews, 3> couplings_of(const CellMatrix& matrix) {
+  return {constant(matrix.low(0)), constant(matrix.low(1)), constant(matrix.low(2))};
 }
 
 }  // namespace
 
 DenseSystem::DenseSystem(const CellMatrix& matrix)
-    : DenseSystem(matrix.level(), AllBoxes(matrix.level(), constant(matrix.diagonal())).views(),
-                  {AllBoxes(matrix.level(), constant(matrix.low(0))).views(),
-                   AllBoxes(matrix.level(), constant(matrix.low(1))).views(),
-                   AllBoxes(matrix.level(), constant(matrix.low(2))).views()}) {}
+    : level_(&matrix.level()), window_(window_of(*level_)) {
+  const std::array<ConstBoxViews, 3> low = couplings_of(matrix);
+  choose_directions(total_couplings(low, true));
+  take_shape();
+  slabs_ = Slabs::of_ranks(shape_);
+  clear_rows();
+  load(constant(matrix.diagonal()), diagonal_);
+  for (int d = 0; d < 3; ++d) load(low[static_cast<std::size_t>(axis_[d])], low_[d]);
+  finish();
+}
 
 DenseSystem::DenseSystem(const Level& level, const ConstBoxViews& diagonal,
                          const std::array<ConstBoxViews, 3>& low, const DenseSystem* like)
     : level_(&level), window_(window_of(level)) {
-  if (window_.empty()) throw PhysicsError("linear system: the level has no cells");
   if (like == nullptr)
-    choose_directions(total_couplings(low));
+    choose_directions(total_couplings(low, false));
   else
     axis_ = like->axis_;
   take_shape();
+  slabs_ = Slabs(shape_);
+  clear_rows();
+  for (const ConstRealView& part : diagonal) put(part, diagonal_);
+  for (int d = 0; d < 3; ++d)
+    for (const ConstRealView& part : low[static_cast<std::size_t>(axis_[d])]) put(part, low_[d]);
+  finish();
+}
+
+template <class F>
+void DenseSystem::for_part(const IndexBox& part, F&& row) const {
+  int across = 0;  // the window's direction that is x of the level
+  while (axis_[across] != 0) ++across;
+  for (int z = part.lower.z; z < part.upper.z; ++z)
+    for (int y = part.lower.y; y < part.upper.y; ++y)
+      row(IntVec3{part.lower.x, y, z}, place_of({part.lower.x, y, z}), shape_.stride(across));
+}
+
+void DenseSystem::finish() {
   present_.assign(shape_.size(), 0);
-  diagonal_.assign(shape_.size(), 1.0);
-  for (auto& v : low_) v.assign(shape_.size(), 0.0);
-  const auto copy = [this](const ConstRealView& from, DenseVector& to) {
-    for_each_cell(from.box,
-                  [&](IntVec3 c) { to[static_cast<std::size_t>(place_of(c))] = from(c); });
-  };
-  for (std::size_t n = 0; n < level_->boxes.size(); ++n) {
-    copy(diagonal[n], diagonal_);
-    for (int d = 0; d < 3; ++d) copy(low[static_cast<std::size_t>(axis_[d])][n], low_[d]);
-    for_each_cell(level_->boxes[n].cells,
-                  [&](IntVec3 c) { present_[static_cast<std::size_t>(place_of(c))] = 1; });
-  }
+  for (const GridBox& box : level_->boxes)
+    for_part(box.cells, [&](IntVec3, std::ptrdiff_t place, std::ptrdiff_t stride) {
+      for (int i = 0; i < box.cells.size().x; ++i)
+        present_[static_cast<std::size_t>(place + stride * i)] = 1;
+    });
   wrap(shape_, present_.data());
-  need_rows();
+  for_cells([&](std::size_t c) {
+    if (present_[c] == 0) diagonal_[c] = 1.0;
+  });
+  need_none(fault_of_rows());
   fold_own_neighbours();
-  need_neighbours();
-  for (auto& v : low_) wrap(shape_, v.data());
+  need_none(fault_of_neighbours());
+  for (DenseVector& v : low_) exchange(v);
   unknowns_ = level_->cell_count();
   DenseVector sums = equations().sum;
   const double of_rows = sum(sums);
-  for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = present_[c] != 0 ? diagonal_[c] : 0.0;
+  for_cells([&](std::size_t c) { sums[c] = present_[c] != 0 ? diagonal_[c] : 0.0; });
   singular_ = std::fabs(of_rows) <= singular_share * sum(sums);
 }
 
@@ -114,6 +144,11 @@ void DenseSystem::take_shape() {
   }
 }
 
+void DenseSystem::clear_rows() {
+  diagonal_ = vector();
+  for (DenseVector& v : low_) v = vector();
+}
+
 std::ptrdiff_t DenseSystem::place_of(IntVec3 cell) const {
   const IntVec3 c = cell - window_.lower;
   return shape_.at(c[axis_[0]], c[axis_[1]], c[axis_[2]]);
@@ -134,27 +169,31 @@ std::string DenseSystem::cell_name(std::ptrdiff_t c) const {
   return fmt::format("cell ({}, {}, {})", cell.x, cell.y, cell.z);
 }
 
-void DenseSystem::need_rows() const {
-  for_rows([&](std::ptrdiff_t row) {
-    for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c) {
-      const auto n = static_cast<std::size_t>(c);
-      if (present_[n] == 0) continue;
-      for (int d = 0; d < 3; ++d) {
-        if (!std::isfinite(low_[d][n])) {
-          throw PhysicsError(fmt::format(
-              "linear system: the coupling of {} with the cell below it in {} is {}; a finite "
-              "number is needed",
-              cell_name(c), "xyz"[axis_[d]], low_[d][n]));
-        }
-      }
-      if (!(diagonal_[n] > 0) || !std::isfinite(diagonal_[n])) {
-        throw PhysicsError(
-            fmt::format("linear system: the {} of {} is {}; a finite number above 0 is needed",
-                        diagonal_[n] == 0 ? "diagonal (an empty row)" : "diagonal", cell_name(c),
-                        shortest_text(diagonal_[n])));
-      }
-    }
+std::string DenseSystem::fault_of_row(std::ptrdiff_t c) const {
+  const auto n = static_cast<std::size_t>(c);
+  for (int d = 0; d < 3; ++d) {
+    if (std::isfinite(low_[d][n])) continue;
+    return fmt::format(
+        "linear system: the coupling of {} with the cell below it in {} is {}; a finite number is "
+        "needed",
+        cell_name(c), "xyz"[axis_[d]], low_[d][n]);
+  }
+  if (diagonal_[n] > 0 && std::isfinite(diagonal_[n])) return {};
+  return fmt::format("linear system: the {} of {} is {}; a finite number above 0 is needed",
+                     diagonal_[n] == 0 ? "diagonal (an empty row)" : "diagonal", cell_name(c),
+                     shortest_text(diagonal_[n]));
+}
+
+std::string DenseSystem::fault_of_rows() const {
+  std::string fault;
+  for_cells([&](std::size_t c) {
+    if (fault.empty() && present_[c] != 0) fault = fault_of_row(static_cast<std::ptrdiff_t>(c));
   });
+  return fault;
+}
+
+void DenseSystem::need_none(const std::string& own) const {
+  if (const std::string fault = slabs_.first(own); !fault.empty()) throw PhysicsError(fault);
 }
 
 // A periodic direction of one cell: both neighbours are the cell itself.
@@ -167,59 +206,99 @@ void DenseSystem::fold_own_neighbours() {
   }
 }
 
-void DenseSystem::need_neighbours() const {
-  for_rows([&](std::ptrdiff_t row) {
-    for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c) {
-      for (int d = 0; d < 3; ++d) {
-        const std::ptrdiff_t below = c - shape_.stride(d);
-        const bool there = below != c && present_[static_cast<std::size_t>(below)] != 0;
-        if (there || low_[d][static_cast<std::size_t>(c)] == 0) continue;
-        throw PhysicsError(fmt::format(
-            "linear system: {} is coupled with a cell below it in {} that is not one of the "
-            "level's; 0 is needed there",
-            cell_name(c), "xyz"[axis_[d]]));
-      }
+std::string DenseSystem::fault_of_neighbours() const {
+  std::string fault;
+  for_cells([&](std::size_t c) {
+    for (int d = 0; d < 3 && fault.empty(); ++d) {
+      const std::size_t below = c - static_cast<std::size_t>(shape_.stride(d));
+      const bool there = below != c && present_[below] != 0;
+      if (there || low_[d][c] == 0) continue;
+      fault = fmt::format(
+          "linear system: {} is coupled with a cell below it in {} that is not one of the level's; "
+          "0 is needed there",
+          cell_name(static_cast<std::ptrdiff_t>(c)), "xyz"[axis_[d]]);
     }
   });
+  return fault;
 }
 
 DenseEquations DenseSystem::equations() const {
-  DenseEquations e;
-  e.shape = shape_;
-  e.sum.assign(shape_.size(), 0.0);
-  for (int d = 0; d < 3; ++d) {
-    e.low[static_cast<std::size_t>(d)].resize(shape_.size());
-    for (std::size_t c = 0; c < shape_.size(); ++c)
-      e.low[static_cast<std::size_t>(d)][c] = 0.0 - low_[d][c];
-  }
+  DenseEquations e(shape_, slabs_);
+  for (int d = 0; d < 3; ++d)
+    for_places(shape_, slabs_,
+               [&](std::size_t c) { e.low[static_cast<std::size_t>(d)][c] = 0.0 - low_[d][c]; });
   if (singular_) return e;
-  const std::ptrdiff_t n = shape_.count[0];
-  for_rows([&](std::ptrdiff_t row) {
-    for (std::ptrdiff_t c = row; c < row + n; ++c) {
-      const auto at = static_cast<std::size_t>(c);
-      if (present_[at] == 0) continue;
-      double sum = diagonal_[at];
-      for (int d = 0; d < 3; ++d) {
-        if (shape_.count[d] == 1) continue;
-        sum += low_[d][at] + low_[d][static_cast<std::size_t>(c + shape_.stride(d))];
-      }
-      e.sum[at] = sum;
+  for_cells([&](std::size_t c) {
+    if (present_[c] == 0) return;
+    double sum = diagonal_[c];
+    for (int d = 0; d < 3; ++d) {
+      if (shape_.count[d] == 1) continue;
+      sum += low_[d][c] + low_[d][c + static_cast<std::size_t>(shape_.stride(d))];
     }
+    e.sum[c] = sum;
   });
   return e;
 }
 
+void DenseSystem::put(const ConstRealView& part, DenseVector& v) const {
+  for_part(part.box, [&](IntVec3 first, std::ptrdiff_t place, std::ptrdiff_t stride) {
+    const double* from = &part(first);
+    double* to = v.data() + place;
+    for (int i = 0; i < part.box.size().x; ++i) to[stride * i] = from[part.stride[0] * i];
+  });
+}
+
+IndexBox DenseSystem::slab_of(int rank) const {
+  IndexBox slab = window_;
+  slab.lower[axis_[2]] = window_.lower[axis_[2]] + slabs_.begin_of(rank);
+  slab.upper[axis_[2]] = window_.lower[axis_[2]] + slabs_.begin_of(rank + 1);
+  return slab;
+}
+
+void DenseSystem::exchange(DenseVector& v) const {
+  for (int k = slabs_.begin(); k < slabs_.end(); ++k) wrap_slice(shape_, v.data(), k);
+  slabs_.exchange(shape_, v.data());
+}
+
+DenseVector DenseSystem::ones() const {
+  DenseVector v = vector();
+  for_places(shape_, slabs_, [&](std::size_t c) { v[c] = present_[c]; });
+  return v;
+}
+
+void DenseSystem::copy(const DenseVector& from, DenseVector& to) const {
+  for_places(shape_, slabs_, [&](std::size_t c) { to[c] = from[c]; });
+}
+
+void DenseSystem::clear(DenseVector& v) const {
+  for_places(shape_, slabs_, [&](std::size_t c) { v[c] = 0; });
+}
+
 void DenseSystem::load(const ConstBoxViews& boxes, DenseVector& v) const {
+  const auto take = [&](const ConstRealView& part) { put(part, v); };
+  if (slabs_.shared())
+    return SlabBoxes(*level_, [this](int rank) { return slab_of(rank); }).load(boxes, take);
   const AllBoxes all(*level_, boxes);
-  for (const ConstRealView& from : all.views())
-    for_each_cell(from.box, [&](IntVec3 c) { v[static_cast<std::size_t>(place_of(c))] = from(c); });
+  for (const ConstRealView& part : all.views()) put(part, v);
 }
 
 void DenseSystem::store(const DenseVector& v, const BoxViews& boxes) const {
+  const auto give = [&](const RealView& part) {
+    for_part(part.box, [&](IntVec3 first, std::ptrdiff_t place, std::ptrdiff_t stride) {
+      const double* from = v.data() + place;
+      double* to = &part(first);
+      for (int i = 0; i < part.box.size().x; ++i) to[part.stride[0] * i] = from[stride * i];
+    });
+  };
+  if (slabs_.shared())
+    return SlabBoxes(*level_, [this](int rank) { return slab_of(rank); }).store(give, boxes);
   const std::vector<IndexBox> own = boxes_of(*level_, world().rank());
-  for (std::size_t n = 0; n < own.size(); ++n)
-    for_each_cell(own[n],
-                  [&](IntVec3 c) { boxes[n](c) = v[static_cast<std::size_t>(place_of(c))]; });
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    RealView cells = boxes[n];
+    cells.data = &boxes[n](own[n].lower);
+    cells.box = own[n];
+    give(cells);
+  }
 }
 
 }  // namespace sluice::solve

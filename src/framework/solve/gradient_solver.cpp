@@ -24,17 +24,14 @@ void combine(const DenseSystem& system, const DenseVector& a, double s, const De
 
 void GradientSolver::prepare(const DenseSystem& system) {
   cycle_ = MultigridCycle(system);
-  r_ = system.vector();
-  z_ = r_;
-  p_ = r_;
-  q_ = r_;
+  for (DenseVector* v : {&r_, &z_, &p_, &q_}) system.give_size(*v);
 }
 
 LinearSolver::Attempt GradientSolver::attempt(const DenseSystem& system, const DenseVector& b,
                                               DenseVector& x, const Goal& goal) {
   Attempt result;
   system.residual(b, x, r_);
-  std::fill(p_.begin(), p_.end(), 0.0);
+  system.clear(p_);
   double rz = 0, residual = system.norm(r_, settings().norm), least = residual;
   int since_least = 0;
   while (residual > goal.residual) {

@@ -54,7 +54,7 @@ void HypreAmgSolver::prepare(const DenseSystem& system) {
                                  system.shape().cells()));
   }
   start_hypre();
-  slab_ = slab_of(system.shape());
+  slab_ = slab_of(system);
   const auto first = static_cast<HYPRE_BigInt>(slab_.first_row());
   numbers_.assign(slab_.cells(), 0.0);
   rows_.resize(slab_.cells());
@@ -183,7 +183,7 @@ LinearSolver::Attempt HypreAmgSolver::attempt(const DenseSystem& system, const D
   check_hypre(HYPRE_IJVectorGetValues(x_.get(), static_cast<HYPRE_Int>(rows_.size()), rows_.data(),
                                       numbers_.data()),
               "IJVectorGetValues");
-  join_slabs(slab_, numbers_, x);
+  take_solution(system, slab_, numbers_, x);
   return result;
 }
 

@@ -46,7 +46,7 @@ void HypreStructSolver::prepare(const DenseSystem& system) {
   need_period_of_smg(settings(), system.shape());
   start_hypre();
   worker_.reset();
-  slab_ = slab_of(system.shape());
+  slab_ = slab_of(system);
   const int dimensions = slab_.dimensions();
   grid_ = {};
   check_hypre(HYPRE_StructGridCreate(MPI_COMM_WORLD, dimensions, grid_.out()), "StructGridCreate");
@@ -143,7 +143,7 @@ LinearSolver::Attempt HypreStructSolver::attempt(const DenseSystem& system, cons
     check_hypre(
         HYPRE_StructVectorGetBoxValues(x_.get(), lower.data(), upper.data(), numbers_.data()),
         "StructVectorGetBoxValues");
-  join_slabs(slab_, numbers_, x);
+  take_solution(system, slab_, numbers_, x);
   return result;
 }
 

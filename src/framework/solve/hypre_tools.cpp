@@ -75,11 +75,17 @@ std::int64_t Slab::first_row() const {
   return static_cast<std::int64_t>(shape.cells()) / slices * begin;
 }
 
-Slab slab_of(const DenseShape& shape) {
-  return slab_of_rank(shape, world().rank());
+Slab slab_of(const DenseSystem& system) {
+  Slab slab = slab_of_rank(system.shape(), world().rank());
+  if (system.slabs().shared()) {
+    slab.begin = system.slabs().begin();
+    slab.end = system.slabs().end();
+  }
+  return slab;
 }
 
-void join_slabs(const Slab& slab, const std::vector<double>& own, DenseVector& v) {
+void take_solution(const DenseSystem& system, const Slab& slab, const std::vector<double>& own,
+                   DenseVector& v) {
   const auto put = [&v](const Slab& from, const char* bytes) {
     from.for_cells([&](std::ptrdiff_t c) {
       std::memcpy(&v[static_cast<std::size_t>(c)], bytes, sizeof(double));
@@ -87,7 +93,7 @@ void join_slabs(const Slab& slab, const std::vector<double>& own, DenseVector& v
     });
   };
   const auto* raw = reinterpret_cast<const char*>(own.data());
-  if (world().size() == 1) return put(slab, raw);
+  if (world().size() == 1 || system.slabs().shared()) return put(slab, raw);
   const auto all = world().gather_to_all(std::string(raw, own.size() * sizeof(double)));
   for (int rank = 0; rank < world().size(); ++rank)
     put(slab_of_rank(slab.shape, rank), all[static_cast<std::size_t>(rank)].data());

@@ -63,8 +63,10 @@ struct Slab {
         for (int i = from[0]; i <= to[0]; ++i) cell(shape.at(i, j, k));
   }
 };
-Slab slab_of(const DenseShape& shape);
-// Collective: the slabs of all ranks become the vector of each.
-void join_slabs(const Slab& slab, const std::vector<double>& own, DenseVector& v);
+Slab slab_of(const DenseSystem& system);
+// Collective: what the solver has of the own slab, into a vector of the system; of a system that is
+// whole on every rank, the slabs of all ranks.
+void take_solution(const DenseSystem& system, const Slab& slab, const std::vector<double>& own,
+                   DenseVector& v);
 
 }  // namespace sluice::solve

@@ -33,10 +33,7 @@ void LinearSolver::set_up(const CellMatrix& matrix) {
   DenseSystem system(matrix);
   if (SystemWatch* watch = SystemWatch::current()) watch->matrix(matrix, settings_);
   prepare(system);
-  b_ = system.vector();
-  x_ = b_;
-  r_ = b_;
-  kept_ = b_;
+  for (DenseVector* v : {&b_, &x_, &r_, &kept_}) system.give_size(*v);
   system_ = std::move(system);
   set_up_seconds_ = seconds_since(start);
 }
@@ -47,7 +44,7 @@ void LinearSolver::iterate(DenseVector& x, const Goal& goal, SolveReport& report
   for (int n = 0; n < most_attempts && before > goal.residual; ++n) {
     const Goal rest{goal.residual, goal.max_iterations - report.iterations};
     if (rest.max_iterations < 1) break;
-    kept_ = x;
+    system_->copy(x, kept_);
     const Attempt attempt = this->attempt(*system_, b_, x, rest);
     report.iterations += attempt.iterations;
     report.residuals.insert(report.residuals.end(), attempt.residuals.begin(),
@@ -57,7 +54,7 @@ void LinearSolver::iterate(DenseVector& x, const Goal& goal, SolveReport& report
     system_->residual(b_, x, r_);
     double now = system_->norm(r_, settings_.norm);
     if (!std::isfinite(now)) {
-      x = kept_;
+      system_->copy(kept_, x);
       report.reason = "the solver's result is not finite";
       report.residuals.push_back(before);
       return;
@@ -84,7 +81,7 @@ SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews&
   report.right_side = system_->norm(b_, settings_.norm);
   const Goal goal{std::max(settings_.tolerance * report.right_side, settings_.absolute_tolerance),
                   settings_.max_iterations};
-  if (report.right_side == 0) std::fill(x_.begin(), x_.end(), 0.0);
+  if (report.right_side == 0) system_->clear(x_);
   if (system_->singular()) system_->remove_mean(x_);
   system_->residual(b_, x_, r_);
   report.residuals.push_back(system_->norm(r_, settings_.norm));

@@ -7,15 +7,6 @@
 namespace sluice::solve {
 namespace {
 
-double largest_diagonal(const DenseEquations& e) {
-  double largest = 0;
-  for (int k = 0; k < e.shape.count[2]; ++k)
-    for (int j = 0; j < e.shape.count[1]; ++j)
-      for (int i = 0; i < e.shape.count[0]; ++i)
-        largest = std::max(largest, e.diagonal(e.shape.at(i, j, k)));
-  return largest;
-}
-
 // Halves the directions of strong coupling; where lines are solved, among the other two, as long as
 // these have cells to halve.
 std::array<int, 3> ratio_of(const DenseShape& shape, std::array<double, 3> mean, bool lines,
@@ -28,32 +19,36 @@ std::array<int, 3> ratio_of(const DenseShape& shape, std::array<double, 3> mean,
   return ratio;
 }
 
-// Several stages over the slices of a grid, each one slice behind the one before it: a slice is
-// still in the cache when the next stage comes. Where slices are periodic a stage must have ended
-// before the next begins.
+// Several stages over the own slices of a grid, each one slice behind the one before it: a slice is
+// still in the cache when the next stage comes. Where slices are periodic or ranks share them, a
+// stage must have ended before the next begins.
 template <class Real>
 class Pipeline {
  public:
   explicit Pipeline(MultigridLevel<Real>& grid)
-      : grid_(grid), slices_(grid.shape().count[2]), lag_(grid.shape().periodic[2] ? slices_ : 1) {}
+      : grid_(grid),
+        begin_(grid.slabs().begin()),
+        slices_(grid.slabs().end() - begin_),
+        lag_(grid.shape().periodic[2] || grid.slabs().shared() ? slices_ : 1) {}
 
-  // stage(s, k) for all stages s and slices k; `changes(s)`: whether it changes the solution.
+  // stage(s, k) for all stages s and slices k. After the last stage the slices beside the own ones
+  // are as they were before it.
   template <class Stage>
   void run(int stages, Stage&& stage) const {
     for (int front = 0; front < slices_ + (stages - 1) * lag_; ++front) {
       for (int s = 0; s < stages; ++s) {
         const int k = front - s * lag_;
         if (k < 0 || k >= slices_) continue;
-        stage(s, k);
-        grid_.wrap_round(k);
-        if (k == slices_ - 1) grid_.wrap_last();
+        stage(s, begin_ + k);
+        grid_.wrap_round(begin_ + k);
+        if (k == slices_ - 1 && s < stages - 1) grid_.wrap_last();
       }
     }
   }
 
  private:
   MultigridLevel<Real>& grid_;
-  int slices_, lag_;
+  int begin_, slices_, lag_;
 };
 
 }  // namespace
@@ -66,7 +61,7 @@ bool needs_lines(const DenseEquations& equations, const MultigridSettings& setti
 template <class Real>
 Multigrid<Real>::Multigrid(DenseEquations finest, const MultigridSettings& settings)
     : sweeps_(settings.sweeps) {
-  if (const double largest = largest_diagonal(finest); largest > 0)
+  if (const double largest = finest.largest_diagonal(); largest > 0)
     scale_ = std::ldexp(1.0, -std::ilogb(largest));
   DenseEquations e = std::move(finest);
   while (true) {
@@ -96,6 +91,8 @@ void Multigrid<Real>::down(Step& fine, MultigridLevel<Real>& coarse) const {
       grid.restrict_residual(k, coarse, fine.ratio);
     }
   });
+  if (grid.slabs().shared() && !coarse.slabs().shared())
+    grid.slabs().grouped(coarse.shape(), fine.ratio[2]).gather(coarse.shape(), coarse.right_side());
 }
 
 template <class Real>

@@ -25,7 +25,7 @@ struct Couplings {
 };
 
 template <class Real>
-Couplings<Real> couplings_of(const DenseShape& s, const std::vector<Real> (&low)[3], const Real* x,
+Couplings<Real> couplings_of(const DenseShape& s, const RawVector<Real> (&low)[3], const Real* x,
                              std::ptrdiff_t row) {
   const std::ptrdiff_t s1 = s.stride(1), s2 = s.stride(2);
   return {low[0].data() + row,
@@ -60,28 +60,43 @@ double DenseEquations::diagonal(std::ptrdiff_t c) const {
   return d;
 }
 
+DenseEquations::DenseEquations(const DenseShape& s, const Slabs& of_ranks)
+    : shape(s), slabs(of_ranks), sum(zeros<double>(s, slabs)) {
+  for (RawVector<double>& v : low) v = zeros<double>(s, slabs);
+}
+
+double DenseEquations::largest_diagonal() const {
+  double largest = 0;
+  for (int k = slabs.begin(); k < slabs.end(); ++k)
+    for (int j = 0; j < shape.count[1]; ++j)
+      for (int i = 0; i < shape.count[0]; ++i)
+        largest = std::max(largest, diagonal(shape.at(i, j, k)));
+  return slabs.largest(largest);
+}
+
+// By slices, so that who has which does not show in the sums.
 std::array<double, 3> DenseEquations::mean_couplings() const {
   std::array<double, 3> mean{};
+  std::vector<double> of_slices(static_cast<std::size_t>(shape.count[2]));
   for (int d = 0; d < 3; ++d) {
     if (shape.count[d] == 1) continue;
-    double total = 0;
-    for (int k = 0; k < shape.count[2]; ++k)
+    for (int k = slabs.begin(); k < slabs.end(); ++k) {
+      double total = 0;
       for (int j = 0; j < shape.count[1]; ++j) {
         const double* row = low[d].data() + shape.at(0, j, k);
         for (int i = 0; i < shape.count[0]; ++i) total += row[i];
       }
-    mean[d] = total / static_cast<double>(shape.cells());
+      of_slices[static_cast<std::size_t>(k)] = total;
+    }
+    slabs.gather_numbers(of_slices.data());
+    for (const double total : of_slices) mean[d] += total;
+    mean[d] /= static_cast<double>(shape.cells());
   }
   return mean;
 }
 
-DenseEquations DenseEquations::coarsened(std::array<int, 3> ratio) const {
-  DenseEquations coarse;
-  coarse.shape.periodic = shape.periodic;
-  for (int d = 0; d < 3; ++d) coarse.shape.count[d] = (shape.count[d] + ratio[d] - 1) / ratio[d];
-  for (auto& v : coarse.low) v.assign(coarse.shape.size(), 0.0);
-  coarse.sum.assign(coarse.shape.size(), 0.0);
-  for (int k = 0; k < shape.count[2]; ++k)
+void DenseEquations::sum_into(DenseEquations& coarse, std::array<int, 3> ratio) const {
+  for (int k = slabs.begin(); k < slabs.end(); ++k)
     for (int j = 0; j < shape.count[1]; ++j)
       for (int i = 0; i < shape.count[0]; ++i) {
         const auto f = static_cast<std::size_t>(shape.at(i, j, k));
@@ -92,28 +107,45 @@ DenseEquations DenseEquations::coarsened(std::array<int, 3> ratio) const {
         if (j % ratio[1] == 0) coarse.low[1][c] += low[1][f] / ratio[1];
         if (k % ratio[2] == 0) coarse.low[2][c] += low[2][f] / ratio[2];
       }
-  // A cell that has become its own neighbour is not coupled.
+}
+
+DenseEquations DenseEquations::coarsened(std::array<int, 3> ratio) const {
+  DenseShape s;
+  s.periodic = shape.periodic;
+  for (int d = 0; d < 3; ++d) s.count[d] = (shape.count[d] + ratio[d] - 1) / ratio[d];
+  DenseEquations coarse(s, slabs.coarsened(s, ratio[2]));
+  sum_into(coarse, ratio);
+  if (slabs.shared() && !coarse.slabs.shared()) {
+    const Slabs made = slabs.grouped(s, ratio[2]);
+    for (RawVector<double>& v : coarse.low) made.gather(s, v.data());
+    made.gather(s, coarse.sum.data());
+  }
   for (int d = 0; d < 3; ++d) {
-    if (coarse.shape.count[d] == 1) std::fill(coarse.low[d].begin(), coarse.low[d].end(), 0.0);
-    wrap(coarse.shape, coarse.low[d].data());
+    double* v = coarse.low[d].data();
+    // A cell that has become its own neighbour is not coupled.
+    if (s.count[d] == 1) std::fill(coarse.low[d].begin(), coarse.low[d].end(), 0.0);
+    for (int k = coarse.slabs.begin(); k < coarse.slabs.end(); ++k) wrap_slice(s, v, k);
+    coarse.slabs.exchange(s, v);
   }
   return coarse;
 }
 
 template <class Real>
 MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool lines)
-    : shape_(e.shape) {
-  const std::size_t n = shape_.size();
+    : shape_(e.shape),
+      slabs_(e.slabs),
+      diagonal_(shape_.size()),
+      x_(zeros<Real>(shape_, slabs_)),
+      b_(zeros<Real>(shape_, slabs_)),
+      values_(static_cast<std::size_t>(shape_.row()) + 1) {
+  if (lines) pivot_ = zeros<Real>(shape_, slabs_);
   for (int d = 0; d < 3; ++d) {
-    low_[d].assign(n, 0);
-    for (std::size_t c = 0; c < n; ++c) low_[d][c] = static_cast<Real>(scale * e.low[d][c]);
+    low_[d] = RawVector<Real>(shape_.size());
+    for_places(shape_, slabs_,
+               [&](std::size_t c) { low_[d][c] = static_cast<Real>(scale * e.low[d][c]); });
   }
-  diagonal_.assign(n, 1);
-  x_.assign(n, 0);
-  b_.assign(n, 0);
-  values_.assign(static_cast<std::size_t>(shape_.row()) + 1, 0);
-  if (lines) pivot_.assign(n, 0);
-  for (int k = 0; k < shape_.count[2]; ++k)
+  for_places(shape_, slabs_, [&](std::size_t c) { diagonal_[c] = 1; });
+  for (int k = slabs_.begin(); k < slabs_.end(); ++k)
     for (int i = 0; i < shape_.count[0]; ++i) {
       double before = 0;  // the inverse pivot of the cell below
       for (int j = 0; j < shape_.count[1]; ++j) {
@@ -133,7 +165,7 @@ MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool
 template <class Real>
 void MultigridLevel<Real>::first_sweep(int k) {
   if (lines()) {
-    if (k == 0) std::fill(x_.begin(), x_.end(), Real{0});
+    if (k == slabs_.begin()) for_places(shape_, slabs_, [&](std::size_t c) { x_[c] = 0; });
     sweep(k, 0);
     return;
   }

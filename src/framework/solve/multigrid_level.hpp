@@ -6,22 +6,32 @@
 #include <vector>
 
 #include "framework/solve/dense_shape.hpp"
+#include "framework/solve/raw_memory.hpp"
+#include "framework/solve/slabs.hpp"
 
 namespace sluice::solve {
 
 // A grid's equations in full precision while the hierarchy is made: the couplings (positive) with
 // the cell below in each direction, and what a row sums to.
 struct DenseEquations {
+  DenseEquations(const DenseShape& s, const Slabs& of_ranks);  // zeros
+
   DenseShape shape;
-  std::array<std::vector<double>, 3> low;
-  std::vector<double> sum;
+  Slabs slabs;
+  std::array<RawVector<double>, 3> low;
+  RawVector<double> sum;
 
   double diagonal(std::ptrdiff_t c) const;
+  // Collective, all below: the largest diagonal.
+  double largest_diagonal() const;
   // The mean coupling over the cells, 0 in a direction of one cell that is its own neighbour.
   std::array<double, 3> mean_couplings() const;
   // Cells in groups of ratio[d]: sums of rows, sums of the faces on a coarse face over the ratio
   // (a coarse face is that much longer).
   DenseEquations coarsened(std::array<int, 3> ratio) const;
+
+ private:
+  void sum_into(DenseEquations& coarse, std::array<int, 3> ratio) const;
 };
 
 // Real: float or double.
@@ -32,6 +42,7 @@ class MultigridLevel {
   MultigridLevel(const DenseEquations& equations, double scale, bool lines);
 
   const DenseShape& shape() const { return shape_; }
+  const Slabs& slabs() const { return slabs_; }
   bool lines() const { return !pivot_.empty(); }
   Real* solution() { return x_.data(); }
   Real* right_side() { return b_.data(); }
@@ -43,7 +54,8 @@ class MultigridLevel {
   void restrict_residual(int k, MultigridLevel& coarse, std::array<int, 3> ratio);
   void add_correction(int k, const MultigridLevel& coarse, std::array<int, 3> ratio);
   void wrap_round(int k) { wrap_slice(shape_, x_.data(), k); }
-  void wrap_last() { wrap_ends(shape_, x_.data()); }
+  // Collective, after a stage over all own slices: the solution in the slices beside them.
+  void wrap_last() { slabs_.exchange(shape_, x_.data()); }
   // A single cell, or nothing to correct where its row sums to 0.
   void solve_one_cell();
   std::size_t bytes() const;
@@ -57,7 +69,8 @@ class MultigridLevel {
   void residual_row(int j, int k);
 
   DenseShape shape_;
-  std::vector<Real> low_[3], diagonal_, pivot_, x_, b_;
+  Slabs slabs_;
+  RawVector<Real> low_[3], diagonal_, pivot_, x_, b_;
   std::vector<Real> values_;  // of one row
   double sum_ = 0;            // of all rows
 };

@@ -84,7 +84,7 @@ Verdict PressureSolve::join(const StageScope& scope) {
 }
 
 // What a solver refuses (numbers that are not finite, empty rows) rejects the step with its words;
-// every rank has the whole system, and says the same.
+// every rank is told the same.
 Verdict PressureSolve::solve(const StageScope& scope) {
   try {
     pass(scope);
