@@ -1,13 +1,16 @@
 // Labels of a step against the change that they describe.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <regex>
 
 #include "sluice_source_dir.hpp"
 #include "verification/amr_case.hpp"
+#include "verification/implicit_case.hpp"
 
 namespace sluice::verification::step_labels_test {
 namespace {
@@ -95,7 +98,8 @@ TEST(StepLabels, MomentumOfPressureIsTheDifference) {
 }
 
 // A deck of inputs/ice that keeps these too, after each of two steps.
-CaseRun run_that_saves(const std::string& deck, const std::vector<std::string>& labels) {
+CaseRun run_that_saves(const std::string& deck, const std::vector<std::string>& labels,
+                       const std::vector<std::string>& more = {}) {
   const TemporaryFolder folder;
   std::ifstream file(std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + deck + ".ups");
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -107,6 +111,7 @@ CaseRun run_that_saves(const std::string& deck, const std::vector<std::string>& 
   std::ofstream(folder / (deck + ".ups")) << text;
   std::vector<std::string> overrides = {"Time/max_Timesteps=2"};
   if (text.find("<AMR>") != std::string::npos) overrides.push_back(one_level());
+  overrides.insert(overrides.end(), more.begin(), more.end());
   return CaseRun((folder / (deck + ".ups")).string(), overrides);
 }
 
@@ -134,6 +139,30 @@ TEST(StepLabels, RatesAreTheChangeBetweenOutputs) {
       }
     }
   }
+}
+
+// The last number of a history.
+double last_of(const CaseRun& run, const std::string& name) {
+  std::ifstream file(run.archive() / (name + ".dat"));
+  double last = std::nan("");
+  for (std::string word; file >> word;) last = std::strtod(word.c_str(), nullptr);
+  return last;
+}
+
+TEST(StepLabels, HistoriesOfPressureSolvesAreThoseOfTheStep) {
+  constexpr double linear = 1e-2, outer = 1e-4;
+  const CaseRun run = run_that_saves("taylor_green",
+                                     {"pressure_passes", "pressure_iterations", "pressure_residual",
+                                      "largest_volume_error", "volume_error"},
+                                     solved(6, outer, linear) + sound_is_free());
+  EXPECT_GE(last_of(run, "pressure_passes"), 1);
+  EXPECT_GE(last_of(run, "pressure_iterations"), last_of(run, "pressure_passes"));
+  EXPECT_LE(last_of(run, "pressure_residual"), linear);
+  EXPECT_GT(last_of(run, "pressure_residual"), 0);
+  const CellValues error = run.field("volume_error");
+  const double largest = std::max(highest(error), -lowest(error));
+  EXPECT_EQ(last_of(run, "largest_volume_error"), largest);
+  EXPECT_LE(largest, outer);
 }
 
 }  // namespace

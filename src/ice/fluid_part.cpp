@@ -248,7 +248,7 @@ void FluidPart::declare_passes(StepShape& shape,
                                const std::function<void(StepShape&)>& behind_solve) const {
   const Labels& l = labels();
   const auto pressure =
-      std::make_shared<pressure::PressureSolve>(*ice_.implicit, options_.places.maximum);
+      std::make_shared<pressure::PressureSolve>(*ice_.implicit, options_.places.maximum, solves_);
   std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
   const bool several = scene_->grid.levels.size() > 1;
   for (int a = 0; a < options_.axes.count; ++a) {

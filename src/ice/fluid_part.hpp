@@ -11,6 +11,7 @@
 #include "framework/task/cell_material.hpp"
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/deck/ice_scene.hpp"
+#include "ice/pressure/solve_history.hpp"
 #include "ice/sources/sources.hpp"
 #include "ice/step/variables.hpp"
 
@@ -48,6 +49,9 @@ class FluidPart {
   int step_kinds() const;
   int step_kind(const Warehouse& old_state, int local_box, const IndexBox& cells_with_halo) const;
 
+  // What the last step's pressure solves took.
+  const pressure::SolveHistory& solves() const { return *solves_; }
+
   const TransferOperators& transfer() const { return *transfer_; }
   IntVec3 interface_depth(const Level& level) const;
   const std::vector<ErrorEstimate>& error_estimates() const { return estimates_; }
@@ -72,6 +76,7 @@ class FluidPart {
   std::unique_ptr<ParticleMethod> tracers_;              // null: none
   std::unique_ptr<TransferOperators> transfer_;
   std::vector<ErrorEstimate> estimates_;
+  std::shared_ptr<pressure::SolveHistory> solves_ = std::make_shared<pressure::SolveHistory>();
 };
 
 // What the scene calls for and what it does not, with the deck lines.

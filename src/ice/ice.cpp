@@ -71,6 +71,7 @@ std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
 }
 
 double Ice::history_value(Label label, const Totals& totals) const {
+  if (const auto found = fluid_.solves().value(label)) return *found;
   return ice::history_value(fluid_.options(), label, totals);
 }
 

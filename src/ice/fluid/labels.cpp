@@ -329,6 +329,20 @@ void declare_reductions(Labels& l) {
                 "Internal energy that has passed with that mass since the start.");
   l.total_mass_burned = reduction("totalMassBurned", ValueType::real, "kg",
                                   "Mass that models have burned since the start.");
+  const auto of_solves = [](const char* name, const char* text) {
+    return reduction(name, ValueType::real, "1", text);
+  };
+  l.pressure_passes =
+      of_solves("pressure_passes", "Semi-implicit steps: pressure solves that the step took.");
+  l.pressure_iterations = of_solves("pressure_iterations",
+                                    "Semi-implicit steps: iterations of the linear solver in all "
+                                    "pressure solves of the step.");
+  l.pressure_residual = of_solves("pressure_residual",
+                                  "Semi-implicit steps: residual of the last linear solve of the "
+                                  "step over its right-hand side.");
+  l.largest_volume_error = of_solves("largest_volume_error",
+                                     "Semi-implicit steps: the largest volume_error after the last "
+                                     "solve of the step.");
   l.total_heat_released =
       reduction("totalHeatReleased", ValueType::real, "J",
                 "Heat that burning has given to the products since the start, beside what the "

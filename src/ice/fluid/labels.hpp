@@ -64,6 +64,7 @@ struct Labels {
   // Of models that turn one material into another.
   Label burned_share, burned_in_step;
   Label total_mass_burned, total_heat_released;
+  Label pressure_passes, pressure_iterations, pressure_residual, largest_volume_error;
 };
 
 // Declares them once; later calls return the same.

@@ -49,9 +49,11 @@ void fill_slot(LevelSolver& level, Label label, double value) {
 
 }  // namespace
 
-PressureSolve::PressureSolve(const ImplicitSettings& settings, int first_maximum)
+PressureSolve::PressureSolve(const ImplicitSettings& settings, int first_maximum,
+                             std::shared_ptr<SolveHistory> history)
     : settings_(settings),
-      volume_error_(static_cast<std::size_t>(first_maximum + StepSlots::volume_error)) {}
+      volume_error_(static_cast<std::size_t>(first_maximum + StepSlots::volume_error)),
+      told_(std::move(history)) {}
 
 PressureSystem& PressureSolve::system_on(const StageScope& scope) {
   BoxesOfLevels boxes = boxes_of(scope);
@@ -116,6 +118,11 @@ std::string PressureSolve::history() const {
   return text;
 }
 
+void PressureSolve::tell_history() const {
+  *told_ = {static_cast<int>(passes_.size()), 0, passes_.back().residual, passes_.back().error};
+  for (const Pass& pass : passes_) told_->iterations += pass.iterations;
+}
+
 // No pass of the last few brought the error well below the least before them.
 bool PressureSolve::stalls() const {
   if (passes_.size() <= most_without_gain) return false;
@@ -132,6 +139,7 @@ StepShape::Iterate::Answer PressureSolve::judge(const StageScope& scope) {
   for (const LevelSolver* level : scope.levels)
     error = std::max(error, level->attempt_result().maxima[volume_error_]);
   passes_.back().error = error;
+  tell_history();
   const auto reject = [&](const char* why) {
     *scope.reason = fmt::format(
         "the pressure did not converge: {}. Largest relative volume error after each pass, {:.2e} "

@@ -8,13 +8,16 @@
 #include "framework/run/step_shape.hpp"
 #include "ice/deck/implicit_settings.hpp"
 #include "ice/pressure/pressure_system.hpp"
+#include "ice/pressure/solve_history.hpp"
 
 namespace sluice::ice::pressure {
 
 class PressureSolve {
  public:
   // first_maximum: where the maxima of the fluid begin among those of a step.
-  explicit PressureSolve(const ImplicitSettings& settings, int first_maximum = 0);
+  // `history` is told of every step.
+  PressureSolve(const ImplicitSettings& settings, int first_maximum,
+                std::shared_ptr<SolveHistory> history);
 
   // d = 0 on all levels.
   Verdict start(const StageScope& scope);
@@ -37,6 +40,7 @@ class PressureSolve {
   void pass(const StageScope& scope);
   PressureSystem& system_on(const StageScope& scope);
   std::string history() const;
+  void tell_history() const;
   bool stalls() const;
 
   ImplicitSettings settings_;
@@ -44,6 +48,7 @@ class PressureSolve {
   std::unique_ptr<PressureSystem> system_;
   std::vector<std::vector<GridBox>> boxes_;  // of its levels
   std::vector<Pass> passes_;                 // of the attempt under way
+  std::shared_ptr<SolveHistory> told_;
 };
 
 }  // namespace sluice::ice::pressure
