@@ -254,7 +254,7 @@ double SolidParticles::rate_of_step(int kind, const Level& level, const Particle
     b.dt = 1e-300;
     std::fill_n(heating, n, 0.0);
     material.law->update(b);
-    rate = std::max(rate, step_rate(level, set, carried.columns, at, n, wave_speed));
+    rate = std::max(rate, step_rate(level, set, carried.columns, *material.law, at, n, wave_speed));
     wave = std::max(wave, wave_rate(level, n, wave_speed));
   }
   return rate;

@@ -113,6 +113,12 @@ std::vector<TagSpec> physics_tags() {
       tag("boundary_traction_faces", "faces whose forces are recorded, as [xminus,zplus]").text(),
       tag("RunMMSProblem", "body force of a manufactured solution")
           .words({"AxisAligned", "AxisAligned3L", "GeneralizedVortex", "ExpandingRing"}),
+      tag("manufactured_amplitude",
+          "A of the motion that RunMMSProblem names: of places along the axes (0.05) and of the "
+          "ring "
+          "(0.1) in metres, of the vortex (1) in radians")
+          .real()
+          .at_least(0),
       flag("withColor", "particles carry the colour of their geometry object", "false"),
       flag("refine_particles",
            "particles that a criterion of <AMR><MPM> finds are split, once each", "false"),

@@ -78,6 +78,7 @@ void read_physics(const DeckNode& flags, MpmScene& s) {
   s.loads_on_corners = boolean_or(flags, "use_CBDI_boundary_condition", false);
   s.with_colour = boolean_or(flags, "withColor", false);
   s.manufactured = text_or(flags, "RunMMSProblem", "");
+  s.manufactured_amplitude = real_or(flags, "manufactured_amplitude", 0);
   s.refine_particles = boolean_or(flags, "refine_particles", false);
 }
 

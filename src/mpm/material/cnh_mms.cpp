@@ -23,6 +23,7 @@ class LogNeoHook final : public Material {
   double bulk_modulus() const override { return bulk_; }
   double shear_modulus() const override { return shear_; }
   bool stress_of_state() const override { return true; }
+  double wave_stiffening() const override { return shear_ / density_; }
 
  private:
   void evaluate(const Batch& batch) const {

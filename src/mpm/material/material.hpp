@@ -91,6 +91,9 @@ class Material {
   virtual double bulk_modulus() const = 0;
   // Shear modulus at rest, Pa.
   virtual double shear_modulus() const { return 0; }
+  // m^2/s^2: mu of the laws whose wave speed is c^2 = a + mu (mean + reach of b), b = F F^T: waves
+  // along a stretch gain from it, those across do not. 0: of no such form.
+  virtual double wave_stiffening() const { return 0; }
 };
 
 }  // namespace sluice::mpm

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/material/batch_math.hpp"
+#include "mpm/material/material.hpp"
+#include "mpm/shape/weights.hpp"
 #include "mpm/transfer/corners.hpp"
 
 namespace sluice::mpm {
@@ -30,6 +33,23 @@ Vec3 inverse_row(const Nine<const double>& F, int d, std::size_t p) {
     J += f(k, d) * row[k];
   }
   return (1 / J) * row;
+}
+
+// c_ref of a particle.
+double wave_of_reference(const Nine<const double>& F_columns, std::size_t p, double c, double mu) {
+  const std::array<double, 6> b = left_cauchy_green(at(F_columns, static_cast<int>(p)));
+  std::array<double, 6> inverse{};  // of b: F^-T F^-1
+  for (int d = 0; d < 3; ++d) {
+    const Vec3 row = inverse_row(F_columns, d, p);
+    const double products[6] = {row.x * row.x, row.y * row.y, row.z * row.z,
+                                row.y * row.z, row.x * row.z, row.x * row.y};
+    for (std::size_t n = 0; n < 6; ++n) inverse[n] += products[n];
+  }
+  const auto largest_of = [](const std::array<double, 6>& s) {
+    const double mean = (s[0] + s[1] + s[2]) * (1.0 / 3);
+    return mean + eigenvalue_reach(s, mean);
+  };
+  return std::sqrt(std::max(c * c - mu * largest_of(b), 0.0) * largest_of(inverse) + mu);
 }
 
 }  // namespace
@@ -126,10 +146,17 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   return r;
 }
 
-double step_rate(const Level& level, const ParticleSet& set, const Columns& columns, std::size_t at,
-                 int n, const double* c) {
-  double rate = 0;
+double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
+                 const Material& law, std::size_t at, int n, const double* c) {
   const Nine<const double> F = read_columns<9>(set, columns.F);
+  const double mu = law.wave_stiffening();
+  if (columns.reference >= 0 && mu > 0) {
+    double waves[chunk_size];
+    for (int q = 0; q < n; ++q)
+      waves[q] = wave_of_reference(F, at + static_cast<std::size_t>(q), c[q], mu);
+    return wave_rate(level, n, waves);
+  }
+  double rate = 0;
   for (int d = 0; d < 3; ++d) {
     if (!level.active[static_cast<std::size_t>(d)]) continue;
     const double* v = set.column(static_cast<std::size_t>(columns.velocity + d)) + at;
