@@ -52,7 +52,7 @@ TEST(VortexRing, ComesBack) {
   EXPECT_LE(place_error(run, "last"), 3.4e-2);  // measured 3.25e-2
 }
 
-// Places at the end of the motion there and back: Kamojjala and others (2015) have 2 of 18 runs that
+// Places at the end of the motion there and back: of the 18 runs of Kamojjala and others (2015) 2
 // get there, none of this amplitude.
 TEST(FullVortexRing, ConvergesToTheSecondOrder) {
   constexpr double lowest_late = 1.8, lowest_early = 1.9, allowed = 1.5e-3;

@@ -321,7 +321,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       for (int q = 0; q < n; ++q) rate[q] = (T[q] - b.temperature[q]) / dt;
     }
     if (!jumps_.empty()) jump(w, at, n, report.left);
-    report.rate = std::max(report.rate, step_rate(level_, *w.next, c, law, at, n, report.wave_speed));
+    report.rate =
+        std::max(report.rate, step_rate(level_, *w.next, c, law, at, n, report.wave_speed));
     KindRates rates = rates_of(solids_->basis, body.grid, *w.set, *w.next, c, at,
                                at + static_cast<std::size_t>(n));
     rates.wave = wave_rate(level_, n, report.wave_speed);

@@ -44,8 +44,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
                    std::size_t end);
 
 // Of the next step's length: max over n particles and directions of (c_p + |v_d|)/h_d. Total
-// Lagrangian: waves cross reference cells of fixed length, c_p |row d of F^-1|/h_d; of laws that say
-// how they stiffen, by the fastest wave there,
+// Lagrangian: waves cross reference cells of fixed length, c_p |row d of F^-1|/h_d; where the law
+// says how it stiffens, the fastest wave there,
 //   c_ref^2 = (c_p^2 - mu b_max)/b_min + mu.
 double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
                  const Material& law, std::size_t at, int n, const double* wave_speed);
