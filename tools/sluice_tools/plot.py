@@ -149,20 +149,26 @@ def draw_plane(fig, ax, step, name, given):
 def draw_particles(fig, ax, step, given):
     """Particles over a plane: points, coloured by what they carry where that is asked for."""
     first, second, _ = views.plane_axes(step, given.normal)
-    table = step.particles(given.material)
     base, component = scalars.split_name(given.particles)
-    if base not in table:
-        raise ArchiveError(f"particles have no '{base}'; there are: {', '.join(sorted(table))}")
-    places = table["p.x"]
-    near = views.near_plane(step, places, given.normal, given.position)
+    tables = [step.particles(m) for m in particles.materials_of(step, given)]
+    if not any(base in table for table in tables):
+        names = sorted({name for table in tables for name in table})
+        raise ArchiveError(f"particles have no '{base}'; there are: {', '.join(names)}")
+    places, numbers = [], []
+    for table in tables:
+        if base not in table:
+            continue
+        near = views.near_plane(step, table["p.x"], given.normal, given.position)
+        places.append(table["p.x"][near])
+        numbers.append(scalars.scalar(base, table[base].T, component)[near])
+    places = np.concatenate(places)
     look = {"s": 3, "linewidths": 0, "zorder": 4}
     if given.particles == "p.x":
-        ax.scatter(places[near, first], places[near, second], color="black", **look)
+        ax.scatter(places[:, first], places[:, second], color="black", **look)
         return
-    numbers = scalars.scalar(base, table[base].T, component)
-    points = ax.scatter(places[near, first], places[near, second], cmap="magma",
-                        c=numbers[near], **look)
-    bar = fig.colorbar(points, cax=ax.inset_axes([0, -0.28, 1, 0.035]), orientation="horizontal")
+    points = ax.scatter(places[:, first], places[:, second], cmap="magma",
+                        c=np.concatenate(numbers), **look)
+    bar = fig.colorbar(points, ax=ax, orientation="horizontal", aspect=30, pad=0.02)
     bar.outline.set_linewidth(0.4)
     unit = step.archive.variables[base].unit
     bar.set_label(given.particles + ("" if unit == "1" else f"  ({style.unit_text(unit)})"))
