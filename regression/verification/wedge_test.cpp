@@ -62,7 +62,8 @@ Found wedge(int n) {
 }
 
 // Measured at 32, 50, 100, 200 cells: 53.33, 53.39, 53.407, 53.416 degrees; mean .9953, .9987,
-// .9996, 1.0000; deviations .25, .12, .14, .37 % (it has the shock's own width where grids are finer).
+// .9996, 1.0000; deviations .25, .12, .14, .37 % (with the cells comes nearer what is left of the
+// shock's own width).
 TEST(Wedge, ShockStandsAtItsAngle) {
   const Found f = wedge(32);
   EXPECT_NEAR(f.angle, shock, 0.003 * shock);
