@@ -56,7 +56,7 @@ std::int64_t count_good(const fs::path& archive) {
 }
 
 // Sizes from "the values do not fit" to "only the structure does not fit".
-TEST(ArchiveFailure, FullDiskLeavesTheArchiveGood) {
+TEST(ArchiveFailure, ADiskThatIsFullLeavesTheArchiveGood) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({24, 20, 10}, {2, 1, 1});
   for (const int kib : {100, 140, 144, 148, 152, 156, 160, 200, 236, 240, 244, 400}) {
