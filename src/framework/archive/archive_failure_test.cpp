@@ -253,9 +253,9 @@ TEST(ArchiveFailure, RunsStartedAtOnceGetTheirOwnFolders) {
   }
 }
 
-TEST(ArchiveFailure, KilledAtRandomMomentsNothingIndexedIsHarmed) {
-  std::mt19937 random(2);
-  for (int kill_number = 0; kill_number < 25; ++kill_number) {
+void kill_at_random_moments(unsigned seed, int kills) {
+  std::mt19937 random(seed);
+  for (int kill_number = 0; kill_number < kills; ++kill_number) {
     const TemporaryFolder folder;
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
@@ -282,6 +282,13 @@ TEST(ArchiveFailure, KilledAtRandomMomentsNothingIndexedIsHarmed) {
     for (const auto& entry : fs::recursive_directory_iterator(path))
       EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
   }
+}
+
+TEST(ArchiveFailure, KilledAtRandomMomentsNothingIndexedIsHarmed) {
+  kill_at_random_moments(2, 8);
+}
+TEST(ArchiveFailure, FullKilledAtRandomMomentsNothingIndexedIsHarmed) {
+  kill_at_random_moments(3, 25);
 }
 
 }  // namespace
