@@ -148,8 +148,6 @@ INSTANTIATE_TEST_SUITE_P(
     On, WaterSquare,
     testing::Values(Levels{"Coarse", {coarse}},
                     Levels{"CoarseLockstep", {coarse, "AMR/useLockStep=true"}},
-                    Levels{"CoarseByFour", {coarse, by_four, tiles_for_four}},
-                    Levels{"CoarseOnThreeLevels", {coarse, three_levels}},
                     Levels{"CoarseCopiedCells", {coarse, "AMR/ICE/orderOfInterpolation=0"}},
                     Levels{"CoarseFree", {coarse, drag("0")}}, Levels{"OfASolid", solid},
                     Levels{"OfHardSpheres", hard_spheres}, Levels{"OfHelium", helium},

@@ -130,12 +130,13 @@ const Model models_of_mixtures[] = {
      {exchange("exchange_coefficients/heat", "[1e8]"), material(1, "dynamic_viscosity", "2")}},
 };
 
-// Each model on one kind of levels, and on the others.
+// Every other row, which has each of the models, on one kind of levels; and all else.
 std::vector<Case> cases(bool others) {
   std::vector<Case> all;
   for (std::size_t m = 0; m < std::size(models_of_mixtures); ++m)
     for (std::size_t way = 0; way < std::size(ways); ++way)
-      if ((way == m % std::size(ways)) != others) all.push_back({models_of_mixtures[m], ways[way]});
+      if ((m % 2 == 0 && way == m / 2 % std::size(ways)) != others)
+        all.push_back({models_of_mixtures[m], ways[way]});
   return all;
 }
 const auto name_of_case = [](const auto& test) {

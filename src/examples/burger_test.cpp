@@ -74,7 +74,7 @@ void expect_second_order_in_three_dimensions(int coarse) {
 }
 
 TEST(Burger, InThreeDimensionsToo) {
-  expect_second_order_in_three_dimensions(16);
+  expect_second_order_in_three_dimensions(24);
 }
 TEST(Burger, FullInThreeDimensionsToo) {
   expect_second_order_in_three_dimensions(32);
