@@ -86,7 +86,8 @@ TEST_P(EveryCheckpoint, GoesOnTheSameWayOnOtherBoxes) {
   });
 }
 
-TEST_P(EveryCheckpoint, GoesOnTheSameWayOnTwoRanks) {
+// In ./dev test KindsOnTwoRanks and RestartAfterARegrid stand for it.
+TEST_P(EveryCheckpoint, FullGoesOnTheSameWayOnTwoRanks) {
   expect_equal_ends(run_into("unused"), true, [](const std::vector<DeckRun>& runs) {
     EXPECT_EQ(carry_out_on_ranks(runs, 2), "");
   });
