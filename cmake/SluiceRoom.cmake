@@ -27,8 +27,9 @@ function(sluice_room name)
 endfunction()
 
 # sluice_test(NAME SOURCES files... USES rooms... [LABELS l...] [TIMEOUT s])
-#   ctest runs the executable as one process, without the full products (names that begin with
-#   Full); tools/test/run_tests.py selects among its cases, TIMEOUT is then that of a case.
+#   ctest runs the executable as one process, without the full products (suites or cases whose
+#   names begin with Full); tools/test/run_tests.py selects among its cases, TIMEOUT is then that
+#   of a case.
 function(sluice_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;USES;LABELS" ${ARGN})
   if(NOT TEST_TIMEOUT)
@@ -37,7 +38,7 @@ function(sluice_test name)
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_USES} GTest::gtest GTest::gmock GTest::gtest_main)
   sluice_compile_test(${name})
-  add_test(NAME ${name} COMMAND ${name} "--gtest_filter=-Full*"
+  add_test(NAME ${name} COMMAND ${name} "--gtest_filter=-Full*:*.Full*"
            WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "cases;${TEST_LABELS}")
 endfunction()

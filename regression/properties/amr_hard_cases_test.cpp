@@ -15,6 +15,7 @@
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"
 #include "properties/skew_deck.hpp"
+#include "quick_cases.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::properties::amr_hard_cases_test {
@@ -349,8 +350,13 @@ const FixedCase fixed_cases[] = {
     {"cube", fixed({8, 8, 8}, {wall, wall, periodic, periodic, inflow, open}, {{2, 2, 2}},
                    {{{{-1, -1, -1}, {0, 0, 0}}, {{0, -0.5, 0}, {0.75, 0.5, 1}}}})},
 };
-INSTANTIATE_TEST_SUITE_P(Cases, FixedLevels, testing::ValuesIn(fixed_cases),
-                         [](const auto& test) { return std::string(test.param.name); });
+const auto name_of_case = [](const auto& test) { return std::string(test.param.name); };
+INSTANTIATE_TEST_SUITE_P(Cases, FixedLevels,
+                         testing::ValuesIn(cases_besides(fixed_cases, {"along_each_side"})),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Full, FixedLevels,
+                         testing::ValuesIn(cases_named(fixed_cases, {"along_each_side"})),
+                         name_of_case);
 
 // What a deck with such a regridder is told; the line of the tag in the text.
 std::string told(const std::string& from, const std::string& to, Severity severity) {

@@ -5,6 +5,7 @@
 
 #include "framework/grid/index_box.hpp"
 #include "properties/skew_flow.hpp"
+#include "quick_cases.hpp"
 
 namespace sluice::properties::symmetry_property_test {
 namespace {
@@ -351,10 +352,37 @@ const SkewCase mixtures[] = {
      .second = liquid(10, 3)},
 };
 
-INSTANTIATE_TEST_SUITE_P(Cases, Symmetry, testing::ValuesIn(cases),
-                         [](const auto& test) { return test.param.name; });
-INSTANTIATE_TEST_SUITE_P(Mixtures, Symmetry, testing::ValuesIn(mixtures),
-                         [](const auto& test) { return test.param.name; });
+// In ./dev test: every kind of side and of effect, levels that move and that stay.
+const CaseNames quick = {"tube_first_order",
+                         "tube_cross_flow",
+                         "tube_classic",
+                         "tube_levels",
+                         "tube_levels_lockstep",
+                         "square",
+                         "square_waves",
+                         "square_all",
+                         "square_means",
+                         "square_slip_conducting",
+                         "square_turbulent",
+                         "square_levels_classic",
+                         "square_fixed",
+                         "cube",
+                         "cube_all"};
+const CaseNames quick_mixtures = {"tube_of_gases",
+                                  "tube_of_liquid_dragged",
+                                  "square_of_free_gases",
+                                  "square_of_liquid_on_levels",
+                                  "square_of_slippery_liquid",
+                                  "square_of_heated_liquid"};
+const auto name_of_case = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Cases, Symmetry, testing::ValuesIn(cases_named(cases, quick)),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Mixtures, Symmetry,
+                         testing::ValuesIn(cases_named(mixtures, quick_mixtures)), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Full, Symmetry, testing::ValuesIn(cases_besides(cases, quick)),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(FullMixtures, Symmetry,
+                         testing::ValuesIn(cases_besides(mixtures, quick_mixtures)), name_of_case);
 
 }  // namespace
 }  // namespace sluice::properties::symmetry_property_test

@@ -59,7 +59,7 @@ TEST(AmrShocks, FlagsAreWidenedForSixtyFourSubsteps) {
   EXPECT_LT(share_of_uniform(adaptive), .4);
 }
 
-TEST(AmrShocks, ExplosionIsAsGoodAsTheUniformFineGridAndConverges) {
+TEST(FullAmrShocks, ExplosionIsAsGoodAsTheUniformFineGridAndConverges) {
   constexpr double least_order = .9;  // 0.951
   const CaseRun coarse("amr_explosion", {resolution(32, 32)}), fine("amr_explosion");
   const CaseRun uniform("amr_explosion", {one_level(), resolution(256, 256)}, {"--threads", "2"});

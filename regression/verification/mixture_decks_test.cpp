@@ -41,8 +41,8 @@ TEST_P(ClosedBox, KeepsMassesMomentumAndEnergy) {
   expect_conserved(run, allowed_drift);
 }
 
-INSTANTIATE_TEST_SUITE_P(Drag, ClosedBox,
-                         testing::Values("0,0,0", "1e6,1e3,100", "1e15,1e15,1e15"));
+INSTANTIATE_TEST_SUITE_P(Drag, ClosedBox, testing::Values("1e6,1e3,100"));
+INSTANTIATE_TEST_SUITE_P(Full, ClosedBox, testing::Values("0,0,0", "1e15,1e15,1e15"));
 
 // The materials that a deck of exchange alone spreads over all cells.
 struct Exchange {
@@ -203,7 +203,8 @@ TEST_P(Cavity, OpensAndCollapses) {
   EXPECT_EQ(run.events(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(AirOf, Cavity, testing::Values(1e-4, 1e-6, 1e-9, 1e-12, 1e-20, 1e-30));
+INSTANTIATE_TEST_SUITE_P(AirOf, Cavity, testing::Values(1e-6, 1e-30));
+INSTANTIATE_TEST_SUITE_P(Full, Cavity, testing::Values(1e-4, 1e-9, 1e-12, 1e-20));
 
 TEST(MovingTogether, CopperAndSeaWaterStayInEquilibrium) {
   constexpr double allowed = 1e-10;  // relative

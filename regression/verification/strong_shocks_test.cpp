@@ -86,7 +86,7 @@ TEST(FullStrongShocks, SedovShockStandsWhereItShould) {
   }
 }
 
-TEST(StrongShocks, ExplosionFollowsTheRadialReference) {
+TEST(FullStrongShocks, ExplosionFollowsTheRadialReference) {
   constexpr double least_order = .9;  // 0.928; 0.17 cells ahead
   const CaseRun coarse("explosion_2d", {resolution(64, 64)});
   const CaseRun fine("explosion_2d", {resolution(256, 256)});
@@ -118,7 +118,7 @@ double godunov_error(const CaseRun& like) {
 
 // Three captured contacts spread as N^(-2/3) to N^(-3/4), and hold the order below 1: what is asked
 // is to be better than a Godunov code, at both resolutions and in order.
-TEST(StrongShocks, InteractingBlastsFollowTheReference) {
+TEST(FullStrongShocks, InteractingBlastsFollowTheReference) {
   constexpr double least_order = .8;  // 0.848, Godunov 0.813; 0.67 cells behind, 0.35 ahead
   const CaseRun coarse("woodward_colella", {resolution(200)});
   const CaseRun fine("woodward_colella", {resolution(800)});

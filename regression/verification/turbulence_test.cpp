@@ -226,7 +226,7 @@ double kinetic_energy(const CaseRun& run, const std::string& when = "last") {
 
 // Against the spectral solution of the incompressible equations; what the Mach number of 0.1
 // changes is of the order of its square.
-TEST(Turbulence, TaylorGreenVorticesDecay) {
+TEST(FullTurbulence, TaylorGreenVorticesDecay) {
   constexpr double lowest_order = 1.9;  // measured 3.0
   constexpr double near = 0.025;        // of the energy at 24^3; measured 0.017
   const double reference = taylor_green_energy(16, 0.05, 2);

@@ -124,17 +124,60 @@ std::vector<BadDeck> read_rows(const fs::path& file) {
 
 class BadDecks : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(BadDecks, AreRefused) {
-  const Folder folder;
-  const bool solid = std::string(GetParam()) == "solids";
-  const std::string good = text_of(corpus / (solid ? "good_solid.ups" : "good.ups"));
-  const auto rows = read_rows(corpus / (std::string(GetParam()) + ".rows"));
-  ASSERT_GE(rows.size(), 10u);
-  for (const BadDeck& bad : rows) {
-    ASSERT_FALSE(bad.message.empty()) << bad.name;
-    const std::string file = folder.write(bad.name + ".ups", edited(good, bad));
-    expect_refused(with_name_of(file, bad), file, check(file));
+// The rows of a set, and the edited decks in a folder.
+struct Edited {
+  Folder folder;
+  std::vector<BadDeck> rows;
+  std::vector<std::string> files;
+
+  explicit Edited(const std::string& set) : rows(read_rows(corpus / (set + ".rows"))) {
+    const std::string good = text_of(corpus / (set == "solids" ? "good_solid.ups" : "good.ups"));
+    for (BadDeck& bad : rows) {
+      EXPECT_FALSE(bad.message.empty()) << bad.name;
+      files.push_back(folder.write(bad.name + ".ups", edited(good, bad)));
+      bad = with_name_of(files.back(), bad);
+    }
+    EXPECT_GE(rows.size(), 10u);
   }
+};
+
+// What one process said of each of several decks: it ends with the deck's name and verdict.
+std::vector<Outcome> parts_of(const std::string& text, const std::vector<std::string>& files) {
+  std::vector<Outcome> parts;
+  std::size_t from = 0;
+  for (const std::string& file : files) {
+    const auto ends_with = [&](const char* verdict) {
+      const std::string words = file + ": " + verdict + ", ";
+      const auto at =
+          text.compare(from, words.size(), words) == 0 ? from : text.find("\n" + words, from);
+      return at == std::string::npos ? at : text.find('\n', at + 1);
+    };
+    const auto good = ends_with("good"), bad = ends_with("bad");
+    const auto to = std::min(good, bad);
+    EXPECT_NE(to, std::string::npos) << "no verdict on " << file;
+    if (to == std::string::npos) return parts;
+    parts.push_back({to == bad ? 2 : 0, text.substr(from, to + 1 - from)});
+    from = to + 1;
+  }
+  return parts;
+}
+
+TEST_P(BadDecks, AreRefused) {
+  const Edited decks(GetParam());
+  std::string all;
+  for (const std::string& file : decks.files) all += " " + file;
+  const Outcome outcome = check(all);
+  EXPECT_EQ(outcome.status, 2);
+  const std::vector<Outcome> parts = parts_of(outcome.text, decks.files);
+  ASSERT_EQ(parts.size(), decks.rows.size()) << outcome.text;
+  for (std::size_t n = 0; n < parts.size(); ++n)
+    expect_refused(decks.rows[n], decks.files[n], parts[n]);
+}
+
+TEST_P(BadDecks, FullAreRefusedByAProcessOfTheirOwn) {
+  const Edited decks(GetParam());
+  for (std::size_t n = 0; n < decks.rows.size(); ++n)
+    expect_refused(decks.rows[n], decks.files[n], check(decks.files[n]));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, BadDecks,

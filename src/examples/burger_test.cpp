@@ -61,7 +61,7 @@ TEST(Burger, IsOfSecondOrderWhileItIsSmooth) {
   EXPECT_GT(std::log2(error[0] / error[1]), 1.8) << error[0] << ' ' << error[1];
 }
 
-TEST(Burger, InThreeDimensionsToo) {
+TEST(Burger, FullInThreeDimensionsToo) {
   double error[2];
   for (int level = 0; level < 2; ++level) {
     const int n = 32 << level;

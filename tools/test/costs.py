@@ -15,7 +15,7 @@ import sys
 
 RECORDED = pathlib.Path(__file__).resolve().parents[1] / "bench/recorded.json"
 TOLD, MOST = 1.0, 5.0  # seconds
-LARGE = {"tools.ice_decks": 40.0, "tools.scenes": 40.0, "tools.pictures": 20.0}
+LARGE = {"tools.ice_decks": 20.0, "tools.scenes": 20.0, "tools.pictures": 15.0}
 
 
 def slowness(calibration, repeat=3):

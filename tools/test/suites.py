@@ -6,7 +6,8 @@ import re
 import subprocess
 
 CASES_LABEL = "cases"  # of a googletest executable: its cases are selected and told one by one
-FULL = re.compile(r"^Full(/|[A-Z])")  # names of cases that ./dev verify properties runs
+# Names of cases that ./dev verify properties runs: Full/Suite.Case, FullSuite.Case, Suite.FullCase.
+FULL = re.compile(r"(^|\.)Full(/|[A-Z])")
 # Seconds of a case that has not been timed here yet: of a function, of whole runs.
 UNKNOWN_SECONDS, UNKNOWN_RUN = 0.05, 0.5
 RUNS = {"verification", "properties"}  # labels of suites whose cases are whole runs

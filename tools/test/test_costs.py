@@ -15,8 +15,8 @@ class Told(unittest.TestCase):
         self.assertEqual((len(lines), over), (1, []))
 
     def test_whole_commands_have_limits_of_their_own(self):
-        self.assertEqual(costs.told({"tools.scenes": 30.0}, 1.0)[1], [])
-        self.assertEqual(costs.told({"tools.scenes": 41.0}, 1.0)[1], ["tools.scenes"])
+        self.assertEqual(costs.told({"tools.scenes": 19.0}, 1.0)[1], [])
+        self.assertEqual(costs.told({"tools.scenes": 21.0}, 1.0)[1], ["tools.scenes"])
 
 
 if __name__ == "__main__":

@@ -7,9 +7,9 @@ LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), i
 inputs/ICE, coarsened to seconds), mpm (decks of solids, a few steps) or mpmice (fluid and solids,
 a few steps). A deck that `sluice
 check` finds good is run; of any other the first fault is told. --check writes nothing and fails
-when a page is not what it would write. --test runs only what it must: every deck that the page
-says runs, and fails when one no longer does; exit 77 means that SLUICE_DECKS is not set. Whatever
-a page says, the decks of regression/promised_decks.txt run.
+when a page is not what it would write. --test is quick: `sluice check` must find every deck good
+that the page says runs, and one deck of each kind is run for a few steps; exit 77 means that
+SLUICE_DECKS is not set. Whatever a page says, the decks of regression/promised_decks.txt run.
 """
 import argparse
 import concurrent.futures
@@ -32,6 +32,7 @@ LIMIT = 300  # seconds a deck
 NO_SUITE = 77
 MOST_CELLS = 20000  # of a coarsened deck
 MOST_STEPS = 200
+QUICK_STEPS = 20  # of the decks that --test runs
 MOST_COARSE_STEPS = 30  # of a deck with levels
 FEW_STEPS = 5  # of solids
 SOLIDS_LIMIT = 60  # seconds a deck of solids
@@ -53,10 +54,10 @@ ICE_HEAD = f"""# Decks of the fluid
 
 Every deck of the folder `inputs/ICE` of the format's public suite, and its state. This page is
 written by `tools/verify/suite_decks.py ice`, which finds the suite through the variable
-`SLUICE_DECKS`; the test `tools.ice_decks` runs every deck that is said to run here, `./dev verify
-decks` checks every row. Decks run coarsened to seconds: at most {MOST_STEPS} steps, and a grid of
-one box of more than {MOST_CELLS:,} cells by a smaller `resolution`; the last step is saved. A deck
-runs when it ends in good order; all totals and all values of its last output are finite, densities,
+`SLUICE_DECKS`; `./dev verify decks` checks every row, the test `tools.ice_decks` runs some steps of
+a deck of each kind. Decks run coarsened to seconds: at most {MOST_STEPS} steps, and a grid of one
+box of more than {MOST_CELLS:,} cells by a smaller `resolution`; the last step is saved. A deck runs
+when it ends in good order; all totals and all values of its last output are finite, densities,
 temperatures and volumes not negative, volume fractions at most 1; density, temperature and pressure
 are at most {LARGEST_GROWTH:g} times their largest in the first output; mass of each material,
 momentum and total energy are conserved to {LARGEST_DRIFT:g}, what passed the boundary counted. That
@@ -157,11 +158,15 @@ def materials_of(path):
         return ""
 
 
-def first_fault(sluice, suite, name):
-    """What to tell of the first error of the deck, or None; what is not supported comes last."""
-    words = [sluice, "check", "--json", name]
+def faults_of(sluice, suite, names):
+    """What `sluice check` says of each deck."""
+    words = [sluice, "check", "--json", *names]
     told = subprocess.run(words, cwd=suite, capture_output=True, text=True)
-    faults = json.loads(told.stdout)["decks"][0]["faults"]
+    return [deck["faults"] for deck in json.loads(told.stdout)["decks"]]
+
+
+def first_of(faults):
+    """What to tell of the first error, or None; what is not supported comes last."""
     errors = [f for f in faults if f["kind"] in ("error", "not_built")]
     errors.sort(key=lambda f: f["kind"] != "error")
     if not errors:
@@ -279,13 +284,13 @@ def run_whole(sluice, suite, path):
     return True, f"runs{' to its end' if whole else ''}, {report['steps']} coarse steps"
 
 
-def run_coarsened(sluice, suite, path):
+def run_coarsened(sluice, suite, path, most_steps=MOST_STEPS):
     """(good, what to tell) of the deck made small"""
     options, cells = coarsened(path)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(), folder,
-                            ["--max-steps", str(MOST_STEPS), "--set",
+                            ["--max-steps", str(most_steps), "--set",
                              "DataArchiver/outputLastTimestep=true", *options])
         if report is None:
             return False, wrong
@@ -293,7 +298,7 @@ def run_coarsened(sluice, suite, path):
     drift = drift_of(report)
     if wrong or not drift <= LARGEST_DRIFT:
         return False, wrong or f"not conserved: {drift:.1e}"
-    whole = report["status"] == "done" or report["steps"] < MOST_STEPS
+    whole = report["status"] == "done" or report["steps"] < most_steps
     text = f"runs{' to its end' if whole else ''}, {report['steps']} steps"
     if cells is not None:
         text += f" on {' x '.join(map(str, cells))} cells"
@@ -340,7 +345,7 @@ def run_few(sluice, suite, path):
 
 
 def state_of(sluice, suite, path, run_deck):
-    fault = first_fault(sluice, suite, path.relative_to(suite).as_posix())
+    fault = first_of(faults_of(sluice, suite, [path.relative_to(suite).as_posix()])[0])
     if fault:
         good, text = False, fault
     else:
@@ -367,6 +372,13 @@ class IceList:
     columns = "| deck | materials | levels | state |\n| --- | --- | --- | --- |\n"
     told = "decks of the fluid run"
     run_deck = staticmethod(run_coarsened)
+    # One of a kind, that --test runs: one gas, laws of it, levels that stay and that move, waves
+    # that leave, slip, friction; several materials, what passes from one to another; the pressure
+    # solve on one level and on several, of several materials of different laws, with a scalar.
+    quick = ("advect", "riemann_jwl", "advectAMR", "riemann_AMR", "Lodi_counterflow", "microSlip",
+             "riemann_sm_turb", "advect2mat", "hotBlob2mat", "massX", "CouettePoiseuille/XY",
+             "mms_1", "1D_impAdvectScalarAMR", "impHotBlobAMR", "fallingDam_waterAir",
+             "advectScalar")
 
     @staticmethod
     def cells(path):
@@ -437,26 +449,37 @@ def make_page(sluice, suite, deck_list):
     return text, told, {name for good, name, _ in rows if good}
 
 
-def broken_decks(sluice, suite, deck_list):
-    """Decks that the page says run, or that are promised, and that do not; how many were run."""
-    names = set(re.findall(r"^\| (\S+\.ups) \|.*\| runs[^|]*\|$", deck_list.page.read_text(), re.M))
-    names |= promised(suite, deck_list)
-    broken = []
-    for name in sorted(names):
-        good, state = state_of(sluice, suite, suite / "inputs" / name, deck_list.run_deck)
+def broken_decks(sluice, suite):
+    """Of the fluid's decks that the page says run, or that are promised: what `sluice check` finds
+    bad, and decks of a kind whose first steps fail; how many were checked and run."""
+    names = set(re.findall(r"^\| (\S+\.ups) \|.*\| runs[^|]*\|$", IceList.page.read_text(), re.M))
+    names |= promised(suite, IceList)
+    names = sorted(names)
+    told = faults_of(sluice, suite, [f"inputs/{name}" for name in names])
+    broken = [f"{name}: {first_of(faults)}" for name, faults in zip(names, told, strict=True)
+              if first_of(faults)]
+    for name in (f"ICE/{short}.ups" for short in IceList.quick):
+        if name not in names:
+            broken.append(f"{name}: the page does not say that it runs")
+            continue
+        good, state = run_coarsened(sluice, suite, suite / "inputs" / name, QUICK_STEPS)
         if not good:
             broken.append(f"{name}: {state}")
-    return broken, len(names)
+    return broken, len(names), len(IceList.quick)
+
+
+def test(sluice, suite):
+    """Whether the quick test passes; says what was found."""
+    broken, checked, run_here = broken_decks(sluice, suite)
+    for line in broken:
+        print(f"   FAILED {line}")
+    print(f"RESULT: {checked} decks of the fluid checked, {run_here} run for {QUICK_STEPS} steps, "
+          f"{len(broken)} faults")
+    return checked > 0 and not broken
 
 
 def treat(sluice, suite, deck_list, given):
     """Whether all is well with a list; says what was found."""
-    if given.test:
-        broken, count = broken_decks(sluice, suite, deck_list)
-        for line in broken:
-            print(f"   FAILED {line}")
-        print(f"RESULT: {count - len(broken)} of {count} {deck_list.told} as the page says")
-        return count > 0 and not broken
     text, told, running = make_page(sluice, suite, deck_list)
     lost = promised(suite, deck_list) - running
     if lost:
@@ -476,9 +499,12 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sluice", required=True)
     parser.add_argument("--check", action="store_true", help="compare with the pages only")
-    parser.add_argument("--test", action="store_true", help="run what the pages say runs")
-    parser.add_argument("lists", nargs="+", choices=sorted(LISTS))
+    parser.add_argument("--test", action="store_true",
+                        help="check the decks of the fluid that run, run some steps of a few")
+    parser.add_argument("lists", nargs="*", metavar="LIST", help=", ".join(sorted(LISTS)))
     given = parser.parse_args()
+    if bool(given.lists) == given.test or not set(given.lists) <= LISTS.keys():
+        parser.error(f"give lists of {', '.join(sorted(LISTS))}, or --test")
     suite = os.environ.get("SLUICE_DECKS")
     if not suite:
         print("suite_decks: SLUICE_DECKS does not name the folder of the suite", file=sys.stderr)
@@ -486,6 +512,8 @@ def main():
     suite = pathlib.Path(suite).resolve()
     sluice = str(pathlib.Path(given.sluice).resolve())
     os.chdir(suite)  # includes are also looked for here
+    if given.test:
+        return 0 if test(sluice, suite) else 1
     good = [treat(sluice, suite, LISTS[name], given) for name in given.lists]
     return 0 if all(good) else 1
 

@@ -241,7 +241,7 @@ TEST(SolidInCells, DirectionsParticlesAndVolumesAgree) {
   check_identities<3>();
 }
 
-TEST(SolidInCells, FullAndEmptyCellsAreFullAndEmpty) {
+TEST(SolidInCells, CellsThatAreFullOrEmptyAreSo) {
   const SolidInCells<3> g = geometry<3>(ball<3>().faces());
   int full = 0, empty = 0;
   double worst = 0;
