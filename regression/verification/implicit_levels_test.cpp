@@ -15,7 +15,10 @@ namespace {
 // --- the pulse with noise; the finer level is the middle half of 64 cells ---
 
 constexpr double height = 1e-3;
-constexpr double allowed_checkerboard = 0.02;  // of the height; measured at the end: see below
+// Of the height. Measured after 5,000 steps at most 1.4e-3 (half a cell of sound a step) to 2.4e-12
+// (100); 500 cells: 6.4e-11 between walls, 3.0e-3 where periodic, there with every second step
+// redone. Energy at most .60 of the start, in the first output.
+constexpr double allowed_checkerboard = 0.02;
 
 // Energy of the disturbance; the largest checkerboard of the three stretches of equal cells, in
 // heights of the pulse.
@@ -92,7 +95,7 @@ TEST_P(ImplicitLongPulseOnLevels, PeriodicNeverGrowsInFiveThousandSteps) {
 // Steps of 1, .1, .9, .2, .8, ... of the longest, between outputs and checkpoints.
 TEST_P(ImplicitLongPulseOnLevels, NeverGrowsWhenStepsChange) {
   const double dt = GetParam() / 128;
-  expect_no_growth(pulse(GetParam(), 500, 500) +
+  expect_no_growth(pulse(GetParam(), 200, 200) +
                    Overrides{"Time/clamp_time_to_output=true",
                              fmt::format("DataArchiver/checkpoint/@interval={:.17g}", 1.1 * dt)});
 }
@@ -105,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Full, ImplicitLongPulseOnLevels,
 
 // --- rest under gravity; the finer level ends in the liquid and in the air ---
 
-constexpr double rest = 1e-12;  // of the sound speed of air; measured 2.5e-15 in 300 steps
+constexpr double rest = 1e-12;  // of the sound speed of air; measured 1.9e-14 (C 400)
 constexpr double slug_sound = 1625, least_sound = 374;  // m/s
 
 double rest_of_layers(double C, int steps) {
@@ -129,7 +132,7 @@ TEST(FullImplicitRestOnLevels, LayersStayAtRestForHundredThousandSteps) {
 
 // --- closed boxes whose finer levels follow the flow ---
 
-constexpr double allowed_drift = 1e-12;  // of sum |q|, per 1,000 steps
+constexpr double allowed_drift = 1e-12;  // of sum |q|, per 1,000 steps; measured 1.1e-14
 
 double drift_per_thousand(const CaseRun& run) {
   const double drift = run.worst_drift() / std::max(1., run.steps() / 1000.);

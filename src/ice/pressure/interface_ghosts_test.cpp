@@ -269,7 +269,7 @@ std::vector<Problem> long_problems() {
   return all;
 }
 
-// Measured 1.93 (three dimensions, periodic) and more.
+// Measured 1.90 (three dimensions) and more.
 INSTANTIATE_TEST_SUITE_P(AllSides, CompositePoisson, testing::ValuesIn(problems()));
 INSTANTIATE_TEST_SUITE_P(Full, CompositePoisson, testing::ValuesIn(long_problems()));
 
