@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Decks, ImplicitRestart,
 INSTANTIATE_TEST_SUITE_P(Full, ImplicitRestart,
                          testing::Values("implicit_cavity", "implicit_convection", "implicit_dam",
                                          "implicit_sloshing", "implicit_layers_at_rest",
-                                         "amr_implicit_blob"),
+                                         "amr_implicit_blob", "amr_implicit_pulse",
+                                         "amr_implicit_layers_at_rest"),
                          [](const auto& test) { return std::string(test.param); });
 
 // --- SIGTERM inside a solve ---

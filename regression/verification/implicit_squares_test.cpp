@@ -62,8 +62,18 @@ constexpr Point ghia_v[] = {  // along y = 1/2
     {0.2266, 0.17507, 0.33075},   {0.1563, 0.16077, 0.37095},   {0.0938, 0.12317, 0.32627},
     {0.0781, 0.10890, 0.30353},   {0.0703, 0.10091, 0.29012},   {0.0625, 0.09233, 0.27485}};
 
-// The largest |u - Ghia| on both centre lines, in velocities of the lid.
-double distance_from_ghia(int n, int reynolds, double end) {
+// O. Botella, R. Peyret, Computers & Fluids 27 (1998) 421-433: v along y = 1/2 at Reynolds number
+// 1,000, at the places of ghia_v. Ghia's values are off by up to 0.0185 there.
+constexpr double spectral_v[] = {-0.2279225, -0.2936869, -0.3553213, -0.4103754, -0.5264392,
+                                 -0.4264545, -0.3202137, 0.0257995,  0.3253592,  0.3339924,
+                                 0.3769189,  0.3330442,  0.3099097,  0.2962703,  0.2807056};
+
+// The largest distance from Ghia's u and v on the centre lines, and from spectral_v, in velocities
+// of the lid.
+struct FromTables {
+  double u = 0, v = 0, spectral = 0;
+};
+FromTables distance_from_ghia(int n, int reynolds, double end) {
   const CaseRun run(
       "implicit_cavity",
       until(end) + Overrides{resolution(n, n),
@@ -72,25 +82,35 @@ double distance_from_ghia(int n, int reynolds, double end) {
   EXPECT_EQ(run.events(), 0);
   const Line u = centre_line(run.field("vel_CC", 0), 1, 0, 1);
   const Line v = centre_line(run.field("vel_CC", 1), 0, 0, 0);
-  double of_u = 0, of_v = 0;
+  FromTables off;
   const auto wanted = [&](const Point& p) { return reynolds == 100 ? p.of_100 : p.of_1000; };
-  for (const Point& p : ghia_u) of_u = std::max(of_u, std::fabs(u.at(p.place) - wanted(p)));
-  for (const Point& p : ghia_v) of_v = std::max(of_v, std::fabs(v.at(p.place) - wanted(p)));
-  record("u", of_u);
-  record("v", of_v);
-  return std::max(of_u, of_v);
+  for (const Point& p : ghia_u) off.u = std::max(off.u, std::fabs(u.at(p.place) - wanted(p)));
+  for (const Point& p : ghia_v) off.v = std::max(off.v, std::fabs(v.at(p.place) - wanted(p)));
+  for (std::size_t k = 0; k < std::size(spectral_v); ++k)
+    off.spectral = std::max(off.spectral, std::fabs(v.at(ghia_v[k].place) - spectral_v[k]));
+  record("u", off.u);
+  record("v", off.v);
+  record("spectral", off.spectral);
+  return off;
 }
 
 constexpr double allowed = 0.01;
 
 TEST(ImplicitCavity, OfFewCellsIsNearGhia) {
-  EXPECT_LE(distance_from_ghia(16, 100, 10), 0.03);  // measured 0.023
+  const FromTables off = distance_from_ghia(16, 100, 10);
+  EXPECT_LE(std::max(off.u, off.v), 0.03);  // measured 0.023
 }
 TEST(FullImplicitCavity, OfReynoldsNumber100IsGhias) {
-  EXPECT_LE(distance_from_ghia(64, 100, 20), allowed);
+  const FromTables off = distance_from_ghia(64, 100, 20);
+  EXPECT_LE(std::max(off.u, off.v), allowed);  // measured 0.0042, 0.0087
 }
-TEST(FullImplicitCavity, OfReynoldsNumber1000IsGhias) {
-  EXPECT_LE(distance_from_ghia(128, 1000, 60), allowed);
+// Not met: 0.01 of Ghia's v, where the spectral solution is 0.0185 off. Measured 0.0122; 0.0043 of
+// u, 0.0063 of the spectral v.
+TEST(FullImplicitCavity, OfReynoldsNumber1000IsGhiasInUAndSpectralInV) {
+  const FromTables off = distance_from_ghia(128, 1000, 60);
+  EXPECT_LE(off.u, allowed);
+  EXPECT_LE(off.spectral, allowed);
+  EXPECT_LE(off.v, 0.013);
 }
 
 // G. de Vahl Davis, Int. J. Numer. Methods Fluids 3 (1983) 249-264: in thermal diffusivities over a
@@ -139,6 +159,7 @@ double distance_from_benchmark(const Convection& c) {
 
 class ImplicitConvectionSquare : public testing::TestWithParam<Convection> {};
 
+// Measured Nu, u, v: 1.118 3.635 3.684; 2.242 16.17 19.59; 4.537 34.59 68.15; 8.875 64.78 219.2.
 TEST_P(ImplicitConvectionSquare, IsTheBenchmark) {
   EXPECT_LE(distance_from_benchmark(GetParam()), 0.01);
 }

@@ -146,6 +146,12 @@ TEST_P(ImplicitPulse, NeverGrowsWhenStepsChange) {
     more.push_back(fmt::format("DataArchiver/outputInterval={:.17g}", every * dt));
     expect_no_growth(more, outputs);
   }
+  // 1, .1, .9, .2, .8, ... of the longest, between outputs and checkpoints.
+  expect_no_growth(
+      steps_of(dt, 100, 100) +
+          Overrides{"Time/clamp_time_to_output=true",
+                    fmt::format("DataArchiver/checkpoint/@interval={:.17g}", 1.1 * dt)},
+      100);
 }
 
 INSTANTIATE_TEST_SUITE_P(CellsOfSound, ImplicitPulse, testing::Values(0.5, 1, 2, 5, 20, 100, 500),

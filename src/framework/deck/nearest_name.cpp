@@ -57,7 +57,7 @@ std::string suggest_name(std::string_view word, const std::vector<std::string>& 
   if (const auto nearest = nearest_name(word, candidates)) {
     return fmt::format("did you mean '{}'?", *nearest);
   }
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 24;
   if (candidates.empty() || candidates.size() > most) return {};
   return fmt::format("valid: {}", fmt::join(candidates, ", "));
 }

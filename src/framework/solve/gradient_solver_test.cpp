@@ -39,6 +39,7 @@ TEST_P(HardSystems, take_few_iterations) {
   solver.set_up(matrix);
   const SolveReport report = solve_from_zero(solver, *level, noisy_without_mean(c.cells)).report;
   EXPECT_TRUE(report.converged) << report.reason;
+  RecordProperty("iterations", report.iterations);
   EXPECT_LE(report.iterations, c.most);
   EXPECT_LE(report.residuals.back(), c.tolerance * report.right_side);
 }
@@ -58,6 +59,88 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"periodic_odd", {33, 33, 33}, 1, 1, Sides::periodic, 1e-8, 30},
                     Case{"column", {1000, 1, 1}, 1, 1, Sides::neumann, 1e-10, 3}),
     [](const auto& c) { return c.param.name; });
+
+// What of the same is left. Measured: 8, 9, 14, 6 and 10 in two dimensions; 7, 7, 8 and 8 in three.
+INSTANTIATE_TEST_SUITE_P(
+    Full, HardSystems,
+    testing::Values(Case{"uniform_256", {256, 256, 1}, 0, 1, Sides::neumann, 1e-10, 25},
+                    Case{"disc_128", {128, 128, 1}, 1, 1, Sides::neumann, 1e-10, 25},
+                    Case{"discs_128", {128, 128, 1}, 40, 1, Sides::neumann, 1e-10, 25},
+                    Case{"aspect_256", {256, 256, 1}, 0, 100, Sides::neumann, 1e-10, 25},
+                    Case{"aspect_disc_256", {256, 256, 1}, 1, 100, Sides::neumann, 1e-10, 25},
+                    Case{"uniform_128_3d", {128, 128, 128}, 0, 1, Sides::neumann, 1e-8, 30},
+                    Case{"ball_128", {128, 128, 128}, 1, 1, Sides::neumann, 1e-8, 30},
+                    Case{"balls_128", {128, 128, 128}, 40, 1, Sides::neumann, 1e-8, 30},
+                    Case{"aspect_ball", {64, 64, 64}, 1, 100, Sides::neumann, 1e-8, 30}),
+    [](const auto& c) { return c.param.name; });
+
+// In 128 x 128 cells of aspect 100 with jumps the noise above can be brought to 1.1e-10 and no
+// further: 1e-16 of matrix times solution. So here the solution is given. Measured: 9, 15.
+TEST(FullHardSystems, jumps_in_stretched_cells_take_few_iterations) {
+  const IntVec3 cells{128, 128, 1};
+  const auto level = level_of(cells);
+  for (const int count : {1, 40}) {
+    const CellMatrix matrix =
+        matrix_of(*level, {own, {face, face * 1e4, face}, balls(cells, count)});
+    const auto row_times_noise = [&](IntVec3 c) {
+      double sum = matrix.diagonal()[0](c) * noisy(c);
+      for (int d = 0; d < 2; ++d) {
+        IntVec3 below = c, above = c;
+        --below[d], ++above[d];
+        if (below[d] >= 0) sum += matrix.low(d)[0](c) * noisy(below);
+        if (above[d] < cells[d]) sum += matrix.low(d)[0](above) * noisy(above);
+      }
+      return sum;
+    };
+    GradientSolver solver({});
+    solver.set_up(matrix);
+    const SolveReport report = solve_from_zero(solver, *level, row_times_noise).report;
+    EXPECT_TRUE(report.converged) << report.reason;
+    RecordProperty("iterations " + std::to_string(count), report.iterations);
+    EXPECT_LE(report.iterations, 25);
+  }
+}
+
+// Walls that no fluid passes but through gaps of one cell, in turn at either end: a long channel.
+// With dense fluid in every second channel, or with films of light fluid, one cell wide, between
+// bodies of 1e4 times its density.
+enum class Gaps { channel, dense_channels, films };
+
+int iterations_through(Gaps kind, int n, double tolerance) {
+  constexpr int pitch = 8;
+  const IntVec3 cells{n, n, 1};
+  const auto level = level_of(cells);
+  DiffusionSystem system{own, {face, face, face}};
+  if (kind == Gaps::films)
+    system.density = [](IntVec3 c) { return c.x % pitch == 0 || c.y % pitch == 0 ? 1.0 : 1e4; };
+  if (kind == Gaps::dense_channels)
+    system.density = [](IntVec3 c) { return c.y / pitch % 2 == 0 ? 1.0 : 1e4; };
+  CellMatrix matrix = matrix_of(*level, system);
+  if (kind != Gaps::films)
+    for_each_cell(level->domain, [&](IntVec3 c) {
+      const bool gap = c.x == (c.y / pitch % 2 == 0 ? 0 : n - 1);
+      double& coupling = matrix.low(1)[0](c);
+      if (c.y % pitch != 0 || gap) return;
+      matrix.diagonal()[0](c) += coupling;
+      matrix.diagonal()[0]({c.x, c.y - 1, 0}) += coupling;
+      coupling = 0;
+    });
+  SolverSettings settings;
+  settings.tolerance = tolerance;
+  GradientSolver solver(settings);
+  solver.set_up(matrix);
+  const SolveReport report = solve_from_zero(solver, *level, noisy_without_mean(cells)).report;
+  EXPECT_TRUE(report.converged) << report.reason;
+  return report.iterations;
+}
+
+TEST(ThinGaps, Converge) {
+  for (const Gaps kind : {Gaps::channel, Gaps::dense_channels, Gaps::films}) {
+    const int iterations = iterations_through(kind, 128, 1e-10);
+    RecordProperty("iterations " + std::to_string(static_cast<int>(kind)), iterations);
+    EXPECT_LE(iterations, 25);  // measured 12, 9, 13
+  }
+}
 
 // An exact sum over all ranks; with noise as weights it knows every bit of a field.
 double weighted_sum(const BoxViews& views, const CellFunction& weight) {

@@ -23,6 +23,7 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   h.specific_energy_L = task.read(v.specific_energy_L, both);
   h.scale = task.read(v.energy_scale, both);
   h.stretch = task.read(v.stretch, both);
+  if (relaxes_before_remap(o)) h.strain = task.read(v.strain, both);
   if (o.second_order && o.axes.count > 1)
     h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
   if (o.mixed != nullptr && o.second_order) h.alike = task.read(v.alike, both);
@@ -83,6 +84,11 @@ void MaterialFaces::bind(int m) {
   look_up(k.energy_L, h_.energy_L, m);
   look_up(k.eps_L, h_.specific_energy_L, m);
   look_up(k.scale, h_.scale, m);
+  k.strain[0] = k.strain[1] = k.iJ[0] = k.iJ[1] = nullptr;
+  if (relaxes_before_remap(options_)) {
+    look_up(k.strain, h_.strain, m);
+    look_up(k.iJ, h_.strain, materials_ + m);
+  }
   k.alike[0] = k.alike[1] = nullptr;
   if (is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {

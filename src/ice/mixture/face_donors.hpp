@@ -29,7 +29,8 @@ struct MaterialHandles {
   std::vector<In> mass, volume, energy;  // old state
   In presence, pure;
   In energy_L, specific_energy_L, scale, stretch, base;
-  In alike;  // of a mixed gas
+  In strain;  // where the materials of a cell relax before the remap
+  In alike;   // of a mixed gas
   In blend, blend_density, blend_energy;
 };
 MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
@@ -45,7 +46,8 @@ struct MaterialFaceRows {
   Around r, e;                // density and energy per own volume, of blends alone
   const double *energy_L[2], *eps_L[2], *scale[2];
   const double *base_V[2], *base_r[2], *base_e[2];
-  const double* alike[2];  // of a mixed gas, else null
+  const double* alike[2];           // of a mixed gas, else null
+  const double *strain[2], *iJ[2];  // where the materials of a cell relax before, else null
   double *FV, *FM, *FE;
 };
 

@@ -91,6 +91,7 @@ class FaceShares {
     Pair r_far, e_far;  // of cells -2 and 1
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
     Pair alike;  // of a mixed gas, else null
+    Pair strain, iJ;
     double *FV, *FM, *FE;
   };
 
@@ -145,6 +146,8 @@ class FaceShares {
       k.base_e = two(x.base_e);
     }
     k.alike = x.alike[0] != nullptr ? two(x.alike) : Pair{nullptr, nullptr};
+    k.strain = x.strain[0] != nullptr ? two(x.strain) : Pair{strained_alike(), strained_alike()};
+    k.iJ = x.strain[0] != nullptr ? two(x.iJ) : cells(faces_.iJ_);
     k.FV = x.FV + first_;
     k.FM = x.FM + first_;
     k.FE = x.FE + first_;
@@ -188,7 +191,7 @@ class FaceShares {
   void propose(const Material& k) {
     const int n = size();
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
-    const Pair base = k.base_V, masses{k.M[0], k.M[1]};
+    const Pair base = k.base_V, masses{k.M[0], k.M[1]}, strain = k.strain;
     double *share = k.FV, *more = k.FE, *receiver = k.FM;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
@@ -206,6 +209,8 @@ class FaceShares {
         value +=
             weight_[i] * slope_of_share(V - behind, ahead - V, nu_[i], 2.0 * iN_[i], interface);
       }
+      const double r = strain.at(i, left);
+      value *= r;
       double may = 1.0;
       if constexpr (!Blend) {
         const double received = masses.at(i, !left), main = main_outlet_[i];
@@ -218,7 +223,8 @@ class FaceShares {
         may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
         receiver[i] = received;
       }
-      const double cap = may * smaller(1.0, V * per_N_[i]), now = smaller(larger(value, 0.0), cap);
+      const double cap = may * smaller(1.0, V * r * per_N_[i]),
+                   now = smaller(larger(value, 0.0), cap);
       share[i] = now;
       more[i] = cap - now;
       sum_[i] += now;
@@ -243,7 +249,7 @@ class FaceShares {
   // Step 3; FM tells whether the face takes all.
   void keep_traces_together(const Material& k, int number) {
     const int n = size();
-    const Pair fraction{k.V[2], k.V[3]};
+    const Pair fraction{k.V[2], k.V[3]}, strain = k.strain;
     const double *V0 = k.V[0], *V1 = k.V[1], *V2 = k.V[2], *V3 = k.V[3], *V4 = k.V[4], *V5 = k.V[5];
     const double *shrink = sum_, *fill = room_, *more = k.FE;
     double *share = k.FV, *FM = k.FM;
@@ -254,7 +260,7 @@ class FaceShares {
       const double H = H_[i], flow = std::fabs(H), main = main_outlet_[i];
       const double V = fraction.at(i, H < 0.0);
       const double wanted = share[i] * shrink[i] + fill[i] * more[i];
-      const double V_L = V * J_[i], rest = V_L - flow * wanted;
+      const double V_L = V * J_[i] * strain.at(i, H < 0.0), rest = V_L - flow * wanted;
       bool shared = true;  // else the donor has one material
       bool stays = false, only_outlet = main == flow;
       double little = least_entry;
@@ -297,15 +303,17 @@ class FaceShares {
     const Pair r = k.r, e = k.e, r_far = k.r_far, e_far = k.e_far;
     const Pair eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
     const Pair base_r = k.base_r, base_e = k.base_e, alike = k.alike;
+    const Pair strain = k.strain, own_iJ = k.iJ;
     double *FV = k.FV, *FM = k.FM, *FE = k.FE;
     const double which = number;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double H = H_[i], iJ = iJ_[i], N_out = N_[i], iN = iN_[i];
       const bool left = H < 0.0;
-      const double here = chosen(left, b[i], a[i]);
+      const double here = chosen(left, b[i], a[i]) * strain.at(i, left);
       const double share = largest_of_[i] == which ? 1.0 - others_[i] : FV[i];
-      const double rho = r.at(i, left), rho_L = rho * iJ, e_L = eps_L.at(i, left);
+      const double rho = r.at(i, left), iJ_m = own_iJ.at(i, left);
+      const double rho_L = rho * iJ_m, e_L = eps_L.at(i, left);
       const double sc = scale.at(i, left);
       double rho_s = Based ? base_r.at(i, left) : rho_L;
       double eps_s = Based ? base_e.at(i, left) : e_L;
@@ -317,7 +325,7 @@ class FaceShares {
         const double slope_r =
             upwind_slope(rho - r_far.at(i, left), r.at(i, !left) - rho, nu, 2.0 * iN);
         const double slope_e = upwind_slope(E - e_far.at(i, left), e.at(i, !left) - E, nu, 2.0);
-        rho_s += full ? weight * slope_r : 0.0;
+        rho_s += full ? weight_[i] * iJ_m * slope_r : 0.0;
         eps_s += full ? weight * slope_e : 0.0;
       }
       if constexpr (Mixed) {

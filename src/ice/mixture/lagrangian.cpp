@@ -5,9 +5,13 @@
 // W is the work defect of the mixture: p dV goes by volume, the rest (dissipation, second order) by
 // mass. Q_m is what friction and conduction bring (transport.cpp). Per own volume:
 // rho_mL = rho_m/J, eps_mL = E_mL/(V_m J), and the scale (p_m + pi_m)/G_m of each, from the
-// pressure of that state. The scale of the mixture is sum V_m scale_m.
+// pressure of that state. With a pressure solve the materials of a cell then find one pressure:
+// V_m -> V_m J r_m, with the works of that. The scale of the mixture is sum V_m scale_m.
 #include <algorithm>
+#include <bit>
+#include <optional>
 
+#include "ice/closure/cell_closure.hpp"
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/variables.hpp"
@@ -23,6 +27,7 @@ struct Handles {
   In mixture_energy, mixture_density_L, mixture_energy_L, mixture_energy_star;
   std::array<In, 3> face_velocity;
   Out stretch, energy_L, specific_energy_L, scale, mixture_scale;
+  Out strain;   // where the materials of a cell relax before the remap
   Out scratch;  // density of a material, work
 };
 
@@ -31,6 +36,7 @@ struct Materials {
   bool all_ideal;  // the scale of each is its energy
   bool heated;
   bool keeps_work;
+  std::optional<CellClosure> relaxation;
 };
 
 // J and the main outlet.
@@ -123,7 +129,9 @@ void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const auto k = static_cast<std::size_t>(m);
   const double* __restrict M = row(h.state.mass[k]);
   const double* __restrict V = row(h.state.volume[k]);
-  const double* __restrict iJ = row(h.inverse_J);
+  const double* __restrict iJ = h.strain.index < 0
+                                    ? row(h.inverse_J)
+                                    : row(h.strain, static_cast<int>(h.state.mass.size()) + m);
   double* __restrict rho_L = row(h.scratch);
   for (int i = 0; i < n; ++i) rho_L[i] = M[i] * per_own_volume(V[i]) * iJ[i];
   for_each_run(runs_of(row, h.presence), n, [&](int first, int count, double presence) {
@@ -132,6 +140,38 @@ void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
     else
       std::fill_n(scale + first, count, 0.0);
   });
+}
+
+// The materials of a cell find one pressure in the volume J: r_m and 1/(J r_m), energies likewise.
+// A cell without a state stays as it is: the end of the step tells.
+void relax_cells(const Row& row, const Handles& h, const CellClosure& closure) {
+  const int n = row.count(), materials = static_cast<int>(h.state.mass.size());
+  const double *J = row(h.stretch, 0), *iJ = row(h.inverse_J), *presence = row(h.presence);
+  for (int m = 0; m < materials; ++m) {
+    std::fill_n(row(h.strain, m), n, 1.0);
+    std::copy_n(iJ, n, row(h.strain, materials + m));
+  }
+  for (int i = 0; i < n; ++i) {
+    const std::uint64_t set = as_set(presence[i]);
+    if (std::popcount(set) < 2 || !(J[i] > 0.0 && J[i] < infinity)) continue;
+    double M[most_materials], V[most_materials], E[most_materials], density = 0;
+    for (int m = 0; m < materials; ++m) {
+      const auto k = static_cast<std::size_t>(m);
+      M[m] = row(h.state.mass[k])[i] * iJ[i];
+      V[m] = row(h.state.volume[k])[i];
+      E[m] = row(h.energy_L, m)[i] * iJ[i];
+      density += M[m];
+    }
+    if (closure.close({M, V, E}, density, 0.0, {}).failed >= 0) continue;
+    for (int m = 0; m < materials; ++m) {
+      if ((set >> m & 1) == 0) continue;
+      const double r = V[m] / row(h.state.volume[static_cast<std::size_t>(m)])[i];
+      row(h.strain, m)[i] = r;
+      row(h.strain, materials + m)[i] = iJ[i] / r;
+      row(h.energy_L, m)[i] = E[m] * J[i];
+      row(h.specific_energy_L, m)[i] = E[m] / V[m];
+    }
+  }
 }
 
 // `set`: of the materials in these cells.
@@ -147,8 +187,12 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Mate
       if (!materials.all_ideal) std::fill_n(row(h.scale, m), n, 0.0);
       continue;
     }
-    const auto k = static_cast<std::size_t>(m);
     materials.heated ? share_energy<true>(row, h, m, W) : share_energy<false>(row, h, m, W);
+  }
+  if (materials.relaxation) relax_cells(row, h, *materials.relaxation);
+  for (int m = 0; m < static_cast<int>(materials.fluids.size()); ++m) {
+    if ((set >> m & 1) == 0) continue;
+    const auto k = static_cast<std::size_t>(m);
     if (!materials.all_ideal) find_scale(row, h, m, materials.fluids[k]);
     const double* __restrict V = row(h.state.volume[k]);
     const double* __restrict scale = row(materials.all_ideal ? h.specific_energy_L : h.scale, m);
@@ -199,7 +243,12 @@ void add_lagrangian_of_each(TaskList& list, const Variables& v, const SchemeOpti
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
-  const Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, o.keeps_work()};
+  Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, o.keeps_work(), {}};
+  if (relaxes_before_remap(o)) {
+    h.strain = task.write(v.strain);
+    materials.relaxation.emplace(o.fluids, PairCoefficients(static_cast<int>(o.fluids.size())),
+                                 std::nullopt);
+  }
   if (!materials.all_ideal) h.scale = task.write(v.energy_scale);
   h.mixture_scale = task.write(v.common.energy_scale);
   h.scratch = task.write(list.temporary("Lagrangian density, work", 2));

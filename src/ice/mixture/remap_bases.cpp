@@ -19,6 +19,7 @@ struct Handles {
   RemapBaseHandles common;
   std::vector<In> volume, mass, energy;  // old state
   In pure, near, inverse_J, specific_energy_L, scale;
+  In strain;  // where the materials of a cell relax before the remap
   In blend, blend_density, blend_energy;
   In own_velocity;              // of each material, where it has its own
   int velocity_components = 0;  // of one material in it; 0: all move with the mixture
@@ -68,7 +69,7 @@ class MixedBases {
   struct Material {
     Quantity V, M, E;
     Quantity r, e;  // per own volume, of blends alone
-    const double *eps_L, *scale;
+    const double *eps_L, *scale, *iJ;
     const double* u[D];  // its own velocity, or that of the mixture
     double* base[3][D];
 
@@ -80,6 +81,7 @@ class MixedBases {
                  e.template from<D>(first),
                  eps_L + first,
                  scale + first,
+                 iJ + first,
                  {},
                  {}};
       for (int t = 0; t < D; ++t) k.u[t] = u[t] + first;
@@ -107,7 +109,7 @@ class MixedBases {
     }
   };
 
-  static void bind(Material& k, const Row& row, const Handles& handles, int m) {
+  void bind(Material& k, const Row& row, const Handles& handles, int m) const {
     const auto number = static_cast<std::size_t>(m);
     k.V = quantity<D>(row, handles.volume[number], 0);
     k.M = quantity<D>(row, handles.mass[number], 0);
@@ -116,6 +118,7 @@ class MixedBases {
     k.e = quantity<D>(row, handles.blend_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
     k.scale = row(handles.scale, m);
+    k.iJ = handles.strain.index < 0 ? mixture_.iJ : row(handles.strain, materials_ + m);
     for (int t = 0; t < D; ++t)
       k.u[t] = handles.velocity_components > 0
                    ? row(handles.own_velocity, m * handles.velocity_components + t)
@@ -182,7 +185,7 @@ class MixedBases {
       for (int t = 0; t < D; ++t) along[t] = changes<Blend>(k, x, own, t, i);
       const double weight = Masked ? x.mask[i] : 1.0;
       const double here = Blend || V > 0.0 ? weight : 0.0;
-      const double rho_L = own.r * x.iJ[i], eps_L = k.eps_L[i];
+      const double rho_L = own.r * k.iJ[i], eps_L = k.eps_L[i];
       const double floor = eps_L - 0.9 * k.scale[i];
 #pragma GCC unroll 3
       for (int d = 0; d < D; ++d) {
@@ -261,6 +264,7 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   }
   h.inverse_J = task.read(v.common.inverse_J);
   h.specific_energy_L = task.read(v.specific_energy_L);
+  if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.scale = task.read(v.energy_scale);
   for (int d = 0; d < o.axes.count; ++d)
     h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);

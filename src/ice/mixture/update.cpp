@@ -1,6 +1,6 @@
 // Step 9 with several materials: new masses, volumes and energies; one pressure; rates.
 //
-//   M_m' = M_m + sum_d (FM- - FM+)     V_m' = V_m J + sum_d (FV- - FV+)
+//   M_m' = M_m + sum_d (FM- - FM+)     V_m' = V_m J r_m + sum_d (FV- - FV+)   (r_m: lagrangian.cpp)
 //   E_m' = E_mL + sum_d (G_m- - G_m+) + k M_m'/rho'
 //   k = sum_d (F- |U- - v|^2 - F+ |U+ - v|^2)/2 - rho' |m'/rho' - v|^2/2
 // the kinetic energy that the remap loses goes to the materials by mass. A material that ended with
@@ -51,6 +51,7 @@ class MaterialCells {
       k.M = row(s.mass);
       k.V = row(s.volume);
       k.E_L = row(h.energy_L, m);
+      k.strain = h.strain.index < 0 ? nullptr : row(h.strain, m);
       k.next[of_volume] = row(s.volume_new);
       k.next[of_mass] = row(s.mass_new);
       k.next[of_energy] = row(s.energy_new);
@@ -96,6 +97,10 @@ class MaterialCells {
  private:
   struct Material {
     const double *M, *V, *E_L;  // old; after the Lagrangian phase
+    const double* strain;       // V_mL/(V_m J), or null: 1
+    const double* strain_from(int first) const {
+      return strain == nullptr ? strained_alike() : strain + first;
+    }
     const double *minus[3][D], *plus[3][D];
     double* next[3];
   };
@@ -109,7 +114,8 @@ class MaterialCells {
       const double* __restrict V = k.V + first;
       const double* __restrict M = k.M + first;
       const double* __restrict E_L = k.E_L + first;
-      gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i]; });
+      const double* __restrict r = k.strain_from(first);
+      gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i] * r[i]; });
       gain(k, of_mass, first, n, [=](int i) { return M[i]; });
       gain(k, of_energy, first, n, [=](int i) { return E_L[i]; });
     }
@@ -172,6 +178,7 @@ class MaterialCells {
     const double* __restrict V_before = k.V + first;
     const double* __restrict E_L = k.E_L + first;
     const double* __restrict J = J_ + first;
+    const double* __restrict r = k.strain_from(first);
     double* __restrict defect = modulus_ + first;
     double* __restrict M = k.next[of_mass] + first;
     double* __restrict V = k.next[of_volume] + first;
@@ -185,7 +192,7 @@ class MaterialCells {
       const bool gone = is_gone(mass, volume, M_before[i], V_before[i]);
       Residue rest{volume, energy};
       if constexpr (Drained)
-        rest = settled(mass, volume, energy, M_before[i], V_before[i] * J[i], E_L[i]);
+        rest = settled(mass, volume, energy, M_before[i], V_before[i] * J[i] * r[i], E_L[i]);
       defect[i] += gone ? energy : energy - rest.E;
       M[i] = gone ? 0.0 : mass;
       V[i] = gone ? 0.0 : rest.V;

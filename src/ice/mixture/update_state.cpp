@@ -31,6 +31,7 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   h.common = read_update(task, v.common, o);
   h.common.energy_scale = task.read(v.common.energy_scale);
   h.stretch = task.read(v.stretch);
+  if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.energy_L = task.read(v.energy_L);
   h.pure = task.read(v.pure);
   if (o.slip_exchange) h.surface = task.read(v.surface);

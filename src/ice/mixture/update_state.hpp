@@ -30,6 +30,7 @@ struct TouchedCells {
 struct UpdateState {
   UpdateHandles common;
   In stretch, energy_L, pure;
+  In strain;               // where the materials of a cell relax before the remap
   In surface;              // where a gas slips along one
   bool closes = true;      // else one pressure is found later: one_pressure.cpp
   std::array<In, 3> flux;  // of each material
@@ -37,7 +38,7 @@ struct UpdateState {
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
   std::vector<Out> slip_new;   // where each material has a velocity of its own
   SourceHandles sources;
-  TouchedCells touched;    // beside solids
+  TouchedCells touched;  // beside solids
 };
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
 

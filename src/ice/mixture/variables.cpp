@@ -53,6 +53,15 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
 
 }  // namespace
 
+bool relaxes_before_remap(const SchemeOptions& o) {
+  return o.implicit && !o.walled && !o.own_velocities && o.mixed == nullptr;
+}
+
+const double* strained_alike() {
+  static const std::vector<double> ones(most_strained_alike, 1.0);
+  return ones.data();
+}
+
 bool all_ideal_gases(const std::vector<Fluid>& fluids) {
   return std::all_of(fluids.begin(), fluids.end(),
                      [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
@@ -80,6 +89,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   v.density = list.temporary("density of each material", M);
   v.specific_energy = list.temporary("energy per volume of each material", M);
   v.stretch = list.temporary("J, main outlet", 2);
+  if (relaxes_before_remap(o)) v.strain = list.temporary("strain of each material", 2 * M);
   v.energy_L = list.temporary("Lagrangian energy of each material", M);
   v.specific_energy_L = list.temporary("Lagrangian energy per volume of each material", M);
   v.energy_scale = all_ideal_gases(o.fluids) ? v.specific_energy_L

@@ -60,6 +60,9 @@ struct Variables {
   // In cells that are near: J, and the largest outflow H of a cell through one face: as it is if
   // that is the only outlet, negative if there are several, minus infinity if several are largest.
   VariableId stretch;
+  // Of steps with a pressure solve (relaxes_before_remap), in the same cells by material:
+  // r_m = V_mL/(V_m J), then 1/(J r_m). Elsewhere all materials are strained alike.
+  VariableId strain;
   // By axis, 3 components a material: what volume, density and energy offer to the remap, in the
   // same cells.
   std::array<VariableId, 3> base;
@@ -82,6 +85,15 @@ struct Variables {
 };
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids);
+
+// Do the materials of a cell find one pressure before the remap, too. In the long steps of a
+// pressure solve a cell that holds little gas changes what it holds in one; without, pressures grow
+// from step to step.
+bool relaxes_before_remap(const SchemeOptions& o);
+
+// r_m of a chunk of cells where all materials are strained alike.
+const double* strained_alike();
+constexpr int most_strained_alike = 256;
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 

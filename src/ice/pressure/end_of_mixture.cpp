@@ -27,6 +27,7 @@ struct Touched {
 struct Handles {
   mixture::StateReads state;
   In pure, rho_L, energy_L, specific_energy_L, stretch;
+  In strain;  // where the materials of a cell relax before the remap
   Touched touched;
   LawsOfCells laws;
   Out p, scratch;
@@ -53,6 +54,7 @@ class OwnState {
         E_(row(h.state.energy[m])),
         J_(row(h.stretch, 0)),
         of_volume_(row(h.specific_energy_L, static_cast<int>(m))) {
+    if (h.strain.index >= 0) iJ_ = row(h.strain, static_cast<int>(h.state.mass.size() + m));
     const Touched& t = h.touched;
     if (!t.any) return;
     touched_ = row(t.cells);
@@ -63,7 +65,7 @@ class OwnState {
   }
   void find(int i, double& rho, double& e) const {
     if (touched_ != nullptr && touched_[i] != 0) return beside_solids(i, rho, e);
-    rho = M_[i] / (V_[i] * J_[i]);
+    rho = iJ_ != nullptr ? M_[i] / V_[i] * iJ_[i] : M_[i] / (V_[i] * J_[i]);
     e = of_volume_[i];
   }
 
@@ -75,7 +77,7 @@ class OwnState {
     e = moved ? E_L_[i] / (V_[i] * V_L_[i]) : E_[i] / V_[i];
   }
 
-  const double *M_, *V_, *E_, *J_, *of_volume_;
+  const double *M_, *V_, *E_, *J_, *of_volume_, *iJ_ = nullptr;
   const double *touched_ = nullptr, *theta_ = nullptr, *V_L_ = nullptr, *E_L_ = nullptr,
                *E_star_ = nullptr;
 };
@@ -119,6 +121,7 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   h.energy_L = task.read(v.common.energy_L);
   h.specific_energy_L = task.read(v.specific_energy_L);
   h.stretch = task.read(v.stretch);
+  if (mixture::relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.touched = read_touched(task, v, o);
   h.laws = LawsOfCells(task, list, o);
   h.p = task.write(p_L);
