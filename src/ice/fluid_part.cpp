@@ -196,7 +196,8 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   o.volumes = variant.volumes;
   o.first_volume_sum = first_volume_sum();
   if (o.classic) return o;
-  if (ice_.solids > 0 && variant.kind == walled_kind()) o.walled = true;
+  o.solids = ice_.solids > 0;
+  if (o.solids && variant.kind == walled_kind()) o.walled = true;
   if (o.walled && o.fluids.size() == 1) {
     o.material = 0;
     return o;

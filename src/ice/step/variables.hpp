@@ -55,6 +55,7 @@ struct SchemeOptions {
   bool classic = false;   // the classic form, see classic/
   bool implicit = false;  // one pressure is solved for, see pressure/
   bool walled = false;    // the graph of blocks that solids meet: walls/
+  bool solids = false;    // some blocks may meet solids
   bool second_order = true;
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
