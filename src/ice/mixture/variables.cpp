@@ -54,7 +54,7 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
 }  // namespace
 
 bool relaxes_before_remap(const SchemeOptions& o) {
-  return o.implicit && !o.solids && !o.own_velocities && o.mixed == nullptr;
+  return o.implicit && !o.solids && !o.walled && !o.own_velocities && o.mixed == nullptr;
 }
 
 const double* strained_alike() {
