@@ -117,6 +117,7 @@ void PlanCommand::expect_no_cost_of_effects_that_are_off(std::size_t every) {
   }
   EXPECT_GT(tubes, 20 / every);
   EXPECT_GT(decks.size(), 15u);
+  if (every > 1) return;  // which effects some decks have is chance
   for (const char* name : {"gravity", "viscous stress", "heat conduction", "momentum exchange",
                            "heat exchange", "scalars", "model sources", "turbulence"}) {
     EXPECT_GT(decks[name].first, 0) << name;

@@ -65,7 +65,7 @@ class Frame(unittest.TestCase):
 
     def test_every_unit_is_known(self):
         units = {"ns/cell/step", "ns/cell updated", "ms", "share of regrids", "steps a regrid",
-                 "share of balance"}
+                 "share of balance", "ns/particle/step"}
         self.assertLessEqual({case.unit for case in CASES if isinstance(case, Run)}, units)
 
     def test_savings_are_off_unless_asked_for(self):
