@@ -193,8 +193,6 @@ TEST_P(LikeGasesOnLevels, AreOneGas) {
 
 const Like models[] = {
     {"All", both(both(turbulence("Germano"), sutherland("0.0003", "1")), rough_wall())},
-};
-const Like more_models[] = {
     {"Smagorinsky", turbulence("Smagorinsky")},
     {"Germano", turbulence("Germano")},
     {"Sutherland", sutherland("0.003", "1")},
@@ -202,9 +200,7 @@ const Like more_models[] = {
     {"WallLaw", both(turbulence("Smagorinsky"), rough_wall())},
 };
 
-INSTANTIATE_TEST_SUITE_P(With, LikeGasesOnLevels, testing::ValuesIn(models),
-                         [](const auto& test) { return std::string(test.param.name); });
-INSTANTIATE_TEST_SUITE_P(Full, LikeGasesOnLevels, testing::ValuesIn(more_models),
+INSTANTIATE_TEST_SUITE_P(Full, LikeGasesOnLevels, testing::ValuesIn(models),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
