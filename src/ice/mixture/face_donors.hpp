@@ -66,7 +66,7 @@ class MaterialFaces {
   }
 
  private:
-  template <bool Second, bool Masked, int Lanes, bool Blend>
+  template <bool Second, bool Masked, int Lanes, bool Blend, bool Strained>
   friend class FaceShares;
 
   void bind(int m);

@@ -44,9 +44,10 @@ inline double slope_of_share(double dm, double dp, double nu, double B, bool sha
 // At most `most_faces` faces of a row, material by material in plain loops. Lanes: so many faces
 // exactly, known when loops are compiled; 0: any number. At an interface there are a few faces a
 // row, and loops around one vector would cost more than what they do. Blend: all cells around are
-// blends of these materials, so that rules of fronts and traces choose nothing.
+// blends of these materials, so that rules of fronts and traces choose nothing. Strained: materials
+// relax before the remap, so that each has a strain r_m and an inverse 1/(J r_m) of its own.
 // Slopes and differences are taken along the flow: from the cell behind the donor to that ahead.
-template <bool Second, bool Masked, int Lanes, bool Blend>
+template <bool Second, bool Masked, int Lanes, bool Blend, bool Strained>
 class FaceShares {
  public:
   FaceShares(const MaterialFaces& faces, int first, int count, std::uint64_t set)
@@ -90,11 +91,14 @@ class FaceShares {
     Pair r, e;          // density and energy per own volume
     Pair r_far, e_far;  // of cells -2 and 1
     Pair energy_L, eps_L, scale, base_V, base_r, base_e;
-    Pair alike;  // of a mixed gas, else null
-    Pair strain, iJ;
+    Pair alike;       // of a mixed gas, else null
+    Pair strain, iJ;  // if Strained
     double *FV, *FM, *FE;
   };
 
+  static double strain_of(const Material& k, int i, bool left) {
+    return Strained ? k.strain.at(i, left) : 1.0;
+  }
   Pair cells(const Pair& row) const { return row.from(first_); }
 
   Pair two(const double* const* q) const { return {q[0] + first_, q[1] + first_}; }
@@ -146,8 +150,10 @@ class FaceShares {
       k.base_e = two(x.base_e);
     }
     k.alike = x.alike[0] != nullptr ? two(x.alike) : Pair{nullptr, nullptr};
-    k.strain = x.strain[0] != nullptr ? two(x.strain) : Pair{strained_alike(), strained_alike()};
-    k.iJ = x.strain[0] != nullptr ? two(x.iJ) : cells(faces_.iJ_);
+    if constexpr (Strained) {
+      k.strain = two(x.strain);
+      k.iJ = two(x.iJ);
+    }
     k.FV = x.FV + first_;
     k.FM = x.FM + first_;
     k.FE = x.FE + first_;
@@ -191,7 +197,7 @@ class FaceShares {
   void propose(const Material& k) {
     const int n = size();
     const double *mmm = k.V[0], *mm = k.V[1], *a = k.V[2], *b = k.V[3], *pp = k.V[4], *ppp = k.V[5];
-    const Pair base = k.base_V, masses{k.M[0], k.M[1]}, strain = k.strain;
+    const Pair base = k.base_V, masses{k.M[0], k.M[1]};
     double *share = k.FV, *more = k.FE, *receiver = k.FM;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
@@ -209,7 +215,7 @@ class FaceShares {
         value +=
             weight_[i] * slope_of_share(V - behind, ahead - V, nu_[i], 2.0 * iN_[i], interface);
       }
-      const double r = strain.at(i, left);
+      const double r = strain_of(k, i, left);
       value *= r;
       double may = 1.0;
       if constexpr (!Blend) {
@@ -249,7 +255,7 @@ class FaceShares {
   // Step 3; FM tells whether the face takes all.
   void keep_traces_together(const Material& k, int number) {
     const int n = size();
-    const Pair fraction{k.V[2], k.V[3]}, strain = k.strain;
+    const Pair fraction{k.V[2], k.V[3]};
     const double *V0 = k.V[0], *V1 = k.V[1], *V2 = k.V[2], *V3 = k.V[3], *V4 = k.V[4], *V5 = k.V[5];
     const double *shrink = sum_, *fill = room_, *more = k.FE;
     double *share = k.FV, *FM = k.FM;
@@ -260,7 +266,7 @@ class FaceShares {
       const double H = H_[i], flow = std::fabs(H), main = main_outlet_[i];
       const double V = fraction.at(i, H < 0.0);
       const double wanted = share[i] * shrink[i] + fill[i] * more[i];
-      const double V_L = V * J_[i] * strain.at(i, H < 0.0), rest = V_L - flow * wanted;
+      const double V_L = V * J_[i] * strain_of(k, i, H < 0.0), rest = V_L - flow * wanted;
       bool shared = true;  // else the donor has one material
       bool stays = false, only_outlet = main == flow;
       double little = least_entry;
@@ -303,16 +309,15 @@ class FaceShares {
     const Pair r = k.r, e = k.e, r_far = k.r_far, e_far = k.e_far;
     const Pair eps_L = k.eps_L, scale = k.scale, energy_L = k.energy_L;
     const Pair base_r = k.base_r, base_e = k.base_e, alike = k.alike;
-    const Pair strain = k.strain, own_iJ = k.iJ;
     double *FV = k.FV, *FM = k.FM, *FE = k.FE;
     const double which = number;
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double H = H_[i], iJ = iJ_[i], N_out = N_[i], iN = iN_[i];
       const bool left = H < 0.0;
-      const double here = chosen(left, b[i], a[i]) * strain.at(i, left);
+      const double here = chosen(left, b[i], a[i]) * strain_of(k, i, left);
       const double share = largest_of_[i] == which ? 1.0 - others_[i] : FV[i];
-      const double rho = r.at(i, left), iJ_m = own_iJ.at(i, left);
+      const double rho = r.at(i, left), iJ_m = Strained ? k.iJ.at(i, left) : iJ;
       const double rho_L = rho * iJ_m, e_L = eps_L.at(i, left);
       const double sc = scale.at(i, left);
       double rho_s = Based ? base_r.at(i, left) : rho_L;
@@ -381,20 +386,28 @@ std::uint64_t MaterialFaces::carry(int first, int count) {
     if ((set >> m & 1) == 0) nothing_passes(m, first, count);
   }
   constexpr int lanes = 8;
-  const auto share = [&]<bool Second, bool Masked>() {
+  const auto share = [&]<bool Second, bool Masked, bool Strained>() {
     if (count == lanes) {
-      FaceShares<Second, Masked, lanes, false>(*this, first, count, set).run();
+      FaceShares<Second, Masked, lanes, false, Strained>(*this, first, count, set).run();
       return;
     }
-    if (blend != 0 && FaceShares<Second, Masked, 0, Second>(*this, first, count, set).run()) return;
-    FaceShares<Second, Masked, 0, false>(*this, first, count, set).run();
+    if (blend != 0 &&
+        FaceShares<Second, Masked, 0, Second, Strained>(*this, first, count, set).run())
+      return;
+    FaceShares<Second, Masked, 0, false, Strained>(*this, first, count, set).run();
   };
-  if (!options_.second_order)
-    share.template operator()<false, false>();
-  else if (options_.masked)
-    share.template operator()<true, true>();
+  const auto share_by_order = [&]<bool Strained>() {
+    if (!options_.second_order)
+      share.template operator()<false, false, Strained>();
+    else if (options_.masked)
+      share.template operator()<true, true, Strained>();
+    else
+      share.template operator()<true, false, Strained>();
+  };
+  if (relaxes_before_remap(options_))
+    share_by_order.template operator()<true>();
   else
-    share.template operator()<true, false>();
+    share_by_order.template operator()<false>();
   return set;
 }
 

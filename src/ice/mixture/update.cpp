@@ -97,10 +97,7 @@ class MaterialCells {
  private:
   struct Material {
     const double *M, *V, *E_L;  // old; after the Lagrangian phase
-    const double* strain;       // V_mL/(V_m J), or null: 1
-    const double* strain_from(int first) const {
-      return strain == nullptr ? strained_alike() : strain + first;
-    }
+    const double* strain;       // r_m = V_mL/(V_m J), or null: 1
     const double *minus[3][D], *plus[3][D];
     double* next[3];
   };
@@ -114,8 +111,12 @@ class MaterialCells {
       const double* __restrict V = k.V + first;
       const double* __restrict M = k.M + first;
       const double* __restrict E_L = k.E_L + first;
-      const double* __restrict r = k.strain_from(first);
-      gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i] * r[i]; });
+      if (k.strain == nullptr) {
+        gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i]; });
+      } else {
+        const double* __restrict r = k.strain + first;
+        gain(k, of_volume, first, n, [=](int i) { return V[i] * J[i] * r[i]; });
+      }
       gain(k, of_mass, first, n, [=](int i) { return M[i]; });
       gain(k, of_energy, first, n, [=](int i) { return E_L[i]; });
     }
@@ -178,7 +179,7 @@ class MaterialCells {
     const double* __restrict V_before = k.V + first;
     const double* __restrict E_L = k.E_L + first;
     const double* __restrict J = J_ + first;
-    const double* __restrict r = k.strain_from(first);
+    const double* r = k.strain == nullptr ? nullptr : k.strain + first;
     double* __restrict defect = modulus_ + first;
     double* __restrict M = k.next[of_mass] + first;
     double* __restrict V = k.next[of_volume] + first;
@@ -191,8 +192,10 @@ class MaterialCells {
       const double volume = V[i], energy = E[i], mass = M[i];
       const bool gone = is_gone(mass, volume, M_before[i], V_before[i]);
       Residue rest{volume, energy};
-      if constexpr (Drained)
-        rest = settled(mass, volume, energy, M_before[i], V_before[i] * J[i] * r[i], E_L[i]);
+      if constexpr (Drained) {
+        const double V_L = r == nullptr ? V_before[i] * J[i] : V_before[i] * J[i] * r[i];
+        rest = settled(mass, volume, energy, M_before[i], V_L, E_L[i]);
+      }
       defect[i] += gone ? energy : energy - rest.E;
       M[i] = gone ? 0.0 : mass;
       V[i] = gone ? 0.0 : rest.V;

@@ -57,11 +57,6 @@ bool relaxes_before_remap(const SchemeOptions& o) {
   return o.implicit && !o.solids && !o.walled && !o.own_velocities && o.mixed == nullptr;
 }
 
-const double* strained_alike() {
-  static const std::vector<double> ones(most_strained_alike, 1.0);
-  return ones.data();
-}
-
 bool all_ideal_gases(const std::vector<Fluid>& fluids) {
   return std::all_of(fluids.begin(), fluids.end(),
                      [](const Fluid& fluid) { return fluid.ideal() != nullptr; });

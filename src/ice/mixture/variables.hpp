@@ -91,10 +91,6 @@ bool all_ideal_gases(const std::vector<Fluid>& fluids);
 // from step to step.
 bool relaxes_before_remap(const SchemeOptions& o);
 
-// r_m of a chunk of cells where all materials are strained alike.
-const double* strained_alike();
-constexpr int most_strained_alike = 256;
-
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 
 // The old state of each material, at a point.
