@@ -88,6 +88,19 @@ CellValues CaseRun::field(const std::string& variable, int component, const std:
   return out;
 }
 
+std::vector<std::vector<double>> CaseRun::particles(const std::string& label,
+                                                    const std::string& which, int material) const {
+  const Archive a = Archive::open(archive());
+  const ArchiveStep step = a.read_output(a.select_output(which));
+  const FieldInfo* info = step.find_particles(label, material, 0);
+  if (info == nullptr) throw std::runtime_error("no particles have " + label);
+  return step.read_particles(*info);
+}
+
+double CaseRun::time(const std::string& which) const {
+  return Archive::open(archive()).select_output(which).time;
+}
+
 CellValues CaseRun::exact_field(const CellValues& like, const std::string& variable,
                                 int component) const {
   const auto reference = reference_of_archive(Archive::open(archive()));

@@ -52,6 +52,11 @@ class CaseRun {
   // which: last, first, #N or a time.
   CellValues field(const std::string& variable, int component = 0,
                    const std::string& which = "last", int material = 0) const;
+  // Columns of a label of particles, by component.
+  std::vector<std::vector<double>> particles(const std::string& label,
+                                             const std::string& which = "last",
+                                             int material = 0) const;
+  double time(const std::string& which = "last") const;
   // What the deck's exact solution has at the centres of these cells at their time.
   CellValues exact_field(const CellValues& like, const std::string& variable,
                          int component = 0) const;

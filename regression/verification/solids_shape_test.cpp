@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "framework/archive/archive.hpp"
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
@@ -16,9 +15,7 @@ std::string deck(const std::string& name) {
 
 // The largest of a component of a label over the particles at the end.
 double largest(const CaseRun& run, const char* label, std::size_t component) {
-  const Archive archive = Archive::open(run.archive().string());
-  const ArchiveStep step = archive.read_output(archive.select_output("last"));
-  const auto columns = step.read_particles(*step.find_particles(label, 0, 0));
+  const auto columns = run.particles(label);
   return *std::max_element(columns[component].begin(), columns[component].end());
 }
 

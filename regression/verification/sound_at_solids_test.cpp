@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "framework/archive/archive.hpp"
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
@@ -52,12 +51,8 @@ double in_air(const CaseRun& run, const char* when) {
 
 // Integral of -sigma_xx over the particles nearer than x.
 double in_solid(const CaseRun& run, double x) {
-  const Archive archive = Archive::open(run.archive().string());
-  const ArchiveStep step = archive.read_output(archive.select_output("last"));
-  const auto columns = [&](const char* name) {
-    return step.read_particles(*step.find_particles(name, 0, 0));
-  };
-  const auto place = columns("p.x"), stress = columns("p.stress"), volume = columns("p.volume");
+  const auto place = run.particles("p.x"), stress = run.particles("p.stress"),
+             volume = run.particles("p.volume");
   double sum = 0;
   for (std::size_t p = 0; p < place[0].size(); ++p)
     if (place[0][p] < x) sum -= stress[0][p] * volume[0][p];

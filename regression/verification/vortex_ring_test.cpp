@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/archive/archive.hpp"
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
 
@@ -22,13 +21,9 @@ CaseRun ring(int n, const Overrides& more) {
 
 // Mean distance of all particles, by volume, from where they should be at an output.
 double place_error(const CaseRun& run, const char* output, double amplitude = 1) {
-  const Archive archive = Archive::open(run.archive().string());
-  const ArchiveStep step = archive.read_output(archive.select_output(output));
-  const auto columns = [&](const char* name) {
-    return step.read_particles(*step.find_particles(name, 0, 0));
-  };
-  const auto x = columns("p.x"), u = columns("p.displacement"), V = columns("p.volume");
-  const double t = archive.select_output(output).time;
+  const auto x = run.particles("p.x", output), u = run.particles("p.displacement", output);
+  const auto V = run.particles("p.volume", output);
+  const double t = run.time(output);
   const double turn = 0.5 * amplitude * (1 - std::cos(2 * std::numbers::pi * t));
   double sum = 0, volume = 0;
   for (std::size_t p = 0; p < x[0].size(); ++p) {
