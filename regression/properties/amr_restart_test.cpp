@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Full, EveryCheckpoint,
                          name_of_deck);
 
 // A run of several ranks goes on on one.
-void expect_a_restart_on_fewer_ranks(const std::string& deck, int ranks) {
+void expect_a_restart_on_fewer_ranks(const std::string& deck, int ranks, int most_restarts) {
   ScratchFolder scratch;
   DeckRun run;
   run.deck = deck + every_step;
@@ -114,22 +114,26 @@ void expect_a_restart_on_fewer_ranks(const std::string& deck, int ranks) {
   run.restart = archive_in(run.folder);
   const auto cells = hierarchies(reference);
   ASSERT_EQ(hierarchies(run.restart), cells);
-  for (std::size_t n = 1; n + 1 < cells.size(); ++n) {
+  int restarts = 0;
+  for (std::size_t n = 1; n + 1 < cells.size() && restarts < most_restarts; ++n) {
     if (cells[n] == cells[n - 1]) continue;
+    ++restarts;
     run.restart_step = Archive::open(reference).checkpoints()[n].step;
     run.folder = scratch / ("from " + std::to_string(run.restart_step));
     const fs::path rest = carry_out(run).archive.value();
     EXPECT_EQ(difference(reference, rest, false, true), "");
     EXPECT_EQ(difference(reference, rest, true, true), "");
   }
+  EXPECT_GT(restarts, 0);
 }
 
 TEST(RestartAfterARegrid, OnFewerRanks) {
-  expect_a_restart_on_fewer_ranks("amr_shock_tube", 2);
+  expect_a_restart_on_fewer_ranks("amr_shock_tube", 2, 2);
 }
 
 TEST(FullRestartAfterARegrid, OnFewerRanks) {
-  expect_a_restart_on_fewer_ranks("amr_explosion", 4);
+  expect_a_restart_on_fewer_ranks("amr_shock_tube", 2, 1000);
+  expect_a_restart_on_fewer_ranks("amr_explosion", 4, 1000);
 }
 
 // By the command itself, soon after these outputs, at moments that are not chosen: between whatever

@@ -154,11 +154,12 @@ TEST_P(ImplicitPulse, NeverGrowsWhenStepsChange) {
       100);
 }
 
-INSTANTIATE_TEST_SUITE_P(CellsOfSound, ImplicitPulse, testing::Values(0.5, 1, 2, 5, 20, 100, 500),
-                         [](const auto& test) {
-                           return test.param < 1 ? std::string("half")
-                                                 : std::to_string(static_cast<int>(test.param));
-                         });
+const auto name_of_number = [](const auto& test) {
+  return test.param < 1 ? std::string("half") : std::to_string(static_cast<int>(test.param));
+};
+INSTANTIATE_TEST_SUITE_P(CellsOfSound, ImplicitPulse, testing::Values(0.5, 20, 500),
+                         name_of_number);
+INSTANTIATE_TEST_SUITE_P(Full, ImplicitPulse, testing::Values(1, 2, 5, 100), name_of_number);
 
 }  // namespace
 }  // namespace sluice::verification::implicit_waves_test

@@ -313,7 +313,7 @@ TEST(Layers, WithoutHeatExchangeTheInterfaceInsulates) {
 
 // Water in a shocked gas on levels that follow it: friction, conduction and heat exchange across
 // faces where levels and materials meet.
-TEST(Layers, LevelsKeepWhatRubsAndConducts) {
+TEST(FullLayers, LevelsKeepWhatRubsAndConducts) {
   const std::string material = "MaterialProperties/ICE/material";
   const CaseRun run(
       "amr_water_cylinder",
