@@ -5,6 +5,8 @@
 #   sluice_compile_test(TEST)          the objects of a test
 option(SLUICE_PCH "Precompile the headers of the standard library and fmt" ON)
 set(SLUICE_TESTS_AN_OBJECT 8 CACHE STRING "Test files that are compiled as one; 1: each apart")
+set(SLUICE_FILES_AN_OBJECT 4 CACHE STRING
+    "Files without kernels that are compiled as one; 1: each apart")
 
 # Comes with binutils and links an executable in a third of the time.
 include(CheckLinkerFlag)
@@ -46,6 +48,10 @@ function(sluice_compile_room room cold)
   if(cold)
     set(headers sluice_headers_cold)
     target_compile_options(${room} PRIVATE ${without_kernels})
+    if(SLUICE_FILES_AN_OBJECT GREATER 1)
+      set_target_properties(${room} PROPERTIES UNITY_BUILD ON
+                            UNITY_BUILD_BATCH_SIZE ${SLUICE_FILES_AN_OBJECT})
+    endif()
   endif()
   if(SLUICE_PCH)
     target_precompile_headers(${room} REUSE_FROM ${headers})

@@ -55,6 +55,23 @@ TEST_F(Accuracy, CornerOfTheSodStudy) {
   EXPECT_FALSE(fs::exists(out / "run"));  // archives are not kept
 }
 
+// A detonation has no exact solution here: the error is that from a finer run.
+TEST_F(Accuracy, AgainstAReferenceRun) {
+  const fs::path out = folder_ / "out", study = folder_ / "stick.study";
+  std::ofstream(study) << R"({"title": "Rate stick", "variable": "press_CC", "deck": ")"
+                       << SLUICE_SOURCE_DIR << R"(/inputs/ice/rate_stick.ups",
+      "set": ["Time/maxTime=5e-6"], "resolution": [[50,1,1], [100,1,1]],
+      "reference": {"resolution": [200,1,1]}})";
+  ASSERT_EQ(accuracy({study.string(), "-o", out.string(), "--repeat", "1"}), 0) << log();
+  EXPECT_THAT(log(), testing::HasSubstr("reference, N 200:"));
+  std::ifstream in(out / "stick.json");
+  const auto json = nlohmann::json::parse(in);
+  const auto& rows = json.at("rows");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_GT(rows[1].at("error").get<double>(), 0);
+  EXPECT_LT(rows[1].at("error").get<double>(), rows[0].at("error").get<double>());
+}
+
 TEST_F(Accuracy, WithoutThePythonToolsTheNumbersAreStillThere) {
   fs::create_directories(folder_ / "bin");
   command_ = (folder_ / "bin" / "sluice").string();

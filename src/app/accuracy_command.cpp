@@ -63,6 +63,11 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
   runner.folder = folder;
   runner.repeats = request.repeats;
   const auto points = points_of(study);
+  if (study.reference) {
+    const StudyResult r = runner.run_reference(study);
+    fmt::print("reference, N {}: {}\n", r.point.cells(), human_duration(r.seconds));
+    std::fflush(stdout);
+  }
   std::size_t number = 0;
   for (const StudyPoint& point : points) {
     ++number;

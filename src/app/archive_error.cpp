@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "framework/base/error.hpp"
@@ -40,6 +41,31 @@ std::vector<double> values_of(const ArchiveStep& step, const CellRequest& asked,
   std::vector<double> out;
   for_each_cell(cells, [&](IntVec3 c) { out.push_back(values.at(c, asked.component)); });
   return out;
+}
+
+// uncovered(cell, its number among values_of its box) of a level.
+template <class F>
+void for_uncovered(const Grid& grid, std::size_t level, const GridBox& box, F&& uncovered) {
+  std::size_t n = 0;
+  for_each_cell(box.cells, [&](IntVec3 c) {
+    if (!covered(grid, level, c)) uncovered(c, n);
+    ++n;
+  });
+}
+
+// How many cells of a finer level lie along a cell.
+IntVec3 cells_within(const Level& level, const Level& finer, const std::string& folder) {
+  IntVec3 ratio;
+  for (int d = 0; d < 3; ++d) {
+    const double cells = level.spacing[d] / finer.spacing[d];
+    ratio[d] = static_cast<int>(std::lround(cells));
+    if (ratio[d] < 1 || std::fabs(cells - ratio[d]) > 1e-6 * cells)
+      throw InputError(fmt::format(
+          "{}: {:g} cells of the reference lie along one of a run, along {}; a whole number is "
+          "needed",
+          folder, cells, "xyz"[d]));
+  }
+  return ratio;
 }
 
 // Of all materials together: the density is their sum, the velocity their mean by mass.
@@ -97,8 +123,40 @@ std::optional<DeckReference> reference_of_archive(const Archive& archive) {
   return reference_of_deck(*deck.root);
 }
 
+exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& reference,
+                              int material) {
+  std::vector<double> off, far, volumes;
+  for (int level = 0; level < static_cast<int>(step.grid().levels.size()); ++level) {
+    const FieldInfo* place = step.find_particles("p.x", material, level);
+    const FieldInfo* moved = step.find_particles("p.displacement", material, level);
+    const FieldInfo* volume = step.find_particles("p.volume", material, level);
+    if (place == nullptr || moved == nullptr) continue;
+    const auto x = step.read_particles(*place), u = step.read_particles(*moved);
+    for (std::size_t p = 0; p < x[0].size(); ++p) {
+      const Vec3 now{x[0][p], x[1][p], x[2][p]};
+      const Vec3 exact =
+          reference.solution->place(now - Vec3{u[0][p], u[1][p], u[2][p]}, step.info().time);
+      const Vec3 d = now - exact;
+      far.push_back(std::sqrt(dot(exact, exact)));
+      off.push_back(far.back() + std::sqrt(dot(d, d)));
+    }
+    if (volume == nullptr) continue;
+    const auto V = step.read_particles(*volume);
+    volumes.insert(volumes.end(), V[0].begin(), V[0].end());
+  }
+  if (off.empty())
+    throw InputError(
+        fmt::format("{}: errors of places need p.x and p.displacement of material {}; save both",
+                    step.folder().string(), material));
+  return exact::error_norms(off, far, volumes);
+}
+
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
                                 const std::string& variable, int component, int material) {
+  if (reference.solution->has_places()) {
+    if (variable == "p.x") return place_error(step, reference, material);
+    throw InputError(fmt::format("the exact solution is a motion: it knows p.x, not {}", variable));
+  }
   const bool mixture = reference.solution->materials() > 1;
   const Grid& grid = step.grid();
   const double time = step.info().time;
@@ -108,16 +166,53 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& re
       const CellRequest request{variable, component, material, static_cast<int>(level)};
       const std::vector<double> values =
           mixture ? mixture_values(step, request, box.cells) : values_of(step, request, box.cells);
-      std::size_t n = 0;
-      for_each_cell(box.cells, [&](IntVec3 c) {
-        const double value = values[n++];
-        if (covered(grid, level, c)) return;
+      for_uncovered(grid, level, box, [&](IntVec3 c, std::size_t n) {
         const exact::State state = reference.solution->at(grid.levels[level].centre(c), time);
-        computed.push_back(value);
+        computed.push_back(values[n]);
         exact.push_back(variable == "vol_frac_CC" ? (state.material == material ? 1.0 : 0.0)
                                                   : exact::exact_value(state, variable, component,
                                                                        reference.specific_heat));
         volumes.push_back(grid.levels[level].cell_volume());
+      });
+    }
+  }
+  if (grid.levels.size() == 1) volumes.clear();
+  return exact::error_norms(computed, exact, volumes);
+}
+
+exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
+                                const std::string& variable, int component, int material) {
+  const double time = step.info().time, late = reference.info().time;
+  if (!(std::fabs(time - late) <= 1e-9 * std::fabs(late)))
+    throw InputError(
+        fmt::format("{}: its last output is of time {:g}, that of a run of {:g}; give both the "
+                    "same, by maxTime",
+                    reference.folder().string(), late, time));
+  const Level& finest = reference.grid().levels.front();
+  const std::string folder = reference.folder().string();
+  if (reference.grid().levels.size() > 1)
+    throw InputError(folder + ": a reference has one level, this one has several");
+  std::vector<double> computed, exact, volumes;
+  const Grid& grid = step.grid();
+  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
+    const Level& level = grid.levels[l];
+    const IntVec3 ratio = cells_within(level, finest, folder);
+    for (const GridBox& box : level.boxes) {
+      const CellRequest request{variable, component, material, static_cast<int>(l)};
+      const std::vector<double> values = values_of(step, request, box.cells);
+      const IndexBox fine_box{box.cells.lower * ratio, box.cells.upper * ratio};
+      const std::vector<double> fine =
+          values_of(reference, {variable, component, material, 0}, fine_box);
+      const IntVec3 size = fine_box.size();
+      for_uncovered(grid, l, box, [&](IntVec3 c, std::size_t n) {
+        const IntVec3 low = (c - box.cells.lower) * ratio;
+        double sum = 0;
+        for_each_cell({low, low + ratio}, [&](IntVec3 f) {
+          sum += fine[static_cast<std::size_t>(f.x + size.x * (f.y + size.y * f.z))];
+        });
+        computed.push_back(values[n]);
+        exact.push_back(sum / (ratio.x * ratio.y * ratio.z));
+        volumes.push_back(level.cell_volume());
       });
     }
   }

@@ -29,4 +29,15 @@ std::optional<DeckReference> reference_of_archive(const Archive& archive);
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
                                 const std::string& variable, int component, int material);
 
+// Distances of the particles of a material from where a motion has them, by volume; relative_l1:
+// over their mean distance from the origin. The step holds p.x and p.displacement (and p.volume,
+// else all count alike).
+exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& reference,
+                              int material);
+
+// The same against another state of the same scene, on one level: its mean over each cell. Throws
+// InputError where its cells do not divide those of `step`, or its time is another.
+exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
+                                const std::string& variable, int component, int material);
+
 }  // namespace sluice

@@ -1,9 +1,12 @@
 // Errors of a run of two materials: mixtures of what the archive holds against the exact flow.
 #include "app/archive_error.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <functional>
 
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/archive_writer.hpp"
@@ -12,6 +15,8 @@
 
 namespace sluice::archive_error_test {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* deck = R"(<Uintah_specification><Meta><exact_solution type="two_materials">
     <left>[1000, 0, 1e9]</left> <eos_left>StiffenedGas gamma=4.4 pinf=6e8</eos_left>
@@ -68,6 +73,54 @@ TEST_F(MixtureErrors, PressureIsCommonAndFractionsAreOfTheMaterial) {
   EXPECT_DOUBLE_EQ(error("vol_frac_CC", 0).l1, .05);
   EXPECT_DOUBLE_EQ(error("vol_frac_CC", 1).l1, .05);
   EXPECT_THROW(error("temp_CC"), InputError);
+}
+
+// A state of n cells along x, 2 along y, in the same box, at a time.
+ArchiveStep state(const fs::path& folder, int n, double time,
+                  const std::function<double(IntVec3)>& value) {
+  Grid grid = archive_test::make_grid({n, 2, 1}, {1, 1, 1});
+  grid.levels[0].spacing = {1.0 / n, 0.5, 1};
+  archive_test::Fields fields;
+  fields.add(grid.levels[0], archive_test::real_label("press_CC"), 0,
+             [&](IntVec3 c, int) { return value(c); });
+  ArchiveWriter writer = ArchiveWriter::create(archive_test::setup_in(folder));
+  StepInfo info;
+  info.time = time;
+  writer.write_output(info, grid, fields.pieces());
+  writer.finish();
+  const Archive archive = Archive::open(writer.folder());
+  return archive.read_output(archive.select_output("last"));
+}
+
+TEST(ErrorsAgainstAFinerRun, AreThoseFromItsMeanOverEachCell) {
+  const TemporaryFolder folder;
+  const auto coarse_value = [](IntVec3 c) { return 10.0 * c.x + c.y; };
+  const ArchiveStep coarse = state(folder.path(), 4, 0.5, coarse_value);
+  const ArchiveStep fine = state(folder.path(), 12, 0.5, [&](IntVec3 f) {
+    // Three within a cell: 2 less, 1 more, 7 more; their mean is 2 more.
+    const double more[] = {-2, 1, 7};
+    return coarse_value({f.x / 3, f.y, 0}) + more[f.x % 3];
+  });
+  const exact::ErrorNorms e = archive_error(coarse, fine, "press_CC", 0, 0);
+  EXPECT_DOUBLE_EQ(e.l1, 2);
+  EXPECT_DOUBLE_EQ(e.linf, 2);
+  EXPECT_EQ(e.points, 8u);
+}
+
+TEST(ErrorsAgainstAFinerRun, NeedItsTimeAndCellsThatDivide) {
+  const TemporaryFolder folder;
+  const auto zero = [](IntVec3) { return 0.0; };
+  const ArchiveStep coarse = state(folder.path(), 4, 0.5, zero);
+  const auto refusal = [&](const ArchiveStep& reference) -> std::string {
+    try {
+      archive_error(coarse, reference, "press_CC", 0, 0);
+    } catch (const InputError& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(state(folder.path(), 6, 0.5, zero)), testing::HasSubstr("whole number"));
+  EXPECT_THAT(refusal(state(folder.path(), 8, 0.6, zero)), testing::HasSubstr("is of time 0.6"));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ bool sample_exact(const PictureRequest& request, const std::string& path) {
   const Archive archive = Archive::open(request.archive);
   if (archive.outputs().empty()) return false;
   const auto reference = reference_of_archive(archive);
-  if (!reference) return false;
+  if (!reference || reference->solution->has_places()) return false;
   const StepEntry& output = archive.select_output(request.time);
   const ArchiveStep step = archive.read_output(output);
   const Level& level = step.grid().levels.front();

@@ -13,7 +13,7 @@
 namespace sluice {
 namespace {
 
-struct Options {
+struct CheckRequest {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
   bool json = false;
@@ -52,7 +52,7 @@ void print(const Deck& deck, bool quiet) {
              errors == 1 ? "" : "s", others, others == 1 ? "" : "s");
 }
 
-int check(const Options& options) {
+int check(const CheckRequest& options) {
   const Schema schema = sluice_schema();
   Json reports = Json::array();
   bool all_good = true;
@@ -78,7 +78,7 @@ int check(const Options& options) {
 
 void add_check_command(CommandLine& line) {
   Command command = line.add("check", "Find all faults of decks without running them");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckRequest>();
   command.option("DECK", options->files, "Deck files (.ups)").required();
   command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.flag("--json", options->json, "Report as JSON");

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct PlanRequest {
   RunOptionValues run;
   std::string deck, graph;
   int ranks = 1;
@@ -56,7 +56,7 @@ void write_graph(const std::string& file, const std::string& dot) {
   if (status != 0) throw SystemError(fmt::format("{} ended with status {}", program, status));
 }
 
-int plan(const Options& o) {
+int plan(const PlanRequest& o) {
   if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
   check_run_options(o.run);
   const auto loaded =
@@ -77,7 +77,7 @@ int plan(const Options& o) {
 
 void add_plan_command(CommandLine& line) {
   Command command = line.add("plan", "Show what a run will do and cost, without running");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<PlanRequest>();
   command.option("DECK", o->deck, "Deck (.ups)").required();
   command.flag("--json", o->json, "As JSON, for scripts");
   command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");

@@ -70,20 +70,20 @@ std::string difference(const Archive& a, const Archive& b) {
 }
 
 RegressCheck judged(const char* name, const std::string& message) {
-  return {name, message.empty() ? Verdict::same : Verdict::different, message};
+  return {name, message.empty() ? CaseVerdict::same : CaseVerdict::different, message};
 }
 
 }  // namespace
 
-const char* to_string(Verdict v) {
+const char* to_string(CaseVerdict v) {
   switch (v) {
-    case Verdict::same:
+    case CaseVerdict::same:
       return "same";
-    case Verdict::different:
+    case CaseVerdict::different:
       return "DIFFERENT";
-    case Verdict::blessed:
+    case CaseVerdict::blessed:
       return "blessed";
-    case Verdict::skipped:
+    case CaseVerdict::skipped:
       return "-";
   }
   return "";
@@ -91,7 +91,7 @@ const char* to_string(Verdict v) {
 
 bool RegressResult::good() const {
   for (const RegressCheck& c : checks)
-    if (c.verdict == Verdict::different) return false;
+    if (c.verdict == CaseVerdict::different) return false;
   return true;
 }
 
@@ -159,17 +159,17 @@ RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain)
   const Golden now = golden_of(Archive::open(plain.archive), c.variables);
   if (bless) {
     write_golden(now, c.golden);
-    return {"golden", Verdict::blessed, ""};
+    return {"golden", CaseVerdict::blessed, ""};
   }
   if (!fs::exists(c.golden))
-    return {"golden", Verdict::different,
+    return {"golden", CaseVerdict::different,
             fmt::format("there is no {}; sluice regress {} --bless writes it", c.golden.string(),
                         c.name)};
   return judged("golden", golden_difference(read_golden(c.golden), now, c.tolerance));
 }
 
 RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain) const {
-  if (c.restart == 0) return {"restart", Verdict::skipped, ""};
+  if (c.restart == 0) return {"restart", CaseVerdict::skipped, ""};
   // Checkpoints by steps come in steps 1 + n interval. One step more than the checkpoint is done,
   // so that the restart has something to forget.
   const std::string interval = std::to_string(c.restart - 1);
@@ -188,7 +188,7 @@ RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain
 
 RegressCheck RegressRunner::check_split(const RegressCase& c, const Run& plain, int ranks) const {
   const char* name = ranks == 1 ? "boxes" : "ranks";
-  if (c.boxes.empty() || ranks == 0) return {name, Verdict::skipped, ""};
+  if (c.boxes.empty() || ranks == 0) return {name, CaseVerdict::skipped, ""};
   const Run other = run_deck(c, name, {"--boxes", c.boxes}, ranks);
   if (!other.problem.empty()) return judged(name, other.problem);
   return judged(name, difference(Archive::open(plain.archive), Archive::open(other.archive)));

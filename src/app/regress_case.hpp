@@ -26,12 +26,12 @@ struct RegressCase {
 // InputError with file and place on what is not JSON, unknown, missing or out of range.
 std::vector<RegressCase> read_regress_cases(const std::filesystem::path& file);
 
-enum class Verdict { same, different, blessed, skipped };
-const char* to_string(Verdict);
+enum class CaseVerdict { same, different, blessed, skipped };
+const char* to_string(CaseVerdict);
 
 struct RegressCheck {
   std::string name;  // golden, restart, boxes, ranks
-  Verdict verdict = Verdict::skipped;
+  CaseVerdict verdict = CaseVerdict::skipped;
   std::string message;  // what differs
 };
 

@@ -20,7 +20,7 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-struct Options {
+struct RegressRequest {
   std::string file, mpiexec = "mpiexec", folder;
   std::vector<std::string> names;
   bool bless = false, json = false, list = false;
@@ -73,7 +73,7 @@ void print_json(const std::vector<RegressResult>& results) {
   fmt::print("{}\n", Json{{"cases", list}}.dump(2));
 }
 
-int regress(const Options& o) {
+int regress(const RegressRequest& o) {
   const fs::path list =
       o.file.empty() ? data_folder() / "regression" / "golden" / "cases.json" : fs::path(o.file);
   const std::vector<RegressCase> cases = select(read_regress_cases(list), o.names);
@@ -104,7 +104,7 @@ int regress(const Options& o) {
 void add_regress_command(CommandLine& line) {
   Command command =
       line.add("regress", "Compare short runs with golden results, restarts, splits and ranks");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RegressRequest>();
   command.option("CASES", o->names, "Names of cases; all when none is given");
   command.option("--cases", o->file,
                  "List of cases (JSON); those that come with sluice by default");

@@ -20,7 +20,7 @@
 namespace sluice {
 namespace {
 
-struct Options {
+struct RunRequest {
   RunOptionValues run;
   std::string deck, restart, json, progress = "auto";
   std::string parent = ".";
@@ -30,7 +30,7 @@ struct Options {
 };
 
 // The deck of the run: as named, or the one that the archive keeps.
-std::string deck_file(const Options& o) {
+std::string deck_file(const RunRequest& o) {
   if (o.restart.empty()) {
     if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
     return o.deck;
@@ -43,7 +43,7 @@ std::string deck_file(const Options& o) {
   return kept.string();
 }
 
-void check_numbers(const Options& o) {
+void check_numbers(const RunRequest& o) {
   check_run_options(o.run);
   if (o.max_steps && *o.max_steps < 1)
     throw InputError(fmt::format(
@@ -67,13 +67,13 @@ void check_numbers(const Options& o) {
 }
 
 // The report alone on standard output, so that a program can read it.
-ProgressMode progress_of(const Options& o) {
+ProgressMode progress_of(const RunRequest& o) {
   const ProgressMode asked = progress_mode_from(o.progress);
   return o.json == "-" ? ProgressMode::none : asked;
 }
 
 // Of a run that ended before its end: the command that goes on, or why there is none.
-std::string continuation(const Options& o, const RunReport& report) {
+std::string continuation(const RunRequest& o, const RunReport& report) {
   if (!report.archive || report.last_checkpoint < 0)
     return "no checkpoint was written: this run cannot be continued\n";
   ContinueWords words;
@@ -85,7 +85,7 @@ std::string continuation(const Options& o, const RunReport& report) {
 }
 
 // Rank 0, the archive complete.
-void tell_end(const Options& o, const RunReport& report, ProgressMode progress) {
+void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progress) {
   if (progress != ProgressMode::none) {
     fmt::print("{}", summary(report));
     if (report.archive && report.status != RunStatus::failed)
@@ -100,7 +100,7 @@ void tell_end(const Options& o, const RunReport& report, ProgressMode progress) 
     fmt::print(progress == ProgressMode::none ? stderr : stdout, "{}", continuation(o, report));
 }
 
-int run_on(Communicator& ranks, const Options& o) {
+int run_on(Communicator& ranks, const RunRequest& o) {
   check_numbers(o);
   const std::unique_ptr<LoadedScene> loaded =
       load_scene(deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.quiet);
@@ -138,7 +138,7 @@ int run_on(Communicator& ranks, const Options& o) {
 
 // Several ranks end together, whether well, in a failure that all know of, or in one that a single
 // rank met while the others wait for its messages.
-int run(const Options& o) {
+int run(const RunRequest& o) {
   Communicator& ranks = world();
   if (!ranks.uses_mpi()) return run_on(ranks, o);
   try {
@@ -154,7 +154,7 @@ int run(const Options& o) {
 
 void add_run_command(CommandLine& line) {
   Command command = line.add("run", "Run a deck: from .ups to .uda archive");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RunRequest>();
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command.option("-o,--output", o->parent, "Parent folder of the archive");
   command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");

@@ -25,9 +25,13 @@ std::string error_lines(const fs::path& folder) {
   if (!reference) return {};
   const ArchiveStep step = archive.read_output(archive.select_output("last"));
   std::string text;
+  if (reference->solution->has_places()) {
+    const exact::ErrorNorms e = place_error(step, *reference, 0);
+    text = fmt::format("  {:10} mean {:.3e}, largest {:.3e}\n", "p.x", e.l1, e.linf);
+  }
   for (const char* variable : {"rho_CC", "press_CC", "temp_CC", "vel_CC"}) {
     const FieldInfo* field = step.find(variable, 0, 0);
-    if (field == nullptr) continue;
+    if (field == nullptr || reference->solution->has_places()) continue;
     if (reference->solution->materials() > 1 && variable == std::string("temp_CC")) continue;
     for (int c = 0; c < field->components(); ++c) {
       const Level& level = step.grid().levels.front();

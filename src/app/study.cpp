@@ -124,6 +124,26 @@ void read_targets(Study& study, const Json& value) {
   }
 }
 
+void read_reference(Study& study, const Json& value) {
+  if (!value.is_object()) refuse(study.file, "\"reference\" must be an object");
+  refuse_unknown(study.file, value, {"resolution", "set"});
+  if (!value.contains("resolution"))
+    refuse(study.file, "\"reference\" needs \"resolution\", such as [800,1,1]");
+  study.reference = {resolution_in(study.file, value.at("resolution")),
+                     value.contains("set") ? overrides_in(study.file, value.at("set"))
+                                           : std::vector<std::string>{}};
+}
+
+void read_material(Study& study, const Json& value) {
+  if (!value.is_whole() || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() > 1000)
+    refuse(study.file, fmt::format("material {} must be a number from 0 on", value.dump()));
+  study.material = value.get<int>();
+}
+
+std::string resolution_override(const Study& study, IntVec3 n) {
+  return fmt::format("{}=[{},{},{}]", study.resolution_path, n.x, n.y, n.z);
+}
+
 void read_variable(Study& study, const std::string& text) {
   study.variable = text;
   const std::size_t dot = text.find('.');
@@ -146,13 +166,15 @@ Study read_study(const std::string& file) {
   const Json json = parse(file);
   if (!json.is_object()) refuse(file, "expected an object { ... }");
   refuse_unknown(file, json,
-                 {"title", "deck", "variable", "norm", "set", "resolution", "resolution_path",
-                  "ladders", "targets"});
+                 {"title", "deck", "variable", "material", "reference", "norm", "set", "resolution",
+                  "resolution_path", "ladders", "targets"});
   Study study;
   study.file = file;
   study.title = need_text(file, json, "title");
   study.deck = deck_path(file, need_text(file, json, "deck"));
   if (json.contains("variable")) read_variable(study, need_text(file, json, "variable"));
+  if (json.contains("material")) read_material(study, json.at("material"));
+  if (json.contains("reference")) read_reference(study, json.at("reference"));
   if (json.contains("norm")) study.norm = need_text(file, json, "norm");
   const std::vector<std::string> norms = {"l1", "l2", "linf", "relative_l1"};
   if (std::find(norms.begin(), norms.end(), study.norm) == norms.end()) {
@@ -176,6 +198,14 @@ Study read_study(const std::string& file) {
   }
   if (json.contains("targets")) read_targets(study, json.at("targets"));
   return study;
+}
+
+StudyPoint reference_point(const Study& study) {
+  StudyPoint point{"reference", false, study.reference.value().resolution, study.overrides};
+  const auto& more = study.reference->overrides;
+  point.overrides.insert(point.overrides.end(), more.begin(), more.end());
+  point.overrides.push_back(resolution_override(study, point.resolution));
+  return point;
 }
 
 std::vector<StudyPoint> points_of(const Study& study) {
@@ -202,7 +232,7 @@ std::vector<StudyPoint> points_of(const Study& study) {
     for (const IntVec3 n : study.resolutions) {
       StudyPoint point = setting;
       point.resolution = n;
-      point.overrides.push_back(fmt::format("{}=[{},{},{}]", study.resolution_path, n.x, n.y, n.z));
+      point.overrides.push_back(resolution_override(study, n));
       points.push_back(std::move(point));
     }
   }

@@ -4,7 +4,10 @@
 //   {
 //     "title": "Sod's shock tube",
 //     "deck": "../../inputs/ice/riemann_sod.ups",       from the study's folder, else from here
-//     "variable": "rho_CC",                             also "vel_CC.x"; material 0
+//     "variable": "rho_CC",                             also "vel_CC.x"
+//     "material": 0,                                    number in the archive
+//     "reference": {"resolution": [800,1,1], "set": []} a run of the deck in place of the exact
+//                                                       solution that it names
 //     "norm": "l1",                                     l1, l2, linf, relative_l1
 //     "set": ["DataArchiver/outputInterval=0.2"],       for every run
 //     "resolution": [[100,1,1], [200,1,1]],
@@ -15,6 +18,7 @@
 //   }
 // Every combination of the ladders' values is a setting; every setting runs at each resolution.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +36,15 @@ struct Study {
     std::string default_value;  // name of the value that a deck gets when it says nothing
     std::vector<Value> values;
   };
+  struct Reference {
+    IntVec3 resolution;
+    std::vector<std::string> overrides;  // beside those of every run
+  };
 
   std::string file, title, deck;
   std::string variable = "rho_CC";
-  int component = 0;
+  int component = 0, material = 0;
+  std::optional<Reference> reference;
   std::string norm = "l1";
   std::vector<std::string> overrides;
   std::string resolution_path = "Grid/Level/Box/resolution";
@@ -57,6 +66,9 @@ struct StudyPoint {
 
 // InputError with file and place on what is not JSON, unknown, missing or out of range.
 Study read_study(const std::string& file);
+
+// The run that stands for the exact solution; of a study that has one.
+StudyPoint reference_point(const Study& study);
 
 // All runs, setting by setting, coarse to fine.
 std::vector<StudyPoint> points_of(const Study& study);

@@ -170,15 +170,18 @@ std::string json_text(const StudyReport& report) {
   utsname machine{};
   ::uname(&machine);
   const Study& study = report.study;
-  Json json = {{"study", study.file},
-               {"title", study.title},
-               {"deck", study.deck},
-               {"variable", study.variable},
-               {"component", study.component},
-               {"norm", study.norm},
-               {"program", std::string("sluice ") + version::kText},
-               {"host", machine.nodename},
-               {"date", utc_now()}};
+  Json json = {{"study", study.file},          {"title", study.title},
+               {"deck", study.deck},           {"variable", study.variable},
+               {"component", study.component}, {"material", study.material},
+               {"norm", study.norm},           {"program", std::string("sluice ") + version::kText},
+               {"host", machine.nodename},     {"date", utc_now()}};
+  if (study.reference) {
+    const StudyPoint finer = reference_point(study);
+    const IntVec3 n = finer.resolution;
+    Json settings = Json::array();
+    for (const std::string& one : finer.overrides) settings.push_back(one);
+    json["reference"] = {{"resolution", {n.x, n.y, n.z}}, {"set", std::move(settings)}};
+  }
   Json rows = Json::array();
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const StudyResult& r = report.results[i];

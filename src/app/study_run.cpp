@@ -45,19 +45,10 @@ std::string shell_text(const std::vector<std::string>& words) {
   return out;
 }
 
-exact::ErrorNorms measure(const Study& study, const std::string& path) {
-  const Archive archive = Archive::open(path);
-  const auto reference = reference_of_archive(archive);
-  if (!reference) {
-    throw InputError(fmt::format(
-        "{}: the deck names no <Meta><exact_solution>; a study needs one to measure errors",
-        study.deck));
-  }
-  if (archive.outputs().empty()) {
+ArchiveStep last_output(const Study& study, const Archive& archive) {
+  if (archive.outputs().empty())
     throw InputError(fmt::format("{}: the run of {} wrote no output", study.file, study.deck));
-  }
-  const ArchiveStep step = archive.read_output(archive.select_output("last"));
-  return archive_error(step, *reference, study.variable, study.component, 0);
+  return archive.read_output(archive.select_output("last"));
 }
 
 }  // namespace
@@ -68,7 +59,25 @@ struct StudyRunner::Once {
   int steps = 0;
   double seconds = 0, wall_seconds = 0;
   exact::ErrorNorms norms;
+  std::string archive;  // empty: none was written
 };
+
+exact::ErrorNorms StudyRunner::measure(const Study& study, const std::string& path) const {
+  const Archive archive = Archive::open(path);
+  const ArchiveStep step = last_output(study, archive);
+  if (study.reference) {
+    const Archive finer = Archive::open(reference_);
+    return archive_error(step, last_output(study, finer), study.variable, study.component,
+                         study.material);
+  }
+  const auto reference = reference_of_archive(archive);
+  if (!reference)
+    throw InputError(
+        fmt::format("{}: the deck names no <Meta><exact_solution>, and the study no "
+                    "\"reference\"; it needs one of them to measure errors",
+                    study.deck));
+  return archive_error(step, *reference, study.variable, study.component, study.material);
+}
 
 Timing timing_of(std::vector<double> seconds) {
   if (seconds.empty()) return {};
@@ -113,13 +122,30 @@ StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& po
   once.wall_seconds = told.value("wall_s", 0.0);
   once.seconds = told.value("stepping_s", once.wall_seconds);
   if (once.status != "done") once.message = last_lines(log, 5);
-  if (measure_error && once.status == "done") {
-    if (!told.contains("archive") || !told.at("archive").is_text()) {
-      throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
-    }
-    once.norms = measure(study, told.at("archive").get<std::string>());
-  }
+  if (once.status != "done") return once;
+  if (!told.contains("archive") || !told.at("archive").is_text())
+    throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
+  once.archive = told.at("archive").get<std::string>();
+  if (measure_error) once.norms = measure(study, once.archive);
   return once;
+}
+
+StudyResult StudyRunner::run_reference(const Study& study) {
+  StudyResult result;
+  result.point = reference_point(study);
+  const Once once = run_once(study, result.point, false);
+  if (once.status != "done")
+    throw InputError(
+        fmt::format("{}: the reference is {}: {}", study.file, once.status, once.message));
+  reference_ = folder / "reference";
+  fs::remove_all(reference_);
+  fs::rename(once.archive, reference_);
+  fs::remove_all(folder / "run");
+  result.status = once.status;
+  result.steps = once.steps;
+  result.seconds = once.seconds;
+  result.wall_seconds = once.wall_seconds;
+  return result;
 }
 
 StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const {

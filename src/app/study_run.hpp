@@ -37,11 +37,17 @@ struct StudyRunner {
   int repeats = 7;                   // at most; stops when the spread falls to 5 %
   double patience = 20;              // no more repeats once they took so many seconds in all
 
+  // Before run(), of a study with a reference: its run, whose archive stays in the folder. Throws
+  // InputError if it does not come to its end.
+  StudyResult run_reference(const Study& study);
   StudyResult run(const Study& study, const StudyPoint& point) const;
 
  private:
   struct Once;
+  exact::ErrorNorms measure(const Study& study, const std::string& archive) const;
   Once run_once(const Study& study, const StudyPoint& point, bool measure_error) const;
+
+  std::filesystem::path reference_;  // archive
 };
 
 // Middle of the values, and (third quartile - first quartile) / middle.

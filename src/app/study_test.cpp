@@ -76,6 +76,20 @@ TEST_F(StudyFolder, EveryCombinationRunsAtEveryResolution) {
   EXPECT_FALSE(matches(points[7], "*N 100"));
 }
 
+TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
+  const Study study = read_study(write("finer.study", R"({
+    "title": "Tube", "deck": "deck.ups", "material": 1, "set": "Time/maxTime=0.1",
+    "resolution": [[100,1,1]], "reference": {"resolution": [800,1,1], "set": ["c=0.1"]}})"));
+  EXPECT_EQ(study.material, 1);
+  const StudyPoint point = reference_point(study);
+  EXPECT_EQ(point.cells(), 800);
+  EXPECT_THAT(point.overrides, testing::ElementsAre("Time/maxTime=0.1", "c=0.1",
+                                                    "Grid/Level/Box/resolution=[800,1,1]"));
+  EXPECT_THAT(refusal(R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]],
+                          "reference": {"set": []}})"),
+              HasSubstr("\"reference\" needs \"resolution\""));
+}
+
 TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
   const std::string head = R"({"title": "T", "deck": "deck.ups", )";
   EXPECT_THAT(refusal("{"), HasSubstr("this is no JSON"));

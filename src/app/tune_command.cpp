@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct TuneRequest {
   std::vector<std::string> overrides;
   std::string deck, json, apply, picture;
   double budget = 60;  // seconds
@@ -76,7 +76,7 @@ class ProgressLine {
   bool shown_, written_ = false;
 };
 
-void check(const Options& o) {
+void check(const TuneRequest& o) {
   if (!(o.budget > 0))
     throw InputError(fmt::format("--budget is {:g}; it takes seconds greater than 0", o.budget));
   if (o.steps < 1)
@@ -109,7 +109,7 @@ void need_solve(const Deck& deck) {
 }
 
 // Runs the first steps of the deck; what they solve for is kept.
-CapturedSystems capture(const LoadedScene& loaded, const Options& o, TuneReport& report) {
+CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneReport& report) {
   solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), most_right_sides);
   RunOptions options;
   options.output = false;
@@ -147,7 +147,7 @@ std::string bytes_of(const std::string& file) {
 }
 
 // The copy is loaded, as a run of it would.
-void write_copy(const Options& o, const TuneReport& report) {
+void write_copy(const TuneRequest& o, const TuneReport& report) {
   std::string text = bytes_of(o.deck);
   if (report.worth_it()) text = tuned_deck(text, o.deck, report.own, report.best()->settings);
   TextSink sink(o.apply);
@@ -158,7 +158,7 @@ void write_copy(const Options& o, const TuneReport& report) {
 }
 
 // A message instead of a failure where Python cannot draw: the table is complete without.
-void draw(const Options& o, const TuneReport& report) try {
+void draw(const TuneRequest& o, const TuneReport& report) try {
   const TemporaryFolder folder(TemporaryFolder::Place::disk);
   const fs::path json = folder / "tune.json", log = folder / "log";
   std::ofstream(json) << tune_json(report);
@@ -171,7 +171,7 @@ void draw(const Options& o, const TuneReport& report) try {
   fmt::print(stderr, "sluice: warning: no picture: {}\n", missing.what());
 }
 
-int tune(const Options& o) {
+int tune(const TuneRequest& o) {
   check(o);
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
   const auto loaded = load_scene(o.deck, o.overrides, {}, o.quiet);
@@ -220,7 +220,7 @@ void add_tune_command(CommandLine& line) {
       line.add("tune",
                "Find the fastest linear solver for a deck: runs its first steps, tries solvers on "
                "the systems that come up, prints a table and the tags to paste");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<TuneRequest>();
   command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
   command.option("--budget", o->budget, "Seconds that the search may take (60)");
   command.option("--steps", o->steps, "Steps of the deck that are run for their systems (20)");

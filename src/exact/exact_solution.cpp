@@ -7,6 +7,7 @@
 
 #include "exact/law_text.hpp"
 #include "exact/material_solutions.hpp"
+#include "exact/motions.hpp"
 #include "exact/noh.hpp"
 #include "exact/radial_reference.hpp"
 #include "exact/riemann.hpp"
@@ -192,6 +193,15 @@ Made make_hydrostatic(const SolutionParameters& from) {
                                              from.vector("origin", {}));
 }
 
+Made make_vortex_ring(const SolutionParameters& from) {
+  return std::make_unique<VortexRing>(from.real("amplitude", 1));
+}
+
+Made make_axis_aligned(const SolutionParameters& from) {
+  return std::make_unique<AxisAligned>(from.real("amplitude", 0.05), from.positive("speed"),
+                                       from.integer("directions", 3, 1, 3));
+}
+
 struct Kind {
   SolutionHelp help;
   std::function<Made(const SolutionParameters&)> make;
@@ -316,6 +326,16 @@ const std::vector<Kind>& kinds() {
         {density_help, velocity_help, pressure_help, gamma_help, amplitude_help, wave_vector_help,
          sense_help, origin_help}},
        make_wave<SimpleWave>},
+      {{"vortex_ring",
+        "manufactured motion of a ring whose circles turn there and back",
+        {{"amplitude", "of the angle, in radians at the mean radius (1)"}}},
+       make_vortex_ring},
+      {{"axis_aligned",
+        "manufactured vibration of a cube along its axes",
+        {{"amplitude", "of the displacement (0.05)"},
+         {"speed", "of waves: two over the period"},
+         {"directions", "that move, 1 to 3 (3)"}}},
+       make_axis_aligned},
       {{"hydrostatic",
         "gas at rest in gravity, its state given at the origin",
         {density_help,

@@ -40,6 +40,9 @@ class ExactSolution {
   // How many materials take part. With more than one, density and velocity are those of the
   // mixture of a cell.
   virtual int materials() const { return 1; }
+  // Of a motion of a solid: it knows, in place of at(), where the point is that began at X.
+  virtual bool has_places() const { return false; }
+  virtual Vec3 place(Vec3 X, double /*t*/) const { return X; }
 };
 
 // One parameter of a kind of solution, for help texts.

@@ -119,30 +119,30 @@ eos::EquationOfState filled(const Parameter<Law> (&parameters)[size], const std:
   return law;
 }
 
-struct Kind {
+struct LawText {
   const char* name;
   std::function<eos::EquationOfState(const std::string&, const Values&)> make;
 };
 
-const std::vector<Kind>& kinds() {
+const std::vector<LawText>& texts() {
   const auto of = [](const auto& parameters) {
     return [&parameters](const std::string& name, const Values& values) {
       return filled(parameters, name, values);
     };
   };
-  static const std::vector<Kind> all = {{"ideal_gas", of(ideal_gas)},
-                                        {"StiffenedGas", of(stiffened_gas)},
-                                        {"hard_sphere_gas", of(hard_sphere_gas)},
-                                        {"TST", of(tst)},
-                                        {"JWL", of(jwl)},
-                                        {"JWLC", of(jwlc)},
-                                        {"Murnaghan", of(murnaghan)},
-                                        {"BirchMurnaghan", of(birch_murnaghan)},
-                                        {"MieGruneisen", of(mie_gruneisen)},
-                                        {"Gruneisen", of(linear_gruneisen)},
-                                        {"Tillotson", of(tillotson)},
-                                        {"Thomsen_Hartka_water", of(thomsen_hartka)},
-                                        {"KnaussSeaWater", of(knauss)}};
+  static const std::vector<LawText> all = {{"ideal_gas", of(ideal_gas)},
+                                           {"StiffenedGas", of(stiffened_gas)},
+                                           {"hard_sphere_gas", of(hard_sphere_gas)},
+                                           {"TST", of(tst)},
+                                           {"JWL", of(jwl)},
+                                           {"JWLC", of(jwlc)},
+                                           {"Murnaghan", of(murnaghan)},
+                                           {"BirchMurnaghan", of(birch_murnaghan)},
+                                           {"MieGruneisen", of(mie_gruneisen)},
+                                           {"Gruneisen", of(linear_gruneisen)},
+                                           {"Tillotson", of(tillotson)},
+                                           {"Thomsen_Hartka_water", of(thomsen_hartka)},
+                                           {"KnaussSeaWater", of(knauss)}};
   return all;
 }
 
@@ -161,13 +161,13 @@ double number(const std::string& word, const std::string& text) {
 
 std::string known_laws() {
   std::string known;
-  for (const Kind& kind : kinds()) known += (known.empty() ? "" : ", ") + std::string(kind.name);
+  for (const LawText& kind : texts()) known += (known.empty() ? "" : ", ") + std::string(kind.name);
   return known;
 }
 
 std::string law_name(const eos::EquationOfState& law) {
   const std::size_t index = law.index();  // the list above has the variant's order
-  return index < kinds().size() ? kinds()[index].name : "thermally perfect gas";
+  return index < texts().size() ? texts()[index].name : "thermally perfect gas";
 }
 
 eos::EquationOfState law_from_text(const std::string& text) {
@@ -184,7 +184,7 @@ eos::EquationOfState law_from_text(const std::string& text) {
     }
     values.emplace_back(word.substr(0, equals), number(word, word.substr(equals + 1)));
   }
-  for (const Kind& kind : kinds()) {
+  for (const LawText& kind : texts()) {
     if (name == kind.name) return kind.make(name, values);
   }
   throw InputError(

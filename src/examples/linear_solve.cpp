@@ -89,7 +89,7 @@ struct PressureSolve {
     // A rejected attempt does not count.
     scope.journal->at_acceptance([this] { ++steps; });
     if (steps % settings.solver.solve_every != 0) return Verdict::good;
-    if (system == nullptr || steps % settings.solver.set_up_every == 0 ||
+    if (system == nullptr || steps % std::max(1, settings.solver.set_up_every) == 0 ||
         !system->fits(level.level()))
       system = std::make_unique<PressureSystem>(level.level(), scope.ranks->rank(), settings);
     const solve::SolveReport report = system->run(x);

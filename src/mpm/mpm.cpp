@@ -84,6 +84,32 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
   return b;
 }
 
+// mpm_scheme, section 9. What each follows: K_p with the nodes' K* - K, U with the work of the
+// forces within, what contact took, and what is left of the nodes' own balance.
+std::vector<std::string> Mpm::tally_names() const {
+  return {"kinetic energy of particles", "internal energy of particles", "contact", "nodes"};
+}
+
+std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
+  const double gain = sums[StepSums::node_gain], loss = sums[StepSums::contact_loss];
+  const double within = sums[StepSums::node_work] - sums[StepSums::load_work];  // W_int
+  const double outside = sums[StepSums::force_work] + sums[StepSums::work];
+  return {gain, -within, loss, gain - (within + outside - loss)};
+}
+
+std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
+  return {totals.kinetic_energy, totals.internal_energy, {}, {}};
+}
+
+// T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
+// J. "nodes": round-off.
+std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
+  return {{"transfer loss", -tallies.defect(0)},
+          {"integration loss", -tallies.defect(1)},
+          {"contact loss", tallies.sources(2)},
+          {"nodes", tallies.sources(3)}};
+}
+
 void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
                      Totals& totals) const {
   // Once for each level; fluids of another part may come after the solids.

@@ -40,6 +40,10 @@ class Mpm : public Component {
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
+  std::vector<std::string> tally_names() const override;
+  std::vector<double> tallies(const std::vector<double>& sums) const override;
+  std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
+  std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
 

@@ -180,10 +180,10 @@ AverageSampler::Values AverageSampler::values_of(RankNumbers& numbers, std::int6
       const Double2 sum = value2(sums[1 + 2 * n]);
       return channels_[n].weighting == Weighting::none ? sum.high / count : v.averages[n];
     };
-    const Double2 A = exact(about(a)), B = exact(about(b));
+    const Double2 A = as_double2(about(a)), B = as_double2(about(b));
     const Double2 moment = value2(sums[1 + 2 * channels_.size() + p]) -
                            A * value2(sums[1 + 2 * b]) - B * value2(sums[1 + 2 * a]) +
-                           exact(count) * (A * B);
+                           as_double2(count) * (A * B);
     v.covariances.push_back((moment.high + moment.low) / count);
   }
   return v;

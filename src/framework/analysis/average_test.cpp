@@ -144,8 +144,9 @@ TEST(AnalysisSums, PairsOfDoublesKeepSmallVariances) {
     squares.add(p.high);
     squares.add(p.low);
   }
-  const Double2 m = exact(mean);
-  const Double2 moment = value2(squares) - m * value2(sum) - m * value2(sum) + exact(4.0) * (m * m);
+  const Double2 m = as_double2(mean);
+  const Double2 moment =
+      value2(squares) - m * value2(sum) - m * value2(sum) + as_double2(4.0) * (m * m);
   EXPECT_EQ((moment.high + moment.low) / 4, 1.25 * step * step);
 }
 

@@ -11,20 +11,20 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double rounding = 1e-9;  // share of a cell: decimal numbers of a deck
+constexpr double decimal_rounding = 1e-9;  // share of a cell: decimal numbers of a deck
 
 // Cells along one direction that hold more of [from, to] than an end; at least the one of `from`.
 void cells_along(double from, double to, const Level& level, int d, PlaneCells& found) {
   const double low = (from - level.anchor[d]) / level.spacing[d];
   const double high = (to - level.anchor[d]) / level.spacing[d];
   const double begin = level.domain.lower[d], end = level.domain.upper[d];
-  if (low < begin - rounding || high > end + rounding) found.clipped = true;
-  if (high < begin - rounding || low > end + rounding) {
+  if (low < begin - decimal_rounding || high > end + decimal_rounding) found.clipped = true;
+  if (high < begin - decimal_rounding || low > end + decimal_rounding) {
     found.cells.upper[d] = found.cells.lower[d];
     return;
   }
-  const double first = std::clamp(std::floor(low + rounding), begin, end - 1);
-  const double last = std::clamp(std::ceil(high - rounding), first + 1, end);
+  const double first = std::clamp(std::floor(low + decimal_rounding), begin, end - 1);
+  const double last = std::clamp(std::ceil(high - decimal_rounding), first + 1, end);
   found.cells.lower[d] = static_cast<int>(first);
   found.cells.upper[d] = static_cast<int>(last);
 }

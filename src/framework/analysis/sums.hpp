@@ -20,7 +20,7 @@ Double2 value2(const ExactSum& sum);
 Double2 operator+(Double2 a, Double2 b);
 Double2 operator-(Double2 a, Double2 b);
 Double2 operator*(Double2 a, Double2 b);
-inline Double2 exact(double x) {
+inline Double2 as_double2(double x) {
   return {x, 0};
 }
 // The product of two doubles without error (unless it underflows).

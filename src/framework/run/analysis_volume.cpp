@@ -100,7 +100,8 @@ void VolumeBudgets::account(double dt, const std::vector<double>& sums) {
       v.seconds = 0;
     }
     const double* own = sums.data() + first_slot_ + v.number * slot_count_;
-    for (std::size_t s = 0; s < v.passed.size(); ++s) v.passed[s] = v.passed[s] + exact(own[s]);
+    for (std::size_t s = 0; s < v.passed.size(); ++s)
+      v.passed[s] = v.passed[s] + as_double2(own[s]);
     v.seconds += dt;
   }
 }

@@ -194,6 +194,12 @@ class Component {
   // checkpoints, and what an accepted step with these sums adds to each.
   virtual std::vector<std::string> tally_names() const { return {}; }
   virtual std::vector<double> tallies(const std::vector<double>& /*sums*/) const { return {}; }
+  // What a tally follows, as far as it follows a total; and what a report says of them, by name.
+  virtual std::vector<ConservedTotal> tallied_totals(const Totals& /*totals*/) const { return {}; }
+  virtual std::vector<std::pair<std::string, double>> account(
+      const Conservation& /*tallies*/) const {
+    return {};
+  }
   // Labels of .dat histories and their values.
   virtual double history_value(Label label, const Totals& totals) const = 0;
   virtual Vec3 history_vector(Label label, const Totals& totals) const = 0;

@@ -151,6 +151,16 @@ void ParticleCloud::keep_only(int kind, int level, int box,
   set.select(kept);
 }
 
+void ParticleCloud::add_copy(int kind, int level, int box, std::size_t n, Vec3 place,
+                             std::int64_t id) {
+  Kind& of = kinds_[static_cast<std::size_t>(kind)];
+  ParticleSet& set = of.store.set(level, box);
+  set.add(place, id);
+  for (std::size_t a = 0; a < set.attribute_count(); ++a)
+    set.attribute(a, set.size() - 1) = set.attribute(a, n);
+  ++of.made;
+}
+
 void ParticleCloud::relocate() {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     ParticleStore& store = kinds_[k].store;

@@ -42,6 +42,8 @@ class ParticleCloud {
   void relocate();
   // Of those in a box only the particles numbered `kept` stay, in that order; relocate() is next.
   void keep_only(int kind, int level, int box, const std::vector<std::uint32_t>& kept);
+  // A copy of particle n of a box at another place, with a number of its own; relocate() is next.
+  void add_copy(int kind, int level, int box, std::size_t n, Vec3 place, std::int64_t id);
   // Collective.
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.

@@ -50,6 +50,8 @@ Json to_json(const RunReport& r) {
   Json particles = Json::array();
   for (const ParticleCount& p : r.particles)
     particles.push_back({{"name", p.name}, {"made", p.made}, {"left", p.left}, {"here", p.here}});
+  Json account = Json::object();
+  for (const auto& [name, value] : r.account) account[name] = value;
   return {{"status", to_string(r.status)},
           {"message", r.message},
           {"archive", archive},
@@ -81,6 +83,7 @@ Json to_json(const RunReport& r) {
           {"step_limit", r.step_limit},
           {"effects", effects},
           {"events", Json::parse(r.events_json)},
+          {"energy_account", account},
           {"conservation", Json::parse(r.conservation_json)}};
 }
 
@@ -123,6 +126,15 @@ std::string levels_text(const RunReport& r) {
 
 namespace {
 
+// Where energy went that is in no total, as shares of what there was.
+std::string account_text(const RunReport& r) {
+  std::string text = "energy account:";
+  for (const auto& [name, value] : r.account)
+    text += fmt::format("{} {} {:.1e}", &name == &r.account.front().first ? "" : ",", name,
+                        r.energy_scale > 0 ? value / r.energy_scale : 0.0);
+  return text + " of the scale\n";
+}
+
 // How much there was, and what it cost.
 std::string work_text(const RunReport& r) {
   if (!r.particles_alone)
@@ -153,6 +165,7 @@ std::string summary(const RunReport& r) {
                         100.0 * static_cast<double>(r.blocks_asleep) /
                             static_cast<double>(r.blocks_asleep + r.blocks_run));
   text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);
+  if (!r.account.empty()) text += account_text(r);
   if (r.archive) text += fmt::format("archive: {}\n", *r.archive);
   return text;
 }

@@ -66,6 +66,8 @@ struct RunReport {
   std::string events_json = "{}";
   std::string conservation_json = "{}";
   double worst_drift = 0;
+  std::vector<std::pair<std::string, double>> account;  // Component::account
+  double energy_scale = 0;                              // J
 
   double ns_per_cell_step() const;
   double ns_per_particle_step() const;

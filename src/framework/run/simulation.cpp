@@ -399,6 +399,8 @@ RunReport Simulation::report() const {
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
   r.worst_drift = conservation_.worst_drift();
+  r.account = component_.account(tallies_);
+  r.energy_scale = conservation_.scale(component_.material_count() + 3);
   return r;
 }
 

@@ -73,6 +73,11 @@ void Simulation::set_totals(bool at_start) {
   ConservedTotal energy = t.internal_energy;
   energy.merge(t.kinetic_energy);
   set(energy);
+  q = 0;
+  for (const ConservedTotal& total : component_.tallied_totals(t)) {
+    if (at_start) tallies_.set_start(q, total);
+    tallies_.set_now(q++, total);
+  }
   conservation_.set_vector(component_.material_count(), 3, momentum_of_all_energy());
 }
 

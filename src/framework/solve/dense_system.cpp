@@ -260,6 +260,18 @@ void DenseSystem::exchange(DenseVector& v) const {
   slabs_.exchange(shape_, v.data());
 }
 
+bool DenseSystem::is_like(const DenseSystem& other) const {
+  if (level_ != other.level_ || !(window_ == other.window_) || axis_ != other.axis_ ||
+      singular_ != other.singular_ || unknowns_ != other.unknowns_)
+    return false;
+  double differs = 0;
+  for (int d = 0; d < 3; ++d)
+    for_cells([&](std::size_t c) {
+      if ((low_[d][c] == 0) != (other.low_[d][c] == 0)) differs = 1;
+    });
+  return slabs_.largest(differs) == 0;
+}
+
 DenseVector DenseSystem::ones() const {
   DenseVector v = vector();
   for_places(shape_, slabs_, [&](std::size_t c) { v[c] = present_[c]; });

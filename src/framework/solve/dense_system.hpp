@@ -35,6 +35,8 @@ class DenseSystem {
   const DenseVector& diagonal() const { return diagonal_; }
   const DenseVector& low(int d) const { return low_[d]; }
   bool singular() const { return singular_; }  // every row sums to 0
+  // Collective: does each cell have its place in the other's vectors, and the same neighbours.
+  bool is_like(const DenseSystem& other) const;
   std::int64_t unknowns() const { return unknowns_; }
   // Couplings as positive numbers and the sums of rows.
   DenseEquations equations() const;

@@ -59,6 +59,7 @@ void HypreAmgSolver::prepare(const DenseSystem& system) {
   numbers_.assign(slab_.cells(), 0.0);
   rows_.resize(slab_.cells());
   std::iota(rows_.begin(), rows_.end(), first);
+  make_matrix();
   fill_matrix(system);
   make_vector(b_, system.vector());
   make_vector(x_, system.vector());
@@ -90,7 +91,13 @@ HYPRE_Int HypreAmgSolver::precondition(HYPRE_Solver self, HYPRE_ParCSRMatrix mat
   return code | of_vectors.Axpy(-mean, ones, x);
 }
 
-void HypreAmgSolver::fill_matrix(const DenseSystem& system) {
+// The rows stay one object: the Krylov method and the finest level of the cycle see the new ones.
+void HypreAmgSolver::renew(const DenseSystem& system) {
+  check_hypre(HYPRE_IJMatrixSetConstantValues(matrix_.get(), 0.0), "IJMatrixSetConstantValues");
+  fill_matrix(system);
+}
+
+void HypreAmgSolver::make_matrix() {
   const auto first = static_cast<HYPRE_BigInt>(slab_.first_row());
   const auto last = first + static_cast<HYPRE_BigInt>(slab_.cells()) - 1;
   matrix_ = {};
@@ -99,6 +106,9 @@ void HypreAmgSolver::fill_matrix(const DenseSystem& system) {
   check_hypre(HYPRE_IJMatrixSetObjectType(matrix_.get(), HYPRE_PARCSR), "IJMatrixSetObjectType");
   const std::vector<HYPRE_Int> sizes(slab_.cells(), 7);
   check_hypre(HYPRE_IJMatrixSetRowSizes(matrix_.get(), sizes.data()), "IJMatrixSetRowSizes");
+}
+
+void HypreAmgSolver::fill_matrix(const DenseSystem& system) {
   check_hypre(HYPRE_IJMatrixInitialize(matrix_.get()), "IJMatrixInitialize");
   const DenseShape& shape = system.shape();
   const auto number = [&](std::array<int, 3> cell) {

@@ -25,8 +25,11 @@ class HypreAmgSolver : public LinearSolver {
   static HYPRE_Int precondition(HYPRE_Solver self, HYPRE_ParCSRMatrix, HYPRE_ParVector,
                                 HYPRE_ParVector);
   void prepare(const DenseSystem& system) override;
+  bool can_renew() const override { return true; }
+  void renew(const DenseSystem& system) override;
   Attempt attempt(const DenseSystem& system, const DenseVector& b, DenseVector& x,
                   const Goal& goal) override;
+  void make_matrix();
   void fill_matrix(const DenseSystem& system);
   void make_solvers();
   void make_vector(HypreObject<HYPRE_IJVector, HYPRE_IJVectorDestroy>& vector,

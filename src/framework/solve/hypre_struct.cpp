@@ -67,6 +67,7 @@ void HypreStructSolver::prepare(const DenseSystem& system) {
     check_hypre(HYPRE_StructStencilSetElement(stencil_.get(), entry, offset.data()),
                 "StructStencilSetElement");
   }
+  make_matrix();
   fill_matrix(system);
   for (auto* vector : {&b_, &x_, &ones_}) {
     *vector = {};
@@ -83,7 +84,16 @@ void HypreStructSolver::prepare(const DenseSystem& system) {
   make_worker();
 }
 
-// Anew for each matrix: to set an object up twice leaks its grids.
+bool HypreStructSolver::can_renew() const {
+  return !uses(settings(), "smg");
+}
+
+// The workers refer to the matrix: Krylov methods and the finest level of cycles see it as it is.
+void HypreStructSolver::renew(const DenseSystem& system) {
+  fill_matrix(system);
+}
+
+// Anew whenever it is to be set up: to set an object up twice leaks its grids.
 void HypreStructSolver::make_worker() {
   worker_ = std::make_unique<StructWorker>(method_, settings(), false, mean_free_);
   method_.set_iterations(worker_->get(), settings().max_iterations);
@@ -92,13 +102,16 @@ void HypreStructSolver::make_worker() {
     throw PhysicsError(fmt::format("hypre: set-up of {} failed: {}", settings().solver, failure));
 }
 
-void HypreStructSolver::fill_matrix(const DenseSystem& system) {
+void HypreStructSolver::make_matrix() {
   matrix_ = {};
   check_hypre(HYPRE_StructMatrixCreate(MPI_COMM_WORLD, grid_.get(), stencil_.get(), matrix_.out()),
               "StructMatrixCreate");
   check_hypre(HYPRE_StructMatrixSetSymmetric(matrix_.get(), 1), "StructMatrixSetSymmetric");
   check_hypre(HYPRE_StructMatrixInitialize(matrix_.get()), "StructMatrixInitialize");
   numbers_.resize(slab_.cells());
+}
+
+void HypreStructSolver::fill_matrix(const DenseSystem& system) {
   std::array<int, 3> lower = slab_.lower(), upper = slab_.upper();
   for (int entry = 0; entry <= slab_.dimensions() && !slab_.empty(); ++entry) {
     const DenseVector& from = entry == 0 ? system.diagonal() : system.low(entry - 1);

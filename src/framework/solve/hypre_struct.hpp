@@ -71,9 +71,13 @@ class HypreStructSolver : public LinearSolver {
 
  private:
   void prepare(const DenseSystem& system) override;
+  // SMG mixes what it took of the old matrix with the new one, and diverges.
+  bool can_renew() const override;
+  void renew(const DenseSystem& system) override;
   Attempt attempt(const DenseSystem& system, const DenseVector& b, DenseVector& x,
                   const Goal& goal) override;
   void make_worker();
+  void make_matrix();
   void fill_matrix(const DenseSystem& system);
   void put(HYPRE_StructVector to, const DenseVector& v);
 

@@ -96,6 +96,45 @@ TEST(Hypre, obeys_the_parameters_of_its_cycles) {
   EXPECT_LT(iterations(longer), iterations(once));
 }
 
+// A series of matrices: what was built of the first serves while they drift by a tenth, gives
+// solutions of each, and is built anew for a jump of density. SMG's is built for each.
+class EveryHypreSolverOfASeries : public EveryHypreSolver {};
+
+TEST_P(EveryHypreSolverOfASeries, serves_while_coefficients_drift_little) {
+  const auto level = level_of({16, 12, 8}, {2, 2, 1});
+  const auto solver = make_linear_solver(hypre(GetParam()));
+  const auto solve = [&](double drift, const CellFunction& density) {
+    const CellMatrix matrix = matrix_of(*level, {0.5 * drift, {drift, drift, drift}, density});
+    solver->follow(matrix);
+    const Solved solved = solve_from_zero(*solver, *level, noisy);
+    EXPECT_TRUE(solved.report.converged) << drift << ": " << solved.report.reason;
+  };
+  const auto uniform = [](IntVec3) { return 1.0; };
+  for (const double drift : {1.0, 1.04, 0.97, 1.02}) solve(drift, uniform);
+  const bool smg = GetParam() == "smg";
+  EXPECT_EQ(solver->times_built(), smg ? 4 : 1);
+  for (const double drift : {1.15, 1.2}) solve(drift, uniform);
+  EXPECT_EQ(solver->times_built(), smg ? 6 : 2);
+  solve(1.2, balls({16, 12, 8}, 2));
+  EXPECT_EQ(solver->times_built(), smg ? 7 : 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, EveryHypreSolverOfASeries, testing::ValuesIn(solvers_that_free()),
+                         [](const auto& name) { return name.param; });
+
+// As often as the deck says, and anew by set_up().
+TEST(Hypre, is_set_up_as_often_as_asked) {
+  const auto level = level_of(cells);
+  const CellMatrix matrix = matrix_of(*level, {0.5, {1, 1, 1}});
+  SolverSettings settings = hypre("cg");
+  settings.set_up_every = 2;
+  const auto solver = make_linear_solver(settings);
+  for (int n = 0; n < 4; ++n) solver->follow(matrix);
+  EXPECT_EQ(solver->times_built(), 2);
+  solver->set_up(matrix);
+  EXPECT_EQ(solver->times_built(), 3);
+}
+
 // Run on two ranks too.
 TEST(Hypre, solves_singular_systems) {
   for (const char* solver : {"cg", "bicgstab", "amg"}) {

@@ -24,18 +24,54 @@ double seconds_since(Clock::time_point start) {
 
 // A solver whose own residual met the goal while the true one does not may go on this often.
 constexpr int most_attempts = 4;
+// Of a diagonal, relative, at which a solver is built anew; and how iterations may grow before.
+constexpr double most_drift = 0.1;
+bool have_grown(int iterations, int first) {
+  return iterations > first + first / 2 + 2;
+}
 
 }  // namespace
 
 void LinearSolver::set_up(const CellMatrix& matrix) {
+  worn_ = true;
+  follow(matrix);
+}
+
+void LinearSolver::follow(const CellMatrix& matrix) {
   const auto start = Clock::now();
+  std::optional<DenseSystem> before;
+  if (can_renew() && !worn_) before = std::move(system_);
   system_.reset();  // none, if this one fails
   DenseSystem system(matrix);
   if (SystemWatch* watch = SystemWatch::current()) watch->matrix(matrix, settings_);
-  prepare(system);
+  if (before && system.is_like(*before) && serves(system))
+    renew(system);
+  else
+    build(system);
+  ++served_;
   for (DenseVector* v : {&b_, &x_, &r_, &kept_}) system.give_size(*v);
   system_ = std::move(system);
   set_up_seconds_ = seconds_since(start);
+}
+
+void LinearSolver::build(const DenseSystem& system) {
+  worn_ = true;  // if it fails
+  prepare(system);
+  if (can_renew()) built_of_ = system.diagonal();
+  served_ = 0;
+  first_iterations_.reset();
+  worn_ = false;
+  ++times_built_;
+}
+
+// Collective.
+bool LinearSolver::serves(const DenseSystem& system) const {
+  if (settings_.set_up_every > 0 && served_ >= settings_.set_up_every) return false;
+  double drift = 0;
+  system.for_cells([&](std::size_t c) {
+    drift = std::max(drift, std::fabs(system.diagonal()[c] - built_of_[c]) / built_of_[c]);
+  });
+  return system.slabs().largest(drift) <= most_drift;
 }
 
 // Attempts until the true residual meets the goal, a solver gives up or nothing improves.
@@ -86,6 +122,15 @@ SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews&
   system_->residual(b_, x_, r_);
   report.residuals.push_back(system_->norm(r_, settings_.norm));
   iterate(x_, goal, report);
+  if (report.residuals.back() > goal.residual && served_ > 1) {  // by what is not of this matrix
+    build(*system_);
+    served_ = 1;
+    system_->load({x.begin(), x.end()}, x_);
+    if (system_->singular()) system_->remove_mean(x_);
+    iterate(x_, {goal.residual, goal.max_iterations + report.iterations}, report);
+  }
+  worn_ = have_grown(report.iterations, first_iterations_.value_or(report.iterations));
+  if (!first_iterations_) first_iterations_ = report.iterations;
   const double left = report.residuals.back();
   report.converged = left <= goal.residual;
   if (report.converged) {

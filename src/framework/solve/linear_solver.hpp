@@ -30,6 +30,11 @@ class LinearSolver {
   // Collective, as solve(). Throws PhysicsError that names a cell whose row is not valid. The
   // matrix is copied; its level must stay.
   void set_up(const CellMatrix& matrix);
+  // The same for the next of a series of matrices of one level: what the solver built of an earlier
+  // one serves on while the coefficients drift little and iterations do not grow, where the solver
+  // can (hypre's: their bits depend on which matrices came before).
+  void follow(const CellMatrix& matrix);
+  int times_built() const { return times_built_; }
   // `x` holds where to begin, then the solution, finite even where it has not converged. Throws
   // PhysicsError that names a cell whose right-hand side or start is not finite. Of a singular
   // system the solution whose mean is 0, for the right-hand side without its mean.
@@ -49,6 +54,11 @@ class LinearSolver {
 
  private:
   virtual void prepare(const DenseSystem& system) = 0;
+  // Can it take new coefficients without being prepared for them, by renew()?
+  virtual bool can_renew() const { return false; }
+  virtual void renew(const DenseSystem&) {}
+  bool serves(const DenseSystem& system) const;
+  void build(const DenseSystem& system);
   // From the x given. `b` is not 0 everywhere, and has no mean if the system is singular.
   virtual Attempt attempt(const DenseSystem& system, const DenseVector& b, DenseVector& x,
                           const Goal& goal) = 0;
@@ -58,6 +68,12 @@ class LinearSolver {
   std::optional<DenseSystem> system_;
   DenseVector b_, x_, r_, kept_;
   double set_up_seconds_ = 0;
+  // Of what serves: the diagonal that it was built of, the systems it has served, and the
+  // iterations that its first solve took (none: not known yet).
+  DenseVector built_of_;
+  int served_ = 0, times_built_ = 0;
+  std::optional<int> first_iterations_;
+  bool worn_ = false;  // iterations have grown
 };
 
 // Throws InputError with every fault of the settings, a line each.

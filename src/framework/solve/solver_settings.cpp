@@ -75,7 +75,7 @@ std::vector<std::string> faults_of(const SolverSettings& s) {
   need_range(faults, "skip", s.skip, 0, 1);
   need_range(faults, "jump", s.jump, 0, 30);
   need_range(faults, "relax_type", s.relax_type, 0, 3);
-  need_range(faults, "setupFrequency", s.set_up_every, 1, many);
+  need_range(faults, "setupFrequency", s.set_up_every, 0, many);
   need_range(faults, "updateCoefFrequency", s.coefficients_every, 1, many);
   need_range(faults, "solveFrequency", s.solve_every, 1, many);
   if (s.norm != Norm::two && s.type != "CGSolver")

@@ -22,8 +22,9 @@ struct SolverSettings {
   int jump = 0;                         // <jump>, of SparseMSG
   int relax_type = 1;                   // 0 Jacobi, 1 weighted, 2 red-black, 3 not symmetric
 
-  // Steps that each serves; who solves counts them. 1: anew in every step.
-  int set_up_every = 1;        // <setupFrequency>
+  // Steps that each serves. 0: while the coefficients drift little; 1: anew in every step. Who
+  // solves counts those of the other two.
+  int set_up_every = 0;        // <setupFrequency>
   int coefficients_every = 1;  // <updateCoefFrequency>
   int solve_every = 1;         // <solveFrequency>
 };

@@ -121,10 +121,11 @@ std::vector<TagSpec> hypre_tags() {
 
 std::vector<TagSpec> frequency_tags() {
   return {
-      tag("setupFrequency", "steps that a set-up of the solver serves")
+      tag("setupFrequency",
+          "steps that a set-up of a solver of hypre serves at most; without it, or beyond a drift "
+          "of the coefficients by a tenth, as long as it serves well")
           .integer()
-          .at_least(1)
-          .by_default("1"),
+          .at_least(1),
       tag("updateCoefFrequency", "steps that the coefficients of the system serve")
           .integer()
           .at_least(1)

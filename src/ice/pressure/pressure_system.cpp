@@ -42,7 +42,7 @@ class OneLevel final : public PressureSystem {
           add_faces(cells_of, d, cells, stored.view(slot_of(stored, l.matrix_face[d]), 0, b),
                     diagonal, matrix_.low(d)[n]);
     });
-    solver_->set_up(matrix_);
+    solver_->follow(matrix_);
   }
 
   solve::SolveReport correct(std::span<LevelSolver* const> levels, Label right_side) override {

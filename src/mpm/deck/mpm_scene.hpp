@@ -113,6 +113,7 @@ struct SplitCriterion {
   enum class Kind { stress_norm, stretch_ratio } kind = Kind::stress_norm;
   double value = 0;
   int material = -1;  // -1: all
+  Location where{};
 };
 
 // A condition of a face of the domain, of one material or of all (-1).

@@ -82,13 +82,6 @@ void read_physics(const DeckNode& flags, MpmScene& s) {
   s.refine_particles = boolean_or(flags, "refine_particles", false);
 }
 
-// Asked for, and not there yet.
-void tell_missing(const DeckNode& flags, const MpmScene& s, std::vector<Fault>& faults) {
-  if (s.pressure_stabilised)
-    add_warning(faults, flags.need("DoPressureStabilization").where,
-                "<DoPressureStabilization> has no effect yet");
-}
-
 void read_files(const DeckNode& flags, MpmScene& s, std::vector<Fault>& faults) {
   s.exact_deformation = boolean_or(flags, "exactDeformation", false);
   if (boolean_or(flags, "UsePrescribedDeformation", false))
@@ -125,6 +118,7 @@ void read_splits(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) 
   if (list != nullptr)
     for (const DeckNode* v : list->all("Variable")) {
       SplitCriterion c;
+      c.where = v->where;
       if (v->attribute("name") == "stretchRatio") c.kind = SplitCriterion::Kind::stretch_ratio;
       collect(faults, v->where, [&] {
         c.value = real_attribute(*v, "value").value_or(0);
@@ -151,7 +145,6 @@ void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
     read_scheme(*flags, s);
     read_physics(*flags, s);
     read_files(*flags, s, faults);
-    tell_missing(*flags, s, faults);
     read_traction_faces(*flags, s, faults);
   }
   read_splits(root, s, faults);

@@ -82,12 +82,12 @@ SolidMaterial read_material(const DeckNode& node, int index, double reference_pr
   m.active_at_start = boolean_or(node, "is_active", true);
   m.activation_time = real_or(node, "activation_time", 0);
   m.deactivation_time = real_or(node, "deactivation_time", 1e8);
-  // Asked for, and not there yet.
-  for (const char* name : {"is_force_transmitting_material", "activation_time"}) {
-    const DeckNode* asked = node.child(name);
-    if (asked != nullptr && (m.force_transmitting || m.activation_time > 0))
-      add_warning(faults, asked->where, fmt::format("<{}> has no effect yet", name));
-  }
+  if (m.activation_time > 0)
+    add_not_built(faults, node.need("activation_time").where, "<activation_time> above 0");
+  if (m.force_transmitting && !m.rigid)
+    add_error(faults, node.need("is_force_transmitting_material").where,
+              "<is_force_transmitting_material> of a material that deforms",
+              "it is for rigid ones: <is_rigid>true</is_rigid>");
   for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(read_seed_object(*object, geometry, faults));
   return m;

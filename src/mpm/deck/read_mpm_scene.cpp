@@ -17,6 +17,8 @@ namespace sluice::mpm {
 // What an object says of parts at its surface, where corners are moved onto the surface.
 static void warn_of_idle_filling(const MpmScene& s, std::vector<Fault>& faults) {
   if (!s.carries_corners()) return;
+  if (s.refine_particles)
+    add_not_built(faults, s.splits.front().where, "<refine_particles> beside a fluid");
   for (const SolidMaterial& material : s.materials)
     for (const SeedObject& object : material.objects)
       if (object.cut_cells || object.filling_levels != 1)

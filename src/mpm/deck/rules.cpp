@@ -142,7 +142,8 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
   if (basis != "cpdi" && basis != "fast_cpdi")
     warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
   const DeckNode* grid = root.child("Grid");
-  const bool levels = (grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR");
+  const bool levels =
+      (grid != nullptr && grid->all("Level").size() > 1) || root.find("AMR/Regridder") != nullptr;
   if (corners && levels)
     add_not_built(faults, flags->child("interpolator")->where,
                   fmt::format("<interpolator> {} on several levels", basis));
@@ -156,6 +157,16 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
                     "valid for fewer: linear, gimp, cpgimp, cpdi, fast_cpdi, 3rdorderBS, "
                     "4thorderBS");
       }
+  if (levels && is_true(flags, "do_contact_friction_heating"))
+    add_warning(faults, flags->child("do_contact_friction_heating")->where,
+                "<do_contact_friction_heating> has no effect on several levels",
+                "remove it, or the levels");
+  if (is_true(flags, "refine_particles") && is_true(flags, "total_lagrangian"))
+    add_not_built(faults, flags->child("refine_particles")->where,
+                  "<refine_particles> with <total_lagrangian>");
+  if (is_true(flags, "DoPressureStabilization") && is_true(flags, "total_lagrangian"))
+    add_not_built(faults, flags->child("DoPressureStabilization")->where,
+                  "<DoPressureStabilization> with <total_lagrangian>");
   if (is_true(flags, "total_lagrangian")) {
     const Location& where = flags->child("total_lagrangian")->where;
     if (corners || basis == "cpgimp")

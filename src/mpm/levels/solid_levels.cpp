@@ -6,6 +6,7 @@
 #include "framework/base/reduction.hpp"
 #include "framework/grid/grid_boxes.hpp"
 #include "mpm/step/carry_corners.hpp"
+#include "mpm/step/split_particles.hpp"
 
 namespace sluice::mpm {
 SolidLevels::SolidLevels(const Scene& scene, const MpmScene& solids,
@@ -153,7 +154,7 @@ Verdict SolidLevels::from_grid(const StageScope& scope) {
 
 Verdict SolidLevels::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                end = scope.step.time + scope.step.dt] {
+                                ranks = scope.ranks, end = scope.step.time + scope.step.dt] {
     cloud->take_over(end);
     double travel = 0;
     bool left = false;
@@ -167,7 +168,13 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
       left |= level(l).any_left();
     }
     strayed_ += travel;
-    if (strayed_ >= most_stray || left) relocate(*cloud);
+    const bool split =
+        solids_->refine_particles && split_particles(*solids_, *carried_, *cloud, *ranks);
+    if (strayed_ >= most_stray || left || split) relocate(*cloud);
+    for (int l = 0; l < count() && split; ++l) {  // the bounds of what there is now
+      const std::vector<double> rates = cloud->rates(l);
+      std::copy(rates.begin(), rates.end(), (*maxima)[static_cast<std::size_t>(l)].begin());
+    }
   });
   return Verdict::good;
 }

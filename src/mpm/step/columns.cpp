@@ -80,11 +80,14 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.columns.affine = add(l.affine, true);
   if (!material.objects.empty()) c.half = c.half_at_rest = half_of(material.objects.front());
   const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
-  if (by_width && !alike(material)) c.columns.half = add(l.half, false);
+  if (by_width && (solids.refine_particles || !alike(material)))
+    c.columns.half = add(l.half, false);
   if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
   for (double& half : c.half) half = std::min(half, 0.5);
-  if (by_corners(solids.basis) || is_saved(scene, "p.size") || is_saved(scene, "p.scalefactor"))
+  if (by_corners(solids.basis) || is_saved(scene, "p.size") || is_saved(scene, "p.scalefactor") ||
+      solids.refine_particles)
     c.columns.size = add(l.size, false);
+  if (solids.refine_particles) c.columns.split = add(l.split, false);
   if (solids.carries_corners()) {
     c.columns.corner_count = 1 << scene.grid.levels.front().active_count();
     for (int k = 0; k < c.columns.corner_count; ++k) {

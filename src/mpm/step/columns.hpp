@@ -25,6 +25,7 @@ struct Columns {
   int reference = -1;     // 3, place at the start: total Lagrangian
   int corners = -1;       // 3 for each of corner_count: places of corners that particles carry
   int corner_count = 0;
+  int split = -1;  // 1: part of a particle that was split
   int outer = -1;  // faces that no particle shared at the start: see outer_face_bit
   int colour = -1;
   int marks = -1;          // 3, loads on the particle: number in the deck plus one; 0: none

@@ -17,9 +17,10 @@ namespace sluice::mpm {
 
 // What the particles of one thread came to.
 struct SolidStep::ThreadReport {
-  ThreadReport(const BlockShape& shape, std::size_t kinds) : window(shape, 1), rates(kinds) {}
+  ThreadReport(const BlockShape& shape, std::size_t kinds)
+      : window(shape, 1), friction(shape, 1), rates(kinds) {}
 
-  Window window;
+  Window window, friction;
   GridAtParticles read;
   alignas(64) double wave_speed[chunk_size], heating[chunk_size];
   double rate = 0;    // of the time step, 1/s
@@ -28,6 +29,7 @@ struct SolidStep::ThreadReport {
   std::vector<KindRates> rates;
   NodeBooks books;  // of loads, and of rigid bodies with a prescribed motion
   LawBatch columns;
+  std::vector<double> dilatation;
   std::string fault;  // of the particle with the lowest id; empty: none
   std::int64_t fault_id = 0;
 
@@ -161,7 +163,9 @@ bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, in
 
 }  // namespace
 
-// Rigid bodies go with their own velocity, or with that which a rule of contact prescribes.
+// Rigid bodies go with their own velocity, with that which a rule of contact prescribes, or, where
+// they transmit forces, with what these make of it. As XPIC has it, the new velocity stands in dv
+// and the one before in the column of the new ones.
 void SolidStep::read_rigid(const BlockWork& w, std::size_t at, int n, bool booked,
                            ThreadReport& report) const {
   const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
@@ -177,16 +181,23 @@ void SolidStep::read_rigid(const BlockWork& w, std::size_t at, int n, bool booke
   }
   for (int d = 0; d < 3 && c.outside_force >= 0; ++d)
     std::fill_n(w.next->column(static_cast<std::size_t>(c.outside_force + d)) + at, n, 0.0);
+  const Vec3 pushed = bodies_[static_cast<std::size_t>(w.kind)].pushed;
+  const bool filtered = solids_->transfer == Transfer::xpic;
   for (int q = 0; q < n; ++q) {
     const std::size_t p = at + static_cast<std::size_t>(q);
     const Vec3 before{v[0][p], v[1][p], v[2][p]};
-    const Vec3 after = motion != nullptr ? motion->at(w.set->position(p)) : before;
+    const Vec3 after = motion != nullptr ? motion->at(w.set->position(p)) : before + pushed;
     for (int d = 0; d < 3; ++d) {
       const bool active = level_.active[static_cast<std::size_t>(d)];
       report.read.u[d][q] = active ? after[d] : 0;
       report.read.dv[d][q] = active ? after[d] - before[d] : 0;
       const double impulse = mass[p] * report.read.dv[d][q];
-      if (impulse == 0 || !booked) continue;
+      if (filtered && booked) {
+        w.next->column(static_cast<std::size_t>(c.velocity + d))[p] = active ? before[d] : 0;
+        report.read.dv[d][q] = active ? after[d] : 0;
+      }
+      // Where it transmits forces, what it got is booked with them.
+      if (impulse == 0 || !booked || pushed != Vec3{}) continue;
       report.books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(impulse);
       report.books.sums[StepSums::work].add(0.5 * impulse * (before[d] + after[d]));
     }
@@ -259,6 +270,11 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   if (!body.material->rigid)
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
+  const bool warms = solids_->friction_heats && !body.material->rigid && prescribed_ == nullptr;
+  if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
+  const bool shares = solids_->pressure_stabilised && !body.material->rigid;
+  if (shares)
+    find_dilatations(w, dt, report.window, report.read, report.columns, report.dilatation);
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
     const bool rigid = body.material->rigid;
@@ -306,6 +322,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
         tell(fault->particle, fault->reason, fault->value);
         continue;
       }
+    if (shares) take_dilatation(w, at, b, report.dilatation, report.read);
     if (const auto fault = law.update(b)) {
       tell(fault->particle, fault->reason, fault->value);
       continue;
@@ -316,6 +333,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
+    if (warms) warm_by_friction(w, at, n, report.friction, report.read);
     if (c.heating >= 0) {
       double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;
       for (int q = 0; q < n; ++q) rate[q] = (T[q] - b.temperature[q]) / dt;

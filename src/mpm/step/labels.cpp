@@ -57,6 +57,7 @@ SolidLabels declare_all() {
         ("p.corner" + std::to_string(c + 1)).c_str(), vector, "m",
         "Place of a corner that a particle carries; in the number less one bit a says that it is "
         "on the high side of the a-th direction of the run.");
+  l.split = declare("p.refinedMPM", real, "1", "1: part of a particle that was split, 0: whole.");
   l.outer = declare("p.outerFaces", real, "1",
                     "Faces of a particle that no other of its object shared at the start: the sum "
                     "of 1 and 2 for the low and the high side of the first direction, 4 and 8, 16 "

@@ -69,23 +69,24 @@ void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> me
   };
   const BlockMember one = members.front();
   if (members.size() == 1 && (contact_ == nullptr || !contact_->leads(one.body))) {
-    if (!rigid(one)) move_block(step, one.body, one.block, books);
+    if (!rigid(one)) move_block(step, one.body, one.block, scratch, books);
     return;
   }
-  scratch.change.resize(std::max(scratch.change.size(), members.size()));
   scratch.work.fill(0);
+  scratch.impulses.resize(std::max(scratch.impulses.size(), members.size()));
   for (std::size_t k = 0; k < members.size(); ++k) {
-    scratch.change[k].fill({});
+    scratch.impulses[k].fill({});
     start_block(step, members[k].body, members[k].block, books);
   }
   meet(step, members, Hook::before_forces, scratch, books);
   for (std::size_t k = 0; k < members.size(); ++k)
     if (!rigid(members[k]))
-      kick_block(step, members[k].body, members[k].block, scratch.change[k].data());
+      kick_block(step, members[k].body, members[k].block, scratch.impulses[k]);
   meet(step, members, Hook::after_forces, scratch, books);
   for (std::size_t k = 0; k < members.size(); ++k)
     if (!rigid(members[k]))
-      finish_block(step, members[k].body, members[k].block, scratch.change[k].data(), books);
+      finish_block(step, members[k].body, members[k].block, scratch.impulses[k], books);
+  if (solids_->friction_heats) keep_friction_heat(members, scratch);
 }
 
 // The bodies with mass at node n of a block; false: no rule can act.
@@ -128,7 +129,8 @@ bool SolidStep::gather(std::span<const BlockMember> members, int n, IntVec3 at, 
 }
 
 // One hook of contact on all nodes of a block. Loss of both: D_c = W - sum J . vb, J: impulses of
-// both hooks, vb = (v_i + v*)/2, W: work of what acts from outside.
+// both hooks, vb = (v_i + v*)/2 (known when the block is finished), W: work of what acts from
+// outside.
 void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
                      MeetingScratch& scratch, NodeBooks& books) {
   const Body& first = bodies_[static_cast<std::size_t>(members.front().body)];
@@ -143,24 +145,38 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
     meeting.place = level_.anchor + to_real(at) * level_.spacing;
     if (!gather(members, n, at, side, hook, meeting)) continue;
     contact_->act(hook, meeting);
-    const OutsideBooks& outside = meeting.outside;
-    double loss = scratch.work[static_cast<std::size_t>(n)] + outside.work;
+    OutsideBooks& outside = meeting.outside;
+    Vec3 given{};
+    const AtNode* giver = nullptr;  // that transmits forces
     for (const AtNode& b : meeting.bodies) {
-      if (b.rigid) continue;
+      if (b.rigid) {
+        if (giver == nullptr && transmits(b.body)) giver = &b;
+        continue;
+      }
       const auto [m, block] = members[static_cast<std::size_t>(b.member)];
       std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block) + n * lanes;
-      Vec3& change =
-          scratch.change[static_cast<std::size_t>(b.member)][static_cast<std::size_t>(n)];
+      NodeImpulses& of =
+          scratch.impulses[static_cast<std::size_t>(b.member)][static_cast<std::size_t>(n)];
       if (hook == Hook::before_forces) {
-        change = b.v - b.before;
+        of.change = b.v - b.before;
         continue;
       }
       const Vec3 kicked{as_real(node[4]), as_real(node[5]), as_real(node[6])};
-      loss -= b.mass * dot(change + (b.v - kicked), 0.5 * (b.before + b.v));
+      of.met = b.mass * (of.change + (b.v - kicked));
+      given += of.met;
       for (int d = 0; d < 3; ++d) node[4 + d] = as_bits(b.v[d]);
     }
-    if (hook == Hook::before_forces) scratch.work[static_cast<std::size_t>(n)] = outside.work;
+    scratch.work[static_cast<std::size_t>(n)] += outside.work;
     if (!booked) continue;
+    if (giver != nullptr && hook == Hook::after_forces)
+      for (int d = 0; d < 3; ++d)
+        if (given[d] != 0)
+          books.given[static_cast<std::size_t>(giver->body)][static_cast<std::size_t>(d)].add(
+              given[d]);
+    if (giver != nullptr) {  // both stay among the bodies
+      outside.impulse = {};
+      outside.work = 0;
+    }
     const auto add = [&](int sum, double value) {
       if (value != 0) books.sums[static_cast<std::size_t>(sum)].add(value);
     };
@@ -170,7 +186,7 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
       add(StepSums::torque_x + d, outside.torque[d] / step.kick);
     }
     add(StepSums::work, outside.work);
-    if (hook == Hook::after_forces) add(StepSums::contact_loss, loss);
+    add(StepSums::contact_loss, outside.work);
   }
 }
 

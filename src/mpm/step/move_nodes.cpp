@@ -49,21 +49,29 @@ void SolidStep::start_block(const NodeStep& step, int m, int block, NodeBooks& b
 }
 
 // v* = v + a + dk (f/M - alpha (v + a) + g), a: change by contact A.
-void SolidStep::kick_block(const NodeStep& step, int m, int block, const Vec3* change) {
+void SolidStep::kick_block(const NodeStep& step, int m, int block, BlockImpulses& impulses) {
   std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
+    NodeImpulses& of = impulses[static_cast<std::size_t>(n)];
     const double mass = as_real(node[0]);
     for (int d = 0; d < 3; ++d) {
-      double v = as_real(node[1 + d]);
-      if (change != nullptr) v += change[n][d];
-      node[4 + d] = as_bits(
-          v + step.kick * (as_real(node[4 + d]) / mass - step.damping * v + step.gravity[d]));
+      const double v = as_real(node[1 + d]) + of.change[d], f = as_real(node[4 + d]);
+      of.push[d] = step.kick * f;
+      node[4 + d] = as_bits(v + step.kick * (f / mass - step.damping * v + step.gravity[d]));
     }
   }
 }
 
-void SolidStep::finish_block(const NodeStep& step, int m, int block, const Vec3* change,
+// K* - K of a node, the work of its forces, and what contact took: each by vb = (v + v*)/2.
+static void book_energy(const NodeImpulses& of, double mass, Vec3 v, Vec3 after, NodeBooks& books) {
+  const Vec3 middle = 0.5 * (v + after);
+  books.sums[StepSums::node_gain].add(0.5 * mass * (dot(after, after) - dot(v, v)));
+  books.sums[StepSums::node_work].add(dot(of.push, middle));
+  if (of.met != Vec3{}) books.sums[StepSums::contact_loss].add(-dot(of.met, middle));
+}
+
+void SolidStep::finish_block(const NodeStep& step, int m, int block, const BlockImpulses& impulses,
                              NodeBooks& books) {
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
@@ -93,8 +101,9 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Vec3*
         }
       }
     }
-    if (forced && !image)
-      book_body_force(step, mass, v, change != nullptr ? v + change[n] : v, after, books);
+    const NodeImpulses& of = impulses[static_cast<std::size_t>(n)];
+    if (forced && !image) book_body_force(step, mass, v, v + of.change, after, books);
+    if (booked && !image) book_energy(of, mass, v, after, books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);
@@ -103,10 +112,13 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Vec3*
   }
 }
 
-void SolidStep::move_block(const NodeStep& step, int m, int block, NodeBooks& books) {
+void SolidStep::move_block(const NodeStep& step, int m, int block, MeetingScratch& scratch,
+                           NodeBooks& books) {
+  if (scratch.impulses.empty()) scratch.impulses.resize(1);
+  scratch.impulses.front().fill({});
   start_block(step, m, block, books);
-  kick_block(step, m, block, nullptr);
-  finish_block(step, m, block, nullptr, books);
+  kick_block(step, m, block, scratch.impulses.front());
+  finish_block(step, m, block, scratch.impulses.front(), books);
 }
 
 // v* = G x, and v likewise: the velocities of particles do not change. Lanes as finish_block()
@@ -134,14 +146,14 @@ void SolidStep::prescribe(const Matrix3& G, int m, int block) {
 Verdict SolidStep::move_nodes(const StageScope& scope) {
   NodeStep step;
   step.dt = scope.step.dt;
-  const bool whole =
-      solids_->whole_kicks || (solids_->full_first_kick && scope.dt_before == 0);
+  const bool whole = solids_->whole_kicks || (solids_->full_first_kick && scope.dt_before == 0);
   step.kick = whole ? step.dt : 0.5 * (scope.dt_before + step.dt);
   for (int d = 0; d < 3; ++d)
     if (level_.active[static_cast<std::size_t>(d)]) step.gravity[d] = scene_->constants.gravity[d];
   step.damping = solids_->damping;
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<NodeBooks> books(static_cast<std::size_t>(team.size()));
+  for (NodeBooks& of : books) of.given.resize(bodies_.size());
   if (prescribed_ != nullptr) {
     const Matrix3 rate = prescribed_->rate(scope.step.time, scope.step.dt);
     for (std::size_t m = 0; m < bodies_.size(); ++m)
@@ -149,6 +161,10 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
         for (int b = 0; b < bodies_[m].table.count(); ++b) prescribe(rate, static_cast<int>(m), b);
   } else {
     list_groups();
+    for (Body& body : bodies_) {
+      body.friction.clear();
+      if (solids_->friction_heats) body.friction.fit(body.table);
+    }
     std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
     team.for_each(groups_.size(), [&](std::size_t g, int thread) {
       const auto t = static_cast<std::size_t>(thread);
@@ -157,9 +173,16 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     });
     book_mirrored_changes(books[0]);
   }
-  for (std::size_t n = 1; n < books.size(); ++n)
+  for (std::size_t n = 1; n < books.size(); ++n) {
     for (std::size_t s = 0; s < books[0].sums.size(); ++s) books[0].sums[s].merge(books[n].sums[s]);
-  if (prescribed_ == nullptr) unfold();
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+      for (std::size_t d = 0; d < 3; ++d) books[0].given[k][d].merge(books[n].given[k][d]);
+  }
+  move_transmitting(scope, step, books[0].given, books[0]);
+  if (prescribed_ == nullptr) {
+    unfold();
+    if (solids_->friction_heats) unfold_friction();
+  }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);
   kick_ = step.kick;

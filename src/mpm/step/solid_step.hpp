@@ -22,6 +22,7 @@
 #include "mpm/step/cohesive_zones.hpp"
 #include "mpm/step/columns.hpp"
 #include "mpm/step/heat.hpp"
+#include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -57,12 +58,15 @@ struct Body {
   SumUnits mapped_units;
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles
   NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
+  NodeLanes friction;                // rise of temperature by friction, where it heats
+  Vec3 pushed{};                     // change of velocity of a body that transmits forces
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
 struct StepSums {
   // Impulse of boundary values; of body forces; work of both; of contact: what friction and impacts
-  // took from the nodes' kinetic energy, force and torque on masters.
+  // took from the nodes' kinetic energy, force and torque on masters. Of nodes: what they gained of
+  // kinetic energy, K* - K, and the work of the forces that particles gave them.
   enum Index {
     impulse_x,
     impulse_y,
@@ -73,6 +77,9 @@ struct StepSums {
     work,
     force_work,
     contact_loss,
+    node_gain,
+    node_work,
+    load_work,  // of forces from outside on particles, within node_work and force_work
     reaction_x,
     reaction_y,
     reaction_z,
@@ -91,19 +98,27 @@ struct NodeStep {
   Vec3 gravity{};
   double damping = 0;  // 1/s
 };
-// Exact sums over nodes.
+// Exact sums over nodes; impulses that bodies that transmit forces gave to others, by body.
+using Impulse = std::array<ExactSum, 3>;
 struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
+  std::vector<Impulse> given;
 };
 
 // The same block of nodes of a body, among all bodies that have it.
 struct BlockMember {
   int body = 0, block = 0;
 };
-// Changes of contact A in such a block, and the work from outside: what one thread keeps until B.
+// What moves a node: its change of velocity by contact A, the impulse of its forces, and that of
+// both hooks of contact.
+struct NodeImpulses {
+  Vec3 change{}, push{}, met{};
+};
+using BlockImpulses = std::array<NodeImpulses, block_nodes>;
+// What one thread keeps of such a block from hook to hook; work: of contact, from outside.
 struct MeetingScratch {
   Meeting meeting;
-  std::vector<std::array<Vec3, block_nodes>> change;  // by member
+  std::vector<BlockImpulses> impulses;  // by member
   std::array<double, block_nodes> work{};
 };
 
@@ -174,11 +189,12 @@ class SolidStep {
   void find_outside_forces(const StageScope& scope);
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
-  // Nodes of a block, one after the other (step/move_nodes.cpp); `change`: by contact A, or null.
+  // Nodes of a block, one after the other (step/move_nodes.cpp).
   void start_block(const NodeStep& step, int body, int block,
                    NodeBooks& books);  // sums become M, v_i | f
-  void kick_block(const NodeStep& step, int body, int block, const Vec3* change);  // M, v_i | v*
-  void finish_block(const NodeStep& step, int body, int block, const Vec3* change,
+  void kick_block(const NodeStep& step, int body, int block,
+                  BlockImpulses& impulses);  // M, v_i | v*
+  void finish_block(const NodeStep& step, int body, int block, const BlockImpulses& impulses,
                     NodeBooks& books);  // v* - v_ref, M | v* - v_i
   void find_nodes_of(BlockWork& work) const;
   SumUnits units_of(const Body& body, int kind, const KindRates& rates) const;
@@ -186,7 +202,8 @@ class SolidStep {
   double find_corners(int kind);
   void share_cohesive();
   void corners_to_grid();
-  void move_block(const NodeStep& step, int body, int block, NodeBooks& books);
+  void move_block(const NodeStep& step, int body, int block, MeetingScratch& scratch,
+                  NodeBooks& books);
   // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.
   void book_mirrored_forces(const NodeStep& step, int body, int block, NodeBooks& books) const;
   void book_mirrored_changes(NodeBooks& books) const;
@@ -199,12 +216,28 @@ class SolidStep {
   void meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
             MeetingScratch& scratch, NodeBooks& books);
   void prescribe(const Matrix3& rate, int body, int block);
+  // Heat of friction (step/friction_heat.cpp).
+  void keep_friction_heat(std::span<const BlockMember> members, const MeetingScratch& scratch);
+  void unfold_friction();
+  void warm_by_friction(const BlockWork& work, std::size_t at, int n, const Window& window,
+                        GridAtParticles& read) const;
+  // Rigid bodies that transmit forces (step/transmitted_forces.cpp).
+  bool transmits(int body) const;  // and no rule prescribes its motion
+  void sum_body(int kind, double kick, std::array<ExactSum, 4>& sums) const;
+  void move_transmitting(const StageScope& scope, const NodeStep& step,
+                         std::span<const Impulse> given, NodeBooks& books);
   void jump(const BlockWork& work, std::size_t at, int n, bool& left) const;
   struct ThreadReport;
   void read_rigid(const BlockWork& work, std::size_t at, int n, bool booked,
                   ThreadReport& report) const;
   void take_outside_forces(const BlockWork& work, std::size_t at, int n,
                            const GridAtParticles& read, NodeBooks& books) const;
+  // Pressure stabilisation (step/share_dilatation.cpp).
+  void find_dilatations(const BlockWork& work, double dt, const Window& window,
+                        GridAtParticles& read, LawBatch& columns,
+                        std::vector<double>& dilatation) const;
+  void take_dilatation(const BlockWork& work, std::size_t at, const Batch& batch,
+                       std::span<const double> dilatation, GridAtParticles& read) const;
   void move_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                       ThreadReport& report);
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);

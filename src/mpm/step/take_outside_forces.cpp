@@ -41,6 +41,7 @@ void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
     for (int d = 0; d < 3; ++d)
       power += force[d] * (reference[d] + read.u[d][q] - 0.5 * read.dv[d][q]);
     books.sums[StepSums::force_work].add(kick_ * power);
+    books.sums[StepSums::load_work].add(kick_ * power);
   }
 }
 
