@@ -5,7 +5,7 @@
 #   sluice_compile_test(TEST)          the objects of a test
 option(SLUICE_PCH "Precompile the headers of the standard library and fmt" ON)
 set(SLUICE_TESTS_AN_OBJECT 8 CACHE STRING "Test files that are compiled as one; 1: each apart")
-set(SLUICE_FILES_AN_OBJECT 4 CACHE STRING
+set(SLUICE_FILES_AN_OBJECT 7 CACHE STRING
     "Files without kernels that are compiled as one; 1: each apart")
 
 # Comes with binutils and links an executable in a third of the time.

@@ -2,6 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <string>
 
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"
@@ -62,6 +68,51 @@ TEST(PlateWithHole, PeakOfTheHoopStressIsHowlands) {
 
 TEST(FullPlateWithHole, OnAFinerGrid) {
   EXPECT_NEAR(peak(10), 314, 0.02 * 314);
+}
+
+// Of a cylinder of radius 1 and E* = E/(1 - nu^2) on a floor, from the force on half of it: half
+// width and largest pressure over Hertz's. The pressure of the lowest particles of columns half a
+// cell wide follows p_0^2 (1 - x^2/a^2), which is straight in x^2.
+struct Hertz {
+  double cells, width, pressure;  // cells a half width
+};
+Hertz hertz(int n) {
+  constexpr double stiffness = 1e6 / (1 - 0.09), pi = std::numbers::pi;
+  const double h = 1.0 / n;
+  const CaseRun run(deck("hertz"), {resolution(n, 46 * n / 100),
+                                    "Grid/Level/Box/upper=[1,0.46," + std::to_string(h) + "]"});
+  std::ifstream in(run.archive() / "RigidReactionForce.dat");
+  double force = 0;
+  for (std::array<double, 4> row{}; in >> row[0] >> row[1] >> row[2] >> row[3];)
+    force = 2 * row[2] / h;
+  const double a = std::sqrt(4 * force / (pi * stiffness)), p0 = 2 * force / (pi * a);
+  const auto x = run.particles("p.x"), stress = run.particles("p.stress");
+  const auto& of_y = stress[stress.size() == 9 ? 4 : 3];
+  std::map<int, std::size_t> lowest;  // by column
+  for (std::size_t p = 0; p < x[0].size(); ++p) {
+    const auto [at, is_new] = lowest.try_emplace(static_cast<int>(2 * x[0][p] / h), p);
+    if (!is_new && x[1][p] < x[1][at->second]) at->second = p;
+  }
+  double m = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (const auto& [column, p] : lowest) {
+    if (x[0][p] > 0.8 * a) continue;
+    const double square = x[0][p] * x[0][p], pressure = of_y[p] * of_y[p];
+    m += 1, sx += square, sy += pressure, sxx += square * square, sxy += square * pressure;
+  }
+  const double slope = (m * sxy - sx * sy) / (m * sxx - sx * sx), top = (sy - slope * sx) / m;
+  const Hertz found{a / h, std::sqrt(-top / slope) / a, std::sqrt(top) / p0};
+  record("cells " + std::to_string(n), found.cells);
+  record("width " + std::to_string(n), found.width);
+  record("pressure " + std::to_string(n), found.pressure);
+  return found;
+}
+
+TEST(FullHertz, HalfWidthAndPressure) {
+  constexpr double allowed = 0.05;
+  const Hertz coarse = hertz(100), fine = hertz(200);
+  EXPECT_NEAR(fine.width, 1, allowed);
+  EXPECT_NEAR(fine.pressure, 1, allowed);
+  EXPECT_LT(std::fabs(fine.pressure - 1), std::fabs(coarse.pressure - 1));
 }
 
 }  // namespace

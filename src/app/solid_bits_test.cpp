@@ -6,6 +6,8 @@
 #include <string>
 
 #include "app/archive_runs_test_support.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/base/environment.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::solid_bits_test {
@@ -25,6 +27,22 @@ TEST_F(SolidBits, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
   expect_same(whole, run("ranks", deck + " --boxes 3,2,1", 2));
   const fs::path first = run("first", deck + " --max-steps 60");
   expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
+}
+
+// Bars that collide and split, on three levels that come and go (a deck of the public suite).
+TEST_F(SolidBits, PartsOfParticlesAreTheSameBitsOnRanksAndAfterARestart) {
+  const auto folder = folder_in_environment("SLUICE_DECKS");
+  if (!folder) GTEST_SKIP() << "SLUICE_DECKS is not set: no collection of decks";
+  const std::string deck = folder->string() +
+                           "/inputs/MPM/Collide_AMR_3L.ups --set Time/max_Timesteps=120 "
+                           "--set DataArchiver/checkpoint/@timestepInterval=50";
+  const fs::path whole = run("whole", deck);
+  const Archive archive = Archive::open(whole);
+  const ArchiveStep last = archive.read_output(archive.select_output("last"));
+  EXPECT_EQ(last.grid().levels.size(), 3u);
+  expect_same(whole, run("ranks", deck + " --boxes 2,1,1", 2));
+  const fs::path first = run("first", deck + " --max-steps 95");
+  expect_same(whole, run("second", "--restart " + first.string()));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double rounding = 1e-9;  // share of a cell: decimal numbers of a deck
+constexpr double probe_rounding = 1e-9;  // share of a cell: decimal numbers of a deck
 
 // Two cells along a direction and the weight of the second.
 struct Pair {
@@ -40,7 +40,8 @@ bool outside(Vec3 x, const Level& level) {
   for (int d = 0; d < 3; ++d) {
     if (!level.active[static_cast<std::size_t>(d)]) continue;
     const double at = (x[d] - level.anchor[d]) / level.spacing[d];
-    if (at < level.domain.lower[d] - rounding || at > level.domain.upper[d] + rounding) return true;
+    if (at < level.domain.lower[d] - probe_rounding || at > level.domain.upper[d] + probe_rounding)
+      return true;
   }
   return false;
 }

@@ -38,7 +38,7 @@ double value_from_json(const Json& json) {
                         : json.get<double>();
 }
 
-Json to_json(const EventPlace& place) {
+Json place_json(const EventPlace& place) {
   Json json = {{"step", place.step},
                {"level", place.level},
                {"material", place.material},
@@ -166,8 +166,8 @@ Json EventLedger::to_json() const {
   Json json = Json::object();
   for (const auto& [name, record] : records_) {
     json[name] = {{"count", record.count},
-                  {"first", sluice::to_json(record.first)},
-                  {"last", sluice::to_json(record.last)}};
+                  {"first", place_json(record.first)},
+                  {"last", place_json(record.last)}};
     if (record.common) json[name]["common"] = true;
   }
   return json;

@@ -85,7 +85,7 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
   const int rank = communicator_->rank();
   if (!earlier.boxes.empty())
     LevelCopy(earlier, now, rank).run(before, solver.state(), solver.state_slots());
-  if (l == 0) return;
+  if (l == 0 || solver.state_slots().empty()) return;  // cells of solids carry nothing
   LevelSolver& coarser = level(l - 1);
   Interpolation fresh = Interpolation::of_new_cells(coarser.level(), halo_width(*component_), now,
                                                     earlier.boxes, rank);
@@ -208,8 +208,8 @@ bool Hierarchy::regrid(int step) {
   const bool changed = regridder_->regrid(step, flags());
   if (changed) {
     start = filled[std::min(static_cast<std::size_t>(lay_out(false)), filled.size() - 1)];
+    if (particles_ != nullptr) particles_->follow(existing_levels());  // rates are those of levels
     measure_rates(levels_before);
-    if (particles_ != nullptr) particles_->follow(existing_levels());
     return_memory();
     ++regrids_;
   }

@@ -1,5 +1,6 @@
 // Levels that a regridder may make, and what every finer level must obey.
 #include "framework/scene/adaptive_levels.hpp"
+#include "framework/scene/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,6 @@ namespace sluice {
 
 namespace {
 
-constexpr const char* axis = "xyz";
 constexpr int smallest_tile = 4;               // cells, in a direction that has as many
 constexpr std::int64_t most_extent = 1 << 30;  // cells a direction of the finest level
 constexpr double most_flags = 1e10;            // cells of the finest level that is flagged: 1.2 GB
@@ -32,7 +32,7 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
         add_warning(faults, where,
                     fmt::format("refinement ratio {} in direction {}, which is not a dimension of "
                                 "this run; read as 1",
-                                ratio[d], axis[d]));
+                                ratio[d], axis_letter[d]));
       ratio[d] = 1;
       continue;
     }
@@ -40,7 +40,7 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
       add_error(faults, where,
                 fmt::format("refinement ratio {} in direction {} between levels {} and {}; it must "
                             "be 1, 2 or 4",
-                            ratio[d], axis[d], fine - 1, fine),
+                            ratio[d], axis_letter[d], fine - 1, fine),
                 ratio[d] > 4 ? "reach it with several levels" : "use 2 or 4");
       return false;
     }
@@ -108,7 +108,7 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
       add_error(faults, where,
                 fmt::format("a tile of {} cell{} in direction {} for level {}; it must have at "
                             "least {}",
-                            tile[d], tile[d] == 1 ? "" : "s", axis[d], level, smallest_tile),
+                            tile[d], tile[d] == 1 ? "" : "s", axis_letter[d], level, smallest_tile),
                 "8 or more cells per direction are worth their ghost cells");
       return false;
     }
@@ -118,7 +118,7 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
           faults, where,
           fmt::format("a tile of {} cells in direction {} for level {}, where the "
                       "refinement ratio is {}: tiles of whole coarse cells, of {}, take its place",
-                      tile[d], axis[d], level, ratio[d], whole),
+                      tile[d], axis_letter[d], level, ratio[d], whole),
           fmt::format("use {}", whole));
       tile[d] = whole;
     }
@@ -130,10 +130,10 @@ bool check_extent(IntVec3 coarse_cells, IntVec3 ratio, const Location& where,
                   std::vector<Fault>& faults) {
   for (int d = 0; d < 3; ++d) {
     if (static_cast<std::int64_t>(coarse_cells[d]) * ratio[d] <= most_extent) continue;
-    add_error(
-        faults, where,
-        fmt::format("the finest level would have more than 2^30 cells in direction {}", axis[d]),
-        "use fewer levels");
+    add_error(faults, where,
+              fmt::format("the finest level would have more than 2^30 cells in direction {}",
+                          axis_letter[d]),
+              "use fewer levels");
     return false;
   }
   return true;

@@ -9,8 +9,6 @@ namespace sluice {
 
 namespace {
 
-constexpr const char* axis = "xyz";
-
 enum class SideNature { symmetric, zero_gradient, other };
 
 // What a whole side is, for every variable that has a condition there. A side without any counts as
@@ -67,7 +65,7 @@ ActiveDirection judge(int d, const GridSettings& grid, const BoundaryConditions&
     if (nature == SideNature::other || nature_of(high) != nature)
       return stays(fmt::format("one cell, but {}- and {}+ are not both symmetric, periodic or "
                                "zero-gradient",
-                               axis[d], axis[d]),
+                               axis_letter[d], axis_letter[d]),
                    where);
     between = nature == SideNature::symmetric ? "symmetric" : "zero-gradient";
   }

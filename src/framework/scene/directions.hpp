@@ -13,6 +13,8 @@
 
 namespace sluice {
 
+inline constexpr const char* axis_letter = "xyz";  // by direction
+
 enum class VelocityComponent { solved, dropped, carried };
 
 struct ActiveDirection {

@@ -1,5 +1,6 @@
 // Reading and checking the deck's <Grid>.
 #include "framework/scene/grid_settings.hpp"
+#include "framework/scene/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,6 @@ constexpr double largest_extent = 1 << 30;  // cells a direction
 constexpr double largest_level = 1e11;      // cells
 constexpr double most_patches = 1e6;        // of one box
 
-constexpr const char* axis = "xyz";
-
 // Cells a direction of a box as the deck asks for them; nothing when a fault was found. The spacing
 // (or resolution) stands in the box or in the level around it.
 std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const BoxSettings& box,
@@ -33,7 +32,7 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
     if (!(size[d] > 0) || !std::isfinite(size[d])) {
       add_error(faults, node.where,
                 fmt::format("box: upper {} is not above lower {} in direction {}", box.upper[d],
-                            box.lower[d], axis[d]));
+                            box.lower[d], axis_letter[d]));
       return std::nullopt;
     }
   const DeckNode* resolution = node.child("resolution");
@@ -59,18 +58,19 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
   for (int d = 0; d < 3; ++d) {
     const double whole = std::round(cells[d]);
     if (!(whole >= 1 && whole <= largest_extent)) {
-      add_error(
-          faults, source.where,
-          fmt::format("box: {} cells in direction {}; there must be 1 to 2^30", cells[d], axis[d]));
+      add_error(faults, source.where,
+                fmt::format("box: {} cells in direction {}; there must be 1 to 2^30", cells[d],
+                            axis_letter[d]));
       return std::nullopt;
     }
     if (std::abs(cells[d] - whole) > on_node * whole && resolution == nullptr && cells[d] > 1) {
       const double fit = std::floor(cells[d]);
-      add_warning(faults, source.where,
-                  fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
-                              "{:g} in place of {:g}",
-                              cells[d], axis[d], box.lower[d] + fit * spacing[d], box.upper[d]),
-                  "fit the spacing to upper - lower");
+      add_warning(
+          faults, source.where,
+          fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
+                      "{:g} in place of {:g}",
+                      cells[d], axis_letter[d], box.lower[d] + fit * spacing[d], box.upper[d]),
+          "fit the spacing to upper - lower");
       cells[d] = fit;
       continue;
     }
@@ -78,7 +78,7 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
       add_error(faults, source.where,
                 fmt::format("box: {} cells in direction {} is not a whole number; fit the spacing "
                             "to upper - lower = {}",
-                            cells[d], axis[d], size[d]));
+                            cells[d], axis_letter[d], size[d]));
       return std::nullopt;
     }
     cells[d] = whole;
@@ -106,7 +106,7 @@ void read_patches(const DeckNode& node, BoxSettings& box, std::vector<Fault>& fa
     if (box.patches[d] < 1)
       add_error(faults, node.where,
                 fmt::format("box: {} patches in direction {}; there must be at least 1",
-                            box.patches[d], axis[d]));
+                            box.patches[d], axis_letter[d]));
   const double count = 1.0 * box.patches.x * box.patches.y * box.patches.z;
   if (count > most_patches || box.auto_patch > most_patches)
     add_error(faults, node.where,
@@ -141,7 +141,7 @@ std::optional<RawBox> read_box(const DeckNode& node, const DeckNode& level,
       if (raw.box.patches[d] > raw.cells[d])
         add_error(faults, node.where,
                   fmt::format("box: {} patches but only {} cells in direction {}",
-                              raw.box.patches[d], raw.cells[d], axis[d]));
+                              raw.box.patches[d], raw.cells[d], axis_letter[d]));
     result = raw;
   });
   return result;
@@ -154,7 +154,7 @@ bool place(RawBox& raw, const LevelSettings& level, Vec3 anchor, std::vector<Fau
       add_error(faults, raw.box.where,
                 fmt::format("box: spacing {} in direction {} differs from {} of the level's first "
                             "box; all boxes of a level share one spacing",
-                            raw.spacing[d], axis[d], level.spacing[d]));
+                            raw.spacing[d], axis_letter[d], level.spacing[d]));
       return false;
     }
     const double low = (raw.box.lower[d] - anchor[d]) / level.spacing[d];
@@ -165,7 +165,7 @@ bool place(RawBox& raw, const LevelSettings& level, Vec3 anchor, std::vector<Fau
         add_error(faults, raw.box.where,
                   fmt::format("box: corner at node {} in direction {} is not on a node of the "
                               "level (anchor {}, spacing {})",
-                              x, axis[d], anchor[d], level.spacing[d]));
+                              x, axis_letter[d], anchor[d], level.spacing[d]));
         return false;
       }
     raw.box.cells.lower[d] = static_cast<int>(std::lround(low));
@@ -201,9 +201,9 @@ void nest(LevelSettings& fine, const LevelSettings& coarse, std::vector<Fault>& 
     const double ratio = coarse.spacing[d] / fine.spacing[d];
     const double whole = std::round(ratio);
     if (!(whole >= 1 && whole <= 1024) || std::abs(ratio - whole) > integral_ratio) {
-      add_error(
-          faults, fine.where,
-          fmt::format("refinement ratio {} in direction {} is not a whole number", ratio, axis[d]));
+      add_error(faults, fine.where,
+                fmt::format("refinement ratio {} in direction {} is not a whole number", ratio,
+                            axis_letter[d]));
       return;
     }
     fine.ratio[d] = static_cast<int>(whole);
@@ -216,7 +216,7 @@ void nest(LevelSettings& fine, const LevelSettings& coarse, std::vector<Fault>& 
         add_error(faults, b.where,
                   fmt::format("box: its edges in direction {} are not on nodes of the coarser "
                               "level (ratio {})",
-                              axis[d], r));
+                              axis_letter[d], r));
         return;
       }
       covered.lower[d] = b.cells.lower[d] / r;

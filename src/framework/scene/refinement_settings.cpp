@@ -1,5 +1,6 @@
 // Reading the deck's <AMR> and <LoadBalancer>.
 #include "framework/scene/refinement_settings.hpp"
+#include "framework/scene/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@ namespace sluice {
 
 namespace {
 
-constexpr const char* axis = "xyz";
 constexpr int default_tile = 8;  // cells, where the deck's regridder has none
 
 using Active = std::array<bool, 3>;
@@ -53,13 +53,13 @@ void check_dilation(const DeckNode& node, const Active& active, RefinementSettin
           faults, place_of(node, "cell_stability_dilation"),
           fmt::format("cell_stability_dilation 0 in direction {}: a wave can leave the finer "
                       "level before it is laid anew",
-                      axis[d]),
+                      axis_letter[d]),
           "use at least 1");
     if (s.min_boundary_cells[d] == 0) {
       add_warning(faults, place_of(node, "min_boundary_cells"),
                   fmt::format("min_boundary_cells 0 in direction {}; read as 1: a level may touch "
                               "only the next coarser one",
-                              axis[d]));
+                              axis_letter[d]));
       s.min_boundary_cells[d] = 1;
     }
   }

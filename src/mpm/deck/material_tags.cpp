@@ -5,7 +5,7 @@
 namespace sluice::mpm {
 namespace {
 
-TagSpec ignored(const std::string& name, const std::string& reason) {
+TagSpec ignored_tag(const std::string& name, const std::string& reason) {
   return tag(name, "accepted without effect: " + reason);
 }
 
@@ -107,10 +107,10 @@ std::vector<TagSpec> role_tags() {
 // Of a method of grains that is not built; without it they say nothing.
 std::vector<TagSpec> grain_tags() {
   const std::string reason = "read by DoGranularMPM alone";
-  return {ignored("critical_density", reason).real().at_least(0),
-          ignored("stress_free", reason).boolean(), ignored("MatTypeIdx", reason).integer(),
-          ignored("allow_DWIndex_correction", reason).boolean(),
-          ignored("applied_contact_model", reason).boolean()};
+  return {ignored_tag("critical_density", reason).real().at_least(0),
+          ignored_tag("stress_free", reason).boolean(), ignored_tag("MatTypeIdx", reason).integer(),
+          ignored_tag("allow_DWIndex_correction", reason).boolean(),
+          ignored_tag("applied_contact_model", reason).boolean()};
 }
 
 }  // namespace
