@@ -49,7 +49,7 @@ TEST(AmrSmoothFlow, SoundTakesItsLevelAlong) {
   expect_second_order(coarse, fine);
 }
 
-TEST(AmrSmoothFlow, VortexLeavesAFixedRegion) {
+TEST(FullAmrSmoothFlow, VortexLeavesAFixedRegion) {
   const CaseRun coarse("amr_vortex");
   const CaseRun fine("amr_vortex", {level_resolution(1, 128, 128), level_resolution(2, 128, 128)},
                      {"--threads", "2"});

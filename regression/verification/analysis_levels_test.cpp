@@ -82,7 +82,7 @@ std::vector<double> last_numbers(const std::string& text) {
   return numbers;
 }
 
-TEST(AnalysisOfLevels, TheSameTextOnRanksBoxesAndAfterARestartWhileLevelsMove) {
+TEST(FullAnalysisOfLevels, TheSameTextOnRanksBoxesAndAfterARestartWhileLevelsMove) {
   const ChangedDeck deck("amr_explosion.ups");
   const std::vector<std::string> settings = {resolution(32, 32), "Time/maxTime=0.15"};
   const CaseRun plain(deck.write(), settings);

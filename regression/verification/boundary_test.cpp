@@ -264,7 +264,7 @@ TEST(OpenBoundary, DoesNotShowTheBoxes) {
 }
 
 // What is known of whole faces is the same on any boxes, threads and ranks.
-TEST(OpenBoundary, MeansDoNotShowTheBoxes) {
+TEST(FullOpenBoundary, MeansDoNotShowTheBoxes) {
   for (const char* deck : {"vortex_leaving_unaimed", "amr_vortex_leaving"}) {
     SCOPED_TRACE(deck);
     const std::vector<std::string> early = {"Time/maxTime=0.4"};

@@ -177,7 +177,7 @@ TEST(FullMixtureFlow, LevelsThatGoWithTheSurfaceOfADropLeaveNoTrace) {
   expect_a_drop_to_leave_no_trace({});
 }
 
-TEST(MixtureFlow, EdgesCrossFacesOfAFixedRegion) {
+TEST(FullMixtureFlow, EdgesCrossFacesOfAFixedRegion) {
   expect_untouched(CaseRun("amr_water_through_region"));
 }
 TEST(FullMixtureFlow, EdgesOfFreeWaterCrossFacesOfAFixedRegion) {

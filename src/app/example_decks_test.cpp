@@ -110,7 +110,7 @@ TEST_F(FormatExamples, SweepsOfJacobi) {
   EXPECT_EQ(DeckRun(deck("benchmark")).history("residual"), residual);
 }
 
-TEST_F(FormatExamples, SweepsUntilTheResidualIsSmall) {
+TEST_F(FormatExamples, FullSweepsUntilTheResidualIsSmall) {
   const DeckRun run(deck("poisson2"), {"--max-steps", "3"});
   const std::vector<Place> phi = run.places("phi");
   EXPECT_GT(at(phi, 0.1, 0.5, 0.5), at(phi, 0.5, 0.5, 0.5));
@@ -122,14 +122,14 @@ void expect_a_step_of_levels(const std::string& deck) {
   EXPECT_EQ(run.steps(), 1);
   EXPECT_LE(largest(run.places("phi", "1")), 1);
 }
-TEST_F(FormatExamples, TwoLevelsOfPoisson) {
+TEST_F(FormatExamples, FullTwoLevelsOfPoisson) {
   expect_a_step_of_levels(deck("poisson3_2L"));
 }
 TEST_F(FormatExamples, FullThreeLevelsOfPoisson) {
   expect_a_step_of_levels(deck("poisson3_3L"));
 }
 
-TEST_F(FormatExamples, Burger) {
+TEST_F(FormatExamples, FullBurger) {
   const DeckRun run(deck("burger"), {"--max-steps", "20"});
   const std::vector<Place> u = run.places("u");
   EXPECT_EQ(u.size(), 51U * 51 * 51);

@@ -81,7 +81,7 @@ void export_two_levels(int nz, int ny, With readers) {
 TEST(VtkExport, TwoLevelsInTwoDimensions) {
   export_two_levels(1, 6, With::vtk);
 }
-TEST(VtkExport, TwoLevelsInThreeDimensions) {
+TEST(FullVtkExport, TwoLevelsInThreeDimensions) {
   export_two_levels(3, 6, With::paraview);
 }
 TEST(VtkExport, TwoLevelsInOneDimension) {

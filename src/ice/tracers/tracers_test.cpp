@@ -130,7 +130,7 @@ TEST(Tracers, TurnWithAVortexToSecondOrder) {
   expect_second_order(false);
 }
 
-TEST(Tracers, TurnAcrossLevelsToSecondOrder) {
+TEST(FullTracers, TurnAcrossLevelsToSecondOrder) {
   expect_second_order(true);
 }
 
