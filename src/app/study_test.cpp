@@ -78,9 +78,11 @@ TEST_F(StudyFolder, EveryCombinationRunsAtEveryResolution) {
 
 TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
   const Study study = read_study(write("finer.study", R"({
-    "title": "Tube", "deck": "deck.ups", "material": 1, "set": "Time/maxTime=0.1",
+    "title": "Tube", "deck": "deck.ups", "variable": "p.x", "material": 1,
+    "set": "Time/maxTime=0.1",
     "resolution": [[100,1,1]], "reference": {"resolution": [800,1,1], "set": ["c=0.1"]}})"));
   EXPECT_EQ(study.material, 1);
+  EXPECT_EQ(study.variable, "p.x");
   const StudyPoint point = reference_point(study);
   EXPECT_EQ(point.cells(), 800);
   EXPECT_THAT(point.overrides, testing::ElementsAre("Time/maxTime=0.1", "c=0.1",
