@@ -12,15 +12,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The state at the end, and histories of every step.
-std::string saves(const std::vector<std::string>& labels) {
-  std::string text =
-      "<outputTimestepInterval>1000000</outputTimestepInterval>"
-      "<outputLastTimestep>true</outputLastTimestep>";
-  for (const std::string& l : labels) text += "<save label='" + l + "'/>";
-  return text;
-}
-
 // ---- manufactured solutions ----------------------------------------------------------------
 
 struct Study {

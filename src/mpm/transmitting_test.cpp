@@ -1,4 +1,5 @@
-// Rigid bodies that transmit forces; particles of a cell that share their dilatation.
+// Rigid bodies that transmit forces; heat of friction; particles of a cell that share their
+// dilatation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,14 +9,6 @@
 
 namespace sluice::mpm::transmitting_test {
 namespace {
-
-std::string saves(const std::vector<std::string>& labels) {
-  std::string text =
-      "<outputTimestepInterval>1000000</outputTimestepInterval>"
-      "<outputLastTimestep>true</outputLastTimestep>";
-  for (const std::string& l : labels) text += "<save label='" + l + "'/>";
-  return text;
-}
 
 std::string block(const char* low, const char* high, const char* velocity) {
   return fmt::format(
@@ -129,14 +122,12 @@ TEST(SharedDilatation, LeavesOnePressureInACell) {
     for (std::size_t p = 0; p < n; ++p)
       cells[{static_cast<int>(10 * x[0][p]), static_cast<int>(10 * x[1][p])}].push_back(
           (s[0][p] + s[s.size() == 6 ? 3 : 4][p] + s[s.size() == 6 ? 5 : 8][p]) / 3);
-    int pairs = 0;
     for (const auto& [cell, pressures] : cells)
       for (const double a : pressures) {
         double mean = 0;
         for (const double b : pressures) mean += b / static_cast<double>(pressures.size());
         squares += (a - mean) * (a - mean);
         sum += mean * mean;
-        ++pairs;
       }
     const auto volumes = run.particles("p.volume");
     for (const double v : volumes[0]) volume += v;

@@ -5,6 +5,7 @@
 
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
+#include "framework/base/text.hpp"
 
 namespace sluice {
 
@@ -128,11 +129,11 @@ namespace {
 
 // Where energy went that is in no total, as shares of what there was.
 std::string account_text(const RunReport& r) {
-  std::string text = "energy account:";
+  std::vector<std::string> parts;
   for (const auto& [name, value] : r.account)
-    text += fmt::format("{} {} {:.1e}", &name == &r.account.front().first ? "" : ",", name,
-                        r.energy_scale > 0 ? value / r.energy_scale : 0.0);
-  return text + " of the scale\n";
+    parts.push_back(
+        fmt::format("{} {:.1e}", name, r.energy_scale > 0 ? value / r.energy_scale : 0.0));
+  return fmt::format("energy account: {} of the scale\n", join(parts, ", "));
 }
 
 // How much there was, and what it cost.

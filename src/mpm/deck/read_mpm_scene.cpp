@@ -14,8 +14,9 @@
 
 namespace sluice::mpm {
 
-// What an object says of parts at its surface, where corners are moved onto the surface.
-static void warn_of_idle_filling(const MpmScene& s, std::vector<Fault>& faults) {
+// What particles that carry their corners cannot be, and what objects say in vain of parts at their
+// surfaces, as corners are moved onto these.
+static void check_carried_corners(const MpmScene& s, std::vector<Fault>& faults) {
   if (!s.carries_corners()) return;
   if (s.refine_particles)
     add_not_built(faults, s.splits.front().where, "<refine_particles> beside a fluid");
@@ -55,7 +56,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
                                         scene.constants.reference_pressure, geometry, faults));
   make_all_rigid(root, s);
   read_flags(root, s, faults);
-  warn_of_idle_filling(s, faults);
+  check_carried_corners(s, faults);
   const bool zones = boolean_or(root.child("MPM") != nullptr ? *root.child("MPM") : root,
                                 "use_cohesive_zones", false);
   for (const DeckNode* properties : root.all("MaterialProperties"))

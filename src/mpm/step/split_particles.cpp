@@ -60,15 +60,21 @@ double stress_norm(const ParticleSet& set, const Columns& c, std::size_t p) {
   return std::sqrt(sum);
 }
 
+std::vector<SplitCriterion> criteria_of(const MpmScene& solids, int kind) {
+  std::vector<SplitCriterion> own = solids.splits;
+  std::erase_if(own,
+                [&](const SplitCriterion& s) { return s.material >= 0 && s.material != kind; });
+  return own;
+}
+
 // The criterion that a particle meets, the first of the deck; null: none.
-const SplitCriterion* met(const MpmScene& solids, int kind, const ParticleSet& set,
-                          const Columns& c, std::size_t p, const Edges& edges) {
-  for (const SplitCriterion& s : solids.splits) {
-    if (s.material >= 0 && s.material != kind) continue;
+const SplitCriterion* met(const std::vector<SplitCriterion>& criteria, const ParticleSet& set,
+                          const Columns& c, std::size_t p, const Level& level) {
+  for (const SplitCriterion& s : criteria) {
     if (s.kind == Kind::stress_norm) {
       if (stress_norm(set, c, p) > s.value) return &s;
     } else {
-      const double ratio = edges.stretch_ratio();
+      const double ratio = edges_of(set, c, p, level).stretch_ratio();
       if (ratio > s.value || ratio < 1 / s.value) return &s;
     }
   }
@@ -139,6 +145,8 @@ bool split_particles(const MpmScene& solids, const std::vector<Carried>& carried
                      ParticleCloud& cloud, Communicator& ranks) {
   bool any = false;
   for (int k = 0; k < static_cast<int>(solids.materials.size()); ++k) {
+    const std::vector<SplitCriterion> criteria = criteria_of(solids, k);
+    if (criteria.empty()) continue;
     const Columns& c = carried[static_cast<std::size_t>(k)].columns;
     ParticleStore& store = cloud.store(k);
     for (int l = 0; l < store.level_count(); ++l)
@@ -147,10 +155,10 @@ bool split_particles(const MpmScene& solids, const std::vector<Carried>& carried
         for (std::size_t p = 0; p < count; ++p) {
           const ParticleSet& set = store.set(l, b);
           if (set.column(static_cast<std::size_t>(c.split))[p] != 0) continue;
-          const Edges edges = edges_of(set, c, p, cloud.level(l));
-          const SplitCriterion* criterion = met(solids, k, set, c, p, edges);
+          const SplitCriterion* criterion = met(criteria, set, c, p, cloud.level(l));
           if (criterion == nullptr) continue;
-          split(cloud, k, l, b, c, p, parts_of(criterion->kind, edges));
+          split(cloud, k, l, b, c, p,
+                parts_of(criterion->kind, edges_of(set, c, p, cloud.level(l))));
           any = true;
         }
       }

@@ -14,6 +14,15 @@
 
 namespace sluice::mpm {
 
+// The state at the end, and histories of every step.
+inline std::string saves(const std::vector<std::string>& labels) {
+  std::string text =
+      "<outputTimestepInterval>1000000</outputTimestepInterval>"
+      "<outputLastTimestep>true</outputLastTimestep>";
+  for (const std::string& l : labels) text += "<save label='" + l + "'/>";
+  return text;
+}
+
 class TextRun {
  public:
   // `rewrite` is applied to the text of the deck: (from, to), each once; throws where not found.
