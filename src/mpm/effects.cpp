@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sluice::mpm {
 namespace {
+
+constexpr double never = 1e8;  // deactivation_time of decks that are silent, s
 
 std::string_view name_of(Basis b) {
   constexpr std::string_view names[] = {"linear",         "GIMP", "GIMP", "quadratic B-spline",
@@ -44,6 +48,17 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
             scene.constants.gravity_where});
   list.add(
       {"damping", s.damping > 0, fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
+  const auto sleeps = [](const SolidMaterial& m) {
+    return !m.active_at_start || m.deactivation_time < never;
+  };
+  const auto some = std::find_if(s.materials.begin(), s.materials.end(), sleeps);
+  list.add({"activation of materials", some != s.materials.end(),
+            some == s.materials.end()
+                ? "all take part from start to end"
+                : fmt::format("{} of {} materials take part for a time only",
+                              std::count_if(s.materials.begin(), s.materials.end(), sleeps),
+                              s.materials.size()),
+            some == s.materials.end() ? Location{} : some->where});
   return list;
 }
 

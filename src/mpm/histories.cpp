@@ -63,7 +63,8 @@ Histories declare_all() {
   h.velocity = declare("CenterOfMassVelocity", vector, "m/s", "Momentum over mass.");
   h.reaction =
       declare("RigidReactionForce", vector, "N",
-              "Force of the other solids on the masters of specified contacts, mean over a step.");
+              "Force of the other solids on the masters of specified contacts, and of the fluid on "
+              "rigid solids; mean over a step.");
   h.torque = declare("RigidReactionTorque", vector, "N m",
                      "Torque of that force about the origin of the master's motion.");
   h.transmitted = declare("SumTransmittedForce", vector, "N",

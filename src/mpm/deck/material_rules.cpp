@@ -131,6 +131,16 @@ void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
       add_error(
           faults, material->child("deactivation_time")->where,
           fmt::format("<deactivation_time> {:g} is not after <activation_time> {:g}", *off, *on));
+    const DeckNode* active = material->child("is_active");
+    const bool sleeps = active != nullptr && active->text == "false";
+    if (sleeps && !runs_mpm(root))
+      add_not_built(faults, active->where, "<is_active> false beside a fluid");
+    if (on && *on > 0 && !sleeps)
+      add_warning(faults, material->child("activation_time")->where,
+                  fmt::format("<activation_time> {:g} has no effect: the material is active from "
+                              "the start",
+                              *on),
+                  "add <is_active>false</is_active>");
     for (const DeckNode* object : material->all("geom_object")) check_object(*object, faults);
     filled = filled || material->child("geom_object") != nullptr;
   }

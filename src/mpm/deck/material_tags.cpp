@@ -89,7 +89,7 @@ std::vector<TagSpec> role_tags() {
               .boolean()
               .by_default("false"),
           tag("is_active", "takes part from the start").boolean().by_default("true"),
-          tag("activation_time", "takes part from this time on")
+          tag("activation_time", "takes part from this time on, where is_active is false")
               .real()
               .at_least(0)
               .by_default("0")

@@ -47,6 +47,10 @@ struct SolidMaterial {
   double specific_heat_p = 0;    // C_p
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
+  // Others rest as they are: no part of them reaches a node, no force reaches them.
+  bool takes_part(double time) const {
+    return (active_at_start || time >= activation_time) && time < deactivation_time;
+  }
   bool burns = false;              // its particles lose mass in place
   bool surface_remembers = false;  // at a rate that depends on what has burned before
   Location where;

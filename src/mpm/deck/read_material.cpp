@@ -82,8 +82,6 @@ SolidMaterial read_material(const DeckNode& node, int index, double reference_pr
   m.active_at_start = boolean_or(node, "is_active", true);
   m.activation_time = real_or(node, "activation_time", 0);
   m.deactivation_time = real_or(node, "deactivation_time", 1e8);
-  if (m.activation_time > 0)
-    add_not_built(faults, node.need("activation_time").where, "<activation_time> above 0");
   if (m.force_transmitting && !m.rigid)
     add_error(faults, node.need("is_force_transmitting_material").where,
               "<is_force_transmitting_material> of a material that deforms",

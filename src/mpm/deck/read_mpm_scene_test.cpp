@@ -168,7 +168,8 @@ TEST(Materials, BadOnesAreErrorsWithTheirLine) {
               HasSubstr("did you mean 'temperature'?"));
   SolidDeck deck;
   deck.material = "<activation_time>2</activation_time><deactivation_time>1</deactivation_time>";
-  EXPECT_THAT(read_solids(deck).text, HasSubstr("is not after <activation_time> 2"));
+  EXPECT_THAT(read_solids(deck).text, AllOf(HasSubstr("is not after <activation_time> 2"),
+                                            HasSubstr("add <is_active>false</is_active>")));
   deck.material = "";
   deck.objects = "";
   EXPECT_THAT(read_solids(deck).text, HasSubstr("no material has a <geom_object>"));

@@ -157,10 +157,6 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
                     "valid for fewer: linear, gimp, cpgimp, cpdi, fast_cpdi, 3rdorderBS, "
                     "4thorderBS");
       }
-  if (levels && is_true(flags, "do_contact_friction_heating"))
-    add_warning(faults, flags->child("do_contact_friction_heating")->where,
-                "<do_contact_friction_heating> has no effect on several levels",
-                "remove it, or the levels");
   if (is_true(flags, "refine_particles") && is_true(flags, "total_lagrangian"))
     add_not_built(faults, flags->child("refine_particles")->where,
                   "<refine_particles> with <total_lagrangian>");

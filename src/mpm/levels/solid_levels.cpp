@@ -128,11 +128,38 @@ void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
 
 Verdict SolidLevels::move_nodes(const StageScope& scope) {
   if (on_levels(scope, &SolidStep::move_nodes) == Verdict::reject) return Verdict::reject;
-  if (count() > 1) spread_velocities(&Body::nodes);
+  push_transmitting(scope);
+  if (count() == 1) return Verdict::good;
+  spread_velocities(&Body::nodes);
+  if (solids_->friction_heats) {
+    spread(&Body::friction);
+    for (const auto& step : steps_) step->unfold_friction();
+  }
   return Verdict::good;
 }
 
+void SolidLevels::push_transmitting(const StageScope& scope) {
+  for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
+    if (!level(0).transmits(m)) continue;
+    MassAndImpulse sums;
+    for (const auto& step : steps_)
+      for (std::size_t s = 0; s < sums.size(); ++s) sums[s].merge(step->transmitted(m)[s]);
+    Reduction all;
+    std::array<Reduction::Sum, 4> slots;
+    for (std::size_t s = 0; s < sums.size(); ++s) slots[s] = all.add_sum(sums[s]);
+    scope.ranks->reduce(all);
+    std::array<double, 4> total;
+    for (std::size_t s = 0; s < sums.size(); ++s) total[s] = all.sum(slots[s]).value();
+    for (const auto& step : steps_) step->push(m, total[0], {total[1], total[2], total[3]});
+  }
+}
+
 void SolidLevels::spread_velocities(NodeLanes Body::*group) {
+  spread(group);
+  for (const auto& step : steps_) step->unfold(group);
+}
+
+void SolidLevels::spread(NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
@@ -145,7 +172,6 @@ void SolidLevels::spread_velocities(NodeLanes Body::*group) {
                                                       fine.*group);
     }
   }
-  for (const auto& step : steps_) step->unfold(group);
 }
 
 Verdict SolidLevels::from_grid(const StageScope& scope) {

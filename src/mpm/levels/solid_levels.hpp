@@ -51,6 +51,9 @@ class SolidLevels {
   // Sums of a group of lanes joined over images, levels and ranks; velocities spread the other way.
   void join_sums(const StageScope& scope, NodeLanes Body::*group);
   void spread_velocities(NodeLanes Body::*group);
+  void spread(NodeLanes Body::*group);
+  // Rigid bodies that transmit forces move by what all levels gave them.
+  void push_transmitting(const StageScope& scope);
 
   const Scene* scene_;
   const MpmScene* solids_;

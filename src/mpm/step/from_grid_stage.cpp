@@ -253,6 +253,7 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
   travel_ = 0;
   left_ = false;
   std::vector<KindRates> rates(bodies_.size());
+  keep_resting(scope.step, rates);
   for (const ThreadReport& r : reports) {
     travel_ = std::max(travel_, r.travel);
     left_ |= r.left;
@@ -398,6 +399,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     all.travel = std::max(all.travel, cohesive_->travel());
     all.left |= cohesive_->any_left();
   }
+  all.rate = std::max(all.rate, keep_resting(scope.step, all.rates));
   std::vector<double> maxima(rate_count(bodies_.size()));
   maxima.insert(maxima.end(), outside_->counts().begin(), outside_->counts().end());
   maxima[0] = all.rate;

@@ -178,14 +178,15 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       for (std::size_t d = 0; d < 3; ++d) books[0].given[k][d].merge(books[n].given[k][d]);
   }
-  move_transmitting(scope, step, books[0].given, books[0]);
+  kick_ = step.kick;
+  fall_ = step.kick * step.gravity;
+  sum_transmitted(step, books[0]);
   if (prescribed_ == nullptr) {
     unfold();
     if (solids_->friction_heats) unfold_friction();
   }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);
-  kick_ = step.kick;
   return Verdict::good;
 }
 

@@ -30,10 +30,14 @@ SolidStep::SolidStep(const Scene& scene, const MpmScene& solids,
                      const std::vector<Carried>& carried, const std::vector<ParticleKind>& kinds)
     : scene_(&scene), solids_(&solids), carried_(&carried), kinds_(&kinds) {}
 
-void SolidStep::list_work(ParticleCloud& cloud) {
+void SolidStep::list_work(ParticleCloud& cloud, double time) {
   work_.clear();
   for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
     ParticleStore& store = cloud.store(k);
+    if (rests(k, time)) {
+      keep(k, store);
+      continue;
+    }
     for (int b = 0; b < store.box_count(level_.index); ++b)
       for (const BlockRun& run : store.runs(level_.index, b))
         work_.push_back({k, &store.set(level_.index, b), &store.next(level_.index, b), run, b});
@@ -74,7 +78,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
     for (int b = 0; b < store.box_count(level_.index); ++b)
       store.next(level_.index, b).make_room(store.set(level_.index, b), advanced);
   }
-  list_work(cloud);
+  list_work(cloud, scope.step.time);
   if (cohesive_ != nullptr) cohesive_->begin(cloud, *kinds_);
   bool far = solids_->total_lagrangian;
   for (const Body& body : bodies_) far |= body.rates.extent > farthest_corner_of_neighbours;

@@ -100,6 +100,7 @@ struct NodeStep {
 };
 // Exact sums over nodes; impulses that bodies that transmit forces gave to others, by body.
 using Impulse = std::array<ExactSum, 3>;
+using MassAndImpulse = std::array<ExactSum, 4>;
 struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
   std::vector<Impulse> given;
@@ -169,6 +170,14 @@ class SolidStep {
   // known before, see SolidLevels::add_corner_forces.
   void add_corner_forces(int body, std::span<const CornerForce> forces);
 
+  // After move_nodes(): mass of rigid bodies that transmit forces, and what moves them beside
+  // gravity, N s; of this level and rank (step/transmitted_forces.cpp). Then their share of it.
+  bool transmits(int body) const;  // and no rule prescribes its motion
+  const MassAndImpulse& transmitted(int body) const;
+  void push(int body, double mass, Vec3 impulse);
+  // Heat of friction on nodes, where it acts, to images.
+  void unfold_friction();
+
   Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
   const NodeExchange& exchange() const { return *exchange_; }
   // After from_grid(): velocities were changed further; bounds of those of a body (all ranks').
@@ -185,7 +194,11 @@ class SolidStep {
                                       int count);
 
  private:
-  void list_work(ParticleCloud& cloud);
+  void list_work(ParticleCloud& cloud, double time);
+  // Materials that do not take part (step/resting.cpp).
+  bool rests(int kind, double time) const;
+  void keep(int kind, ParticleStore& store) const;
+  double keep_resting(const StepScope& step, std::vector<KindRates>& rates) const;
   void find_outside_forces(const StageScope& scope);
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
@@ -218,14 +231,11 @@ class SolidStep {
   void prescribe(const Matrix3& rate, int body, int block);
   // Heat of friction (step/friction_heat.cpp).
   void keep_friction_heat(std::span<const BlockMember> members, const MeetingScratch& scratch);
-  void unfold_friction();
   void warm_by_friction(const BlockWork& work, std::size_t at, int n, const Window& window,
                         GridAtParticles& read) const;
   // Rigid bodies that transmit forces (step/transmitted_forces.cpp).
-  bool transmits(int body) const;  // and no rule prescribes its motion
-  void sum_body(int kind, double kick, std::array<ExactSum, 4>& sums) const;
-  void move_transmitting(const StageScope& scope, const NodeStep& step,
-                         std::span<const Impulse> given, NodeBooks& books);
+  void sum_body(int kind, double kick, MassAndImpulse& sums) const;
+  void sum_transmitted(const NodeStep& step, NodeBooks& books);
   void jump(const BlockWork& work, std::size_t at, int n, bool& left) const;
   struct ThreadReport;
   void read_rigid(const BlockWork& work, std::size_t at, int n, bool booked,
@@ -269,6 +279,8 @@ class SolidStep {
   double travel_ = 0;  // of this step, cells
   NodeBooks books_;    // of this rank
   double kick_ = 0;
+  Vec3 fall_{};                              // kick by gravity, m/s
+  std::vector<MassAndImpulse> transmitted_;  // by body
 };
 
 // Axes and active directions of a level, widths of particles.

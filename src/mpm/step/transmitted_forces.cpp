@@ -1,8 +1,5 @@
 // Rigid bodies that transmit forces: no particle of them has an equation of its own; what contact
 // gives them, loads and gravity move all of them alike, dv = (J + dk sum f)/M + dk g.
-#include <algorithm>
-
-#include "framework/base/reduction.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
@@ -12,8 +9,12 @@ bool SolidStep::transmits(int m) const {
          (contact_ == nullptr || contact_->motion_of(m) == nullptr);
 }
 
+const MassAndImpulse& SolidStep::transmitted(int m) const {
+  return transmitted_[static_cast<std::size_t>(m)];
+}
+
 // Mass and forces from outside on this rank's particles of a body.
-void SolidStep::sum_body(int kind, double kick, std::array<ExactSum, 4>& sums) const {
+void SolidStep::sum_body(int kind, double kick, MassAndImpulse& sums) const {
   const Columns& c = (*carried_)[static_cast<std::size_t>(kind)].columns;
   for (const BlockWork& w : work_) {
     if (w.kind != kind) continue;
@@ -26,32 +27,28 @@ void SolidStep::sum_body(int kind, double kick, std::array<ExactSum, 4>& sums) c
   }
 }
 
-// Collective. `given`: impulses that contact gave to other bodies, by body, of this rank.
-void SolidStep::move_transmitting(const StageScope& scope, const NodeStep& step,
-                                  std::span<const Impulse> given, NodeBooks& books) {
+// Less what contact gave to other bodies. What is no reaction came from outside; the reaction
+// others have given.
+void SolidStep::sum_transmitted(const NodeStep& step, NodeBooks& books) {
+  transmitted_.assign(bodies_.size(), {});
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    Body& body = bodies_[k];
-    body.pushed = {};
+    bodies_[k].pushed = {};
     if (!transmits(static_cast<int>(k))) continue;
-    std::array<ExactSum, 4> sums;
+    MassAndImpulse& sums = transmitted_[k];
     sum_body(static_cast<int>(k), step.kick, sums);
-    std::array<ExactSum, 4> loads = sums;
-    for (std::size_t d = 0; d < 3; ++d) sums[1 + d].subtract(given[k][d]);
-    Reduction all;
-    std::array<Reduction::Sum, 4> slots;
-    for (std::size_t s = 0; s < 4; ++s) slots[s] = all.add_sum(sums[s]);
-    scope.ranks->reduce(all);
-    const double mass = all.sum(slots[0]).value();
-    for (int d = 0; d < 3; ++d) {
-      const auto a = static_cast<std::size_t>(d);
-      body.pushed[d] = level_.active[a] && mass > 0
-                           ? all.sum(slots[1 + a]).value() / mass + step.kick * step.gravity[d]
-                           : 0.0;
-      // What is no reaction came from outside; the reaction others have given.
-      books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(
-          loads[1 + a].value() + step.kick * step.gravity[d] * loads[0].value());
+    for (std::size_t d = 0; d < 3; ++d) {
+      books.sums[StepSums::force_x + d].add(
+          sums[1 + d].value() + step.kick * step.gravity[static_cast<int>(d)] * sums[0].value());
+      sums[1 + d].subtract(books.given[k][d]);
     }
   }
+}
+
+// `mass`, `impulse`: of the whole body. dv = J/M + dk g.
+void SolidStep::push(int m, double mass, Vec3 impulse) {
+  for (int d = 0; d < 3; ++d)
+    body(m).pushed[d] =
+        level_.active[static_cast<std::size_t>(d)] && mass > 0 ? impulse[d] / mass + fall_[d] : 0.0;
 }
 
 }  // namespace sluice::mpm

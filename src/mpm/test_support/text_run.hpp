@@ -63,14 +63,22 @@ class TextRun {
   TextRun& operator=(const TextRun&) = delete;
 
   const RunReport& report() const { return report_; }
-  // Columns of a label of particles at an output ("last", "#0"), by component.
+  // Columns of a label of particles at an output ("last", "#0"), by component; level after level.
   std::vector<std::vector<double>> particles(const std::string& name, int material = 0,
                                              const std::string& which = "last") const {
     const Archive a = Archive::open(*report_.archive);
     const ArchiveStep step = a.read_output(a.select_output(which));
-    const FieldInfo* info = step.find_particles(name, material, 0);
-    if (info == nullptr) throw std::runtime_error("no particles have " + name);
-    return step.read_particles(*info);
+    std::vector<std::vector<double>> all;
+    for (int level = 0; level < 2; ++level) {
+      const FieldInfo* info = step.find_particles(name, material, level);
+      if (info == nullptr) continue;
+      const std::vector<std::vector<double>> own = step.read_particles(*info);
+      all.resize(own.size());
+      for (std::size_t c = 0; c < own.size(); ++c)
+        all[c].insert(all[c].end(), own[c].begin(), own[c].end());
+    }
+    if (all.empty()) throw std::runtime_error("no particles have " + name);
+    return all;
   }
   double time(const std::string& which = "last") const {
     const Archive a = Archive::open(*report_.archive);

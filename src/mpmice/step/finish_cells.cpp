@@ -269,6 +269,7 @@ template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   book_rigid_work(scope);
   gather(scope);
+  take_friction(scope);
   if (share_small_cells(scope) != Verdict::good) return Verdict::reject;
   exchange(scope);
   if (burn(scope) != Verdict::good) return Verdict::reject;

@@ -61,6 +61,20 @@ FluidState FluidBox::at(IntVec3 cell) const {
   return s;
 }
 
+double FluidBox::viscosity(IntVec3 c) const {
+  const ice::SchemeOptions& o = cells_->part->options();
+  double sum = 0;
+  for (int m = 0; m < cells_->materials(); ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    const double V = cells_->volume.empty() ? 1.0 : volume(m, c);
+    if (!(V > 0)) continue;
+    const auto& law = (cells_->materials() == 1 ? o.transport : o.transports[k]).sutherland;
+    sum += V * (law ? law->viscosity(o.fluids[k].temperature(mass(m, c) / V, energy(m, c) / V))
+                    : o.viscosities[k]);
+  }
+  return sum;
+}
+
 FluidState FluidBox::of_one(IntVec3 cell) const {
   const ice::Fluid& law = cells_->part->options().fluids.front();
   FluidState s;

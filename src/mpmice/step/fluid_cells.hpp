@@ -38,6 +38,7 @@ class FluidBox {
  public:
   FluidBox(const FluidCells& cells, int b);
   FluidState at(IntVec3 cell) const;
+  double viscosity(IntVec3 cell) const;  // molecular: sum V_m mu_m, Pa s
   double& mass(int m, IntVec3 c) const { return mass_[static_cast<std::size_t>(m)](c); }
   double& energy(int m, IntVec3 c) const { return energy_[static_cast<std::size_t>(m)](c); }
   // Of several fluids; one alone fills what solids leave.

@@ -5,6 +5,7 @@
 #include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/burn/burning_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
+#include "mpmice/geometry/pieces.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
 #include "mpmice/step/coupling.hpp"
@@ -46,9 +47,21 @@ class LevelCoupling final : public Coupling {
   void smooth_normals();
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
                       double dt);
+  void rub_on_walls(const Column& rho, const Column& viscosity, const std::array<Column, D>& u,
+                    double dt);
+  struct BeforeSurface {
+    std::size_t cell;
+    double distance;
+  };
+  BeforeSurface before_surface(const Cell<D>& c, std::size_t i,
+                               const std::array<double, D>& unit) const;
+  void take_friction(const StageScope& scope);
   double most_impedance(std::size_t i, double size, double rho, double dt) const;
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   std::vector<std::uint8_t> fill_dry(Column& values) const;
+  double area_of(const Piece<D>& piece) const;
+  bool all_rigid() const;
+  double force_of_walls(std::size_t d) const;
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);

@@ -142,6 +142,11 @@ struct Frame {
   double face_area(int a) const {
     return cell_volume / spacing[direction[static_cast<std::size_t>(a)]];
   }
+  double largest_face() const {
+    double most = 0;
+    for (int a = 0; a < D; ++a) most = std::max(most, face_area(a));
+    return most;
+  }
 
  private:
   std::array<bool, D> repeats_{};  // the level's periodic directions
@@ -156,11 +161,13 @@ struct SolidFields {
   std::array<Column, D> covered, covered_next, mean_covered, swept;
   std::array<Column, D> normal;  // area vector of the surface in the cell, out of the solid
   std::array<Column, D> smooth;  // its direction, smoothed over the cells around
-  // Of the surface in the cell: area; means of velocity, pressure -sigma_nn (Pa), 1/(rho c).
+  // Of the surface in the cell: area (largest faces of a cell); means of velocity, pressure
+  // -sigma_nn (Pa), 1/(rho c), of its place in the cell (cells from the low corner).
   Column area, solid_pressure, compliance;
-  std::array<Column, D> surface_velocity;
-  // Of the fluid: its pressure, that on the wall.
+  std::array<Column, D> surface_velocity, surface_place;
+  // Of the fluid: its pressure, that on the wall, its stress along the wall (Pa).
   Column pressure, wall_pressure;
+  std::array<Column, D> friction;
   // Of the solid in the cell: mass per cell volume, mean velocity.
   Column mass;
   std::array<Column, D> velocity;

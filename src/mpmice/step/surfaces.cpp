@@ -189,22 +189,30 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   scope.ranks->reduce(all);
   const Scales scale{at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
                      at_least_something(all.maximum(y))};
-  constexpr int area = 0, pressure = 1, soft = 2, velocity = 3;
+  constexpr int area = 0, pressure = 1, soft = 2, velocity = 3, place = velocity + D;
+  const bool rubs = fluid_->options().viscous;
+  const int lanes = rubs ? place + D : place;
   CellSums<D> sums;
-  sums.begin(frame_.box, velocity + D);
+  sums.begin(frame_.box, lanes);
+  std::array<double, D> of_largest;
+  for (std::size_t a = 0; a < D; ++a)
+    of_largest[a] = frame_.face_area(static_cast<int>(a)) / frame_.largest_face();
   for (const SolidSet<D>& s : sets_) {
     if (s.faces.size() == 0) continue;
     sums.reach(cells_reached<D>(s.faces, 0, s.faces.size()));
     const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
     for_each_piece<D>(
         s.faces, When::start, 0, s.faces.size(),
-        [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+        [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
           const std::size_t p = s.faces.particle[i], c = frame_.box.index(piece.cell);
+          std::array<double, D> unit = piece.n;
           double size = 0;
-          for (const double n : piece.n) size += n * n;
+          for (std::size_t a = 0; a < D; ++a) {
+            unit[a] *= of_largest[a];
+            size += unit[a] * unit[a];
+          }
           size = std::sqrt(size);
           if (!(size > 0)) return;
-          std::array<double, D> unit = piece.n;
           for (double& n : unit) n /= size;
           const double A = size * piece.s * s.faces.weight_of(i);
           sums.lane(area)[c] += to_sum(A);
@@ -216,11 +224,16 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
                 s.columns->velocity + frame_.direction[static_cast<std::size_t>(a)]))[p];
             sums.lane(velocity + a)[c] += to_sum(A * (u / scale.velocity));
           }
+          for (int a = 0; a < D && rubs; ++a) {
+            double moment = -piece.s * piece.cell[static_cast<std::size_t>(a)];
+            for (std::size_t k = 0; k < D; ++k)
+              moment += piece.m[k] * nodes[k][static_cast<std::size_t>(a)];
+            sums.lane(place + a)[c] += to_sum(size * s.faces.weight_of(i) * moment);
+          }
         });
   }
   sums.sum_over_ranks(*scope.ranks);
-  for (int lane = 0; lane < velocity + D && frame_.sides().any(); ++lane)
-    sums.fold(frame_.sides(), lane);
+  for (int lane = 0; lane < lanes && frame_.sides().any(); ++lane) sums.fold(frame_.sides(), lane);
   sums.values(area, fields_.area);
   const auto mean = [&](int lane, double factor, Column& to) {
     sums.values(lane, to);
@@ -231,6 +244,8 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   mean(soft, scale.compliance, fields_.compliance);
   for (int a = 0; a < D; ++a)
     mean(velocity + a, scale.velocity, fields_.surface_velocity[static_cast<std::size_t>(a)]);
+  for (int a = 0; a < D && rubs; ++a)
+    mean(place + a, 1, fields_.surface_place[static_cast<std::size_t>(a)]);
 }
 
 template void LevelCoupling<1>::list_sets(const StageScope&);

@@ -57,8 +57,7 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 // Where all solids are rigid: what the surfaces work on the fluid comes from outside.
 template <int D>
 void LevelCoupling<D>::book_rigid_work(const StageScope& scope) {
-  for (const mpm::SolidMaterial& m : solids_->scene().materials)
-    if (!m.rigid) return;
+  if (!all_rigid()) return;
   double work = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);

@@ -1,4 +1,4 @@
-// The pressure between the fluid of a cell and the solid in it, and its force on the solid.
+// The pressure between the fluid of a cell and the solid in it.
 //
 //   du = (u_s - u).nhat,  z = rho (c + A max(0, du)),  w = 1/(1 + z y)   (A shock slope dUs/du)
 //   p_w = p + z w du + (1 - w) |n| (p_s - p),  at least p/10
@@ -8,10 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/reduction.hpp"
-#include "ice/fluid/labels.hpp"
-#include "ice/fluid/law_row.hpp"
-#include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
@@ -24,8 +20,9 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 
 template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
-  constexpr int density = 0, pressure = 1, speed = 2, velocity = 3;
-  known_.begin(frame_.box, velocity + D);
+  constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
+  const bool rubs = fluid_->options().viscous && !solved;
+  known_.begin(frame_.box, rubs ? viscous + 1 : viscous);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
   const WorkPressure of_solve(*fluid_, level.state(), solved);
@@ -43,6 +40,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
                     for (int a = 0; a < D; ++a)
                       known_.put(velocity + a, i,
                                  s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
+                    if (rubs) known_.put(viscous, i, cells.viscosity(at));
                   });
   }
   known_.tell_all(*scope.ranks);
@@ -54,6 +52,11 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
   press_on_walls(rho, sound, u, scope.step.dt);
+  if (rubs) {
+    Column viscosity;
+    known_.take(viscous, viscosity);
+    rub_on_walls(rho, viscosity, u, scope.step.dt);
+  }
   fill_dry(fields_.wall_pressure);
 }
 
@@ -169,94 +172,11 @@ std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   return known;
 }
 
-// On corners of the outer faces: -(p_w - p_ref) n m_k of each piece. Solids are free of stress at
-// the reference pressure of the deck.
-template <int D>
-std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
-  std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
-  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                    [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
-                      // A body that a side of the domain cuts has no surface there.
-                      if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
-                      const double p =
-                          (fields_.wall_pressure[frame_.box.index(frame_.inside(piece.cell))] -
-                           reference_pressure_) *
-                          s.faces.weight_of(i);
-                      for (std::size_t d = 0; d < D; ++d) {
-                        std::array<double, D> moments = piece.m;
-                        for (double& m : moments)
-                          m *= -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
-                        add_to_corners<D>(t, moments, sums[i][d]);
-                      }
-                    });
-  std::vector<mpm::CornerForce> forces;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
-      mpm::CornerForce f;
-      const std::size_t p = s.faces.particle[i];
-      const int corner = s.faces.corner(i, static_cast<int>(k));
-      for (int d = 0; d < 3; ++d)
-        f.place[d] =
-            s.set->column(static_cast<std::size_t>(s.columns->corners + 3 * corner + d))[p];
-      for (std::size_t a = 0; a < D; ++a) f.force[frame_.direction[a]] = sums[i][a][k];
-      forces.push_back(f);
-    }
-  return forces;
-}
-
-// The impulse that comes from outside: of what holds or drives rigid bodies against the fluid; and
-// of sides of the domain that cut other bodies, which push these with the reference pressure, of
-// which their stress is free. (Around a body that no side cuts it sums to none.)
-template <int D>
-void LevelCoupling<D>::book_outside(const StageScope& scope) {
-  std::array<ExactSum, D> impulse;
-  for (const SolidSet<D>& s : sets_) {
-    const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
-    for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                      [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-                        const Cell<D> c = frame_.wrapped(piece.cell);
-                        if (!frame_.in_domain(c)) return;
-                        const double p = rigid ? fields_.wall_pressure[frame_.box.index(c)]
-                                               : reference_pressure_ * s.faces.weight_of(i);
-                        for (std::size_t d = 0; d < D; ++d)
-                          impulse[d].add(scope.step.dt * p * piece.area[d] *
-                                         frame_.face_area(static_cast<int>(d)));
-                      });
-  }
-  Reduction all;
-  std::vector<Reduction::Sum> slots;
-  for (const ExactSum& sum : impulse) slots.push_back(all.add_sum(sum));
-  scope.ranks->reduce(all);
-  for (std::size_t d = 0; d < D; ++d)
-    (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
-        all.sum(slots[d]).value();
-}
-
-template <int D>
-Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
-  // Solids lie on the finest level.
-  std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
-      static_cast<std::size_t>(step_->count()));
-  for (auto& of_level : forces) of_level.resize(solids_->scene().materials.size());
-  for (const SolidSet<D>& s : sets_) {
-    if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
-    const std::vector<mpm::CornerForce> own = forces_on(s);
-    auto& all = forces.back()[static_cast<std::size_t>(s.kind)];
-    all.insert(all.end(), own.begin(), own.end());
-  }
-  step_->add_corner_forces(scope, forces);
-  book_outside(scope);
-  return Verdict::good;
-}
-
 template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
 template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
-template Verdict LevelCoupling<1>::press_on_solids(const StageScope&);
-template Verdict LevelCoupling<2>::press_on_solids(const StageScope&);
-template Verdict LevelCoupling<3>::press_on_solids(const StageScope&);
 
 }  // namespace sluice::mpmice

@@ -1,4 +1,4 @@
-// A deck of inputs/mpmice that runs in this process, and what it leaves.
+// A deck of inputs/mpmice, or one of a few parts, that runs in this process, and what it leaves.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -15,6 +15,7 @@
 #include "ice/deck/schema.hpp"
 #include "mpm/deck/schema.hpp"
 #include "mpmice/make_component.hpp"
+#include "mpmice/test_support/coupled_deck.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::mpmice {
@@ -23,28 +24,12 @@ class CoupledRun {
  public:
   explicit CoupledRun(const std::string& name, const std::vector<std::string>& overrides = {},
                       int threads = 1, IntVec3 boxes = {}) {
-    Schema schema;
-    add_framework_tags(schema);
-    solve::add_solver_tag(schema);
-    add_ice_tags(schema);
-    mpm::add_mpm_tags(schema);
     const std::string file = std::string(SLUICE_SOURCE_DIR) + "/inputs/mpmice/" + name + ".ups";
-    const Deck deck = load_deck(file, overrides, schema);
-    std::vector<Fault> faults = deck.faults;
-    throw_errors(faults);
-    SceneOptions options;
-    options.boxes = boxes;
-    scene_ = read_scene(deck, options, faults);
-    throw_errors(faults);
-    component_ = make_component(deck, scene_, faults);
-    throw_errors(faults);
-    RunOptions run;
-    run.parent = folder_.path();
-    run.threads = threads;
-    run.progress = ProgressMode::none;
-    run.program = "test";
-    run.deck_xml = to_xml(*deck.root);
-    report_ = Simulation(scene_, *component_, world(), run).run();
+    run(load_deck(file, overrides, tags()), threads, boxes);
+  }
+  explicit CoupledRun(const CoupledDeck& deck, const std::vector<std::string>& overrides = {},
+                      int threads = 1, IntVec3 boxes = {}) {
+    run(load_deck_text(text_of(deck), "coupled.ups", overrides, tags()), threads, boxes);
   }
 
   const RunReport& report() const { return report_; }
@@ -77,6 +62,31 @@ class CoupledRun {
   }
 
  private:
+  static Schema tags() {
+    Schema schema;
+    add_framework_tags(schema);
+    solve::add_solver_tag(schema);
+    add_ice_tags(schema);
+    mpm::add_mpm_tags(schema);
+    return schema;
+  }
+  void run(const Deck& deck, int threads, IntVec3 boxes) {
+    std::vector<Fault> faults = deck.faults;
+    throw_errors(faults);
+    SceneOptions options;
+    options.boxes = boxes;
+    scene_ = read_scene(deck, options, faults);
+    throw_errors(faults);
+    component_ = make_component(deck, scene_, faults);
+    throw_errors(faults);
+    RunOptions run;
+    run.parent = folder_.path();
+    run.threads = threads;
+    run.progress = ProgressMode::none;
+    run.program = "test";
+    run.deck_xml = to_xml(*deck.root);
+    report_ = Simulation(scene_, *component_, world(), run).run();
+  }
   static void throw_errors(const std::vector<Fault>& faults) {
     for (const Fault& f : faults)
       if (f.severity == Severity::error) throw InputError(to_string(f));

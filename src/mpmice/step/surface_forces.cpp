@@ -1,0 +1,177 @@
+// Forces of the fluid on the surfaces of solids: its pressure and its friction.
+#include <algorithm>
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "mpmice/geometry/pieces.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+
+// On corners of the outer faces: (-(p_w - p_ref) n + t |n|) m_k of each piece, t: friction of the
+// fluid. Solids are free of stress at the reference pressure of the deck.
+template <int D>
+std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
+  const bool rubs = fluid_->options().viscous;
+  std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
+  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                    [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
+                      // A body that a side of the domain cuts has no surface there.
+                      if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
+                      const std::size_t c = frame_.box.index(frame_.inside(piece.cell));
+                      const double p =
+                          (fields_.wall_pressure[c] - reference_pressure_) * s.faces.weight_of(i);
+                      const double size = rubs ? area_of(piece) * s.faces.weight_of(i) : 0.0;
+                      for (std::size_t d = 0; d < D; ++d) {
+                        double force = -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
+                        if (rubs) force += fields_.friction[d][c] * size;
+                        std::array<double, D> moments = piece.m;
+                        for (double& m : moments) m *= force;
+                        add_to_corners<D>(t, moments, sums[i][d]);
+                      }
+                    });
+  std::vector<mpm::CornerForce> forces;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
+      mpm::CornerForce f;
+      const std::size_t p = s.faces.particle[i];
+      const int corner = s.faces.corner(i, static_cast<int>(k));
+      for (int d = 0; d < 3; ++d)
+        f.place[d] =
+            s.set->column(static_cast<std::size_t>(s.columns->corners + 3 * corner + d))[p];
+      for (std::size_t a = 0; a < D; ++a) f.force[frame_.direction[a]] = sums[i][a][k];
+      forces.push_back(f);
+    }
+  return forces;
+}
+
+// Of the whole facet, m^2.
+template <int D>
+double LevelCoupling<D>::area_of(const Piece<D>& piece) const {
+  double squares = 0;
+  for (std::size_t d = 0; d < D; ++d) {
+    const double a = piece.n[d] * frame_.face_area(static_cast<int>(d));
+    squares += a * a;
+  }
+  return std::sqrt(squares);
+}
+
+template <int D>
+bool LevelCoupling<D>::all_rigid() const {
+  const auto& kinds = solids_->scene().materials;
+  return std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
+}
+
+// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells, also where bodies overlap and a
+// face to a cell without fluid is not covered. Alike on every rank.
+template <int D>
+double LevelCoupling<D>::force_of_walls(std::size_t d) const {
+  double sum = 0;
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+    if (!wet(i)) return;
+    const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
+      const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
+      beyond = frame_.inside(beyond);
+      return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)]
+                                                   : 1.0;
+    };
+    Cell<D> below = c, above = c;
+    --below[d];
+    ++above[d];
+    sum += fields_.wall_pressure[i] * (closed(c, below) - closed(above, above));
+  });
+  return sum * frame_.face_area(static_cast<int>(d));
+}
+
+// The impulse that comes from outside: of what holds or drives rigid bodies against the fluid; and
+// of sides of the domain that cut other bodies, which push these with the reference pressure, of
+// which their stress is free. (Around a body that no side cuts it sums to none.) And the force on
+// rigid bodies.
+template <int D>
+void LevelCoupling<D>::book_outside(const StageScope& scope) {
+  const bool rubs = fluid_->options().viscous;
+  std::array<ExactSum, D> held,
+      driven;  // impulse of the sides; on rigid bodies, less that of p_ref
+  std::array<ExactSum, D> by_reference;  // on rigid bodies
+  std::array<ExactSum, D> friction;      // on rigid bodies
+  ExactSum work;                         // of friction on rigid bodies
+  for (const SolidSet<D>& s : sets_) {
+    const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
+    for_each_piece<D>(
+        s.faces, When::start, 0, s.faces.size(),
+        [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+          const Cell<D> c = frame_.wrapped(piece.cell);
+          if (!frame_.in_domain(c)) return;
+          const std::size_t n = frame_.box.index(c);
+          const double weight = s.faces.weight_of(i);
+          const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
+          for (std::size_t d = 0; d < D; ++d) {
+            const double area =
+                scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
+            if (!rigid) {
+              held[d].add(reference_pressure_ * weight * area);
+              continue;
+            }
+            by_reference[d].add(-reference_pressure_ * area);
+            driven[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
+            if (!rubs) continue;
+            const double I = scope.step.dt * size * fields_.friction[d][n];
+            driven[d].add(I);
+            friction[d].add(I);
+            work.add(-I * s.set->column(static_cast<std::size_t>(
+                              s.columns->velocity + frame_.direction[d]))[s.faces.particle[i]]);
+          }
+        });
+  }
+  Reduction all;
+  std::array<Reduction::Sum, D> of_sides, of_rigid, of_reference, of_friction;
+  for (std::size_t d = 0; d < D; ++d) {
+    of_sides[d] = all.add_sum(held[d]);
+    of_rigid[d] = all.add_sum(driven[d]);
+    of_reference[d] = all.add_sum(by_reference[d]);
+    of_friction[d] = all.add_sum(friction[d]);
+  }
+  const auto of_work = all.add_sum(work);
+  scope.ranks->reduce(all);
+  std::vector<double>& sums = *scope.sums;
+  sums[mpm::StepSums::work] += all.sum(of_work).value();
+  for (std::size_t d = 0; d < D; ++d) {
+    const auto at = [&](int first) {
+      return static_cast<std::size_t>(first + frame_.direction[d]);
+    };
+    const double rigid = all.sum(of_rigid[d]).value();
+    sums[at(mpm::StepSums::reaction_x)] += rigid / scope.step.dt;
+    if (all_rigid())
+      sums[at(mpm::StepSums::impulse_x)] +=
+          scope.step.dt * force_of_walls(d) - all.sum(of_friction[d]).value();
+    else
+      sums[at(mpm::StepSums::impulse_x)] +=
+          all.sum(of_sides[d]).value() - rigid - all.sum(of_reference[d]).value();
+  }
+}
+
+template <int D>
+Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
+  // Solids lie on the finest level.
+  std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
+      static_cast<std::size_t>(step_->count()));
+  for (auto& of_level : forces) of_level.resize(solids_->scene().materials.size());
+  for (const SolidSet<D>& s : sets_) {
+    if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
+    const std::vector<mpm::CornerForce> own = forces_on(s);
+    auto& all = forces.back()[static_cast<std::size_t>(s.kind)];
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  step_->add_corner_forces(scope, forces);
+  book_outside(scope);
+  return Verdict::good;
+}
+
+template bool LevelCoupling<1>::all_rigid() const;
+template bool LevelCoupling<2>::all_rigid() const;
+template bool LevelCoupling<3>::all_rigid() const;
+template Verdict LevelCoupling<1>::press_on_solids(const StageScope&);
+template Verdict LevelCoupling<2>::press_on_solids(const StageScope&);
+template Verdict LevelCoupling<3>::press_on_solids(const StageScope&);
+
+}  // namespace sluice::mpmice

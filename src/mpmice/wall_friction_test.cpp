@@ -1,0 +1,84 @@
+// Friction of the fluid on solids: flows between plates, wherever these lie in their cells.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mpmice/test_support/coupled_run.hpp"
+
+namespace sluice::mpmice::wall_friction_test {
+namespace {
+
+// Largest difference of u_x from the exact flow over cells that are whole, as a share of `scale`.
+template <class Exact>
+double error(const CoupledRun& run, double low, double high, double scale, Exact&& exact) {
+  const DenseField u = run.field("vel_CC", 1);
+  const int rows = static_cast<int>(u.components[0].size()) / 4;
+  double most = 0;
+  for (int j = 0; j < rows; ++j) {
+    const double y = (j + 0.5) / rows;
+    if (y - 0.5 / rows < low || y + 0.5 / rows > high) continue;
+    for (int i = 0; i < 4; ++i)
+      most = std::max(most,
+                      std::fabs(u.components[0][static_cast<std::size_t>(4 * j + i)] - exact(y)));
+  }
+  return most / scale;
+}
+
+std::string plate(int object, double low, double high) {
+  return fmt::format("MaterialProperties/MPM/material/geom_object[{}]/box/{}", object,
+                     object == 1 ? fmt::format("max=[2,{:.10g},2]", low)
+                                 : fmt::format("min=[-1,{:.10g},-1]", high));
+}
+
+class FlowPastPlates : public testing::TestWithParam<double> {};
+
+// Its surface at any place of its cell: the profile is straight and ends there.
+TEST_P(FlowPastPlates, CouetteIsExact) {
+  const double low = 0.2 + 0.05 * GetParam();
+  const CoupledRun run("couette_past_solid", {plate(1, low, 0)});
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  const double off = error(run, low, 1, 0.1, [&](double y) { return 0.1 * (y - low) / (1 - low); });
+  RecordProperty("error", fmt::format("{:.3e}", off));
+  EXPECT_LT(off, 5e-4);
+  EXPECT_LT(run.worst_drift_but_energy(), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(At, FlowPastPlates, testing::Values(0.0, 0.3, 0.51, 0.9),
+                         [](const auto& test) { return std::to_string(test.index); });
+
+// Of second order, at the plates too.
+double poiseuille(int n, double place) {
+  const double low = 0.2 + place / n, high = 0.85 - place / n, force = 0.02 / (2 * 0.2);
+  const CoupledRun run(
+      "poiseuille_past_solid",
+      {plate(1, low, 0), plate(2, 0, high), fmt::format("Grid/Level/Box/resolution=[4,{},1]", n),
+       fmt::format("Grid/Level/Box/upper=[{},1,0.05]", 4.0 / n)});
+  EXPECT_EQ(run.report().status, RunStatus::done);
+  return error(run, low, high, force * (high - low) * (high - low) / 4,
+               [&](double y) { return force * (y - low) * (high - y); });
+}
+
+TEST(FlowBetweenPlates, IsNearlyAParabola) {
+  EXPECT_LT(poiseuille(20, 0.3), 0.05);
+}
+
+class FullFlowBetweenPlates : public testing::TestWithParam<double> {};
+
+TEST_P(FullFlowBetweenPlates, Converges) {
+  double before = 0;
+  for (const int n : {20, 40, 80}) {
+    const double off = poiseuille(n, GetParam());
+    RecordProperty(fmt::format("cells_{}", n), fmt::format("{:.3e}", off));
+    EXPECT_LT(off, 0.04);
+    if (before > 0) {
+      EXPECT_GT(std::log2(before / off), 1.8) << n;
+    }
+    before = off;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(At, FullFlowBetweenPlates, testing::Values(0.0, 0.3, 0.49, 0.51, 0.9),
+                         [](const auto& test) { return std::to_string(test.index); });
+
+}  // namespace
+}  // namespace sluice::mpmice::wall_friction_test
