@@ -92,9 +92,10 @@ std::vector<std::string> Mpm::tally_names() const {
 
 std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
   const double gain = sums[StepSums::node_gain], loss = sums[StepSums::contact_loss];
-  const double within = sums[StepSums::node_work] - sums[StepSums::load_work];  // W_int
-  const double outside = sums[StepSums::force_work] + sums[StepSums::work];
-  return {gain, -within, loss, gain - (within + outside - loss)};
+  const double fluid = sums[StepSums::corner_work];
+  const double within = sums[StepSums::node_work] - sums[StepSums::load_work] - fluid;  // W_int
+  const double outside = sums[StepSums::force_work] + sums[StepSums::work] + fluid;
+  return {gain + sums[StepSums::exchange_gain], -within, loss, gain - (within + outside - loss)};
 }
 
 std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
@@ -104,10 +105,15 @@ std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
 // T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
 // J. "nodes": round-off.
 std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
-  return {{"transfer loss", -tallies.defect(0)},
-          {"integration loss", -tallies.defect(1)},
-          {"contact loss", tallies.sources(2)},
-          {"nodes", tallies.sources(3)}};
+  return account_from(tallies, 0);
+}
+
+std::vector<std::pair<std::string, double>> Mpm::account_from(const Conservation& tallies,
+                                                              int first) {
+  return {{"transfer loss", -tallies.defect(first)},
+          {"integration loss", -tallies.defect(first + 1)},
+          {"contact loss", tallies.sources(first + 2)},
+          {"nodes", tallies.sources(first + 3)}};
 }
 
 void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
@@ -126,16 +132,11 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
       continue;
     }
     const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
-    // Beside a fluid: solids free of stress bear the reference pressure, which works on them.
-    const double reference =
-        solids_.materials[static_cast<std::size_t>(k)].constants.reference_pressure;
-    const bool pressed = solids_.whole_kicks && reference != 0;
     for (int l = 0; l < store.level_count(); ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
         const double* m = set.column(static_cast<std::size_t>(c.mass));
         const double* energy = set.column(static_cast<std::size_t>(c.energy));
-        const double* volume = set.column(static_cast<std::size_t>(c.volume));
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
           totals.mass[static_cast<std::size_t>(k)].add(m[p]);
@@ -147,7 +148,6 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
           }
           totals.kinetic_energy.add(0.5 * m[p] * v2);
           totals.internal_energy.add(energy[p]);
-          if (pressed) totals.internal_energy.add(-reference * volume[p]);
         }
       }
   }

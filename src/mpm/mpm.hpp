@@ -43,6 +43,9 @@ class Mpm : public Component {
   std::vector<std::string> tally_names() const override;
   std::vector<double> tallies(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
+  // The same of tallies that begin with a number, among those of another part too.
+  static std::vector<std::pair<std::string, double>> account_from(const Conservation& tallies,
+                                                                  int first);
   std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;

@@ -118,7 +118,7 @@ TEST_P(FrictionHeat, IsTheMotionThatFrictionTook) {
   for (const auto& [name, value] : run.report().account)
     if (name == "contact loss") contact = value;
   RecordProperty("heat", std::to_string(heat / (0.5 * mass)));
-  EXPECT_NEAR(heat / contact, 1, 0.02);      // what would cool at a node is left out
+  EXPECT_NEAR(heat / contact, 1, 0.02);  // what would cool at a node is left out
   // .92, .66: transfers take the rest, more of it where levels meet.
   EXPECT_NEAR(heat / (0.5 * mass), GetParam() ? 0.66 : 0.92, 0.05);
 }

@@ -68,6 +68,21 @@ TEST(CoupledRuns, MassAndMomentumOfBothSidesAreKept) {
   EXPECT_LT(std::fabs(run.drift("total energy")), 1e-3);
 }
 
+// What total energy loses is what the account of the report names.
+TEST(CoupledRuns, TheAccountOfEnergyCloses) {
+  for (const char* deck : {"shock_over_foam", "disk_in_dye"}) {
+    const CoupledRun run(deck, {"Time/maxTime=0.0004"});
+    ASSERT_EQ(run.report().status, RunStatus::done);
+    const Json books = Json::parse(run.report().conservation_json).at("total energy");
+    double named = 0;
+    for (const auto& [name, value] : run.report().account)
+      if (name != "nodes") named += value;
+    const double scale = books.at("scale").get<double>();
+    EXPECT_GT(std::fabs(named) / scale, 1e-6);
+    EXPECT_LT(std::fabs(books.at("defect").get<double>() + named) / scale, 1e-13) << deck;
+  }
+}
+
 // A small cell may take in more than it has room for, and a cell without fluid hands on what it
 // takes in: neither makes a gas, nor loses one. Measured: 1e-16; it was 5e-6.
 TEST(CoupledRuns, EachGasIsKeptAtTheCornersOfABody) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/run/particle_cloud.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "mpm/levels/solid_levels.hpp"
@@ -177,15 +178,48 @@ std::size_t MpmIce::first_burned_sum() const {
 std::vector<std::string> MpmIce::tally_names() const {
   std::vector<std::string> names = fluid_.tally_names();
   if (!burns_.empty()) names.insert(names.end(), {"burned mass of solids", "heat of burning"});
+  if (has_account()) {
+    for (const std::string& name : solids_.tally_names()) names.push_back(name);
+    names.emplace_back("surfaces");
+  }
   return names;
+}
+
+bool MpmIce::has_account() const {
+  const auto& solids = solids_.scene().materials;
+  return burns_.empty() &&
+         std::none_of(solids.begin(), solids.end(), [](const auto& m) { return m.rigid; });
 }
 
 std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
   std::vector<double> all = fluid_.tallies(fluid_part(sums, solids_.reduction_sums()));
+  if (has_account()) {
+    for (const double of_solids : solids_.tallies(sums)) all.push_back(of_solids);
+    all.push_back(sums[mpm::StepSums::surface_work] + sums[mpm::StepSums::corner_work]);
+  }
   if (burns_.empty()) return all;
   const std::size_t beside = first_burned_sum() + static_cast<std::size_t>(material_count());
   all.push_back(sums[beside + BurnedSums::burned]);
   all.push_back(sums[beside + BurnedSums::heat]);
+  return all;
+}
+
+// The kinetic and the internal energy of the solids are the last of the amounts.
+std::vector<ConservedTotal> MpmIce::tallied_totals(const Totals& totals) const {
+  if (!has_account()) return {};
+  std::vector<ConservedTotal> all(fluid_.tally_names().size());
+  all.insert(all.end(), totals.amounts.end() - 2, totals.amounts.end());
+  all.resize(all.size() + 3);
+  return all;
+}
+
+// What surfaces work on the fluid and its forces on the nodes of solids is one but for the time of
+// the velocity (v* of the swept volume, (v + v*)/2 of the nodes) and places within a step.
+std::vector<std::pair<std::string, double>> MpmIce::account(const Conservation& tallies) const {
+  if (!has_account()) return {};
+  const auto first = static_cast<int>(fluid_.tally_names().size());
+  auto all = mpm::Mpm::account_from(tallies, first);
+  all.emplace_back("surfaces", -tallies.sources(first + 4));
   return all;
 }
 
@@ -213,7 +247,36 @@ void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
 }
 
 void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
-  solids_.add_particle_totals(particles, totals);
+  Totals own;
+  own.amounts.resize(solids_.amount_count());
+  solids_.add_particle_totals(particles, own);
+  for (std::size_t m = 0; m < own.mass.size(); ++m) totals.mass[m].merge(own.mass[m]);
+  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(own.momentum[d]);
+  totals.kinetic_energy.merge(own.kinetic_energy);
+  totals.internal_energy.merge(own.internal_energy);
+  for (std::size_t n = 0; n < own.amounts.size(); ++n) totals.amounts[n].merge(own.amounts[n]);
+  if (has_account()) {
+    totals.amounts.push_back(own.kinetic_energy);
+    totals.amounts.push_back(own.internal_energy);
+  }
+  add_reference_work(particles, totals);
+}
+
+// Solids free of stress bear the reference pressure, which works on them: -p_ref V.
+void MpmIce::add_reference_work(const ParticleCloud& particles, Totals& totals) const {
+  for (int k = 0; k < solids_.material_count(); ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    const double reference = solids_.scene().materials[n].constants.reference_pressure;
+    const ParticleStore& store = particles.store(k);
+    for (int l = 0; l < store.level_count() && reference != 0; ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        const ParticleSet& set = store.set(l, b);
+        const double* volume =
+            set.column(static_cast<std::size_t>(solids_.carried()[n].columns.volume));
+        for (std::size_t p = 0; p < set.size(); ++p)
+          totals.internal_energy.add(-reference * volume[p]);
+      }
+  }
 }
 
 StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* start,
@@ -244,6 +307,7 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
 // The amounts of the fluid come after those of the solids.
 Totals MpmIce::of_fluid(const Totals& all) const {
   Totals own = all;
+  if (has_account()) own.amounts.resize(own.amounts.size() - 2);
   const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
   if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
     own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);

@@ -91,12 +91,16 @@ class MpmIce final : public Component {
                       double dt) const override;
   std::vector<std::string> tally_names() const override;
   std::vector<double> tallies(const std::vector<double>& sums) const override;
+  std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
+  std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }
 
  private:
   std::size_t first_burned_sum() const;
+  void add_reference_work(const ParticleCloud& particles, Totals& totals) const;
+  bool has_account() const;  // of energy: nothing burns, no solid is rigid
   Totals of_fluid(const Totals& all) const;
   const Scene& scene_;
   mpm::Mpm solids_;

@@ -187,6 +187,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);
+  book_corner_work(books_);
   return Verdict::good;
 }
 

@@ -86,6 +86,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
     exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks, far);
   jumps_ = insertions_in(insertions_, scope.step.time, scope.step.dt);
   find_outside_forces(scope);
+  for (Body& body : bodies_) body.corner_loads = body.corners.size();
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     bodies_[k].units = units_of(bodies_[k], static_cast<int>(k), bodies_[k].rates);
   return Verdict::good;

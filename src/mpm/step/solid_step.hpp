@@ -56,7 +56,8 @@ struct Body {
   double most_force = 0;       // from outside on one particle, any component, N
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
   SumUnits mapped_units;
-  std::vector<CornerForce> corners;  // loads on corners of this rank's particles
+  std::vector<CornerForce> corners;  // loads on corners of this rank's particles, then the fluid's
+  std::size_t corner_loads = 0;      // how many are loads
   NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
   NodeLanes friction;                // rise of temperature by friction, where it heats
   Vec3 pushed{};                     // change of velocity of a body that transmits forces
@@ -86,7 +87,13 @@ struct StepSums {
     torque_x,
     torque_y,
     torque_z,
-    heat_from_fluid,  // J, of particles that exchange with a fluid
+    // Beside a fluid: heat that particles exchange with it; what its forces on corners work on
+    // nodes; what exchange adds to the kinetic energy of particles; what solids work on it, less
+    // that of the reference pressure. J
+    heat_from_fluid,
+    corner_work,
+    exchange_gain,
+    surface_work,
     count
   };
 };
@@ -215,6 +222,7 @@ class SolidStep {
   double find_corners(int kind);
   void share_cohesive();
   void corners_to_grid();
+  void book_corner_work(NodeBooks& books) const;
   void move_block(const NodeStep& step, int body, int block, MeetingScratch& scratch,
                   NodeBooks& books);
   // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.

@@ -64,34 +64,59 @@ void SolidStep::add_corner_forces(int m, std::span<const CornerForce> forces) {
   all.insert(all.end(), forces.begin(), forces.end());
 }
 
-// With hat functions at the corners, whatever the basis.
+// act(node, weight) for the nodes around the place of a corner: hat functions, whatever the basis.
+template <class Act>
+static void for_each_node_around(const TransferGrid& grid, IntVec3 first, Vec3 place, Act&& act) {
+  AxisWeights<2> weights[3];
+  IntVec3 size{1, 1, 1};
+  for (int a = 0; a < grid.count; ++a) {
+    const int d = grid.active[static_cast<std::size_t>(a)];
+    const double x = place[d];
+    Linear::weights<false>(grid.axes[static_cast<std::size_t>(d)], &x, 0, 1, weights[d]);
+    first[d] = weights[d].first[0];
+    size[d] = 2;
+  }
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) {
+        const IntVec3 at = first + IntVec3{i, j, k};
+        double w = 1;
+        for (int d = 0; d < 3; ++d)
+          if (size[d] == 2) w *= weights[d].w[at[d] - first[d]][0];
+        act(at, w);
+      }
+}
+
 void SolidStep::corners_to_grid() {
   for (Body& body : bodies_)
-    for (const CornerForce& corner : body.corners) {
-      AxisWeights<2> weights[3];
-      const TransferGrid& grid = body.grid;
-      IntVec3 first = level_.domain.lower, size{1, 1, 1};
-      for (int a = 0; a < grid.count; ++a) {
-        const int d = grid.active[static_cast<std::size_t>(a)];
-        const double x = corner.place[d];
-        Linear::weights<false>(grid.axes[static_cast<std::size_t>(d)], &x, 0, 1, weights[d]);
-        first[d] = weights[d].first[0];
-        size[d] = 2;
-      }
-      for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j)
-          for (int i = 0; i < size.x; ++i) {
-            const IntVec3 at = first + IntVec3{i, j, k};
-            double w = body.units.force;
-            for (int d = 0; d < 3; ++d)
-              if (size[d] == 2) w *= weights[d].w[at[d] - first[d]][0];
+    for (const CornerForce& corner : body.corners)
+      for_each_node_around(
+          body.grid, level_.domain.lower, corner.place, [&](IntVec3 at, double weight) {
+            const double w = body.units.force * weight;
             const int block = body.table.find_or_add(shape_.block_of(at));
             body.nodes.fit(body.table);
             std::int64_t* node = body.nodes.sums(block) + shape_.place(at) * lanes;
             add_rounded(node, Four{});
             add_rounded(node + 4,
                         Four{w * corner.force.x, w * corner.force.y, w * corner.force.z, 0.0});
-          }
+          });
+}
+
+// dk f . (v + v*)/2 of what a fluid gives to corners.
+void SolidStep::book_corner_work(NodeBooks& books) const {
+  for (const Body& body : bodies_)
+    for (std::size_t n = body.corner_loads; n < body.corners.size(); ++n) {
+      const CornerForce& corner = body.corners[n];
+      double power = 0;
+      for_each_node_around(body.grid, level_.domain.lower, corner.place, [&](IntVec3 at, double w) {
+        const int block = body.table.find(shape_.block_of(at));
+        if (block < 0) return;
+        const std::int64_t* node = body.nodes.sums(block) + shape_.place(at) * lanes;
+        for (int d = 0; d < 3; ++d)
+          power += w * corner.force[d] *
+                   (body.units.reference[d] + as_real(node[d]) - 0.5 * as_real(node[4 + d]));
+      });
+      books.sums[StepSums::corner_work].add(kick_ * power);
     }
 }
 

@@ -153,7 +153,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
     return;
   }
-  ExactSum heated;
+  ExactSum heated, moved;
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
@@ -171,7 +171,9 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         if (gain[cell] != 0) energy += gain[cell] / (solid.mass[cell] * to_density) / (1 << D);
       });
       for (std::size_t d = 0; d < D; ++d) {
-        energy -= kick[d] * (v[d][p] + 0.5 * kick[d]);
+        const double gained = kick[d] * (v[d][p] + 0.5 * kick[d]);
+        moved.add(mass[p] * gained);
+        energy -= gained;
         v[d][p] += kick[d];
       }
       T[p] += heat;
@@ -180,9 +182,10 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     }
   }
   Reduction total;
-  const auto slot = total.add_sum(heated);
+  const auto slot = total.add_sum(heated), of_motion = total.add_sum(moved);
   scope.ranks->reduce(total);
   (*scope.sums)[mpm::StepSums::heat_from_fluid] += total.sum(slot).value();
+  (*scope.sums)[mpm::StepSums::exchange_gain] += total.sum(of_motion).value();
   bound_velocities(scope, kind);
 }
 

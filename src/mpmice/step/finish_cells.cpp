@@ -267,7 +267,7 @@ Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
 
 template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
-  book_rigid_work(scope);
+  book_surface_work(scope);
   gather(scope);
   take_friction(scope);
   if (share_small_cells(scope) != Verdict::good) return Verdict::reject;

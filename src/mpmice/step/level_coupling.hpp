@@ -65,7 +65,7 @@ class LevelCoupling final : public Coupling {
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
-  void book_rigid_work(const StageScope& scope);
+  void book_surface_work(const StageScope& scope);
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);

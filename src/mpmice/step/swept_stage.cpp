@@ -54,15 +54,27 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   return Verdict::good;
 }
 
-// Where all solids are rigid: what the surfaces work on the fluid comes from outside.
+// What surfaces work on the fluid, by pressure and friction. Of rigid solids it comes from outside
+// (that of friction is booked with its force).
 template <int D>
-void LevelCoupling<D>::book_rigid_work(const StageScope& scope) {
-  if (!all_rigid()) return;
-  double work = 0;  // alike on every rank
+void LevelCoupling<D>::book_surface_work(const StageScope& scope) {
+  const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
+  double work = 0, by_reference = 0, friction = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
+    if (has_solid(i)) {
+      const double closed = fields_.theta_next[i] - fields_.theta[i];
+      work += fields_.wall_pressure[i] * closed;
+      by_reference += reference_pressure_ * closed;
+    }
+    for (std::size_t d = 0; d < D && rubs; ++d)
+      friction += fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i];
   });
-  (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
+  std::vector<double>& sums = *scope.sums;
+  if (rigid)
+    sums[mpm::StepSums::work] += work * frame_.cell_volume;
+  else
+    sums[mpm::StepSums::surface_work] += (work - by_reference) * frame_.cell_volume -
+                                         friction * scope.step.dt * frame_.largest_face();
 }
 
 // A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by
@@ -235,9 +247,9 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   state.forget();
 }
 
-template void LevelCoupling<1>::book_rigid_work(const StageScope&);
-template void LevelCoupling<2>::book_rigid_work(const StageScope&);
-template void LevelCoupling<3>::book_rigid_work(const StageScope&);
+template void LevelCoupling<1>::book_surface_work(const StageScope&);
+template void LevelCoupling<2>::book_surface_work(const StageScope&);
+template void LevelCoupling<3>::book_surface_work(const StageScope&);
 template Verdict LevelCoupling<1>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<2>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<3>::find_swept_volumes(const StageScope&);
