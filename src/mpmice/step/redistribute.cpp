@@ -7,6 +7,7 @@ namespace {
 
 constexpr double small_volume = 0.5;
 constexpr double margin = 1e-9;        // by which a neighbour must be larger: ties are none
+constexpr double enough = 1e-3;        // room for what is no state
 constexpr double near_largest = 0.99;  // of the largest component of a normal
 
 template <int D>
@@ -110,14 +111,23 @@ class Neighbourhoods {
         if (rule == 0 && !along(i, d)) continue;
         for (const int side : {0, 1}) found |= take(c, i, d, side, rule == 2);
       }
-      if (found) return true;
+      if (found && (closed || !spoilt(i))) return true;
     }
-    if (closed || spoilt(i)) return take_farther(c) || !closed;
+    if (closed) return take_farther(c, margin);
+    // What is no state beside slivers alone is none together with them.
+    if (spoilt(i) && room_of_last() < enough) take_farther(c, enough);
     return true;
   }
-  // Of cells in rings around: the nearest that have room.
-  bool take_farther(const Cell<D>& c) {
-    constexpr int farthest = 3;
+  // Of the cells that the last one shares with.
+  double room_of_last() const {
+    double room = 0;
+    for (std::size_t n = begin_.back() + 1; n < holds_.size(); ++n)
+      room += amounts_.volume[holds_[n]];
+    return room;
+  }
+  // Of cells in rings around: the nearest that have that much room.
+  bool take_farther(const Cell<D>& c, double least) {
+    constexpr int farthest = 6;
     for (int reach = 1; reach <= farthest; ++reach) {
       bool found = false;
       const int width = 2 * reach + 1;
@@ -133,7 +143,7 @@ class Neighbourhoods {
                    (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
         if (!there) continue;
         const std::size_t j = box_.index(frame_.inside(other));
-        if (amounts_.near[j] == 0 || !(amounts_.volume[j] > margin)) continue;
+        if (amounts_.near[j] == 0 || !(amounts_.volume[j] > least)) continue;
         holds_.push_back(j);
         found = true;
       }
