@@ -68,6 +68,24 @@ TEST(CoupledRuns, MassAndMomentumOfBothSidesAreKept) {
   EXPECT_LT(std::fabs(run.drift("total energy")), 1e-3);
 }
 
+// A run that goes on from a checkpoint, to the bit; with several gases too.
+TEST(CoupledRuns, RestartsDoNotShow) {
+  for (const char* deck : {"disk_in_dye", "gases_at_corners"}) {
+    const std::vector<std::string> last{"DataArchiver/outputTimestepInterval=1000000",
+                                        "DataArchiver/outputInterval=0"};
+    const CoupledRun whole(deck, last, 1, {}, 20);
+    const CoupledRun half(deck, last, 1, {}, 7);
+    const CoupledRun rest(deck, last, 1, {}, 20, &half);
+    ASSERT_EQ(rest.report().last_step, 20) << deck;
+    for (const char* label : {"press_CC", "temp_CC", "vel_CC"}) {
+      const int material = std::string(label) == "press_CC" ? 0 : 1;
+      EXPECT_EQ(whole.field(label, material).components, rest.field(label, material).components)
+          << deck << ' ' << label;
+    }
+    EXPECT_EQ(by_id(whole, "p.velocity"), by_id(rest, "p.velocity")) << deck;
+  }
+}
+
 // What total energy loses is what the account of the report names.
 TEST(CoupledRuns, TheAccountOfEnergyCloses) {
   for (const char* deck : {"shock_over_foam", "disk_in_dye"}) {

@@ -117,7 +117,10 @@ void SolidStep::find_nodes_of(BlockWork& w) const {
 
 // Forces from outside at the time of the positions, and the largest on any particle of all ranks.
 void SolidStep::find_outside_forces(const StageScope& scope) {
-  for (Body& body : bodies_) body.corners.clear();
+  for (Body& body : bodies_) {
+    body.corners.clear();
+    body.most_force = 0;
+  }
   if (!outside_->any() && cohesive_ == nullptr) return;
   const ParticleCloud& cloud = *scope.particles;
   const std::vector<double>& maxima = scope.maxima->front();

@@ -22,8 +22,12 @@ namespace sluice::mpmice {
 
 class CoupledRun {
  public:
+  // `max_steps`: the run ends there, with a checkpoint. `earlier`: it goes on from that one.
   explicit CoupledRun(const std::string& name, const std::vector<std::string>& overrides = {},
-                      int threads = 1, IntVec3 boxes = {}) {
+                      int threads = 1, IntVec3 boxes = {}, int max_steps = 0,
+                      const CoupledRun* earlier = nullptr) {
+    max_steps_ = max_steps;
+    if (earlier != nullptr) restart_ = *earlier->report().archive;
     const std::string file = std::string(SLUICE_SOURCE_DIR) + "/inputs/mpmice/" + name + ".ups";
     run(load_deck(file, overrides, tags()), threads, boxes);
   }
@@ -85,6 +89,8 @@ class CoupledRun {
     run.progress = ProgressMode::none;
     run.program = "test";
     run.deck_xml = to_xml(*deck.root);
+    run.limits.max_steps = max_steps_;
+    run.restart = restart_;
     report_ = Simulation(scene_, *component_, world(), run).run();
   }
   static void throw_errors(const std::vector<Fault>& faults) {
@@ -92,6 +98,8 @@ class CoupledRun {
       if (f.severity == Severity::error) throw InputError(to_string(f));
   }
 
+  int max_steps_ = 0;
+  std::string restart_;
   TemporaryFolder folder_;
   Scene scene_;
   std::unique_ptr<MpmIce> component_;
