@@ -61,14 +61,13 @@ Histories declare_all() {
   h.centre = declare("CenterOfMassPosition", vector, "kg m",
                      "Sum of mass times position of the particles, not divided by the mass.");
   h.velocity = declare("CenterOfMassVelocity", vector, "m/s", "Momentum over mass.");
-  h.reaction =
-      declare("RigidReactionForce", vector, "N",
-              "Force of the other solids on the masters of specified contacts, and of the fluid on "
-              "rigid solids; mean over a step.");
+  h.reaction = declare(
+      "RigidReactionForce", vector, "N",
+      "Force of the other solids on the masters of specified contacts, and of the fluid, less "
+      "that of the reference pressure, on rigid solids; mean over a step.");
   h.torque = declare("RigidReactionTorque", vector, "N m",
-                     "Torque of that force about the origin of the master's motion.");
-  h.transmitted = declare("SumTransmittedForce", vector, "N",
-                          "Force that solids transmit to the masters of specified contacts.");
+                     "Torque of the other solids on masters about the origin of their motion.");
+  h.transmitted = declare("SumTransmittedForce", vector, "N", "The same as RigidReactionForce.");
   for (std::size_t s = 0; s < 6; ++s) h.sides[s] = declare_side(side_words[s]);
   return h;
 }

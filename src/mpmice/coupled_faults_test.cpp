@@ -53,6 +53,20 @@ TEST(BurningDecks, NameWhatTheyAreMadeOf) {
               HasSubstr("'-1' is out of range"));
 }
 
+TEST(SolidsBesideAFluid, TakePartAllTheTime) {
+  const auto of = [](const char* tags) {
+    CoupledDeck deck;
+    deck.solid = tags + deck.solid;
+    return message_of(deck);
+  };
+  EXPECT_THAT(of("<is_active>false</is_active>"), HasSubstr("<is_active> false beside a fluid"));
+  EXPECT_THAT(of("<deactivation_time>0.1</deactivation_time>"),
+              HasSubstr("<deactivation_time> beside a fluid"));
+  EXPECT_THAT(of("<is_rigid>true</is_rigid><is_force_transmitting_material>true"
+                 "</is_force_transmitting_material>"),
+              HasSubstr("<is_force_transmitting_material> beside a fluid"));
+}
+
 bool finite(const CoupledRun& run, int gas = 1) {
   for (const char* label : {"press_CC", "temp_CC", "vel_CC"})
     for (const auto& component : run.field(label, label[0] == 'p' ? 0 : gas).components)

@@ -308,6 +308,7 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
 Totals MpmIce::of_fluid(const Totals& all) const {
   Totals own = all;
   if (has_account()) own.amounts.resize(own.amounts.size() - 2);
+  own.tallies.resize(std::min(own.tallies.size(), fluid_.tally_names().size()));
   const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
   if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
     own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);

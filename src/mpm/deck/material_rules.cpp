@@ -135,6 +135,13 @@ void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
     const bool sleeps = active != nullptr && active->text == "false";
     if (sleeps && !runs_mpm(root))
       add_not_built(faults, active->where, "<is_active> false beside a fluid");
+    constexpr double of_silent_decks = 1e8;
+    if (off && *off < of_silent_decks && !runs_mpm(root))
+      add_not_built(faults, material->child("deactivation_time")->where,
+                    "<deactivation_time> beside a fluid");
+    if (is_true(material, "is_force_transmitting_material") && !runs_mpm(root))
+      add_not_built(faults, material->child("is_force_transmitting_material")->where,
+                    "<is_force_transmitting_material> beside a fluid");
     if (on && *on > 0 && !sleeps)
       add_warning(faults, material->child("activation_time")->where,
                   fmt::format("<activation_time> {:g} has no effect: the material is active from "

@@ -131,7 +131,7 @@ Verdict SolidLevels::move_nodes(const StageScope& scope) {
   push_transmitting(scope);
   if (count() == 1) return Verdict::good;
   spread_velocities(&Body::nodes);
-  if (solids_->friction_heats) {
+  if (solids_->friction_heats && solids_->prescribed_file.empty()) {
     spread(&Body::friction);
     for (const auto& step : steps_) step->unfold_friction();
   }

@@ -202,7 +202,7 @@ void SolidStep::read_rigid(const BlockWork& w, std::size_t at, int n, bool booke
       report.books.sums[StepSums::work].add(0.5 * impulse * (before[d] + after[d]));
     }
     for (int k = 0; k < c.corner_count; ++k) {
-      const Vec3 of_corner = motion != nullptr ? motion->at(corner_at(*w.set, c, k, p)) : before;
+      const Vec3 of_corner = motion != nullptr ? motion->at(corner_at(*w.set, c, k, p)) : after;
       for (int d = 0; d < 3; ++d)
         report.read.corner[k][d][q] = level_.active[static_cast<std::size_t>(d)] ? of_corner[d] : 0;
     }

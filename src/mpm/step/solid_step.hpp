@@ -180,6 +180,10 @@ class SolidStep {
   // After move_nodes(): mass of rigid bodies that transmit forces, and what moves them beside
   // gravity, N s; of this level and rank (step/transmitted_forces.cpp). Then their share of it.
   bool transmits(int body) const;  // and no rule prescribes its motion
+  // Of a master in this step; null: no rule prescribes any.
+  const MasterMotion* motion_of(int body) const {
+    return contact_ != nullptr ? contact_->motion_of(body) : nullptr;
+  }
   const MassAndImpulse& transmitted(int body) const;
   void push(int body, double mass, Vec3 impulse);
   // Heat of friction on nodes, where it acts, to images.

@@ -60,6 +60,8 @@ class LevelCoupling final : public Coupling {
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   std::vector<std::uint8_t> fill_dry(Column& values) const;
   double area_of(const Piece<D>& piece) const;
+  Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const FacetNodes<D>& nodes,
+                   const Piece<D>& piece) const;
   bool all_rigid() const;
   double force_of_walls(std::size_t d) const;
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;

@@ -1,5 +1,6 @@
 #include "mpmice/step/redistribute.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sluice::mpmice {
@@ -125,6 +126,11 @@ class Neighbourhoods {
       room += amounts_.volume[holds_[n]];
     return room;
   }
+  // Is a cell among those that the last one shares with, itself too.
+  bool held(std::size_t j) const {
+    const auto begin = holds_.begin() + static_cast<std::ptrdiff_t>(begin_.back());
+    return std::find(begin, holds_.end(), j) != holds_.end();
+  }
   // Of cells in rings around: the nearest that have that much room.
   bool take_farther(const Cell<D>& c, double least) {
     constexpr int farthest = 6;
@@ -143,7 +149,7 @@ class Neighbourhoods {
                    (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
         if (!there) continue;
         const std::size_t j = box_.index(frame_.inside(other));
-        if (amounts_.near[j] == 0 || !(amounts_.volume[j] > least)) continue;
+        if (amounts_.near[j] == 0 || !(amounts_.volume[j] > least) || held(j)) continue;
         holds_.push_back(j);
         found = true;
       }

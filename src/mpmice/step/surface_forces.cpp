@@ -56,6 +56,26 @@ double LevelCoupling<D>::area_of(const Piece<D>& piece) const {
   return std::sqrt(squares);
 }
 
+// That of its particle, or, where a rule prescribes it, at the middle of the piece.
+template <int D>
+Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
+                                   const FacetNodes<D>& nodes, const Piece<D>& piece) const {
+  const mpm::MasterMotion* motion = step_->level(step_->count() - 1).motion_of(s.kind);
+  const std::size_t p = s.faces.particle[face];
+  if (motion == nullptr || !(piece.s > 0)) {
+    const auto v = mpm::read_columns<3>(*s.set, s.columns->velocity);
+    return {v[0][p], v[1][p], v[2][p]};
+  }
+  Vec3 place = s.set->position(p);
+  for (std::size_t a = 0; a < D; ++a) {
+    double moment = 0;
+    for (std::size_t k = 0; k < D; ++k) moment += piece.m[k] * nodes[k][a];
+    const int d = frame_.direction[a];
+    place[d] = frame_.anchor[d] + moment / piece.s * frame_.spacing[d];
+  }
+  return motion->at(place);
+}
+
 template <int D>
 bool LevelCoupling<D>::all_rigid() const {
   const auto& kinds = solids_->scene().materials;
@@ -97,31 +117,30 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
   ExactSum work;                         // of friction on rigid bodies
   for (const SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
-    for_each_piece<D>(
-        s.faces, When::start, 0, s.faces.size(),
-        [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-          const Cell<D> c = frame_.wrapped(piece.cell);
-          if (!frame_.in_domain(c)) return;
-          const std::size_t n = frame_.box.index(c);
-          const double weight = s.faces.weight_of(i);
-          const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
-          for (std::size_t d = 0; d < D; ++d) {
-            const double area =
-                scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
-            if (!rigid) {
-              held[d].add(reference_pressure_ * weight * area);
-              continue;
-            }
-            by_reference[d].add(-reference_pressure_ * area);
-            driven[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
-            if (!rubs) continue;
-            const double I = scope.step.dt * size * fields_.friction[d][n];
-            driven[d].add(I);
-            friction[d].add(I);
-            work.add(-I * s.set->column(static_cast<std::size_t>(
-                              s.columns->velocity + frame_.direction[d]))[s.faces.particle[i]]);
-          }
-        });
+    for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                      [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+                        const Cell<D> c = frame_.wrapped(piece.cell);
+                        if (!frame_.in_domain(c)) return;
+                        const std::size_t n = frame_.box.index(c);
+                        const double weight = s.faces.weight_of(i);
+                        const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
+                        const Vec3 v = rigid && rubs ? velocity_of(s, i, nodes, piece) : Vec3{};
+                        for (std::size_t d = 0; d < D; ++d) {
+                          const double area =
+                              scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
+                          if (!rigid) {
+                            held[d].add(reference_pressure_ * weight * area);
+                            continue;
+                          }
+                          by_reference[d].add(-reference_pressure_ * area);
+                          driven[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
+                          if (!rubs) continue;
+                          const double I = scope.step.dt * size * fields_.friction[d][n];
+                          driven[d].add(I);
+                          friction[d].add(I);
+                          work.add(-I * v[frame_.direction[d]]);
+                        }
+                      });
   }
   Reduction all;
   std::array<Reduction::Sum, D> of_sides, of_rigid, of_reference, of_friction;
@@ -167,6 +186,12 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   return Verdict::good;
 }
 
+template Vec3 LevelCoupling<1>::velocity_of(const SolidSet<1>&, std::size_t, const FacetNodes<1>&,
+                                            const Piece<1>&) const;
+template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t, const FacetNodes<2>&,
+                                            const Piece<2>&) const;
+template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t, const FacetNodes<3>&,
+                                            const Piece<3>&) const;
 template bool LevelCoupling<1>::all_rigid() const;
 template bool LevelCoupling<2>::all_rigid() const;
 template bool LevelCoupling<3>::all_rigid() const;

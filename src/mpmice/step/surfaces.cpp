@@ -173,16 +173,23 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
                        s.set->column(static_cast<std::size_t>(s.columns->volume))[p];
     return 1 / (rho * wave[k]);
   };
-  for (const SolidSet<D>& s : sets_)
+  for (const SolidSet<D>& s : sets_) {
+    const mpm::MasterMotion* motion = step_->level(step_->count() - 1).motion_of(s.kind);
+    const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
+    const auto include = [&](double u) { most.velocity = std::max(most.velocity, std::fabs(u)); };
     for (const std::uint32_t p : s.faces.particle) {
-      for (std::size_t a = 0; a < D; ++a)
-        most.velocity =
-            std::max(most.velocity, std::fabs(s.set->column(static_cast<std::size_t>(
-                                        s.columns->velocity + frame_.direction[a]))[p]));
-      const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
+      for (const int d : frame_.direction)
+        include(s.set->column(static_cast<std::size_t>(s.columns->velocity + d))[p]);
+      for (int k = 0; k < (1 << D) && motion != nullptr; ++k) {
+        Vec3 corner = s.set->position(p);
+        for (const int d : frame_.direction)
+          corner[d] = s.set->column(static_cast<std::size_t>(s.columns->corners + 3 * k + d))[p];
+        for (const int d : frame_.direction) include(motion->at(corner)[d]);
+      }
       for (const double* e : stress) most.pressure = std::max(most.pressure, 3 * std::fabs(e[p]));
       most.compliance = std::max(most.compliance, compliance(s, p));
     }
+  }
   Reduction all;
   const auto v = all.add_maximum(most.velocity), p_slot = all.add_maximum(most.pressure),
              y = all.add_maximum(most.compliance);
@@ -219,11 +226,10 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           sums.lane(pressure)[c] +=
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
           sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
-          for (int a = 0; a < D; ++a) {
-            const double u = s.set->column(static_cast<std::size_t>(
-                s.columns->velocity + frame_.direction[static_cast<std::size_t>(a)]))[p];
-            sums.lane(velocity + a)[c] += to_sum(A * (u / scale.velocity));
-          }
+          const Vec3 u = velocity_of(s, i, nodes, piece);
+          for (int a = 0; a < D; ++a)
+            sums.lane(velocity + a)[c] +=
+                to_sum(A * (u[frame_.direction[static_cast<std::size_t>(a)]] / scale.velocity));
           for (int a = 0; a < D && rubs; ++a) {
             double moment = -piece.s * piece.cell[static_cast<std::size_t>(a)];
             for (std::size_t k = 0; k < D; ++k)

@@ -59,7 +59,8 @@ void LevelCoupling<D>::rub_on_walls(const Column& rho, const Column& viscosity,
     }
     const double V = 1 - fields_.theta[i];
     const double A = fields_.area[i] * frame_.largest_face() / frame_.cell_volume;
-    const double M = rho[i] * (V < 0.5 ? V + 1 : V);
+    double M = rho[i] * V;
+    if (V < 0.5 && at.cell != i) M += rho[at.cell] * (1 - fields_.theta[at.cell]);
     const double stress = std::min(viscosity[i] / at.distance, M / (dt * A));
     for (std::size_t d = 0; d < D; ++d) fields_.friction[d][i] = (w[d] - across * unit[d]) * stress;
   });

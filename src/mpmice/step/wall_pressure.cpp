@@ -78,7 +78,9 @@ void LevelCoupling<D>::smooth_normals() {
       if (!frame_.in_domain(other)) continue;
       const std::size_t j = frame_.box.index(other);
       if (!wet(j)) continue;
-      for (std::size_t d = 0; d < D; ++d) fields_.smooth[d][i] += weight * fields_.normal[d][j];
+      for (std::size_t d = 0; d < D; ++d)
+        fields_.smooth[d][i] += weight * fields_.normal[d][j] *
+                                (frame_.face_area(static_cast<int>(d)) / frame_.largest_face());
     }
   });
 }
