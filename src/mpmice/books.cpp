@@ -1,0 +1,177 @@
+// The books of fluid and solids together: totals, what passes, the account of energy, histories.
+#include <algorithm>
+
+#include "framework/run/particle_cloud.hpp"
+#include "ice/fluid/labels.hpp"
+#include "mpm/step/solid_step.hpp"
+#include "mpmice/burn/burned_sums.hpp"
+#include "mpmice/mpmice.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+std::vector<double> fluid_part(const std::vector<double>& all, int first) {
+  return {all.begin() + first, all.end()};
+}
+
+}  // namespace
+
+std::size_t MpmIce::first_burned_sum() const {
+  return static_cast<std::size_t>(solids_.reduction_sums() + fluid_.reduction_sums());
+}
+
+std::vector<std::string> MpmIce::tally_names() const {
+  std::vector<std::string> names = fluid_.tally_names();
+  if (!burns_.empty()) names.insert(names.end(), {"burned mass of solids", "heat of burning"});
+  if (has_account()) {
+    for (const std::string& name : solids_.tally_names()) names.push_back(name);
+    names.emplace_back("surfaces");
+  }
+  return names;
+}
+
+bool MpmIce::has_account() const {
+  const auto& solids = solids_.scene().materials;
+  return burns_.empty() &&
+         std::none_of(solids.begin(), solids.end(), [](const auto& m) { return m.rigid; });
+}
+
+std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
+  std::vector<double> all = fluid_.tallies(fluid_part(sums, solids_.reduction_sums()));
+  if (has_account()) {
+    for (const double of_solids : solids_.tallies(sums)) all.push_back(of_solids);
+    all.push_back(sums[mpm::StepSums::surface_work] + sums[mpm::StepSums::corner_work]);
+  }
+  if (burns_.empty()) return all;
+  const std::size_t beside = first_burned_sum() + static_cast<std::size_t>(material_count());
+  all.push_back(sums[beside + BurnedSums::burned]);
+  all.push_back(sums[beside + BurnedSums::heat]);
+  return all;
+}
+
+// The kinetic and the internal energy of the solids are the last of the amounts.
+std::vector<ConservedTotal> MpmIce::tallied_totals(const Totals& totals) const {
+  if (!has_account()) return {};
+  std::vector<ConservedTotal> all(fluid_.tally_names().size());
+  all.insert(all.end(), totals.amounts.end() - 2, totals.amounts.end());
+  all.resize(all.size() + 3);
+  return all;
+}
+
+// What surfaces work on the fluid and its forces on the nodes of solids is one but for the time of
+// the velocity (v* of the swept volume, (v + v*)/2 of the nodes) and places within a step.
+std::vector<std::pair<std::string, double>> MpmIce::account(const Conservation& tallies) const {
+  if (!has_account()) return {};
+  const auto first = static_cast<int>(fluid_.tally_names().size());
+  auto all = mpm::Mpm::account_from(tallies, first);
+  all.emplace_back("surfaces", -tallies.sources(first + 4));
+  return all;
+}
+
+void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
+                        Totals& totals) const {
+  Totals of_fluid;
+  fluid_.add_totals(state, coverage, of_fluid);
+  solids_.add_totals(state, coverage, totals);
+  totals.mass.resize(static_cast<std::size_t>(material_count()));
+  for (std::size_t m = 0; m < of_fluid.mass.size(); ++m)
+    totals.mass[static_cast<std::size_t>(solids_.material_count()) + m].merge(of_fluid.mass[m]);
+  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(of_fluid.momentum[d]);
+  totals.internal_energy.merge(of_fluid.internal_energy);
+  totals.kinetic_energy.merge(of_fluid.kinetic_energy);
+  const std::size_t first = solids_.amount_count();
+  totals.amounts.resize(first + of_fluid.amounts.size());
+  for (std::size_t n = 0; n < of_fluid.amounts.size(); ++n)
+    totals.amounts[first + n].merge(of_fluid.amounts[n]);
+}
+
+void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
+  Totals own;
+  own.amounts.resize(solids_.amount_count());
+  solids_.add_particle_totals(particles, own);
+  for (std::size_t m = 0; m < own.mass.size(); ++m) totals.mass[m].merge(own.mass[m]);
+  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(own.momentum[d]);
+  totals.kinetic_energy.merge(own.kinetic_energy);
+  totals.internal_energy.merge(own.internal_energy);
+  for (std::size_t n = 0; n < own.amounts.size(); ++n) totals.amounts[n].merge(own.amounts[n]);
+  if (has_account()) {
+    totals.amounts.push_back(own.kinetic_energy);
+    totals.amounts.push_back(own.internal_energy);
+  }
+  add_reference_work(particles, totals);
+}
+
+// Solids free of stress bear the reference pressure, which works on them: -p_ref V.
+void MpmIce::add_reference_work(const ParticleCloud& particles, Totals& totals) const {
+  for (int k = 0; k < solids_.material_count(); ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    const double reference = solids_.scene().materials[n].constants.reference_pressure;
+    const ParticleStore& store = particles.store(k);
+    for (int l = 0; l < store.level_count() && reference != 0; ++l)
+      for (int b = 0; b < store.box_count(l); ++b) {
+        const ParticleSet& set = store.set(l, b);
+        const double* volume =
+            set.column(static_cast<std::size_t>(solids_.carried()[n].columns.volume));
+        for (std::size_t p = 0; p < set.size(); ++p)
+          totals.internal_energy.add(-reference * volume[p]);
+      }
+  }
+}
+
+StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* start,
+                            double dt) const {
+  StepBalance b = solids_.balance(sums, start, dt);
+  StepStart of_fluid;
+  if (start != nullptr) of_fluid = {fluid_part(start->mass, solids_.material_count()), {}};
+  const StepBalance f = fluid_.balance(fluid_part(sums, solids_.reduction_sums()),
+                                       start != nullptr ? &of_fluid : nullptr, dt);
+  b.mass.insert(b.mass.end(), f.mass.begin(), f.mass.end());
+  if (!f.mass_of_sources.empty()) {
+    b.mass_of_sources.assign(static_cast<std::size_t>(solids_.material_count()), 0.0);
+    b.mass_of_sources.insert(b.mass_of_sources.end(), f.mass_of_sources.begin(),
+                             f.mass_of_sources.end());
+  }
+  b.momentum = b.momentum + f.momentum;
+  b.momentum_of_forces = b.momentum_of_forces + f.momentum_of_forces;
+  b.energy += f.energy;
+  b.energy_of_forces += f.energy_of_forces;
+  if (burns_.empty()) return b;
+  b.mass_of_sources.resize(static_cast<std::size_t>(material_count()), 0.0);
+  for (std::size_t m = 0; m < b.mass_of_sources.size(); ++m)
+    b.mass_of_sources[m] += sums[first_burned_sum() + m];
+  b.energy_of_forces += sums[first_burned_sum() + b.mass_of_sources.size() + BurnedSums::energy];
+  return b;
+}
+
+// The amounts of the fluid come after those of the solids.
+Totals MpmIce::of_fluid(const Totals& all) const {
+  Totals own = all;
+  if (has_account()) own.amounts.resize(own.amounts.size() - 2);
+  own.tallies.resize(std::min(own.tallies.size(), fluid_.tally_names().size()));
+  const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
+  if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
+    own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
+  return own;
+}
+
+double MpmIce::history_value(Label label, const Totals& totals) const {
+  const std::size_t tallied = totals.tallies.size();
+  if (!burns_.empty() && tallied >= 2) {
+    // Fluids alone may burn too.
+    const double fluid = tallied > 2 && (label == ice::labels().total_mass_burned ||
+                                         label == ice::labels().total_heat_released)
+                             ? fluid_.history_value(label, totals)
+                             : 0.0;
+    if (label == ice::labels().total_mass_burned) return totals.tallies[tallied - 2] + fluid;
+    if (label == ice::labels().total_heat_released) return totals.tallies[tallied - 1] + fluid;
+  }
+  return solids_.has_history(label) ? solids_.history_value(label, totals)
+                                    : fluid_.history_value(label, of_fluid(totals));
+}
+
+Vec3 MpmIce::history_vector(Label label, const Totals& totals) const {
+  return solids_.has_history(label) ? solids_.history_vector(label, totals)
+                                    : fluid_.history_vector(label, of_fluid(totals));
+}
+
+}  // namespace sluice::mpmice
