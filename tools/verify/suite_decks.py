@@ -428,7 +428,7 @@ def short_name(suite, path):
 
 def promised(suite, deck_list):
     """The decks of the list that must run."""
-    below = tuple(folder.removeprefix("inputs").lstrip("/") for folder in deck_list.folders)
+    below = tuple(f"{folder}/".removeprefix("inputs/") for folder in deck_list.folders)
     return {name for name in promised_decks()
             if name.startswith(below) and deck_list.cells(suite / "inputs" / name) is not None}
 
