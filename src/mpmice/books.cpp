@@ -14,6 +14,17 @@ std::vector<double> fluid_part(const std::vector<double>& all, int first) {
   return {all.begin() + first, all.end()};
 }
 
+// Those of a part, whose materials and amounts begin there, join the totals of both.
+void join(const Totals& part, std::size_t first_material, std::size_t first_amount, Totals& all) {
+  for (std::size_t m = 0; m < part.mass.size(); ++m)
+    all.mass[first_material + m].merge(part.mass[m]);
+  for (int d = 0; d < 3; ++d) all.momentum[d].merge(part.momentum[d]);
+  all.internal_energy.merge(part.internal_energy);
+  all.kinetic_energy.merge(part.kinetic_energy);
+  for (std::size_t n = 0; n < part.amounts.size(); ++n)
+    all.amounts[first_amount + n].merge(part.amounts[n]);
+}
+
 }  // namespace
 
 std::size_t MpmIce::first_burned_sum() const {
@@ -74,26 +85,16 @@ void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
   fluid_.add_totals(state, coverage, of_fluid);
   solids_.add_totals(state, coverage, totals);
   totals.mass.resize(static_cast<std::size_t>(material_count()));
-  for (std::size_t m = 0; m < of_fluid.mass.size(); ++m)
-    totals.mass[static_cast<std::size_t>(solids_.material_count()) + m].merge(of_fluid.mass[m]);
-  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(of_fluid.momentum[d]);
-  totals.internal_energy.merge(of_fluid.internal_energy);
-  totals.kinetic_energy.merge(of_fluid.kinetic_energy);
-  const std::size_t first = solids_.amount_count();
-  totals.amounts.resize(first + of_fluid.amounts.size());
-  for (std::size_t n = 0; n < of_fluid.amounts.size(); ++n)
-    totals.amounts[first + n].merge(of_fluid.amounts[n]);
+  totals.amounts.resize(solids_.amount_count() + of_fluid.amounts.size());
+  join(of_fluid, static_cast<std::size_t>(solids_.material_count()), solids_.amount_count(),
+       totals);
 }
 
 void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
   Totals own;
   own.amounts.resize(solids_.amount_count());
   solids_.add_particle_totals(particles, own);
-  for (std::size_t m = 0; m < own.mass.size(); ++m) totals.mass[m].merge(own.mass[m]);
-  for (int d = 0; d < 3; ++d) totals.momentum[d].merge(own.momentum[d]);
-  totals.kinetic_energy.merge(own.kinetic_energy);
-  totals.internal_energy.merge(own.internal_energy);
-  for (std::size_t n = 0; n < own.amounts.size(); ++n) totals.amounts[n].merge(own.amounts[n]);
+  join(own, 0, 0, totals);
   if (has_account()) {
     totals.amounts.push_back(own.kinetic_energy);
     totals.amounts.push_back(own.internal_energy);

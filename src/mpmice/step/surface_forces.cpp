@@ -110,11 +110,10 @@ double LevelCoupling<D>::force_of_walls(std::size_t d) const {
 template <int D>
 void LevelCoupling<D>::book_outside(const StageScope& scope) {
   const bool rubs = fluid_->options().viscous;
-  std::array<ExactSum, D> held,
-      driven;  // impulse of the sides; on rigid bodies, less that of p_ref
-  std::array<ExactSum, D> by_reference;  // on rigid bodies
-  std::array<ExactSum, D> friction;      // on rigid bodies
-  ExactSum work;                         // of friction on rigid bodies
+  // From outside, on the fluid or on bodies that a side cuts; of the fluid on rigid bodies, less
+  // that of the reference pressure; of its friction in that.
+  std::array<ExactSum, D> outside, on_rigid, friction;
+  ExactSum work;  // of friction on rigid bodies
   for (const SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
     for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
@@ -129,25 +128,25 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
                           const double area =
                               scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
                           if (!rigid) {
-                            held[d].add(reference_pressure_ * weight * area);
+                            outside[d].add(reference_pressure_ * weight * area);
                             continue;
                           }
-                          by_reference[d].add(-reference_pressure_ * area);
-                          driven[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
+                          outside[d].add(fields_.wall_pressure[n] * area);
+                          on_rigid[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
                           if (!rubs) continue;
                           const double I = scope.step.dt * size * fields_.friction[d][n];
-                          driven[d].add(I);
+                          outside[d].add(-I);
+                          on_rigid[d].add(I);
                           friction[d].add(I);
                           work.add(-I * v[frame_.direction[d]]);
                         }
                       });
   }
   Reduction all;
-  std::array<Reduction::Sum, D> of_sides, of_rigid, of_reference, of_friction;
+  std::array<Reduction::Sum, D> from_outside, of_rigid, of_friction;
   for (std::size_t d = 0; d < D; ++d) {
-    of_sides[d] = all.add_sum(held[d]);
-    of_rigid[d] = all.add_sum(driven[d]);
-    of_reference[d] = all.add_sum(by_reference[d]);
+    from_outside[d] = all.add_sum(outside[d]);
+    of_rigid[d] = all.add_sum(on_rigid[d]);
     of_friction[d] = all.add_sum(friction[d]);
   }
   const auto of_work = all.add_sum(work);
@@ -158,14 +157,10 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
     const auto at = [&](int first) {
       return static_cast<std::size_t>(first + frame_.direction[d]);
     };
-    const double rigid = all.sum(of_rigid[d]).value();
-    sums[at(mpm::StepSums::reaction_x)] += rigid / scope.step.dt;
-    if (all_rigid())
-      sums[at(mpm::StepSums::impulse_x)] +=
-          scope.step.dt * force_of_walls(d) - all.sum(of_friction[d]).value();
-    else
-      sums[at(mpm::StepSums::impulse_x)] +=
-          all.sum(of_sides[d]).value() - rigid - all.sum(of_reference[d]).value();
+    sums[at(mpm::StepSums::reaction_x)] += all.sum(of_rigid[d]).value() / scope.step.dt;
+    sums[at(mpm::StepSums::impulse_x)] +=
+        all_rigid() ? scope.step.dt * force_of_walls(d) - all.sum(of_friction[d]).value()
+                    : all.sum(from_outside[d]).value();
   }
 }
 
