@@ -97,14 +97,16 @@ NodeBoundary::Image NodeBoundary::image(IntVec3 node, int material) const {
 
 namespace {
 
-// act(block, node number in it, index of the node) for every node of blocks at sides.
+// act(block, node number in it, index of the node) for every image.
 template <class Act>
-void for_each_side_node(const NodeBoundary& boundary, const BlockTable& table, Act&& act) {
+void visit_images(const NodeBoundary& boundary, int material, const BlockTable& table, Act&& act) {
   const BlockShape& shape = table.shape();
   for (int b = 0, blocks = table.count(); b < blocks; ++b) {
     const IntVec3 low = shape.lower(table.block(b));
-    if (!boundary.meets(low, shape.edge)) continue;
-    for_each_node(shape, low, [&](int n, IntVec3 node) { act(b, n, node); });
+    if (!boundary.has_images(low, shape.edge, material)) continue;
+    for_each_node(shape, low, [&](int n, IntVec3 node) {
+      if (boundary.is_image(node, material)) act(b, n, node);
+    });
   }
 }
 
@@ -122,8 +124,8 @@ void NodeBoundary::fold_scalars(int material, BlockTable& table, NodeLanes& node
 }
 
 void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const {
-  for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
-    if (nodes.sums(b)[n * lanes + count_lane] == 0 || !is_image(node, material)) return;
+  visit_images(*this, material, table, [&](int b, int n, IntVec3 node) {
+    if (nodes.sums(b)[n * lanes + count_lane] == 0) return;
     const Image to = image(node, material);
     const int block = table.find_or_add(table.shape().block_of(to.of));
     nodes.fit(table);
@@ -152,10 +154,14 @@ void NodeBoundary::unfold_scalars(int material, const BlockTable& table, NodeLan
 
 void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& nodes,
                           bool vectors) const {
-  for_each_side_node(*this, table, [&](int b, int n, IntVec3 node) {
-    if (!is_image(node, material)) return;
+  IntVec3 of_block{};  // neighbours are mostly images of one block
+  int block = -1;
+  visit_images(*this, material, table, [&](int b, int n, IntVec3 node) {
     const Image of = image(node, material);
-    const int block = table.find(table.shape().block_of(of.of));
+    if (const IntVec3 at = table.shape().block_of(of.of); block < 0 || !(at == of_block)) {
+      of_block = at;
+      block = table.find(at);
+    }
     if (block < 0) return;
     const std::int64_t* from = nodes.sums(block) + table.shape().place(of.of) * lanes;
     std::int64_t* to = nodes.sums(b) + n * lanes;

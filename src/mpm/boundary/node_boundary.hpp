@@ -36,6 +36,10 @@ class NodeBoundary {
     std::array<bool, 3> flipped{};
   };
   bool is_image(IntVec3 node, int material) const;
+  // Is one of the nodes of a block an image.
+  bool has_images(IntVec3 lower, IntVec3 edge, int material) const {
+    return is_image(lower, material) || is_image(lower + edge - IntVec3{1, 1, 1}, material);
+  }
   // Directions along which the node lies on a mirror of the material.
   std::array<bool, 3> on_mirror(IntVec3 node, int material) const;
   Image image(IntVec3 node, int material) const;

@@ -116,8 +116,14 @@ class Metal final : public Material {
 
   template <class F>
   std::optional<BatchFault> steps(const F& flow, const Batch& b) const {
-    for (int i = 0; i < b.count; ++i)
-      if (!step(flow, b, i)) return BatchFault{i, "past the pole of Mie-Grueneisen", volume(b, i)};
+    for (int from = 0; from < b.count; from += polar_lanes) {
+      const int count = std::min(b.count - from, polar_lanes);
+      std::array<Motion, polar_lanes> moves;
+      find_motions(b, from, count, moves);
+      for (int i = from; i < from + count; ++i)
+        if (!step(flow, b, i, moves[static_cast<std::size_t>(i - from)]))
+          return BatchFault{i, "past the pole of Mie-Grueneisen", volume(b, i)};
+    }
     return std::nullopt;
   }
   static double volume(const Batch& b, int i) { return determinant(at(b.F, i)); }
@@ -126,14 +132,20 @@ class Metal final : public Material {
     Matrix R_0 = identity, R_1 = identity;
     Symmetric strain;
   };
-  Motion motion(const Batch& b, int i) const {
+  void find_motions(const Batch& b, int from, int count, std::span<Motion> moves) const {
     if (!c_.objective) {
-      Matrix L = at(b.L, i);
-      for (double& x : L) x *= b.dt;
-      return {identity, identity, symmetric(L)};
+      for (int k = 0; k < count; ++k) {
+        Matrix L = at(b.L, from + k);
+        for (double& x : L) x *= b.dt;
+        moves[static_cast<std::size_t>(k)] = {identity, identity, symmetric(L)};
+      }
+      return;
     }
-    const Polar old = polar(at(b.old_F, i)), now = polar(at(b.F, i));
-    return {old.R, now.R, strain_between(old.U, now.U)};
+    std::array<Polar, polar_lanes> old, now;
+    polar(b.old_F, from, count, old);
+    polar(b.F, from, count, now);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+      moves[k] = {old[k].R, now[k].R, strain_between(old[k].U, now[k].U)};
   }
 
   // The return of a trial deviator: what it leaves of it, and the plastic strain.
@@ -169,10 +181,9 @@ class Metal final : public Material {
   }
 
   template <class F>
-  bool step(const F& flow, const Batch& b, int i) const {
+  bool step(const F& flow, const Batch& b, int i, const Motion& move) const {
     const Matrix F_0 = at(b.old_F, i), F_1 = at(b.F, i);
     const double J_0 = determinant(F_0), J_1 = determinant(F_1), dt = b.dt;
-    const Motion move = motion(b, i);
     const Symmetric old = pushed(at(b.old_stress, i), transposed(move.R_0));
     const Symmetric S_0 = deviator(old), strain = deviator(move.strain);
     const double p_0 = -trace(old) / 3, T = b.temperature[i];

@@ -23,6 +23,8 @@ struct MechanicalThreshold {
   double g_0i, g_0e, rate_0i, rate_0e, p_i, q_i, p_e, q_e, sigma_i;
   double a_0, a_1, a_2, a_3, theta_IV, alpha, rate_es0, g_0es, sigma_es0;
 
+  double ln_rate_0i = std::log(rate_0i), ln_rate_0e = std::log(rate_0e),
+         ln_rate_es0 = std::log(rate_es0);
   // Y and dY/dt at t = x/(1 + x), x = theta_0 eps_p/sigma_es: dY/dx = 1 - tanh(alpha Y)/tanh alpha.
   std::vector<std::array<double, 2>> table{};
 
@@ -35,10 +37,11 @@ struct MechanicalThreshold {
             a_3 * s.temperature};
   }
   double stress(const Here& here, double strain, double rate_) const {
-    const double rate = std::max(rate_, least_rate);
-    double of_barriers =
-        factor(here.thermal, g_0e, rate_0e, p_e, q_e, rate) * evolved(here, strain, rate);
-    if (sigma_i != 0) of_barriers += factor(here.thermal, g_0i, rate_0i, p_i, q_i, rate) * sigma_i;
+    const double rate = std::max(rate_, least_rate), ln_rate = std::log(rate);
+    double of_barriers = factor(here.thermal / g_0e * (ln_rate_0e - ln_rate), p_e, q_e) *
+                         evolved(here, strain, rate, ln_rate);
+    if (sigma_i != 0)
+      of_barriers += factor(here.thermal / g_0i * (ln_rate_0i - ln_rate), p_i, q_i) * sigma_i;
     return sigma_a + of_barriers * here.mu_ratio;
   }
 
@@ -56,14 +59,15 @@ struct MechanicalThreshold {
     const auto& [y1, d1] = table[k + 1];
     return y0 * v * v * (1 + 2 * u) + y1 * u * u * (1 + 2 * v) + u * v * (v * d0 - u * d1) / n;
   }
-  static double factor(double thermal, double g, double rate_0, double p, double q, double rate) {
-    const double activation = thermal / g * std::max(std::log(rate_0 / rate), 0.0);
-    const double left = 1 - std::pow(activation, 1 / q);
-    return left > 0 ? std::pow(left, 1 / p) : 0;
+  // S; activation: k T/(g_0 b^3 mu) ln(rate_0/rate)
+  static double factor(double activation, double p, double q) {
+    const double left = 1 - power(std::max(activation, 0.0), 1 / q);
+    return left > 0 ? power(left, 1 / p) : 0;
   }
-  double evolved(const Here& here, double strain, double rate) const {
-    const double saturated = sigma_es0 * std::pow(rate / rate_es0, here.thermal / g_0es);
-    const double theta_0 = a_0 + a_1 * std::log(rate) + a_2 * std::sqrt(rate) - here.a_3_T;
+  static double power(double x, double n) { return n == 1 ? x : std::pow(x, n); }
+  double evolved(const Here& here, double strain, double rate, double ln_rate) const {
+    const double saturated = sigma_es0 * std::exp(here.thermal / g_0es * (ln_rate - ln_rate_es0));
+    const double theta_0 = a_0 + a_1 * ln_rate + a_2 * std::sqrt(rate) - here.a_3_T;
     if (!table.empty() && theta_0 > 0) return saturated * tabulated(theta_0 * strain / saturated);
     const double per_tanh = 1 / std::tanh(alpha), scale = alpha / saturated;
     const auto slope = [&](double sigma) {

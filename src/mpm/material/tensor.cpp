@@ -6,24 +6,59 @@
 
 namespace sluice::mpm {
 
-Polar polar(const Matrix& F) {
+namespace {
+
+// R <- (R + R^-T)/2 in every lane until it has stopped there, so that a lane knows nothing of the
+// others. R: F without its change of volume, which takes fewer steps.
+template <int width>
+void turn(double (&R)[9][width]) {
   constexpr int most_steps = 40;
-  // F without its change of volume: fewer steps.
-  const double scale = inverse_cube_root(determinant(F));
-  Matrix R = F;
-  for (double& x : R) x *= scale;
+  double goes[width];
+  for (double& x : goes) x = 1;
   for (int step = 0; step < most_steps; ++step) {
-    const Matrix inverted = inverse(R);
-    double change = 0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const double next = 0.5 * (R[3 * i + j] + inverted[3 * j + i]);
-        change = std::max(change, std::abs(next - R[3 * i + j]));
-        R[3 * i + j] = next;
-      }
-    if (change < 3e-8) break;  // the step took its square of that: round-off
+    for (int l = 0; l < width; ++l) {
+      Matrix old;
+      for (std::size_t m = 0; m < 9; ++m) old[m] = R[m][l];
+      const Matrix inverted = inverse(old);
+      double change = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          const double x = old[3 * i + j], next = 0.5 * (x + inverted[3 * j + i]);
+          change = std::max(change, std::abs(next - x));
+          R[3 * i + j][l] = goes[l] != 0 ? next : x;
+        }
+      // After 3e-8 the step has taken its square of that: round-off.
+      goes[l] = change < 3e-8 ? 0 : goes[l];
+    }
+    if (std::all_of(goes, goes + width, [](double x) { return x == 0; })) return;
   }
-  return {R, symmetric(product(transposed(R), F))};
+}
+
+}  // namespace
+
+Polar polar(const Matrix& F) {
+  const double scale = inverse_cube_root(determinant(F));
+  double R[9][1];
+  for (std::size_t m = 0; m < 9; ++m) R[m][0] = F[m] * scale;
+  turn(R);
+  Matrix turned;
+  for (std::size_t m = 0; m < 9; ++m) turned[m] = R[m][0];
+  return {turned, symmetric(product(transposed(turned), F))};
+}
+
+void polar(const Nine<const double>& F, int from, int count, std::span<Polar> found) {
+  double R[9][polar_lanes];
+  for (int l = 0; l < polar_lanes; ++l) {
+    const Matrix here = l < count ? at(F, from + l) : identity;
+    const double scale = inverse_cube_root(determinant(here));
+    for (std::size_t m = 0; m < 9; ++m) R[m][l] = here[m] * scale;
+  }
+  turn(R);
+  for (int l = 0; l < count; ++l) {
+    Polar& here = found[static_cast<std::size_t>(l)];
+    for (std::size_t m = 0; m < 9; ++m) here.R[m] = R[m][l];
+    here.U = symmetric(product(transposed(here.R), at(F, from + l)));
+  }
 }
 
 Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1) {

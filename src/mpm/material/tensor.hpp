@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "mpm/material/batch_math.hpp"
 
@@ -66,6 +67,9 @@ struct Polar {
 };
 // By Newton's method R <- (R + R^-T)/2 (Higham 1986), quadratic, to round-off. det F > 0.
 Polar polar(const Matrix& F);
+// Of particles from, ..., from + count - 1 of a batch, count <= polar_lanes, the same bits.
+inline constexpr int polar_lanes = 8;
+void polar(const Nine<const double>& F, int from, int count, std::span<Polar> found);
 // What the body was strained from U_0 to U_1, whatever it turned: sym[(U_1 - U_0) U_m^-1],
 // U_m = (U_0 + U_1)/2; of third order from the integral of D dt in the body's own axes.
 Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1);

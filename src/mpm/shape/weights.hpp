@@ -4,6 +4,7 @@
 // places, so that its loop becomes vectors. Sums over a stencil go outside in ((first + last) +
 // middle): mirror images have mirrored bits.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "mpm/shape/axis.hpp"
@@ -80,10 +81,10 @@ struct Gimp {
       const auto [l, quarter, slope] = widths(p);
       const double u = a.place(x[p]), r = nearest_node(a, u), s = u - r;
       to.first[p] = static_cast<int>(r + a.first) - 1;
-      const double c = std::fmin(std::fmax(s, -l), l);  // a in the reference
+      const double c = std::min(l, std::max(-l, s));  // a in the reference
       const double up = l + c, down = l - c;
-      const double high = up * up * quarter + std::fmax(0.0, s - l);
-      const double low = down * down * quarter + std::fmax(0.0, -s - l);
+      const double high = up * up * quarter + std::max(0.0, s - l);
+      const double low = down * down * quarter + std::max(0.0, -s - l);
       to.w[0][p] = low;
       to.w[2][p] = high;
       to.w[1][p] = 1 - (low + high);

@@ -18,6 +18,7 @@ bool has_mirror(const NodeBoundary& boundary, int m) {
 template <class Act>
 void for_each_image(const NodeBoundary& boundary, const BlockShape& shape, IntVec3 low, int m,
                     const std::int64_t* nodes, Act&& act) {
+  if (!boundary.has_images(low, shape.edge, m)) return;
   for (int n = 0; n < block_nodes; ++n) {
     if (nodes[n * lanes + count_lane] == 0) continue;
     const IntVec3 at = node_of(shape, low, n);

@@ -22,7 +22,7 @@ void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shap
     const double* stretch = shape.F[4 * axis] + at;
     for (int q = 0; q < n; ++q) to[q] *= std::fabs(stretch[q]);
   }
-  for (int q = 0; q < n; ++q) to[q] = std::fmin(std::fmax(to[q], least_half), most_half);
+  for (int q = 0; q < n; ++q) to[q] = std::min(most_half, std::max(least_half, to[q]));
 }
 
 }  // namespace sluice::mpm
