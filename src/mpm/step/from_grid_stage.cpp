@@ -329,7 +329,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       continue;
     }
     if (c.viscous >= 0)
-      add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating);
+      add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating,
+                    report.wave_speed);
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)

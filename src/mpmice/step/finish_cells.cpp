@@ -8,6 +8,7 @@
 #include "ice/step/step_bounds.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
+#include "mpmice/step/one_temperature.hpp"
 #include "mpmice/step/redistribute.hpp"
 
 namespace sluice::mpmice {
@@ -150,11 +151,13 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
     M[m] = amounts_.mass[m][i] / left;
     V[m] = count == 1 ? 1.0 : amounts_.filled[m][i] / left;
     E[m] = amounts_.energy[m][i] / left;
-    const bool less_than_round_off = !(M[m] > trace * all / left) && !(V[m] > trace);
-    const bool gone = count > 1 && (!(M[m] > 0) || !(V[m] > 0) || less_than_round_off);
-    if (gone) {
+    const double least = trace * all / left;
+    if (count > 1 && M[m] < -least) return false;
+    if (count > 1 && (!(M[m] > 0) || (!(M[m] > least) && !(V[m] > trace)))) {
       lost += E[m];
       M[m] = V[m] = E[m] = 0;
+    } else if (!(V[m] > 0)) {
+      V[m] = M[m] * left / all;  // something to begin with: the pressure will say it
     }
     volume += V[m];
     mass += M[m];
@@ -163,8 +166,14 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
   for (std::size_t m = 0; m < count; ++m) {
     E[m] += (rest / left + lost) * (M[m] / mass);
     V[m] = V[m] == volume ? 1.0 : V[m] / volume;
-    if (M[m] > 0 && !fluids[m].admissible(M[m] / V[m], E[m] / V[m])) return false;
   }
+  const auto admissible = [&] {
+    for (std::size_t m = 0; m < count; ++m)
+      if (M[m] > 0 && !fluids[m].admissible(M[m] / V[m], E[m] / V[m])) return false;
+    return true;
+  };
+  if (!admissible() && (count == 1 || !take_one_temperature(fluids, M, V, E) || !admissible()))
+    return false;
   return count == 1 || laws.equilibrate({M, V, E}).failed < 0;
 }
 

@@ -172,6 +172,7 @@ class Neighbourhoods {
       other = frame_.inside(other);
     }
     const std::size_t j = box_.index(other);
+    if (amounts_.near[j] == 0) return false;  // what it holds was not gathered
     const bool larger = amounts_.volume[j] > amounts_.volume[i] + margin;
     if (!larger && !(spoilt(i) && amounts_.volume[j] > 0)) return false;
     if (!covered_too && solids_.covered[d][face] >= 1 && solids_.covered_next[d][face] >= 1)
