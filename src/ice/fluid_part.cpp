@@ -366,6 +366,7 @@ void FluidPart::initialise(Warehouse& state) const {
       fill(state.view(fraction, 0, box), state.view(fraction, 0, box).box, 0.0);
   }
   if (!options_.implicit) return;
+  solve::start_library(ice_.implicit->linear);  // here, and not in the first step
   // The work pressure begins as that of the state.
   const int offset = state.find(labels().pressure_offset, options_.place(0));
   for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {

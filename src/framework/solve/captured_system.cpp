@@ -11,7 +11,6 @@
 #include "framework/base/communicator.hpp"
 #include "framework/base/error.hpp"
 #include "framework/solve/composite_solver.hpp"
-#include "framework/solve/hypre_tools.hpp"
 #include "framework/solve/linear_solver.hpp"
 
 namespace sluice::solve {
@@ -73,7 +72,7 @@ template <class Body>
 SolverTrial guarded(const SolverSettings& solver, Body&& body) {
   SolverTrial trial;
   try {
-    if (solver.type != "CGSolver") start_hypre();  // its start is no part of a set-up
+    start_library(solver);  // its start is no part of a set-up
     body(trial);
   } catch (const Error& refused) {
     trial.failure = refused.what();

@@ -11,6 +11,7 @@
 #include "framework/solve/gradient_solver.hpp"
 #include "framework/solve/hypre_amg.hpp"
 #include "framework/solve/hypre_struct.hpp"
+#include "framework/solve/hypre_tools.hpp"
 #include "framework/solve/system_watch.hpp"
 
 namespace sluice::solve {
@@ -152,6 +153,10 @@ std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings)
   if (settings.type == "hypreamr" || settings.solver == "amg")
     return std::make_unique<HypreAmgSolver>(settings);
   return std::make_unique<HypreStructSolver>(settings);
+}
+
+void start_library(const SolverSettings& settings) {
+  if (settings.type != "CGSolver") start_hypre();
 }
 
 }  // namespace sluice::solve

@@ -78,5 +78,8 @@ class LinearSolver {
 
 // Throws InputError with every fault of the settings, a line each.
 std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings);
+// Starts what the solver's library needs (MPI, hypre), which takes a quarter of a second; else the
+// first solver does.
+void start_library(const SolverSettings& settings);
 
 }  // namespace sluice::solve

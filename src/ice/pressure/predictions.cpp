@@ -75,8 +75,15 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
   const Law law = of;
   const Both r(row, h.rho, 0, axis), c(row, h.sound, 0, axis), p(row, h.pressure, 0, axis);
   const Both u(row, h.velocity, axis, axis), sp(row, h.pressure_slope, axis, axis);
-  Both su[D], UT, F;
-  for (int t = 0; t < D; ++t) su[t] = Both(row, h.velocity_slope, t, axis);
+  // Slopes along the axis and across it: no choice is left to the loop.
+  const Both su(row, h.velocity_slope, axis, axis);
+  Both across[D], UT, F;
+  double ratio[D] = {};
+  for (int t = 0, n_across = 0; t < D; ++t)
+    if (t != axis) {
+      across[n_across] = Both(row, h.velocity_slope, t, axis);
+      ratio[n_across++] = k.ratio[t];
+    }
   if constexpr (D > 1) UT = Both(row, h.transverse, axis, axis);
   if constexpr (Viscous) F = Both(row, h.force, axis, axis);
   double* __restrict star = row(h.prediction, star_velocity);
@@ -84,14 +91,13 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
   double* __restrict slope = row(h.prediction, slope_pressure);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    double uL = u.a[i] + 0.5 * su[axis].a[i], uR = u.b[i] - 0.5 * su[axis].b[i];
+    double uL = u.a[i] + 0.5 * su.a[i], uR = u.b[i] - 0.5 * su.b[i];
     if constexpr (D > 1) {
       double across_a = 0, across_b = 0;
-      for (int t = 0; t < D; ++t)
-        if (t != axis) {
-          across_a += su[t].a[i] * k.ratio[t];
-          across_b += su[t].b[i] * k.ratio[t];
-        }
+      for (int t = 0; t < D - 1; ++t) {
+        across_a += across[t].a[i] * ratio[t];
+        across_b += across[t].b[i] * ratio[t];
+      }
       uL += k.h * u.a[i] * across_a - UT.a[i];
       uR += k.h * u.b[i] * across_b - UT.b[i];
     }
@@ -117,7 +123,7 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
     const double w = smaller(0.25, 1.0 / 6.0 + 0.1766 * C * C), per_C = 1.0 / larger(1.0, C);
     double force = 0;
     if constexpr (Viscous) force = (F.a[i] + F.b[i]) * per_r;
-    star[i] = (ra * uL + rb * uR) * per_r + (w - 0.25) * (su[axis].a[i] - su[axis].b[i]) +
+    star[i] = (ra * uL + rb * uR) * per_r + (w - 0.25) * (su.a[i] - su.b[i]) +
               0.5 * per_C * (pL - pR) * per_z + k.half_dt * force +
               k.h * (k.g_dx + 2.0 * k.f_dx * per_r);
     jump[i] = smaller(phi * (zL * zR * per_z), 0.25 * smaller(ra, rb) * k.dx_per_dt) * du;
