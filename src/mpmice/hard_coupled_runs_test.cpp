@@ -229,6 +229,40 @@ TEST(FoamDisk, ReboundsFromAWallThroughItsFilmOfGas) {
   EXPECT_GT(range(run.field("press_CC", 0)).first, 0.5e5);
 }
 
+// A weak body whose halves fly apart: particles between them let go, and the halves move on.
+CoupledDeck torn_body() {
+  CoupledDeck deck;
+  deck.cells = "[40,20,1]";
+  deck.upper = "[1,0.5,0.025]";
+  deck.time = "0.004";
+  deck.bulk = "1e4";
+  deck.shear = "3e3";
+  deck.solid = solid_object(box_from("[0.3,0.15,-1]", "[0.5,0.35,1]"), "[-40,0,0]") +
+               solid_object(box_from("[0.5,0.15,-1]", "[0.7,0.35,1]"), "[40,0,0]");
+  return deck;
+}
+
+TEST(BodyTornApart, PartsAndKeepsItsBooks) {
+  const CoupledRun run(torn_body());
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  EXPECT_LT(run.worst_drift_but_energy(), 1e-13);
+  const Json events = Json::parse(run.report().events_json);
+  ASSERT_TRUE(events.contains("particle torn from its neighbours")) << events.dump();
+  // The halves fly on: their ends are where they would be alone, but for the gas.
+  const auto [low, high] = [&] {
+    const std::vector<double> x = run.particles("p.x").front();
+    const auto ends = std::minmax_element(x.begin(), x.end());
+    return std::pair{*ends.first, *ends.second};
+  }();
+  EXPECT_NEAR(low + high, 1, 1e-6);
+  EXPECT_LT(low, 0.18);
+}
+
+TEST(BodyTornApart, NeitherBoxesNorThreadsShow) {
+  const CoupledRun one(torn_body()), many(torn_body(), {}, 2, {3, 2, 1});
+  EXPECT_EQ(one.field("press_CC", 0).components[0], many.field("press_CC", 0).components[0]);
+}
+
 // Dense gas that bursts into thin hot gas of its neighbourhood, past a soft disk: its traces among
 // small cells have energies that are none of its own law's, two cells away from the disk too.
 TEST(SoftDisk, BetweenThinAndDenseGasLosesNothing) {

@@ -120,7 +120,9 @@ EventLedger& EventLedger::operator=(EventLedger&&) noexcept = default;
 
 void EventLedger::record(std::string_view name, const EventPlace& place, std::int64_t count) {
   const std::scoped_lock lock(attempt_->mutex);
-  merge_into(attempt_->events, std::string(name), single(place, count, false));
+  EventPlace whole = place;
+  if (whole.step == 0) whole.step = step_;
+  merge_into(attempt_->events, std::string(name), single(whole, count, false));
 }
 
 void EventLedger::keep(std::string_view name, const EventPlace& place) {

@@ -52,6 +52,8 @@ class EventLedger {
   EventLedger(EventLedger&&) noexcept;
   EventLedger& operator=(EventLedger&&) noexcept;
 
+  // The step that is attempted: of what is recorded without a number of its own.
+  void begin_step(int step) { step_ = step; }
   // Something in this attempt at the step. May be called by several threads at once.
   void record(std::string_view name, const EventPlace& place, std::int64_t count = 1);
   // Something that all ranks know and that counts although the attempt may be rejected.
@@ -78,6 +80,7 @@ class EventLedger {
  private:
   struct Attempt;
   std::map<std::string, EventRecord> records_;
+  int step_ = 0;
   std::unique_ptr<Attempt> attempt_;  // guarded: events come from many threads
 };
 

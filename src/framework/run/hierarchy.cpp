@@ -91,6 +91,7 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   wanted_ = &wanted;
   control_ = &control;
   ledger_ = &ledger;
+  ledger.begin_step(step);
   std::fill(done_.begin(), done_.end(), 0);
   StepScope scope;
   scope.time = time;

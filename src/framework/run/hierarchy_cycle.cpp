@@ -46,6 +46,7 @@ StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) 
   s.dt_before = previous_dt_;
   s.pass = pass_;
   s.journal = &journal;
+  s.events = ledger_;
   s.reason = &result_.reason;
   s.particles = particles_.get();
   s.sums = &result_.sums;

@@ -28,6 +28,7 @@ namespace sluice {
 
 class LevelSolver;
 class Communicator;
+class EventLedger;
 class ParticleCloud;
 
 // What a stage between sweeps sees.
@@ -38,6 +39,7 @@ struct StageScope {
   double dt_before = 0;  // length of the step before; 0: there was none
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
+  EventLedger* events = nullptr;       // of the attempt
   std::string* reason = nullptr;       // why it rejects the step, for the message
   ParticleCloud* particles = nullptr;  // of the run; null: it has none
   // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and

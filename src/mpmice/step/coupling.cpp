@@ -72,6 +72,7 @@ LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
       step_(std::move(step)),
       shock_slope_(fluid.options().fluids.front().shock_slope()),
       burns_(std::move(burns)) {
+  for (std::size_t a = 0; a < D; ++a) axes_[a] = mpm::axis_of(level, frame_.direction[a]);
   if (!solids.scene().materials.empty())
     reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
 }

@@ -26,7 +26,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   amounts_.touched.assign(frame_.box.cells(), 0);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     amounts_.volume[i] = 1 - fields_.theta_next[i];
-    if (!has_solid(i)) return;
+    if (!has_solid(i) && swept_with_solid_[i] == 0) return;
     amounts_.touched[i] = 1;
     // What it may share with, and what dry cells see of these.
     for_each_around(c, 2, [&](std::size_t j) { amounts_.near[j] = 1; });
@@ -38,7 +38,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
         frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells), [&](IntVec3 at) {
           const std::size_t i = frame_.box.index(frame_.cell(at));
           if (amounts_.near[i] == 0) return;
-          const bool solid = has_solid(i);
+          const bool solid = swept_with_solid_[i] != 0;
           double rho = 0, squares = 0;
           for (int m = 0; m < M; ++m) {
             rho += cells.mass(m, at);
@@ -277,6 +277,9 @@ Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   book_surface_work(scope);
+  swept_with_solid_.assign(frame_.box.cells(), 0);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { swept_with_solid_[i] = has_solid(i); });
+  part_torn(scope);
   gather(scope);
   take_friction(scope);
   if (share_small_cells(scope) != Verdict::good) return Verdict::reject;

@@ -2,6 +2,8 @@
 #pragma once
 #include "framework/run/level_solver.hpp"
 #include "ice/closure/equilibrate.hpp"
+#include "mpm/shape/axis.hpp"
+#include "mpm/transfer/corner_volume.hpp"
 #include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/burn/burning_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
@@ -118,6 +120,12 @@ class LevelCoupling final : public Coupling {
   void expose_neighbours(const StageScope& scope);
   void note_burned(const StageScope& scope);
   Verdict open_burned_volume(const StageScope& scope);
+  // What tears (torn.cpp).
+  mpm::CornerVolume<D> corners_after(const SolidSet<D>& s, std::size_t p) const;
+  bool tears(const mpm::CornerVolume<D>& v) const;
+  void part_torn(const StageScope& scope);
+  void tell_torn(const StageScope& scope, const SolidSet<D>& s, std::size_t p) const;
+  void become_block(const SolidSet<D>& s, std::size_t p, const mpm::CornerVolume<D>& v) const;
   bool settle(const StageScope& scope);
   bool share_spoilt(const StageScope& scope);
   bool settle_cell(std::size_t i, const ice::mixture::Equilibration& laws, double* M, double* V,
@@ -138,7 +146,8 @@ class LevelCoupling final : public Coupling {
   void for_each_cell_near(F&& act) const;
 
   Frame<D> frame_;
-  CellBox<D> solids_at_start_;  // cells in which they lie
+  std::array<mpm::Axis, D> axes_;  // of the corners
+  CellBox<D> solids_at_start_;     // cells in which they lie
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;
@@ -153,6 +162,7 @@ class LevelCoupling final : public Coupling {
   SweptSums<D> swept_;
   CoveredSides<D> at_sides_;  // of periodic sides
   KnownByOne<D> known_;
+  std::vector<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
   CellAmounts<D> settled_;            // what becomes their state, per volume of fluid
   std::vector<std::uint8_t> filled_;  // 1: they are known

@@ -25,6 +25,8 @@ struct SolidSet {
   std::vector<std::uint8_t> outer;
   int surface_column = -1;  // of mpm::Carried::surface
   std::vector<models::SurfaceHistory> surface;
+  // Faces that are outer since solids parted in this step, bits by particle; empty: none.
+  std::vector<std::uint8_t> parted;
   // All faces of particles at periodic sides: outer, inner.
   OuterFaces<D> outer_at_sides, inner_at_sides;
 };
@@ -65,6 +67,7 @@ std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
   std::vector<std::uint8_t> faces(s.set->size());
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < faces.size(); ++p) faces[p] = static_cast<std::uint8_t>(bits[p]);
+  for (std::size_t p = 0; p < s.parted.size(); ++p) faces[p] |= s.parted[p];
   return faces;
 }
 

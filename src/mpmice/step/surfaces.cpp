@@ -51,6 +51,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       s.present = &store.set(level, b);
       s.set = s.present;
       s.next = &store.next(level, b);
+      s.parted.clear();
     }
   }
   sets_.resize(n);

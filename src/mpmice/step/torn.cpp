@@ -1,0 +1,136 @@
+// Solids that tear: a particle whose corners its neighbours have drawn out lets them go and goes on
+// as a block of its own.
+//
+// The block has the particle's volume, middle, stress and motion; faces that it shared are outer
+// faces from then on, its own and its neighbours'. No mass, momentum or energy changes.
+#include <cmath>
+
+#include "framework/base/reduction.hpp"
+#include "framework/particle/particle_map.hpp"
+#include "framework/run/event_ledger.hpp"
+#include "mpm/transfer/corner_volume.hpp"
+#include "mpmice/burn/vanished_faces.hpp"
+#include "mpmice/step/level_coupling.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// Of a corner from its middle along a direction, cells: well before mpm::farthest_corner ends a
+// run, well beyond what bodies that hold together reach.
+constexpr double torn_corner = 1.2;
+// Blocks are smaller than what is torn.
+constexpr double largest_block = 1.6;
+
+}  // namespace
+
+template <int D>
+mpm::CornerVolume<D> LevelCoupling<D>::corners_after(const SolidSet<D>& s, std::size_t p) const {
+  const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+  mpm::CornerVolume<D> v;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t a = 0; a < D; ++a) v.x[k][a] = x[k][a][p];
+  v.find();
+  return v;
+}
+
+// Does the particle let its neighbours go; it must be better off as a block.
+template <int D>
+bool LevelCoupling<D>::tears(const mpm::CornerVolume<D>& v) const {
+  const double edge = std::pow(v.volume, 1.0 / D);
+  bool drawn = false;
+  for (std::size_t a = 0; a < D; ++a) {
+    const double width = frame_.spacing[frame_.direction[a]];
+    if (!(edge < largest_block * width)) return false;
+    for (int k = 0; k < v.count; ++k) drawn |= std::fabs(v.x[k][a]) > torn_corner * width;
+  }
+  return drawn;
+}
+
+// The corners of a block around the middle, inside of the domain.
+template <int D>
+void LevelCoupling<D>::become_block(const SolidSet<D>& s, std::size_t p,
+                                    const mpm::CornerVolume<D>& v) const {
+  const double half = 0.5 * std::pow(v.volume, 1.0 / D);
+  for (std::size_t a = 0; a < D; ++a) {
+    const int d = frame_.direction[a];
+    const auto column = [&](int k) {
+      return s.next->column(static_cast<std::size_t>(s.columns->corners + 3 * k + d));
+    };
+    double middle = v.middle[a];
+    if (!frame_.periodic[a]) {
+      const double width = frame_.spacing[d],
+                   low = frame_.anchor[d] + width * frame_.domain.lower[a],
+                   high = frame_.anchor[d] + width * frame_.domain.upper[a];
+      middle = std::max(low + half, std::min(high - half, middle));
+    }
+    double ends[2] = {axes_[a].rounded(middle - half), axes_[a].rounded(middle + half)};
+    for (int k = 0; k < v.count; ++k) column(k)[p] = ends[k >> a & 1];
+    s.next->coordinate(d)[p] = ends[0] + 0.5 * (ends[1] - ends[0]);
+  }
+}
+
+template <int D>
+void LevelCoupling<D>::tell_torn(const StageScope& scope, const SolidSet<D>& s,
+                                 std::size_t p) const {
+  EventPlace place;
+  place.level = scope.levels.front()->level().index;
+  place.cell = cell_at(scope.levels.front()->level(), s.next->position(p));
+  place.material = s.kind;
+  place.task = "torn particles part";
+  place.value = static_cast<double>(s.set->id(p));
+  scope.events->record("particle torn from its neighbours", place);
+}
+
+// Behind the sweep, before amounts of cells become a state: the fluid of a cell keeps what it has,
+// in what the parted solids leave of it.
+template <int D>
+void LevelCoupling<D>::part_torn(const StageScope& scope) {
+  constexpr auto all_faces = static_cast<std::uint8_t>((1u << (2 * D)) - 1);
+  struct Torn {
+    SolidSet<D>* set;
+    std::size_t p;
+    mpm::CornerVolume<D> corners;
+  };
+  std::vector<Torn> torn;
+  for (SolidSet<D>& s : sets_) {
+    if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
+    for (std::size_t p = 0; p < s.set->size(); ++p)
+      if (const mpm::CornerVolume<D> v = corners_after(s, p); tears(v)) torn.push_back({&s, p, v});
+  }
+  Reduction all;
+  const auto any = all.add_any(!torn.empty());
+  scope.ranks->reduce(all);
+  if (!all.any(any)) return;
+  VanishedFaces<D> parted;
+  for (const Torn& t : torn)
+    parted.add(t.set->kind, corner_columns<D>(frame_, *t.set->columns, *t.set->next), t.p);
+  parted.tell_all(*scope.ranks);
+  for (SolidSet<D>& s : sets_) {
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+    s.parted.resize(s.set->size());
+    for (std::size_t p = 0; p < s.parted.size(); ++p)
+      s.parted[p] = parted.exposed(s.kind, x, p).faces;
+  }
+  for (const Torn& t : torn) {
+    t.set->parted[t.p] = all_faces;
+    tell_torn(scope, *t.set, t.p);
+    become_block(*t.set, t.p, t.corners);
+  }
+  find_all_faces(scope, true);
+  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
+  keep_pockets();
+  close_cells_at_sides();
+  scope.journal->at_acceptance([this] {
+    for (SolidSet<D>& s : sets_) {
+      double* outer = s.present->column(static_cast<std::size_t>(s.columns->outer));
+      for (std::size_t p = 0; p < s.parted.size(); ++p)
+        outer[p] = static_cast<std::uint8_t>(outer[p]) | s.parted[p];
+    }
+  });
+}
+
+template void LevelCoupling<1>::part_torn(const StageScope&);
+template void LevelCoupling<2>::part_torn(const StageScope&);
+template void LevelCoupling<3>::part_torn(const StageScope&);
+
+}  // namespace sluice::mpmice
