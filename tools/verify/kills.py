@@ -15,21 +15,21 @@ import subprocess
 import sys
 import time
 
-SETTINGS = ["Grid/Level/Box/resolution=[128,128,1]", "Time/max_Timesteps=300",
-            "DataArchiver/outputInterval=", "DataArchiver/outputTimestepInterval=20",
+SETTINGS = ["DataArchiver/outputInterval=", "DataArchiver/outputTimestepInterval=20",
             "DataArchiver/checkpoint/@cycle=2", "DataArchiver/checkpoint/@timestepInterval=15"]
 
 
 class Runner:
     def __init__(self, given):
         self.sluice, self.deck, self.folder = given.sluice, given.deck, given.folder
+        self.settings = SETTINGS + [f"Time/max_Timesteps={given.steps}"] + given.set
 
     def command(self, name, restart=None):
         words = [self.sluice, "run", "-o", str(self.folder / name), "--progress", "none",
                  "--json", str(self.folder / f"{name}.json")]
         if restart:
             return words + ["--restart", str(restart)]  # with the deck that the archive keeps
-        for setting in SETTINGS:
+        for setting in self.settings:
             words += ["--set", setting]
         return words + [self.deck]
 
@@ -100,13 +100,15 @@ def main():
     parser.add_argument("--deck", required=True)
     parser.add_argument("--folder", required=True, type=pathlib.Path)
     parser.add_argument("--kills", type=int, default=50)
+    parser.add_argument("--steps", type=int, default=300)
+    parser.add_argument("--set", action="append", default=[], help="PATH=VALUE, as of sluice run")
     parser.add_argument("--seed", type=int, default=int(time.time()))
     given = parser.parse_args()
     random.seed(given.seed)
     print(f"seed {given.seed}")
 
     runner = Runner(given)
-    (given.folder / "reference").mkdir()
+    (given.folder / "reference").mkdir(parents=True)
     begin = time.monotonic()
     if runner.start("reference").wait() != 0:
         fail("the uninterrupted run failed; see reference.log")
@@ -122,7 +124,7 @@ def main():
         compare(runner, reference, archive)
         print(f"   sequence {sequences}: {done} kills, equal to the bit ({kills} in all)",
               flush=True)
-    print(f"RESULT: {kills} kills in {sequences} runs of {steps} steps ({wall:.1f} s each): every "
+    print(f"RESULT: {pathlib.Path(given.deck).stem}: {kills} kills in {sequences} runs of {steps} steps ({wall:.1f} s each): every "
           "archive undamaged, every end equal to the bit")
 
 

@@ -1,4 +1,17 @@
 #!/usr/bin/env bash
-# 50 runs killed at random moments and restarted; the end must equal the uninterrupted run's bits
-"$PYTHON" "$SLUICE_ROOT/tools/verify/kills.py" --sluice "$SLUICE" --folder "$PART_DIR" \
-  --deck "$SLUICE_ROOT/inputs/ice/blast_2d.ups" --kills "${KILLS:-50}"
+# 80 runs of fluid, solids and both killed at random moments and restarted; the end must equal the
+# uninterrupted run's bits
+status=0 told=()
+kill_runs_of() {  # deck, kills, steps, settings
+  local name
+  name=$(basename "$1" .ups)
+  "$PYTHON" "$SLUICE_ROOT/tools/verify/kills.py" --sluice "$SLUICE" --folder "$PART_DIR/$name" \
+    --deck "$SLUICE_ROOT/inputs/$1" --kills "$2" --steps "$3" "${@:4}" | tee "$name.told" ||
+    status=1
+  told+=("$(sed -n 's/^RESULT: //p' "$name.told")")
+}
+kill_runs_of ice/blast_2d.ups "${KILLS:-40}" 300 --set "Grid/Level/Box/resolution=[128,128,1]"
+kill_runs_of mpm/colliding_disks.ups "${KILLS:-20}" 400
+kill_runs_of mpmice/shock_over_foam.ups "${KILLS:-20}" 60
+echo "RESULT: $(IFS=';'; echo "${told[*]}")"
+exit "$status"
