@@ -124,8 +124,8 @@ def main():
         compare(runner, reference, archive)
         print(f"   sequence {sequences}: {done} kills, equal to the bit ({kills} in all)",
               flush=True)
-    print(f"RESULT: {pathlib.Path(given.deck).stem}: {kills} kills in {sequences} runs of {steps} steps ({wall:.1f} s each): every "
-          "archive undamaged, every end equal to the bit")
+    print(f"RESULT: {pathlib.Path(given.deck).stem}: {kills} kills in {sequences} runs of {steps} "
+          f"steps ({wall:.1f} s each): every archive undamaged, every end equal to the bit")
 
 
 if __name__ == "__main__":

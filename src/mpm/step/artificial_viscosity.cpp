@@ -21,7 +21,8 @@ void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w,
   const auto made = [&](int column) {
     return w.next->column(static_cast<std::size_t>(column)) + at;
   };
-  const double *m = old(columns.mass), *old_q = old(columns.viscous), *old_volume = old(columns.volume);
+  const double *m = old(columns.mass), *old_q = old(columns.viscous),
+               *old_volume = old(columns.volume);
   const double* volume = made(columns.volume);
   double *q = made(columns.viscous), *energy = made(columns.energy);
   const double h = (spacing.x + spacing.y + spacing.z) / 3;
@@ -32,8 +33,8 @@ void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w,
     const double rate = read.L[0][p] + read.L[4][p] + read.L[8][p];
     const double squeeze = rate < 0 ? -rate * h : 0.0;  // m/s
     const double rho = m[p] / volume[p];
-    // Q = A_1 c_b + A_2 |tr D| h: q = rho Q |tr D| h, and a step is stable up to
-    // h/(Q + sqrt(Q^2 + c^2)) (Hallquist, LS-DYNA theory manual 2006, eq. 20.1).
+    // Q = A_1 c_b + A_2 |tr D| h: q = rho Q |tr D| h. With what acts a step later a bar of linear
+    // elements is stable up to h/(Q + sqrt(Q^2 + c^2)) (Hallquist, LS-DYNA theory manual, 2006).
     const double Q = solids.viscosity_1 * std::sqrt(K / rho) + solids.viscosity_2 * squeeze;
     q[p] = rho * Q * squeeze;
     const double c = wave_speed[p];

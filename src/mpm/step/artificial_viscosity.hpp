@@ -4,7 +4,8 @@
 //   tr D < 0:  q = rho (A_1 c_b |tr D| h + A_2 (tr D h)^2),  c_b^2 = K/rho,  h the mean cell width
 //
 // Its work -q V tr D dt joins the energy of the particle; in materials with plastic flow it is
-// heat. Time steps count with it: the speed of sound becomes Q + sqrt(Q^2 + c^2), q = rho Q |tr D| h.
+// heat. Time steps count with it: the speed of sound becomes Q + sqrt(Q^2 + c^2) where
+// q = rho Q |tr D| h.
 #pragma once
 #include "mpm/step/solid_step.hpp"
 

@@ -66,6 +66,8 @@ class LevelCoupling final : public Coupling {
                    const Piece<D>& piece) const;
   bool all_rigid() const;
   double force_of_walls(std::size_t d) const;
+  double closed_faces(const Cell<D>& c, std::size_t d) const;
+  void find_overlaps();
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
@@ -157,6 +159,7 @@ class LevelCoupling final : public Coupling {
   std::vector<models::SolidBurn> burns_;
   BurnedSums burned_;
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
+  bool overlap_ = false;          // do bodies overlap somewhere
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;

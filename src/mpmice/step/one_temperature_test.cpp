@@ -1,3 +1,4 @@
+// Fluids of a cell that take one temperature: the sum of their energies, and when there is none.
 #include "mpmice/step/one_temperature.hpp"
 
 #include <gtest/gtest.h>

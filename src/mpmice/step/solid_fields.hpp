@@ -160,6 +160,9 @@ struct SolidFields {
   Column theta, theta_next;
   std::array<Column, D> covered, covered_next, mean_covered, swept;
   std::array<Column, D> normal;  // area vector of the surface in the cell, out of the solid
+  // What the fluid of the cell feels beyond it, where bodies overlap: closed faces that no surface
+  // in the cell accounts for.
+  std::array<Column, D> normal_beyond;
   std::array<Column, D> smooth;  // its direction, smoothed over the cells around
   // Of the surface in the cell: area (largest faces of a cell); means of velocity, pressure
   // -sigma_nn (Pa), 1/(rho c), of its place in the cell (cells from the low corner).

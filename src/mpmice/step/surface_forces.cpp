@@ -13,6 +13,9 @@ namespace sluice::mpmice {
 template <int D>
 std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
   const bool rubs = fluid_->options().viscous;
+  std::array<double, D> per_largest;  // face area over the largest, in which areas are counted
+  for (std::size_t d = 0; d < D; ++d)
+    per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
   std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
   for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
@@ -22,8 +25,12 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
                       const double p =
                           (fields_.wall_pressure[c] - reference_pressure_) * s.faces.weight_of(i);
                       const double size = rubs ? area_of(piece) * s.faces.weight_of(i) : 0.0;
+                      const double share =
+                          overlap_ && fields_.area[c] > 0 ? area_of(piece) / fields_.area[c] : 0.0;
                       for (std::size_t d = 0; d < D; ++d) {
                         double force = -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
+                        if (overlap_)
+                          force -= p * share * fields_.normal_beyond[d][c] * per_largest[d];
                         if (rubs) force += fields_.friction[d][c] * size;
                         std::array<double, D> moments = piece.m;
                         for (double& m : moments) m *= force;
@@ -82,25 +89,49 @@ bool LevelCoupling<D>::all_rigid() const {
   return std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
 }
 
-// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells, also where bodies overlap and a
-// face to a cell without fluid is not covered. Alike on every rank.
+// a_- - a_+ as the fluid of cell c feels it: also where bodies overlap and a face to a cell without
+// fluid is not covered.
+template <int D>
+double LevelCoupling<D>::closed_faces(const Cell<D>& c, std::size_t d) const {
+  const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
+    const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
+    beyond = frame_.inside(beyond);
+    return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)] : 1.0;
+  };
+  Cell<D> below = c, above = c;
+  --below[d];
+  ++above[d];
+  return closed(c, below) - closed(above, above);
+}
+
+// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells. Alike on every rank.
 template <int D>
 double LevelCoupling<D>::force_of_walls(std::size_t d) const {
   double sum = 0;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-    if (!wet(i)) return;
-    const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
-      const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
-      beyond = frame_.inside(beyond);
-      return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)]
-                                                   : 1.0;
-    };
-    Cell<D> below = c, above = c;
-    --below[d];
-    ++above[d];
-    sum += fields_.wall_pressure[i] * (closed(c, below) - closed(above, above));
+    if (wet(i)) sum += fields_.wall_pressure[i] * closed_faces(c, d);
   });
   return sum * frame_.face_area(static_cast<int>(d));
+}
+
+// Where bodies overlap, faces are closed once and surfaces are counted twice: what the fluid gives
+// to walls and what their surfaces get would differ.
+template <int D>
+void LevelCoupling<D>::find_overlaps() {
+  constexpr double round_off = 1e-10;
+  overlap_ = false;
+  if (all_rigid()) return;
+  for (std::size_t d = 0; d < D; ++d) {
+    Column& beyond = fields_.normal_beyond[d];
+    beyond.assign(frame_.box.cells(), 0.0);
+    for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+      const double n = wet(i) ? closed_faces(c, d) : 0.0;
+      const double more = n - fields_.normal[d][i];
+      if (!(std::fabs(more) > round_off)) return;
+      beyond[i] = more;
+      overlap_ = true;
+    });
+  }
 }
 
 // The impulse that comes from outside: of what holds or drives rigid bodies against the fluid; and
@@ -187,6 +218,9 @@ template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t, con
                                             const Piece<2>&) const;
 template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t, const FacetNodes<3>&,
                                             const Piece<3>&) const;
+template void LevelCoupling<1>::find_overlaps();
+template void LevelCoupling<2>::find_overlaps();
+template void LevelCoupling<3>::find_overlaps();
 template bool LevelCoupling<1>::all_rigid() const;
 template bool LevelCoupling<2>::all_rigid() const;
 template bool LevelCoupling<3>::all_rigid() const;

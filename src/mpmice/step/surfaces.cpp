@@ -153,6 +153,7 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
   take_kept_fractions(scope);
   mean_over_surfaces(scope);
+  find_overlaps();
   find_pressures(scope, false);
   return Verdict::good;
 }
