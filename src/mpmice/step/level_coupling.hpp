@@ -66,7 +66,6 @@ class LevelCoupling final : public Coupling {
                    const Piece<D>& piece) const;
   bool all_rigid() const;
   double force_of_walls(std::size_t d) const;
-  double closed_faces(const Cell<D>& c, std::size_t d) const;
   void find_overlaps();
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);

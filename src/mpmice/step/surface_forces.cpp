@@ -89,45 +89,43 @@ bool LevelCoupling<D>::all_rigid() const {
   return std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
 }
 
-// a_- - a_+ as the fluid of cell c feels it: also where bodies overlap and a face to a cell without
-// fluid is not covered.
-template <int D>
-double LevelCoupling<D>::closed_faces(const Cell<D>& c, std::size_t d) const {
-  const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
-    const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
-    beyond = frame_.inside(beyond);
-    return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)] : 1.0;
-  };
-  Cell<D> below = c, above = c;
-  --below[d];
-  ++above[d];
-  return closed(c, below) - closed(above, above);
-}
-
-// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells. Alike on every rank.
+// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells, also where bodies overlap and a
+// face to a cell without fluid is not covered. Alike on every rank.
 template <int D>
 double LevelCoupling<D>::force_of_walls(std::size_t d) const {
   double sum = 0;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-    if (wet(i)) sum += fields_.wall_pressure[i] * closed_faces(c, d);
+    if (!wet(i)) return;
+    const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
+      const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
+      beyond = frame_.inside(beyond);
+      return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)]
+                                                   : 1.0;
+    };
+    Cell<D> below = c, above = c;
+    --below[d];
+    ++above[d];
+    sum += fields_.wall_pressure[i] * (closed(c, below) - closed(above, above));
   });
   return sum * frame_.face_area(static_cast<int>(d));
 }
 
-// Where bodies overlap, faces are closed once and surfaces are counted twice: what the fluid gives
-// to walls and what their surfaces get would differ.
+// Where bodies overlap, faces are covered once and surfaces are counted twice: what the fluid gives
+// to walls, p_w (a_- - a_+), and what surfaces get, p_w n, would differ.
 template <int D>
 void LevelCoupling<D>::find_overlaps() {
-  constexpr double round_off = 1e-10;
+  constexpr double cleaned = 1e-6;  // well above what cleaning volume fractions and faces changes
   overlap_ = false;
   if (all_rigid()) return;
   for (std::size_t d = 0; d < D; ++d) {
+    const Column& covered = fields_.covered[d];
     Column& beyond = fields_.normal_beyond[d];
     beyond.assign(frame_.box.cells(), 0.0);
     for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-      const double n = wet(i) ? closed_faces(c, d) : 0.0;
-      const double more = n - fields_.normal[d][i];
-      if (!(std::fabs(more) > round_off)) return;
+      Cell<D> above = c;
+      ++above[d];
+      const double more = covered[i] - covered[frame_.box.index(above)] - fields_.normal[d][i];
+      if (!(std::fabs(more) > cleaned)) return;
       beyond[i] = more;
       overlap_ = true;
     });
