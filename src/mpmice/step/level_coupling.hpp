@@ -71,6 +71,7 @@ class LevelCoupling final : public Coupling {
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
   void book_surface_work(const StageScope& scope);
+  double growth_of_solids(const StageScope& scope) const;
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);
@@ -124,6 +125,7 @@ class LevelCoupling final : public Coupling {
   // What tears (torn.cpp).
   mpm::CornerVolume<D> corners_after(const SolidSet<D>& s, std::size_t p) const;
   bool tears(const mpm::CornerVolume<D>& v) const;
+  bool leaves(const SolidSet<D>& s, std::size_t p) const;
   void part_torn(const StageScope& scope);
   void tell_torn(const StageScope& scope, const SolidSet<D>& s, std::size_t p) const;
   void become_block(const SolidSet<D>& s, std::size_t p, const mpm::CornerVolume<D>& v) const;

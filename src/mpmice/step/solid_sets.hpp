@@ -27,6 +27,7 @@ struct SolidSet {
   std::vector<models::SurfaceHistory> surface;
   // Faces that are outer since solids parted in this step, bits by particle; empty: none.
   std::vector<std::uint8_t> parted;
+  std::vector<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
   // All faces of particles at periodic sides: outer, inner.
   OuterFaces<D> outer_at_sides, inner_at_sides;
 };
@@ -68,6 +69,8 @@ std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < faces.size(); ++p) faces[p] = static_cast<std::uint8_t>(bits[p]);
   for (std::size_t p = 0; p < s.parted.size(); ++p) faces[p] |= s.parted[p];
+  for (std::size_t p = 0; p < s.dropped.size(); ++p)
+    if (s.dropped[p] != 0) faces[p] = 0;
   return faces;
 }
 

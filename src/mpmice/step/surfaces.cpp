@@ -52,6 +52,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       s.set = s.present;
       s.next = &store.next(level, b);
       s.parted.clear();
+      s.dropped.clear();
     }
   }
   sets_.resize(n);

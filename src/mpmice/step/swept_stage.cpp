@@ -59,13 +59,10 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope) {
   const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
-  double work = 0, by_reference = 0, friction = 0;  // alike on every rank
+  double work = 0, friction = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    if (has_solid(i)) {
-      const double closed = fields_.theta_next[i] - fields_.theta[i];
-      work += fields_.wall_pressure[i] * closed;
-      by_reference += reference_pressure_ * closed;
-    }
+    if (has_solid(i))
+      work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
     for (std::size_t d = 0; d < D && rubs; ++d)
       friction += fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i];
   });
@@ -73,8 +70,27 @@ void LevelCoupling<D>::book_surface_work(const StageScope& scope) {
   if (rigid)
     sums[mpm::StepSums::work] += work * frame_.cell_volume;
   else
-    sums[mpm::StepSums::surface_work] += (work - by_reference) * frame_.cell_volume -
+    sums[mpm::StepSums::surface_work] += work * frame_.cell_volume -
+                                         reference_pressure_ * growth_of_solids(scope) -
                                          friction * scope.step.dt * frame_.largest_face();
+}
+
+// By how much particles have grown, m^3: what the totals count, also where bodies overlap.
+template <int D>
+double LevelCoupling<D>::growth_of_solids(const StageScope& scope) const {
+  ExactSum growth;
+  for (const SolidSet<D>& s : sets_) {
+    const auto column = static_cast<std::size_t>(s.columns->volume);
+    const double *before = s.set->column(column), *after = s.next->column(column);
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      growth.add(after[p]);
+      growth.add(-before[p]);
+    }
+  }
+  Reduction all;
+  const auto slot = all.add_sum(growth);
+  scope.ranks->reduce(all);
+  return all.sum(slot).value();
 }
 
 // A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by

@@ -1,5 +1,5 @@
-// Solids that tear: a particle whose corners its neighbours have drawn out lets them go and goes on
-// as a block of its own.
+// Solids that part. A particle whose corners its neighbours have drawn out lets them go and goes on
+// as a block of its own; one whose middle has left the domain lets them go too, and is dropped.
 //
 // The block has the particle's volume, middle, stress and motion; faces that it shared are outer
 // faces from then on, its own and its neighbours'. No mass, momentum or energy changes.
@@ -81,6 +81,17 @@ void LevelCoupling<D>::tell_torn(const StageScope& scope, const SolidSet<D>& s,
   scope.events->record("particle torn from its neighbours", place);
 }
 
+// Will the particle be dropped: its middle has left the domain.
+template <int D>
+bool LevelCoupling<D>::leaves(const SolidSet<D>& s, std::size_t p) const {
+  bool out = false;
+  for (std::size_t a = 0; a < D; ++a) {
+    const int cell = frame_.cell_at(s.next->coordinate(frame_.direction[a])[p], a);
+    out |= !frame_.periodic[a] && (cell < frame_.domain.lower[a] || cell >= frame_.domain.upper[a]);
+  }
+  return out;
+}
+
 // Behind the sweep, before amounts of cells become a state: the fluid of a cell keeps what it has,
 // in what the parted solids leave of it.
 template <int D>
@@ -91,19 +102,25 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
     std::size_t p;
     mpm::CornerVolume<D> corners;
   };
-  std::vector<Torn> torn;
+  std::vector<Torn> torn, leaving;
   for (SolidSet<D>& s : sets_) {
-    if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
-    for (std::size_t p = 0; p < s.set->size(); ++p)
-      if (const mpm::CornerVolume<D> v = corners_after(s, p); tears(v)) torn.push_back({&s, p, v});
+    const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      const mpm::CornerVolume<D> v = corners_after(s, p);
+      if (leaves(s, p))
+        leaving.push_back({&s, p, v});
+      else if (!rigid && tears(v))
+        torn.push_back({&s, p, v});
+    }
   }
   Reduction all;
-  const auto any = all.add_any(!torn.empty());
+  const auto any = all.add_any(!torn.empty() || !leaving.empty());
   scope.ranks->reduce(all);
   if (!all.any(any)) return;
   VanishedFaces<D> parted;
-  for (const Torn& t : torn)
-    parted.add(t.set->kind, corner_columns<D>(frame_, *t.set->columns, *t.set->next), t.p);
+  for (const auto* parting : {&torn, &leaving})
+    for (const Torn& t : *parting)
+      parted.add(t.set->kind, corner_columns<D>(frame_, *t.set->columns, *t.set->next), t.p);
   parted.tell_all(*scope.ranks);
   for (SolidSet<D>& s : sets_) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
@@ -115,6 +132,10 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
     t.set->parted[t.p] = all_faces;
     tell_torn(scope, *t.set, t.p);
     become_block(*t.set, t.p, t.corners);
+  }
+  for (const Torn& t : leaving) {
+    t.set->dropped.resize(t.set->set->size());
+    t.set->dropped[t.p] = 1;
   }
   find_all_faces(scope, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
