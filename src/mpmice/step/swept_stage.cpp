@@ -61,8 +61,7 @@ void LevelCoupling<D>::book_surface_work(const StageScope& scope) {
   const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
   double work = 0, friction = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    if (has_solid(i))
-      work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
+    if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
     for (std::size_t d = 0; d < D && rubs; ++d)
       friction += fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i];
   });
