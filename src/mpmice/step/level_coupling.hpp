@@ -123,7 +123,6 @@ class LevelCoupling final : public Coupling {
   void note_burned(const StageScope& scope);
   Verdict open_burned_volume(const StageScope& scope);
   // What tears (torn.cpp).
-  mpm::CornerVolume<D> corners_after(const SolidSet<D>& s, std::size_t p) const;
   bool tears(const mpm::CornerVolume<D>& v) const;
   bool leaves(const SolidSet<D>& s, std::size_t p) const;
   void part_torn(const StageScope& scope);

@@ -21,17 +21,16 @@ constexpr double torn_corner = 1.2;
 // Blocks are smaller than what is torn.
 constexpr double largest_block = 1.6;
 
-}  // namespace
-
 template <int D>
-mpm::CornerVolume<D> LevelCoupling<D>::corners_after(const SolidSet<D>& s, std::size_t p) const {
-  const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
+mpm::CornerVolume<D> volume_of(const CornerColumns<D>& x, std::size_t p) {
   mpm::CornerVolume<D> v;
   for (std::size_t k = 0; k < x.size(); ++k)
     for (std::size_t a = 0; a < D; ++a) v.x[k][a] = x[k][a][p];
   v.find();
   return v;
 }
+
+}  // namespace
 
 // Does the particle let its neighbours go; it must be better off as a block.
 template <int D>
@@ -105,8 +104,9 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
   std::vector<Torn> torn, leaving;
   for (SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
+    const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     for (std::size_t p = 0; p < s.set->size(); ++p) {
-      const mpm::CornerVolume<D> v = corners_after(s, p);
+      const mpm::CornerVolume<D> v = volume_of<D>(x, p);
       if (leaves(s, p))
         leaving.push_back({&s, p, v});
       else if (!rigid && tears(v))
