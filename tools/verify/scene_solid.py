@@ -35,6 +35,14 @@ LAWS = [
     ("water", 1000, 320, "<bulk_modulus>1.5e7</bulk_modulus><viscosity>0</viscosity>"
                          "<gamma>7</gamma>"),
     ("murnaghanMPM", 1000, 250, "<K>1.5e7</K><gamma>4</gamma>"),
+    (
+        "Arenisca3",
+        2000,
+        1600,
+        "<B0>3e9</B0><G0>1.6e9</G0><PEAKI1>2e7</PEAKI1><FSLOPE>.4</FSLOPE><CR>.5</CR>"
+        "<p0_crush_curve>-3e7</p0_crush_curve><p1_crush_curve>5e-9</p1_crush_curve>"
+        "<p3_crush_curve>.2</p3_crush_curve>",
+    ),
     ("MohrCoulomb", 1800, 120, "<K>1.3e7</K><G>1e7</G><c>2e5</c><Phi>30</Phi><Psi>10</Psi>"),
     ("trans_iso_hyper", 1000, 11,
      "<bulk_modulus>1e5</bulk_modulus><c1>2e3</c1><c2>1e3</c2><c3>1e3</c3><c4>10</c4><c5>4e4</c5>"

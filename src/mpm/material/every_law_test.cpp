@@ -86,6 +86,18 @@ const LawCase cases[] = {
      Kind::rate, 5.72238e9, 2.6411e9, 0.1, 2e-4},
     {"MohrCoulomb", "<K>1.3e7</K><G>1e7</G><c>2e5</c><Phi>30</Phi><Psi>10</Psi>", Kind::rate, 1.3e7,
      1e7, 0.1, 1e-9, 2e-3},
+    {"Arenisca",
+     "<B0>6e9</B0><G0>3e9</G0><PEAKI1>2e7</PEAKI1><FSLOPE>.4</FSLOPE><FSLOPE_p>.3</FSLOPE_p>"
+     "<CR>6</CR><p0_crush_curve>-3e7</p0_crush_curve><p1_crush_curve>5e-9</p1_crush_curve>"
+     "<p3_crush_curve>.2</p3_crush_curve><hardening_modulus>1e7</hardening_modulus>"
+     "<kinematic_hardening_constant>1e7</kinematic_hardening_constant>",
+     Kind::rate, 6e9, 3e9, 0.1, 1e-9, 2e-3},
+    {"Arenisca3",
+     "<B0>6e9</B0><G0>3e9</G0><PEAKI1>2e7</PEAKI1><FSLOPE>.4</FSLOPE><STREN>8e7</STREN>"
+     "<YSLOPE>.1</YSLOPE><CR>.5</CR><p0_crush_curve>-3e7</p0_crush_curve>"
+     "<p1_crush_curve>5e-9</p1_crush_curve><p3_crush_curve>.2</p3_crush_curve>"
+     "<T1_rate_dependence>1e-3</T1_rate_dependence>",
+     Kind::rate, 6e9, 3e9, 0.1, 1e-9, 2e-3},
 };
 
 class EveryLaw : public testing::TestWithParam<LawCase> {

@@ -17,7 +17,8 @@ using Describe = MaterialModel();
 Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_model, cnh_mms_model,
     comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model,
     visco_scram_model, trans_iso_hyper_model, visco_trans_iso_hyper_model, ideal_gas_model,
-    water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model;
+    water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model, Arenisca_model,
+    Arenisca3_model, Arenisca4_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
@@ -26,7 +27,8 @@ const std::vector<MaterialModel>& material_models() {
       hypo_elastic_model(), elastic_plastic_model(), elastic_plastic_hp_model(),
       visco_scram_model(),  trans_iso_hyper_model(), visco_trans_iso_hyper_model(),
       ideal_gas_model(),    water_model(),           murnaghanMPM_model(),
-      jwlpp_mpm_model(),    MohrCoulomb_model(),
+      jwlpp_mpm_model(),    MohrCoulomb_model(),     Arenisca_model(),
+      Arenisca3_model(),    Arenisca4_model(),
   };
   return table;
 }
@@ -35,9 +37,6 @@ namespace {
 
 // Known to the format.
 const std::vector<std::string> models_not_supported = {"ArenaSoil",
-                                                       "Arenisca",
-                                                       "Arenisca3",
-                                                       "Arenisca4",
                                                        "ArrudaBoyce8",
                                                        "HypoplasticB",
                                                        "Kelvin_Voigt",
@@ -49,7 +48,6 @@ const std::vector<std::string> models_not_supported = {"ArenaSoil",
                                                        "TransIsoHypoFrictional",
                                                        "UCNHVar",
                                                        "VUMAT",
-                                                       "arenisca",
                                                        "camclay",
                                                        "ceramic_fiber_damage",
                                                        "cnh_damage",

@@ -1,0 +1,443 @@
+// Arenisca, Arenisca3, Arenisca4: rock and soil whose pores are crushed under a cap and fill with
+// fluid; after Homel, Guilkey and Brannon 2015 (Acta Mechanica 227), Homel and Brannon 2015
+// (Int. J. Fracture 194), Fossum and Brannon 2004 (SAND2004-3226).
+//
+// In the body's own axes: trial by K (at the middle of the strain) and G, then the nearest point of
+// the yield surface (cap_surface.hpp). Its cap X, back stress zeta (porous_rock.hpp), isotropic and
+// kinematic hardening (Arenisca alone) are those of the plastic strain after the step:
+//   J2^(1/2) of s - xi <= F_f F_c + H e_q,   d xi = c d e^p,   e_q = int (2/3 de^p : de^p)^(1/2)
+//   d e_v^p = (tr sigma_tr - tr sigma)/(3 K),   d e^p = (s_tr - s)/(2 G)
+// Rate dependence of Duvaut and Lions, tau = T1 |D|^T2: the stress trails what it would be in rest.
+#include <algorithm>
+#include <cmath>
+
+#include "framework/deck/faults.hpp"
+#include "mpm/material/cap_surface.hpp"
+#include "mpm/material/history_labels.hpp"
+#include "mpm/material/materials.hpp"
+#include "mpm/material/plastic_root.hpp"
+#include "mpm/material/porous_rock.hpp"
+#include "mpm/material/tensor.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+struct Constants {
+  PorousRock rock;
+  LimitCurve limit;
+  double G = 0;
+  double cap_share = 0;                 // (PEAKI1 - kappa)/(PEAKI1 - X)
+  double beta = 1;                      // of plastic flow: 1 associated, less dilates less
+  double hardening = 0, kinematic = 0;  // H, c, Pa
+  double T1 = 0, T2 = 0;                // s^(1 - T2), 1
+  int most_parts = 1;                   // of a step
+  double density = 0;
+};
+
+// What a particle has become, in its own axes.
+struct State {
+  Symmetric sigma, xi{};
+  double e_v = 0, e_q = 0;  // plastic change of volume, equivalent plastic strain
+};
+
+// Columns of the history.
+constexpr int volume_column = 0, elastic_column = 1, kappa_column = 2, strain_column = 3,
+              first_optional = 4;
+
+class Arenisca final : public Material {
+ public:
+  explicit Arenisca(const Constants& constants) : c_(constants) {
+    history_ = {{particle_label("p.evp", "", "plastic change of volume, logarithmic"), 1},
+                {particle_label("p.eve", "", "elastic change of volume, logarithmic"), 1},
+                {particle_label("p.Kappa", "Pa", "trace of the stress where the cap begins"), 1},
+                {plastic_strain_label(), 1}};
+    if (c_.kinematic != 0)
+      history_.push_back({particle_label("p.BackStress", "Pa", "centre of the yield surface"), 6});
+    if (c_.T1 > 0)
+      history_.push_back({particle_label("p.stressQS", "Pa", "stress without rate dependence"), 6});
+    quiet_column_ = first_optional + (c_.kinematic != 0 ? 6 : 0);
+  }
+
+  std::span<const HistoryColumn> history() const override { return history_; }
+
+  // Fluid and body begin at one pressure.
+  void start(const Batch& b) const override {
+    const double mean = c_.rock.back_stress(0) / 3;
+    for (int i = 0; i < b.count; ++i) {
+      for (std::size_t k = 0; k < b.history.size(); ++k) b.history[k][i] = 0;
+      for (int k = 0; k < 6; ++k) {
+        b.stress[static_cast<std::size_t>(k)][i] = k < 3 ? mean : 0;
+        if (c_.T1 > 0) b.history[static_cast<std::size_t>(quiet_column_ + k)][i] = k < 3 ? mean : 0;
+      }
+      b.history[kappa_column][i] = surface(0, 0).kappa;
+      b.energy[i] = 0;
+      b.wave_speed[i] = wave_speed(c_.rock.modulus(0, 0), determinant(at(b.F, i)));
+    }
+  }
+
+  std::optional<BatchFault> update(const Batch& b) const override {
+    if (const auto fault = fault_of_volume(b)) return fault;
+    for (int i = 0; i < b.count; ++i) update(b, i);
+    return std::nullopt;
+  }
+  double bulk_modulus() const override { return c_.rock.modulus(0, 0); }
+  double shear_modulus() const override { return c_.G; }
+
+ private:
+  double wave_speed(double K, double J) const {
+    return std::sqrt((K + 4.0 / 3 * c_.G) * J / c_.density);
+  }
+
+  CapSurface surface(double e_v, double e_q) const {
+    CapSurface s{c_.limit, c_.rock.crush(e_v), 0};
+    if (c_.hardening != 0) {  // of the linear curve alone
+      s.limit.a1 += c_.hardening * e_q;
+      s.limit.peak = s.limit.a1 / s.limit.a4;
+    }
+    s.kappa = std::max(s.X, s.limit.peak - c_.cap_share * (s.limit.peak - s.X));
+    return s;
+  }
+
+  void update(const Batch& b, int i) const {
+    const Matrix F_0 = at(b.old_F, i), F_1 = at(b.F, i);
+    const double J_0 = determinant(F_0), J_1 = determinant(F_1);
+    const Polar old_turn = polar(F_0), turn = polar(F_1);
+    const Symmetric strain = strain_between(old_turn.U, turn.U);
+    const Matrix back = transposed(old_turn.R);
+    const Symmetric old = pushed(at(b.old_stress, i), back);
+
+    State now{old, {}, b.old_history[volume_column][i], b.old_history[strain_column][i]};
+    if (c_.T1 > 0) now.sigma = pushed(six(b.old_history, quiet_column_, i), back);
+    if (c_.kinematic != 0) now.xi = pushed(six(b.old_history, first_optional, i), back);
+    const Symmetric quiet_0 = now.sigma;
+    const Symmetric elastic = advance(now, strain);
+    Symmetric sigma = now.sigma;
+    if (c_.T1 > 0) sigma = trailed(old, quiet_0, now.sigma, elastic, strain, b.dt);
+
+    b.history[volume_column][i] = now.e_v;
+    b.history[elastic_column][i] = std::log(J_1) - now.e_v;
+    b.history[kappa_column][i] = surface(now.e_v, now.e_q).kappa;
+    b.history[strain_column][i] = now.e_q;
+    if (c_.T1 > 0) put(b.history, quiet_column_, i, pushed(now.sigma, turn.R));
+    if (c_.kinematic != 0) put(b.history, first_optional, i, pushed(now.xi, turn.R));
+    b.energy[i] =
+        b.old_energy[i] +
+        0.5 * b.volume_0[i] * (J_0 * double_dot(old, strain) + J_1 * double_dot(sigma, strain));
+    const double I = trace(now.sigma) - c_.rock.back_stress(now.e_v);
+    b.wave_speed[i] = wave_speed(c_.rock.modulus(I, now.e_v), J_1);
+    const Symmetric turned = pushed(sigma, turn.R);
+    for (std::size_t k = 0; k < 6; ++k) b.stress[k][i] = turned[k];
+  }
+
+  static Symmetric six(std::span<const double* const> columns, int first, int i) {
+    Symmetric s;
+    for (std::size_t k = 0; k < 6; ++k) s[k] = columns[static_cast<std::size_t>(first) + k][i];
+    return s;
+  }
+  static void put(std::span<double* const> columns, int first, int i, const Symmetric& s) {
+    for (std::size_t k = 0; k < 6; ++k) columns[static_cast<std::size_t>(first) + k][i] = s[k];
+  }
+
+  // K where the stress is after half of this strain, as elastic.
+  double middle_modulus(const State& s, double volume) const {
+    const double I = trace(s.sigma) - c_.rock.back_stress(s.e_v);
+    return c_.rock.modulus(I + 1.5 * c_.rock.modulus(I, s.e_v) * volume, s.e_v);
+  }
+  Symmetric elastic_change(double K, const Symmetric& strain) const {
+    Symmetric change = combined(2 * c_.G, strain, 0, strain);
+    const double volume = (K - 2.0 / 3 * c_.G) * trace(strain);
+    for (std::size_t k = 0; k < 3; ++k) change[k] += volume;
+    return change;
+  }
+
+  // So many equal parts that a part's stress is a tenth of the surface's size.
+  int parts(const State& s, const Symmetric& strain) const {
+    const CapSurface now = surface(s.e_v, s.e_q);
+    const double size = std::min(0.5 * (now.limit.peak - now.X), now.strength(now.kappa));
+    const Symmetric change = elastic_change(middle_modulus(s, trace(strain)), strain);
+    const double wanted = std::ceil(10 * std::sqrt(double_dot(change, change)) / size);
+    return wanted < c_.most_parts ? std::max(static_cast<int>(wanted), 1) : c_.most_parts;
+  }
+
+  // Through a strain; the change of stress of a body that does not yield comes back.
+  Symmetric advance(State& s, const Symmetric& strain) const {
+    const int n = parts(s, strain);
+    const Symmetric part = combined(1.0 / n, strain, 0, strain);
+    Symmetric all{};
+    for (int k = 0; k < n; ++k) {
+      const double K = middle_modulus(s, trace(part));
+      const Symmetric change = elastic_change(K, part);
+      all = combined(1, all, 1, change);
+      s.sigma = combined(1, s.sigma, 1, change);
+      come_back(s, K);
+    }
+    return all;
+  }
+
+  // From a trial stress to the surface that is there after the plastic strain.
+  void come_back(State& s, double K) const {
+    const double I_trial = trace(s.sigma);
+    const Symmetric away = combined(1, deviator(s.sigma), -1, s.xi);
+    const double size = std::sqrt(double_dot(away, away));
+    const double scale = c_.beta * std::sqrt(1.5 * K / c_.G);
+    struct Met {
+      Meridian at;
+      double zeta = 0, volume = 0, shear = 0;  // shear: |d e^p|
+    };
+    // With the surface of a plastic change of volume y and a plastic shear h of this step.
+    const auto meet = [&](double y, double h) {
+      Met m;
+      m.zeta = c_.rock.back_stress(s.e_v + y);
+      const Meridian trial{I_trial - m.zeta,
+                           std::max(size - c_.kinematic * h, 0.0) * std::sqrt(0.5)};
+      const CapSurface now = surface(s.e_v + y, s.e_q + std::sqrt(2.0 / 3) * h);
+      m.at = now.contains(trial) ? trial : now.nearest(trial, scale);
+      m.volume = (trial.I - m.at.I) / (3 * K);
+      m.shear = std::sqrt(2.0) * (trial.q - m.at.q) / (2 * c_.G);
+      return m;
+    };
+    // Hardening in shear makes the plastic shear less.
+    const bool hardens = c_.hardening != 0 || c_.kinematic != 0;
+    const auto settled = [&](double y) {
+      Met m = meet(y, 0);
+      if (!hardens || m.shear == 0) return m;
+      const auto over = [&](double h) { return meet(y, h).shear - h; };
+      return meet(y, falling_root(over, m.shear, m.shear, 0, 1e-14 * m.shear));
+    };
+    Met m = settled(0);
+    if (m.volume == 0 && m.shear == 0) return;
+    const double y = settled_volume(settled, m.volume);
+    if (y != 0) m = settled(y);
+    const double per = size > 0 ? 1 / size : 0;
+    const double kept = std::sqrt(2.0) * m.at.q * per, moved = c_.kinematic * m.shear * per;
+    s.xi = combined(1, s.xi, moved, away);
+    s.sigma = combined(1, s.xi, kept, away);
+    for (std::size_t k = 0; k < 3; ++k) s.sigma[k] += (m.at.I + m.zeta) / 3;
+    s.e_v += y;
+    s.e_q += std::sqrt(2.0 / 3) * m.shear;
+  }
+
+  // y = volume(y): a cap that hardens, a fluid that is pressed make |volume| less; one that
+  // softens can make it more.
+  template <class Settled>
+  static double settled_volume(const Settled& settled, double first) {
+    if (first == 0) return 0;
+    const double sign = first < 0 ? -1 : 1;
+    const auto over = [&](double x) { return sign * settled(sign * x).volume - x; };
+    double high = std::abs(first);
+    for (int k = 0; k < 60 && over(high) > 0; ++k) high *= 2;
+    return sign * falling_root(over, std::abs(first), high, 0, 1e-14 * std::abs(first));
+  }
+
+  // Duvaut and Lions over a step whose rest stress and elastic change are linear in time.
+  Symmetric trailed(const Symmetric& old, const Symmetric& quiet_0, const Symmetric& quiet,
+                    const Symmetric& elastic, const Symmetric& strain, double dt) const {
+    const double rate = std::sqrt(double_dot(strain, strain)) / dt;
+    const double tau = c_.T1 * std::pow(rate, c_.T2);
+    const double kept = tau > 0 ? std::exp(-dt / tau) : 0;
+    const double mean = tau > 0 ? -std::expm1(-dt / tau) * tau / dt : 0;
+    Symmetric sigma;
+    for (std::size_t k = 0; k < 6; ++k)
+      sigma[k] =
+          quiet[k] + (elastic[k] - (quiet[k] - quiet_0[k])) * mean + (old[k] - quiet_0[k]) * kept;
+    return sigma;
+  }
+
+  Constants c_;
+  int quiet_column_ = 0;
+  std::vector<HistoryColumn> history_;
+};
+
+// Tags that all three read.
+Tags common_tags() {
+  return {
+      positive("B0", "bulk modulus at rest, Pa"),
+      positive("G0", "shear modulus, Pa"),
+      tag("PEAKI1", "greatest trace of the stress, in tension, Pa").once().real().at_least(0),
+      tag("FSLOPE", "slope of J2^(1/2) over the trace of the stress at PEAKI1")
+          .once()
+          .real()
+          .at_least(0),
+      positive("CR", "shape of the cap"),
+      number("p0_crush_curve", "trace of the stress where pores begin to be crushed, negative, Pa"),
+      number("p1_crush_curve",
+             "1/Pa: hardening of the cap, X = p0 + ln(1 + e/p3)/p1; a large negative number "
+             "holds the cap"),
+      positive("p3_crush_curve", "the share of pores is 1 - exp(-p3)"),
+      number("fluid_B0", "bulk modulus of the fluid in the pores, Pa; 0: dry", 0).at_least(0),
+      number("fluid_pressure_initial", "pressure of fluid and body at the start, Pa", 0)
+          .at_least(0),
+      number("T1_rate_dependence", "tau = T1 |D|^T2, s^(1 + T2); 0: no rate dependence", 0)
+          .at_least(0),
+      number("T2_rate_dependence", "its exponent", 0),
+      number("subcycling_characteristic_number",
+             "most parts that a step is taken in; at least 1 are", 256),
+      number("gruneisen_parameter", "0; other values are not supported", 0),
+      choice("Use_Disaggregation_Algorithm", "true is not supported", false)};
+}
+
+bool only_zero(const Parameters& p, const std::vector<const char*>& names) {
+  bool good = true;
+  for (const char* name : names)
+    if (p.real(name) != 0) {
+      add_not_built(p.faults(), p.block(name)->where, p.owner() + ": <" + name + ">");
+      good = false;
+    }
+  return good;
+}
+
+// What all three read; nothing where it cannot be.
+std::optional<Constants> common(const Parameters& p, double STREN, double YSLOPE) {
+  bool good = true;
+  if (p.flag("Use_Disaggregation_Algorithm")) {
+    add_not_built(p.faults(), p.block("Use_Disaggregation_Algorithm")->where,
+                  p.owner() + ": <Use_Disaggregation_Algorithm>");
+    good = false;
+  }
+  Constants c;
+  const auto limit = limit_curve(p.real("PEAKI1"), p.real("FSLOPE"), STREN, YSLOPE);
+  if (!limit) {
+    p.error("FSLOPE", "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> are no limit curve",
+            "linear: FSLOPE alone above 0; constant: STREN alone; curved: FSLOPE > YSLOPE and "
+            "STREN > YSLOPE PEAKI1");
+    good = false;
+  } else {
+    c.limit = *limit;
+  }
+  c.rock.B0 = p.real("B0");
+  c.G = p.real("G0");
+  c.rock.p0 = p.real("p0_crush_curve");
+  c.rock.p1 = p.real("p1_crush_curve");
+  c.rock.p3 = p.real("p3_crush_curve");
+  if (!(c.rock.p0 < 0)) {
+    p.error("p0_crush_curve", "<p0_crush_curve> must be negative: it lies in compression");
+    good = false;
+  }
+  if (c.rock.p1 == 0) {
+    p.error("p1_crush_curve", "<p1_crush_curve> is 0: the cap would harden without end");
+    good = false;
+  }
+  c.rock.fluid = p.real("fluid_B0");
+  c.rock.fluid_pressure = c.rock.fluid > 0 ? p.real("fluid_pressure_initial") : 0;
+  c.T1 = p.real("T1_rate_dependence");
+  c.T2 = p.real("T2_rate_dependence");
+  c.most_parts = static_cast<int>(std::clamp(p.real("subcycling_characteristic_number"), 1.0, 1e6));
+  c.density = p.constants().density;
+  if (!good) return std::nullopt;
+  return c;
+}
+
+std::shared_ptr<const Material> make(const Parameters& p) {
+  const bool zeros = only_zero(p, {"G1", "G2", "G3", "G4", "p2_crush_curve"});
+  auto c = common(p, p.real("STREN"), p.real("YSLOPE"));
+  if (!c || !zeros) return nullptr;
+  c->rock.B1 = p.real("B1");
+  c->rock.B2 = p.real("B2");
+  c->rock.B3 = p.real("B3");
+  c->rock.B4 = p.real("B4");
+  if (!(c->rock.fluid < c->rock.B0 + c->rock.B1)) {
+    p.error("fluid_B0", "<fluid_B0> must be less than the modulus <B0> + <B1> of the matrix");
+    return nullptr;
+  }
+  if (!(c->rock.B0 > c->rock.B3)) {
+    p.error("B3", "<B3> must be less than <B0>: a crushed body would have no stiffness");
+    return nullptr;
+  }
+  c->cap_share = p.real("CR");
+  c->beta = p.real("BETA_nonassociativity");
+  return std::make_shared<Arenisca>(*c);
+}
+
+std::shared_ptr<const Material> make_4(const Parameters& p) {
+  if (!only_zero(p, {"J3_type", "J3_psi", "principal_stress_cutoff"})) return nullptr;
+  return make(p);
+}
+
+// CR of the cap as an axis ratio: kappa - X = CR F_f(kappa).
+std::shared_ptr<const Material> make_linear(const Parameters& p) {
+  const bool zero = only_zero(p, {"gruneisen_parameter"});
+  auto c = common(p, 0, 0);
+  if (!c || !zero) return nullptr;
+  const double FSLOPE = p.real("FSLOPE"), flow = p.real("FSLOPE_p");
+  if (!(flow > 0 && flow <= FSLOPE)) {
+    p.error("FSLOPE_p", "<FSLOPE_p> must lie above 0 and not above <FSLOPE>");
+    return nullptr;
+  }
+  if (c->rock.fluid > 0 && p.real("p4_fluid_effect") != 0)
+    add_warning(p.faults(), p.block("p4_fluid_effect")->where,
+                "Arenisca: <p4_fluid_effect> has no effect: pores and fluid close together as in "
+                "Arenisca3",
+                "remove it");
+  if (!(c->rock.fluid < c->rock.B0)) {
+    p.error("fluid_B0", "<fluid_B0> must be less than the modulus <B0> of the matrix");
+    return nullptr;
+  }
+  c->cap_share = 1 / (1 + p.real("CR") * FSLOPE);
+  c->beta = std::sqrt(flow / FSLOPE);
+  c->hardening = p.real("hardening_modulus");
+  c->kinematic = p.real("kinematic_hardening_constant");
+  return std::make_shared<Arenisca>(*c);
+}
+
+Tags tags_of_3() {
+  Tags tags = common_tags();
+  for (const TagSpec& t :
+       {number("STREN", "greatest J2^(1/2), Pa; 0: the curve is linear", 0).at_least(0),
+        number("YSLOPE", "slope of the limit curve far in compression", 0).at_least(0),
+        number("BETA_nonassociativity", "1: associated flow; less: less dilatancy", 1)
+            .above(0)
+            .at_most(1),
+        number("B1", "stiffening by pressure, Pa", 0).at_least(0),
+        number("B2", "its scale, Pa", 0).at_least(0),
+        number("B3", "softening by crushed pores, Pa", 0).at_least(0),
+        number("B4", "its scale", 0).at_least(0)})
+    tags.push_back(t);
+  for (const char* name : {"G1", "G2", "G3", "G4", "p2_crush_curve"})
+    tags.push_back(number(name, "0; other values are not supported", 0));
+  return tags;
+}
+
+// Some decks give the numbers of the cap twice.
+TagSpec copy_of_the_cap() {
+  TagSpec copy =
+      tag("internal_variable_model", "accepted without effect: the numbers of the cap once more")
+          .attribute(attribute("type", "its name").text());
+  for (const char* name : {"arenisca_fSlope", "arenisca_peakI1", "arenisca_Cr", "arenisca_B0",
+                           "arenisca_p0", "arenisca_p1", "arenisca_p3", "arenisca_p4"})
+    copy = copy.child(tag(name, "accepted without effect").real());
+  return copy;
+}
+
+}  // namespace
+
+MaterialModel Arenisca_model() {
+  Tags tags = common_tags();
+  tags.push_back(positive("FSLOPE_p", "slope of the plastic flow, at most FSLOPE"));
+  tags.push_back(number("hardening_modulus", "H of J2^(1/2) = F + H e_q, Pa", 0).at_least(0));
+  tags.push_back(number("kinematic_hardening_constant", "c of d xi = c d e^p, Pa", 0).at_least(0));
+  tags.push_back(number("p4_fluid_effect", "accepted without effect", 0));
+  tags.push_back(number("gruneisen_parameter", "0; other values are not supported", 0));
+  tags.push_back(copy_of_the_cap());
+  return {"Arenisca",
+          {"arenisca"},
+          "rock with a linear limit curve, a cap that pores harden, and hardening in shear",
+          tags,
+          make_linear};
+}
+
+MaterialModel Arenisca3_model() {
+  return {"Arenisca3",
+          {},
+          "rock with a limit curve and a cap that pores and their fluid harden",
+          tags_of_3(),
+          make};
+}
+
+MaterialModel Arenisca4_model() {
+  Tags tags = tags_of_3();
+  for (const char* name : {"J3_type", "J3_psi", "principal_stress_cutoff"})
+    tags.push_back(number(name, "0; other values are not supported", 0));
+  return {"Arenisca4", {}, "as Arenisca3", tags, make_4};
+}
+
+}  // namespace sluice::mpm
