@@ -6,8 +6,8 @@
 // Pores of share phi = 1 - exp(-(p3 + e)) that are full of a fluid of bulk modulus K_f, in a matrix
 // of bulk modulus K_m = B0 + B1 (Gassmann 1951):
 //   K = K_d + (1 - K_d/K_m)^2/(phi/K_f + (1 - phi)/K_m - K_d/K_m^2),   X = X_d K/K_d
-// zeta = -3 p_f: the trace of the stress at which the frame bears nothing. Where the frame yields at
-// its stress, matrix and fluid bear all further pressure, side by side: the body has the modulus
+// zeta = -3 p_f: the trace of the stress at which the frame bears nothing. Where the frame yields
+// at its stress, matrix and fluid bear all further pressure, side by side: the body's modulus is
 // 1/K_R = phi/K_f + (1 - phi)/K_m. With K as elastic modulus that asks for
 //   dp_f/de = -1/(1/K_R - 1/K) = -(1/w + g/(K_0 w^2)),  w = phi (1/K_f - 1/K_m),  g = 1 - K_0/K_m
 // (K_0 = B0, of the frame at rest), which is integrated by d phi/de = 1 - phi; p_f >= 0.
