@@ -94,5 +94,32 @@ TEST(SemiImplicitRuns, SeveralFluidsHaveTheSameBitsOnBoxesAndThreads) {
         << label;
 }
 
+// Gas between two plates, a sixth of one cell all of whose faces are covered, squeezed to two thirds:
+// its pressure follows in each step, along its isentrope.
+TEST(SemiImplicitRuns, AClosedPocketTakesItsPressureAtOnce) {
+  CoupledDeck deck;
+  deck.cells = "[20,1,1]";
+  deck.upper = "[1,0.05,0.05]";
+  deck.density = "1000";
+  deck.bulk = "1e8";
+  deck.shear = "6e7";
+  deck.solid = solid_object(box_from("[0.2,-1,-1]", "[0.512,1,1]"), "[5,0,0]");
+  deck.further =
+      solid_of(deck, "other", solid_object(box_from("[0.52,-1,-1]", "[0.8,1,1]"), "[-5,0,0]"));
+  deck.drag = "0,0,0";
+  deck.heat = "0,0,0";
+  deck.time = "0.0003";
+  deck.fluid =
+      "<ImplicitSolver><max_outer_iterations>5</max_outer_iterations>"
+      "<outer_iteration_tolerance>1e-8</outer_iteration_tolerance></ImplicitSolver>";
+  const CoupledRun run(deck);
+  ASSERT_EQ(run.report().status, RunStatus::done) << run.report().message;
+  EXPECT_EQ(run.report().events_json.find("redone"), std::string::npos) << run.report().events_json;
+  const double p = run.field("press_CC", 0).components[0][10];
+  const double rho = run.field("rho_CC", 2).components[0][10];
+  EXPECT_GT(p, 1.5e5);
+  EXPECT_NEAR(p / 1e5, std::pow(rho / (1e5 / (0.4 * 717.5 * 300)), 1.4), 0.01 * p / 1e5);
+}
+
 }  // namespace
 }  // namespace sluice::mpmice::semi_implicit_runs_test

@@ -9,8 +9,9 @@
 // solid, and do not depend on d. V R is a volume of the CELL: one of little fluid counts little,
 // for it shares what it holds with its neighbours anyhow.
 //
-// Rows of cells without fluid say d = 0; cells with no open face are as stiff as if fluid filled
-// them. Behind the sweep -(V_L - V) becomes V (p_L - p)/K, p_L by the law, where a cell gives what
+// Rows of cells without fluid say d = 0. A cell with no open face stands alone: V, or V_L where that
+// is more, so that a pocket that is squeezed has its pressure at once and one that opens none below
+// -K. Behind the sweep -(V_L - V) becomes V (p_L - p)/K, p_L by the law, where a cell gives what
 // the step makes of it; where it gives its old state (walls/lagrangian.cpp) it stays linear.
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,7 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   TaskBuilder task = list.task("compressibility beside solids", effect);
   const In rho = task.read(v.rho), sound = task.read(v.sound);
   const In fraction = task.read(v.walls.fraction, Stencil::box(1));
+  const In after = task.read(v.walls.next);
   std::array<In, 3> covered;
   for (int a = 0; a < o.axes.count; ++a)
     covered[static_cast<std::size_t>(a)] =
@@ -59,7 +61,7 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   const Out out = task.write(list.output(labels().matrix_cell, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
     const double al = solve_constants(row.step()).al;
-    const double *r = row(rho), *c = row(sound), *theta = row(fraction);
+    const double *r = row(rho), *c = row(sound), *theta = row(fraction), *next = row(after);
     double* to = row(out);
     for (int i = 0; i < row.count(); ++i) {
       bool closed = true;
@@ -68,7 +70,8 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
         closed &= (row(A)[i] >= 1 || row(fraction, 0, a, -1)[i] >= 1) &&
                   (row(A, 0, a, 1)[i] >= 1 || row(fraction, 0, a, 1)[i] >= 1);
       }
-      to[i] = (closed ? 1.0 : 1.0 - theta[i]) / (al * (r[i] * (c[i] * c[i])));
+      const double V = 1.0 - (closed ? std::min(theta[i], next[i]) : theta[i]);
+      to[i] = (V > 0 ? V : 1.0) / (al * (r[i] * (c[i] * c[i])));
     }
   });
 }

@@ -87,6 +87,26 @@ TEST(VanishedFaces, AreOuterOnesOfTheirNeighbours) {
   neighbours_lose_the_shared_face<3>();
 }
 
+// The last of a row and the first share a face across periodic sides.
+template <int D>
+void neighbours_across_periodic_sides() {
+  const RowOfParticles<D> row(4);
+  Periods<D> periods;
+  periods.length[0] = 0.4;
+  VanishedFaces<D> gone(periods);
+  gone.add(0, row.columns(), 3);
+  gone.tell_all(world());
+  EXPECT_EQ(gone.exposed(0, row.columns(), 0).faces, 1 << 0);
+  EXPECT_EQ(gone.exposed(0, row.columns(), 2).faces, 1 << 1);
+  EXPECT_EQ(gone.exposed(0, row.columns(), 1).faces, 0);
+}
+
+TEST(VanishedFaces, AreKnownAcrossPeriodicSides) {
+  neighbours_across_periodic_sides<1>();
+  neighbours_across_periodic_sides<2>();
+  neighbours_across_periodic_sides<3>();
+}
+
 // Of two the steeper; of one that has not burned nothing.
 TEST(VanishedFaces, LeaveWhatTheirSurfacesRemember) {
   const RowOfParticles<2> row(5);

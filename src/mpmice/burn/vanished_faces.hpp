@@ -2,7 +2,7 @@
 // over what the surface there remembers.
 //
 // Particles of a body share corners to the bit, so that faces are known by the places of their
-// corners, in an order of their own.
+// corners, in an order of their own; across periodic sides they differ by exactly the period.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -16,9 +16,16 @@
 
 namespace sluice::mpmice {
 
+// Periodic directions: where the domain begins and its length, which is 0 in the others.
+template <int D>
+struct Periods {
+  std::array<double, D> low{}, length{};
+};
+
 template <int D>
 class VanishedFaces {
  public:
+  explicit VanishedFaces(const Periods<D>& periods = {}) : periods_(periods) {}
   // Of particle p of a body, whose surface remembered this.
   void add(int body, const CornerColumns<D>& x, std::size_t p,
            const models::SurfaceHistory& surface = {}) {
@@ -69,11 +76,22 @@ class VanishedFaces {
   static bool steeper(const models::SurfaceHistory& a, const models::SurfaceHistory& b) {
     return std::array{a.gradient, a.temperature} > std::array{b.gradient, b.temperature};
   }
-  static Key key_of(int body, const CornerColumns<D>& x, std::size_t p, int face) {
+  Key key_of(int body, const CornerColumns<D>& x, std::size_t p, int face) const {
     std::array<std::array<double, D>, corners_of_face<D>> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
       for (std::size_t d = 0; d < D; ++d)
         corners[k][d] = x[face_corners<D>[static_cast<std::size_t>(face)][k]][d][p];
+    for (std::size_t d = 0; d < D; ++d) {
+      const double length = periods_.length[d];
+      if (length == 0) continue;
+      double least = corners[0][d];
+      for (const auto& corner : corners) least = std::min(least, corner[d]);
+      // Sums of corners and periods are exact.
+      double turned = 0;
+      while (least + turned < periods_.low[d]) turned += length;
+      while (least + turned >= periods_.low[d] + length) turned -= length;
+      for (auto& corner : corners) corner[d] += turned;
+    }
     std::sort(corners.begin(), corners.end());
     Key key{};
     key[0] = body;
@@ -81,6 +99,7 @@ class VanishedFaces {
       std::copy(corners[k].begin(), corners[k].end(), key.begin() + 1 + static_cast<int>(k * D));
     return key;
   }
+  Periods<D> periods_;
   std::vector<Face> faces_;
 };
 

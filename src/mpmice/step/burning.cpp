@@ -135,7 +135,7 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
 // Whose neighbours have vanished has more outer faces, and goes on where they have ended.
 template <int D>
 void LevelCoupling<D>::expose_neighbours(const StageScope& scope) {
-  VanishedFaces<D> gone;
+  VanishedFaces<D> gone(periods());
   for (const SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);

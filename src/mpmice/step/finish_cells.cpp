@@ -276,7 +276,7 @@ Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
 
 template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
-  book_surface_work(scope);
+  const Column moved = fields_.theta_next;  // parting solids do no work
   swept_with_solid_.assign(frame_.box.cells(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { swept_with_solid_[i] = has_solid(i); });
   part_torn(scope);
@@ -286,6 +286,7 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   exchange(scope);
   if (burn(scope) != Verdict::good) return Verdict::reject;
   if (!settle(scope) && !share_spoilt(scope)) return Verdict::reject;
+  book_surface_work(scope, moved);
   fill_dry_cells();
   store(scope);
   return Verdict::good;

@@ -7,6 +7,7 @@
 #include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/burn/burning_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
+#include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
@@ -70,7 +71,7 @@ class LevelCoupling final : public Coupling {
   std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
-  void book_surface_work(const StageScope& scope);
+  void book_surface_work(const StageScope& scope, const Column& moved);
   double growth_of_solids(const StageScope& scope) const;
   void mean_over_cells(const StageScope& scope);
   void tell_fluid(const StageScope& scope);
@@ -125,6 +126,7 @@ class LevelCoupling final : public Coupling {
   // What tears (torn.cpp).
   bool tears(const mpm::CornerVolume<D>& v) const;
   bool leaves(const SolidSet<D>& s, std::size_t p) const;
+  Periods<D> periods() const;
   void part_torn(const StageScope& scope);
   void tell_torn(const StageScope& scope, const SolidSet<D>& s, std::size_t p) const;
   void become_block(const SolidSet<D>& s, std::size_t p, const mpm::CornerVolume<D>& v) const;

@@ -54,14 +54,17 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   return Verdict::good;
 }
 
-// What surfaces work on the fluid, by pressure and friction. Of rigid solids it comes from outside
-// (that of friction is booked with its force).
+// What surfaces that have moved from theta to these fractions work on the fluid, by pressure and
+// friction; not where a gap waits for fluid. Of rigid solids it comes from outside (that of friction
+// is booked with its force).
 template <int D>
-void LevelCoupling<D>::book_surface_work(const StageScope& scope) {
+void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
   const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
   double work = 0, friction = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    if (has_solid(i)) work += fields_.wall_pressure[i] * (fields_.theta_next[i] - fields_.theta[i]);
+    const bool waits = fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1;
+    if (!waits && swept_with_solid_[i] != 0)
+      work += fields_.wall_pressure[i] * (moved[i] - fields_.theta[i]);
     for (std::size_t d = 0; d < D && rubs; ++d)
       friction += fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i];
   });
@@ -262,9 +265,9 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   state.forget();
 }
 
-template void LevelCoupling<1>::book_surface_work(const StageScope&);
-template void LevelCoupling<2>::book_surface_work(const StageScope&);
-template void LevelCoupling<3>::book_surface_work(const StageScope&);
+template void LevelCoupling<1>::book_surface_work(const StageScope&, const Column&);
+template void LevelCoupling<2>::book_surface_work(const StageScope&, const Column&);
+template void LevelCoupling<3>::book_surface_work(const StageScope&, const Column&);
 template Verdict LevelCoupling<1>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<2>::find_swept_volumes(const StageScope&);
 template Verdict LevelCoupling<3>::find_swept_volumes(const StageScope&);

@@ -91,6 +91,19 @@ bool LevelCoupling<D>::leaves(const SolidSet<D>& s, std::size_t p) const {
   return out;
 }
 
+// Of the corners of particles.
+template <int D>
+Periods<D> LevelCoupling<D>::periods() const {
+  Periods<D> to;
+  for (std::size_t a = 0; a < D; ++a) {
+    if (!frame_.periodic[a]) continue;
+    const int d = frame_.direction[a], cells = frame_.domain.upper[a] - frame_.domain.lower[a];
+    to.low[a] = axes_[a].rounded(frame_.anchor[d] + frame_.domain.lower[a] * frame_.spacing[d]);
+    to.length[a] = axes_[a].rounded(cells * frame_.spacing[d]);
+  }
+  return to;
+}
+
 // Behind the sweep, before amounts of cells become a state: the fluid of a cell keeps what it has,
 // in what the parted solids leave of it.
 template <int D>
@@ -117,7 +130,7 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
   const auto any = all.add_any(!torn.empty() || !leaving.empty());
   scope.ranks->reduce(all);
   if (!all.any(any)) return;
-  VanishedFaces<D> parted;
+  VanishedFaces<D> parted(periods());
   for (const auto* parting : {&torn, &leaving})
     for (const Torn& t : *parting)
       parted.add(t.set->kind, corner_columns<D>(frame_, *t.set->columns, *t.set->next), t.p);
@@ -150,8 +163,11 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
   });
 }
 
+template Periods<1> LevelCoupling<1>::periods() const;
 template void LevelCoupling<1>::part_torn(const StageScope&);
+template Periods<2> LevelCoupling<2>::periods() const;
 template void LevelCoupling<2>::part_torn(const StageScope&);
+template Periods<3> LevelCoupling<3>::periods() const;
 template void LevelCoupling<3>::part_torn(const StageScope&);
 
 }  // namespace sluice::mpmice
