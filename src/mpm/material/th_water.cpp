@@ -17,7 +17,7 @@ namespace {
 class ThermalWater final : public Material {
  public:
   ThermalWater(const eos::ThomsenHartkaWater& law, double p_ref, double density)
-      : law_(law), p_ref_(p_ref), density_(density) {}
+      : law_(law), p_ref_(p_ref), density_(density), at_rest_(law.bulk_modulus(density, p_ref)) {}
 
   void start(const Batch& b) const override {
     for (int i = 0; i < b.count; ++i) {
@@ -33,14 +33,13 @@ class ThermalWater final : public Material {
       const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
       const double rho_0 = density_ / J_0, rho = density_ / J, T = b.temperature[i];
       const double e_0 = law_.energy_from_temperature(rho_0, T) / rho_0;
-      const double p_0 = law_.pressure(rho_0, rho_0 * e_0), dv = 1 / rho - 1 / rho_0;
-      // dp/de is some tenths of the density: few rounds.
-      double p = p_0 - rho_0 * law_.sound_speed_squared(rho_0, rho_0 * e_0) * std::log(J / J_0),
-             e = e_0;
+      const double p_0 = p_ref_ - b.old_stress[0][i], dv = 1 / rho - 1 / rho_0;
+      // The guess is off by little, and dp/de |dv| is 1e-2 at most: few rounds.
+      double p = p_0 - at_rest_ * std::log(J / J_0), e = e_0;
       for (int round = 0; round < 20; ++round) {
         e = e_0 - 0.5 * (p_0 + p) * dv;
         const double next = law_.pressure(rho, rho * e);
-        const bool done = !(std::abs(next - p) > 1e-13 * std::abs(next));
+        const bool done = !(std::abs(next - p) > 1e-13 * at_rest_);
         p = next;
         if (done) break;
       }
@@ -53,8 +52,7 @@ class ThermalWater final : public Material {
     }
     return std::nullopt;
   }
-  // At the pressure without stress, on the warm side.
-  double bulk_modulus() const override { return law_.bulk_modulus(density_, p_ref_); }
+  double bulk_modulus() const override { return at_rest_; }
 
  private:
   void set_stress(const Batch& b, int i, double rho, double rho_e) const {
@@ -65,6 +63,7 @@ class ThermalWater final : public Material {
 
   eos::ThomsenHartkaWater law_;
   double p_ref_, density_;
+  double at_rest_;  // bulk modulus without stress, on the warm side, Pa
 };
 
 }  // namespace
