@@ -100,7 +100,7 @@ MaterialModel program_burn_model() {
       "explosive that burns when a detonation of a given speed arrives",
       {positive("K", "compressibility of the solid, 1/Pa"),
        positive("n", "derivative of its bulk modulus by pressure"),
-       positive("A", "pressure of the first exponential of JWL, Pa"),
+       tag("A", "pressure of the first exponential of JWL, Pa").once().real().at_least(0),
        number("B", "pressure of the second exponential, Pa"),
        number("C", "pressure of the power of density, Pa"), positive("R1", "first exponent"),
        positive("R2", "second exponent"), positive("om", "Grueneisen coefficient"),
