@@ -50,11 +50,12 @@ void set_attribute(DeckNode& node, const std::string& name, const std::string& v
 
 bool is_place(const std::string& name) {
   return among(name, {"origin", "center", "bottom", "top", "p1", "p2", "p3", "p4", "planePoint",
-                      "reference_point"});
+                      "reference_point", "starting_location"});
 }
 bool is_arrow(const std::string& name) {
-  return among(name, {"velocity", "gravity", "vel_infinity", "reference_velocity", "velocity_src",
-                      "normal", "offset", "v1", "v2", "v3", "U_infinity", "value"});
+  return among(
+      name, {"velocity", "gravity", "vel_infinity", "reference_velocity", "velocity_src", "normal",
+             "offset", "v1", "v2", "v3", "U_infinity", "value", "direction_if_plane"});
 }
 // Numbers of cells, sizes, and lists that are no vectors. Corners of grid boxes are placed on the
 // nodes of their level, `min` and `max` as a pair.
@@ -65,6 +66,8 @@ bool keeps(const std::string& name) {
                       "spacing",
                       "res",
                       "periodic",
+                      "mu",
+                      "tau",
                       "lower",
                       "upper",
                       "min",

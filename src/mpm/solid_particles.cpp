@@ -161,6 +161,7 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     b.time = scene_->time.initial_time;
     b.wave_speed = wave_speed;
     b.heating = heating;
+    for (int d = 0; d < 3; ++d) b.position[static_cast<std::size_t>(d)] = set.coordinate(d) + at;
     material.law->start(b);
   }
 }

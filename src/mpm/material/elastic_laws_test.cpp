@@ -1,4 +1,4 @@
-// Closed forms of cnh_mms, comp_mooney_rivlin, hypo_elastic and rigid.
+// Closed forms of cnh_mms, comp_mooney_rivlin, ArrudaBoyce8, hypo_elastic and rigid.
 #include <cmath>
 
 #include "mpm/material/law_test_support.hpp"
@@ -91,6 +91,60 @@ TEST(Rigid, HasNoStress) {
   MaterialSample s(made, steel_constants(), 1, 298);
   ASSERT_EQ(s.step({0.5, 0.1, 0, 0, 2, 0, 0, 0, 1}, 1), std::nullopt);
   for (const double x : s.stress()) EXPECT_EQ(x, 0);
+}
+
+// x of coth x - 1/x = y
+double inverse_langevin(double y) {
+  double low = 0, high = 1e3;
+  for (int k = 0; k < 200; ++k) {
+    const double x = 0.5 * (low + high);
+    const double value = x < 1e-3 ? x / 3 : 1 / std::tanh(x) - 1 / x;
+    (value < y ? low : high) = x;
+  }
+  return low;
+}
+
+// Eight chains with the inverse Langevin function itself, stretched by l at constant volume:
+// sigma_11 - sigma_22 = G [L^-1(c/beta)/c]/[L^-1(1/beta)] (l^2 - 1/l), c = (I/3)^(1/2).
+TEST(ArrudaBoyce, FollowsTheInverseLangevinFunction) {
+  const auto made = law("ArrudaBoyce8",
+                        "<bulk_modulus>1e6</bulk_modulus><shear_modulus>3e4</shear_modulus>"
+                        "<beta>3</beta>");
+  for (const double l : {0.8, 1.01, 1.5, 2.0}) {
+    MaterialSample s(made, steel_constants(), 1, 298);
+    const double w = 1 / std::sqrt(l), chain = std::sqrt((l * l + 2 / l) / 3);
+    ASSERT_EQ(s.step({l, 0, 0, 0, w, 0, 0, 0, w}, 1), std::nullopt);
+    const double stiffer = inverse_langevin(chain / 3) / chain / inverse_langevin(1.0 / 3);
+    EXPECT_NEAR((s.stress()[0] - s.stress()[1]) / (3e4 * stiffer * (l * l - 1 / l)), 1, 1e-3) << l;
+  }
+}
+
+// The wave speed is no less than that of differences of the stress, along the stretch and across,
+// and not much more.
+TEST(ArrudaBoyce, WaveSpeedBoundsThoseOfItsStress) {
+  const auto made = law("ArrudaBoyce8",
+                        "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus>"
+                        "<beta>1.67</beta>");
+  const Matrix F = {1.6, 0, 0, 0, 0.8, 0, 0, 0, 0.8};
+  MaterialSample s(made, steel_constants(), 1, 298);
+  ASSERT_EQ(s.step(F, 1), std::nullopt);
+  double fastest = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // rho_0 c^2 = l_n^2 dP_nn/dF_nn, P = J sigma F^-T
+    double P[2];
+    const double h = 1e-5;
+    for (int side = 0; side < 2; ++side) {
+      Matrix moved = F;
+      moved[4 * axis] += side == 0 ? -h : h;
+      MaterialSample other(made, steel_constants(), 1, 298);
+      ASSERT_EQ(other.step(moved, 1), std::nullopt);
+      P[side] = other.volume_ratio() * other.stress()[axis] / moved[4 * axis];
+    }
+    const double modulus = F[4 * axis] * F[4 * axis] * (P[1] - P[0]) / (2 * h);
+    fastest = std::max(fastest, std::sqrt(modulus / steel_constants().density));
+  }
+  EXPECT_GE(s.wave_speed(), fastest);
+  EXPECT_LE(s.wave_speed(), 1.2 * fastest);  // measured 1.17
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 // that depends on strain, rate, temperature and pressure. One step of a particle:
 //
 //   Sigma = R_0^T sigma R_0, strain = strain_between(U_0, U_1)     in the body's own axes
-//   S_tr  = S + 2 mu strain',  mu and T_m of p, T at the start; T > T_m: S_tr = 0 (do_melting)
+//   S_tr  = S + 2 mu strain' (or relaxed by <deviatoric_stress_model>, metal_deviator.hpp),
+//     mu and T_m of p, T at the start; T > T_m: S_tr = 0 (do_melting)
 //   |S_tr| > (2/3)^(1/2) sigma_y: |S_tr| - 2 mu x - (2/3)^(1/2) sigma_y(x) = 0 for x = dgamma,
 //     S = S_tr (1 - 2 mu x/|S_tr|),   eps_p += (2/3)^(1/2) x
 //   p     by <equation_of_state>, with the work of the stress
@@ -24,6 +25,7 @@
 #include "mpm/material/flow_zerilli_armstrong.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
+#include "mpm/material/metal_deviator.hpp"
 #include "mpm/material/metal_failure.hpp"
 #include "mpm/material/metal_moduli.hpp"
 #include "mpm/material/metal_parts.hpp"
@@ -43,6 +45,7 @@ struct MetalConstants {
   SpecificHeat heat;
   MetalPressure pressure;
   YieldCondition yield;
+  MaxwellElements elements;
   Pores pores;
   Stability stability = Stability::none;
   double taylor_quinney = 0.9, room = 294;
@@ -68,6 +71,13 @@ class Metal final : public Material {
     if (c_.pressure.form == MetalPressure::Form::hypo && c_.pressure.expansion != 0) {
       temperature_at_ = columns();
       history_.push_back({strain_temperature_label(), 1});
+    }
+    if (!c_.elements.none()) {
+      elements_at_ = columns();
+      history_.push_back({particle_label("p.maxwellDeviators", "Pa",
+                                         "deviators of the Maxwell elements, in the axes of the "
+                                         "body"),
+                          c_.elements.columns()});
     }
   }
 
@@ -191,7 +201,13 @@ class Metal final : public Material {
     const double old_strain = b.old_history[0][i];
     const double old_porosity = porosity_at_ >= 0 ? b.old_history[porosity_at_][i] : 0;
 
-    Symmetric S = combined(1, S_0, 2 * state.shear, strain);
+    MaxwellElements::Trial trial{{}, state.shear};
+    if (elements_at_ < 0)
+      trial.S = combined(1, S_0, 2 * state.shear, strain);
+    else
+      trial = c_.elements.trial(b.old_history.subspan(static_cast<std::size_t>(elements_at_)), i,
+                                state.shear, dt, strain);
+    Symmetric S = trial.S;
     const double size = std::sqrt(double_dot(S, S));
     const auto here = flow.at(state);
     Return r;
@@ -199,7 +215,7 @@ class Metal final : public Material {
     if (liquid && c_.melts) {
       r.keep = 0;
     } else {
-      r = returned(flow, here, size, state.shear, old_strain, b.old_history[1][i], -3 * p_0,
+      r = returned(flow, here, size, trial.mu, old_strain, b.old_history[1][i], -3 * p_0,
                    old_porosity, dt);
     }
     const Symmetric direction = combined(1 / (size + 1e-300), S, 0, S);
@@ -219,6 +235,9 @@ class Metal final : public Material {
     for (std::size_t k = 0; k < 6; ++k) b.stress[k][i] = sigma[k];
 
     const double C = c_.heat(T);
+    if (elements_at_ >= 0)
+      b.heating[i] += relaxed(b, i, state.shear, strain, trial, r, liquid && c_.melts) /
+                      (state.density * C * dt);
     b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * dt);
     if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
       b.heating[i] += T * std::expm1(-c_.pressure.Gamma_0 * (J_1 - J_0)) / dt;
@@ -239,6 +258,20 @@ class Metal final : public Material {
                                      : failed(flow, here, state, move.strain, direction, r,
                                               old_strain, porosity, C, dt, liquid);
     return true;
+  }
+
+  // Writes the Maxwell elements; what they turned into heat, J/m^3.
+  double relaxed(const Batch& b, int i, double mu, const Symmetric& strain,
+                 const MaxwellElements::Trial& trial, const Return& r, bool melted) const {
+    const auto at_first = static_cast<std::size_t>(elements_at_);
+    const std::span<double* const> now = b.history.subspan(at_first);
+    if (melted) {
+      for (double* column : now) column[i] = 0;
+      return 0;
+    }
+    // Less the plastic strain, (1 - keep) S_tr/(2 mu).
+    const Symmetric rest = combined(1, strain, -(1 - r.keep) / (2 * trial.mu), trial.S);
+    return c_.elements.take(b.old_history.subspan(at_first), now, i, mu, b.dt, rest);
   }
 
   // 1 where the particle fails in this step.
@@ -262,7 +295,7 @@ class Metal final : public Material {
   MetalConstants c_;
   Flow flow_;
   std::vector<HistoryColumn> history_;
-  int porosity_at_ = -1, failed_at_ = -1, temperature_at_ = -1;
+  int porosity_at_ = -1, failed_at_ = -1, temperature_at_ = -1, elements_at_ = -1;
 };
 
 const std::vector<Part>& flows() {
@@ -275,12 +308,6 @@ const std::vector<Part>& flows() {
   return list;
 }
 const std::vector<std::string> flows_not_supported = {"zerilli_armstrong_polymer"};
-const std::vector<Part>& deviators() {
-  static const std::vector<Part> list = {{"hypoElastic", {}}};
-  return list;
-}
-const std::vector<std::string> deviators_not_supported = {"hypoViscoElastic"};
-
 std::optional<Flow> read_flow(const Parameters& model) {
   const ChosenPart chosen = choose_part(model, "flow_model", flows(), flows_not_supported);
   if (chosen.index < 0) return std::nullopt;
@@ -324,7 +351,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   c.check_pores = p.flag("check_TEPLA_failure_criterion");
   c.erodes = p.context().erodes;
   c.objective = p.flag("objective");
-  choose_part(p, "deviatoric_stress_model", deviators(), deviators_not_supported);
+  c.elements = read_deviator(p, p.real("shear_modulus"));
   if (p.word("plastic_convergence_algo") == "biswajit")
     add_warning(p.faults(), p.block("plastic_convergence_algo")->where,
                 "biswajit is an older return algorithm; radialReturn is used", "remove the tag");
@@ -354,8 +381,7 @@ Tags tags() {
       specific_heat_tag(),
       yield_condition_tag(),
       stability_tag(),
-      part_tag("deviatoric_stress_model", "elasticity of the deviator", deviators(),
-               deviators_not_supported),
+      deviator_tag(),
       tag("plastic_convergence_algo", "radialReturn is the one there is")
           .words({"radialReturn", "biswajit"})
           .by_default("radialReturn"),

@@ -84,6 +84,32 @@ const LawCase cases[] = {
      "<G4>9.085e8</G4><G5>6.875e8</G5><RTau1>0</RTau1><RTau2>1e-6</RTau2><RTau3>1e-6</RTau3>"
      "<RTau4>1e-5</RTau4><RTau5>1e-5</RTau5>",
      Kind::rate, 5.72238e9, 2.6411e9, 0.1, 2e-4},
+    {"program_burn",
+     "<K>1.9342e-10</K><n>5.2</n><A>7.73e11</A><B>2.16e10</B><C>1.339e9</C><R1>4.5</R1><R2>1.5</R2>"
+     "<om>.33</om><D>8e3</D><T0>1e3</T0><starting_location>[0,0,0]</starting_location>",
+     Kind::rate, 1 / 1.9342e-10, 0},
+    {"mw_visco_elastic",
+     "<e_shear_modulus>6e3</e_shear_modulus><e_bulk_modulus>16e3</e_bulk_modulus>"
+     "<ve_shear_modulus>1e4</ve_shear_modulus><ve_bulk_modulus>2e4</ve_bulk_modulus>"
+     "<ve_deviatoric_viscosity>1e6</ve_deviatoric_viscosity>"
+     "<ve_volumetric_viscosity>1e7</ve_volumetric_viscosity>",
+     Kind::rate, 36e3, 16e3, 0.1, 2e-4},
+    {"p_alpha",
+     "<Ps>6e9</Ps><Pe>.46e9</Pe><rhoS>9041</rhoS><K0>35.2e9</K0><T_0>298</T_0><C_0>3800</C_0>"
+     "<Gamma_0>1.2</Gamma_0><S_alpha>1.1</S_alpha>",
+     Kind::rate, 35.2e9, 0},
+    {"ArrudaBoyce8",
+     "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus><beta>1.67</beta>",
+     Kind::stored_energy, 6e4, 3e4},
+    // Of the density of the other cases; near 0 and 60 C its law ends.
+    {"TH_water", "<vo>1.272704913571334e-4</vo>", Kind::rate, 2.324485e9, 0, 0.02},
+    {"elastic_plastic",
+     "<bulk_modulus>173.33e9</bulk_modulus><shear_modulus>80e9</shear_modulus>"
+     "<deviatoric_stress_model type='hypoViscoElastic'><mu>[50e9,30e9]</mu><tau>[1e3,20]</tau>"
+     "</deviatoric_stress_model>"
+     "<flow_model type='johnson_cook'><A>792e6</A><B>510e6</B><C>.014</C><n>.26</n><m>1.03</m>"
+     "</flow_model>",
+     Kind::rate, 173.33e9, 80e9, 0.1, 1e-9, 1e-3, "hypo_visco_elastic"},
     {"MohrCoulomb", "<K>1.3e7</K><G>1e7</G><c>2e5</c><Phi>30</Phi><Psi>10</Psi>", Kind::rate, 1.3e7,
      1e7, 0.1, 1e-9, 2e-3},
     {"Arenisca",

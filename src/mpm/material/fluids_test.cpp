@@ -1,6 +1,7 @@
-// Closed forms of water, ideal_gas and jwlpp_mpm.
+// Closed forms of water, TH_water, ideal_gas, jwlpp_mpm and program_burn.
 #include <cmath>
 
+#include "eos/thomsen_hartka_water.hpp"
 #include "mpm/material/law_test_support.hpp"
 
 namespace sluice::mpm::fluids {
@@ -95,6 +96,91 @@ TEST(Jwlpp, DoesNotBurnBelowItsIgnitionPressure) {
   ASSERT_EQ(s.step({0.985, 0, 0, 0, 1, 0, 0, 0, 1}, 1), std::nullopt);
   EXPECT_EQ(s.history(0), 0);
   EXPECT_NEAR(s.pressure(), (std::pow(0.985, -15.2) - 1) / (15.2 * 1.9342e-10), 1);
+}
+
+const std::string programmed =
+    "<K>1.9342e-10</K><n>15.2</n><A>7.73037e11</A><B>21.629e9</B><C>1.339e9</C><R1>4.5</R1>"
+    "<R2>1.5</R2><om>.33</om><D>8e3</D><T0>1e-3</T0>";
+
+// A particle of 1 m^3 burns over 1.5 m of the way of the detonation, which comes at T0 + s/D.
+TEST(ProgramBurn, BurnsWhenTheDetonationArrives) {
+  const auto made =
+      law("program_burn", programmed + "<starting_location>[1,0,0]</starting_location>");
+  MaterialSample s(made, steel_constants(), 1, 298, {4, 4, 12});
+  const double t_b = 1e-3 + 13 / 8e3, width = 1.5 / 8e3;
+  EXPECT_DOUBLE_EQ(s.history(1), t_b);
+  const auto still = [](double) { return identity; };
+  follow(s, still, t_b, 10);
+  EXPECT_NEAR(s.history(0), 0, 1e-12);
+  EXPECT_NEAR(s.pressure(), 0, 1);
+  follow(s, still, t_b + 0.5 * width, 7);
+  EXPECT_NEAR(s.history(0), 0.5, 1e-12);
+  EXPECT_NEAR(s.pressure() / (0.5 * jwl(1)), 1, 1e-10);
+  follow(s, still, t_b + 0.97 * width, 7);
+  EXPECT_EQ(s.history(0), 1);
+  EXPECT_EQ(s.energy(), 0);  // no work: the heat was in the explosive
+  // Products expand along their isentrope: the work is its integral.
+  follow(
+      s, [&](double t) { return Matrix{1 + (t - s.time()), 0, 0, 0, 1, 0, 0, 0, 1}; }, s.time() + 1,
+      2000);
+  const auto stored = [](double J) {
+    return 7.73037e11 / 4.5 * std::exp(-4.5 * J) + 21.629e9 / 1.5 * std::exp(-1.5 * J) +
+           1.339e9 / 0.33 * std::pow(J, -0.33);
+  };
+  EXPECT_NEAR(s.energy() / (stored(s.volume_ratio()) - stored(1)), 1, 1e-5);
+  EXPECT_NEAR(s.pressure() / jwl(s.volume_ratio()), 1, 1e-12);
+}
+
+TEST(ProgramBurn, StartsFromAPlane) {
+  const auto made = law("program_burn", programmed +
+                                            "<starting_location>[1,0,0]</starting_location>"
+                                            "<direction_if_plane>[0,3,4]</direction_if_plane>");
+  const MaterialSample s(made, steel_constants(), 1, 298, {7, 5, -10});
+  EXPECT_DOUBLE_EQ(s.history(1), 1e-3 + 5 / 8e3);  // |3 - 8|
+}
+
+// rho0 below the density: the solid starts under pressure.
+TEST(ProgramBurn, DensityOfReference) {
+  const MaterialSample s(
+      law("program_burn", programmed + "<rho0>7800</rho0>"
+                                       "<starting_location>[1,0,0]</starting_location>"),
+      steel_constants(), 1, 298);
+  EXPECT_NEAR(s.pressure() / ((std::pow(7830.0 / 7800, 15.2) - 1) / (15.2 * 1.9342e-10)), 1, 1e-9);
+}
+
+// Slow compression stays on the isentrope of the equation of state, the state after it has the
+// energy that it was given; where water is densest, pressing does not warm it.
+TEST(ThermalWater, CompressesAlongItsIsentrope) {
+  const eos::ThomsenHartkaWater water;
+  for (const double T : {300.0, 277.0}) {
+    MaterialConstants c = steel_constants();
+    c.density = water.density(101325, T);
+    MaterialSample s(law("TH_water", "", c), c, 1, T);
+    EXPECT_NEAR(s.pressure(), 0, 1e-3);
+    EXPECT_NEAR(s.wave_speed(), water.sound_speed(c.density, 101325), 1e-3);
+    follow(
+        s, [](double t) { return Matrix{1 - 0.01 * t, 0, 0, 0, 1, 0, 0, 0, 1}; }, 1, 200);
+    const double rho = c.density / 0.99, p = s.pressure() + 101325;
+    EXPECT_NEAR(water.density(p, s.temperature()) / rho, 1, 1e-9);
+    const double e_0 = water.energy_from_temperature(c.density, T) / c.density;
+    const double e = water.energy_from_temperature(rho, s.temperature()) / rho;
+    // sigma is without Pref, whose work the water received too.
+    EXPECT_NEAR((e - e_0) / (s.energy() / c.density + 101325 * (1 / c.density - 1 / rho)), 1, 1e-5);
+    // dT/dp = T v beta/c_p: of the mean beta = 2 L x/(v/v0) on the way
+    const double x = 0.5 * (s.temperature() + T) - 277 + 2e-7 * 0.5 * p;
+    const double cp = water.co - water.b * (T - 277) - T * water.vo * water.L * p;
+    const double expected = T * water.vo * 2 * water.L * x / cp * (p - 101325);
+    EXPECT_NEAR((s.temperature() - T) / expected, 1, 0.02) << T;
+  }
+}
+
+TEST(ThermalWater, EndsWhereItsLawEnds) {
+  MaterialConstants c = steel_constants();
+  c.density = eos::ThomsenHartkaWater{}.density(101325, 300);
+  MaterialSample s(law("TH_water", "", c), c, 1, 300);
+  const auto fault = s.step({0.5, 0, 0, 0, 1, 0, 0, 0, 1}, 1e-3);
+  ASSERT_TRUE(fault);
+  EXPECT_STREQ(fault->reason, "water beyond the law of Thomsen and Hartka, density");
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // jwlpp_mpm: an explosive that turns from Murnaghan's solid into products of JWL (JWL++, Souers
 // 2000).
 //
-//   p = (1 - f) p_M + f p_J,   p_M = (J^-n - 1)/(n K)
-//   p_J = A e^(-R1 J) + B e^(-R2 J) + C J^-(1 + w)
+//   p = (1 - f) p_M + f p_J   (explosive_mixture.hpp)
 //   df/dt = G (1 - f) p^b once p has passed the ignition pressure;   sigma = -p I
 // The rate is integrated with p on a straight line over sub-steps in which f changes little.
 #include <algorithm>
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/explosive_mixture.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 
@@ -16,20 +16,8 @@ namespace sluice::mpm {
 namespace {
 
 struct JwlppConstants {
-  double ignition, K, n, A, B, C, R1, R2, omega, G, b, most_burned, J0, density;
-
-  double solid(double J) const { return (std::pow(J, -n) - 1) / (n * K); }
-  double products(double J) const {
-    return A * std::exp(-R1 * J) + B * std::exp(-R2 * J) + C * std::pow(J, -1 - omega);
-  }
-  double pressure(double J, double f) const { return (1 - f) * solid(J) + f * products(J); }
-  // -J dp/dJ
-  double modulus(double J, double f) const {
-    const double of_solid = std::pow(J, -n) / K;
-    const double of_products = J * (A * R1 * std::exp(-R1 * J) + B * R2 * std::exp(-R2 * J)) +
-                               (1 + omega) * C * std::pow(J, -1 - omega);
-    return (1 - f) * of_solid + f * of_products;
-  }
+  ExplosiveMixture of;
+  double ignition, G, b, most_burned, J0, density;
 };
 
 class Jwlpp final : public Material {
@@ -62,13 +50,13 @@ class Jwlpp final : public Material {
     }
     return std::nullopt;
   }
-  double bulk_modulus() const override { return 1 / c_.K; }
+  double bulk_modulus() const override { return 1 / c_.of.K; }
 
  private:
   void set_stress(const Batch& b, int i, double J_F, double f) const {
-    const double J = J_F * c_.J0, p = c_.pressure(J, f);
+    const double J = J_F * c_.J0, p = c_.of.pressure(J, f);
     for (int k = 0; k < 6; ++k) b.stress[k][i] = k < 3 ? -p : 0;
-    b.wave_speed[i] = std::sqrt(std::max(c_.modulus(J, f), 1e-3 / c_.K) * J_F / c_.density);
+    b.wave_speed[i] = std::sqrt(std::max(c_.of.modulus(J, f), 1e-3 / c_.of.K) * J_F / c_.density);
   }
 
   // f after a step in which J goes from one value to the other.
@@ -78,11 +66,11 @@ class Jwlpp final : public Material {
     for (int k = 0; k < 100000 && t < dt && f < c_.most_burned; ++k) {
       const auto rate = [&](double at_time, double at_f) {
         const double J = (J_0 + (J_1 - J_0) * at_time / dt) * c_.J0;
-        return c_.G * std::pow(std::max(c_.pressure(J, at_f), 0.0), c_.b);
+        return c_.G * std::pow(std::max(c_.of.pressure(J, at_f), 0.0), c_.b);
       };
       // Neither 1 - f nor p changes by more than `most`.
       const double r = rate(t, f), J = (J_0 + (J_1 - J_0) * t / dt) * c_.J0;
-      const double p = c_.pressure(J, f), rise = c_.products(J) - c_.solid(J);
+      const double p = c_.of.pressure(J, f), rise = c_.of.products(J) - c_.of.solid(J);
       const double quickest = r * std::max(1.0, std::abs(rise) * (1 - f) / std::max(p, 1e-300));
       const double h = std::min(dt - t, quickest > 0 ? most / quickest : dt);
       // Midpoint: -d ln(1 - f)/dt = G p^b.
@@ -99,27 +87,22 @@ class Jwlpp final : public Material {
 };
 
 std::shared_ptr<const Material> make(const Parameters& p) {
-  JwlppConstants c = {p.real("ignition_pressure"),
-                      p.real("murnaghan_K"),
-                      p.real("murnaghan_n"),
-                      p.real("jwl_A"),
-                      p.real("jwl_B"),
-                      p.real("jwl_C"),
-                      p.real("jwl_R1"),
-                      p.real("jwl_R2"),
-                      p.real("jwl_om"),
-                      p.real("reaction_G"),
-                      p.real("reaction_b"),
-                      p.real("max_burned_fraction"),
-                      1,
-                      p.constants().density};
+  JwlppConstants c = {
+      {p.real("murnaghan_K"), p.real("murnaghan_n"), p.real("jwl_A"), p.real("jwl_B"),
+       p.real("jwl_C"), p.real("jwl_R1"), p.real("jwl_R2"), p.real("jwl_om")},
+      p.real("ignition_pressure"),
+      p.real("reaction_G"),
+      p.real("reaction_b"),
+      p.real("max_burned_fraction"),
+      1,
+      p.constants().density};
   if (p.flag("useInitialStress")) {
-    const double base = 1 + c.n * c.K * p.real("initial_pressure");
+    const double base = 1 + c.of.n * c.of.K * p.real("initial_pressure");
     if (!(base > 0)) {
       p.error("initial_pressure", "<initial_pressure> is below what the solid bears");
       return nullptr;
     }
-    c.J0 = std::pow(base, -1 / c.n);
+    c.J0 = std::pow(base, -1 / c.of.n);
   }
   return std::make_shared<Jwlpp>(c);
 }

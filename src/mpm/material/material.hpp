@@ -51,6 +51,7 @@ struct Batch {
   const double* volume_0 = nullptr;     // in the reference state: volume is J volume_0, m^3
   const double* spacing = nullptr;      // null, or length of a cell for laws that need one
   const std::int64_t* id = nullptr;
+  std::array<const double*, 3> position{};  // m, when a law starts; null in a step
   Six<const double> old_stress{};
   Six<double> stress{};                        // Cauchy
   std::span<const double* const> old_history;  // columns, component after component

@@ -18,7 +18,8 @@ constexpr int F_at = 0, stress_at = 9, energy_at = 15, wave_at = 16, history_at 
 }  // namespace
 
 MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
-                               const MaterialConstants& constants, int count, double temperature)
+                               const MaterialConstants& constants, int count, double temperature,
+                               const std::array<double, 3>& place)
     : material_(std::move(material)), count_(count) {
   for (const HistoryColumn& h : material_->history()) history_columns_ += h.components;
   const auto n = static_cast<std::size_t>(count);
@@ -40,6 +41,11 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
   b.old_stress = {};
   b.old_history = {};
   b.old_energy = nullptr;
+  std::array<std::vector<double>, 3> position;
+  for (std::size_t d = 0; d < 3; ++d) {
+    position[d].assign(n, place[d]);
+    b.position[d] = position[d].data();
+  }
   material_->start(b);
   std::swap(now_, next_);
 }

@@ -13,9 +13,9 @@ namespace sluice::mpm {
 // Columns of some particles of one material, at the start and at the end of a step.
 class MaterialSample {
  public:
-  // All particles have the volume 1 m^3 and the mass rho_0 at the start.
+  // All particles have the volume 1 m^3 and the mass rho_0 at the start, and lie at one place.
   MaterialSample(std::shared_ptr<const Material> material, const MaterialConstants& constants,
-                 int count, double temperature);
+                 int count, double temperature, const std::array<double, 3>& place = {});
 
   // From the present F to these, one for each particle, in dt. A fault leaves the state as it was.
   std::optional<BatchFault> step(const std::vector<Matrix>& F, double dt);
