@@ -94,8 +94,8 @@ TEST(SemiImplicitRuns, SeveralFluidsHaveTheSameBitsOnBoxesAndThreads) {
         << label;
 }
 
-// Gas between two plates, a sixth of one cell all of whose faces are covered, squeezed to two thirds:
-// its pressure follows in each step, along its isentrope.
+// Gas between two plates, a sixth of one cell all of whose faces are covered, squeezed to two
+// thirds: its pressure follows in each step, along its isentrope.
 TEST(SemiImplicitRuns, AClosedPocketTakesItsPressureAtOnce) {
   CoupledDeck deck;
   deck.cells = "[20,1,1]";

@@ -4,7 +4,8 @@
 #
 # A part is run with SLUICE_ROOT, SLUICE (the executable), PYTHON and PART_DIR (an empty folder to
 # work in) in its environment, by bash, with these functions. Its last line beginning with
-# "RESULT: " is what the table shows. Exit 0 is passed, anything else failed.
+# "RESULT: " is what the table shows. Exit 0 is passed, anything else failed. Presets that its line
+# "# presets: NAME..." names are built before, outside of the limit.
 
 PART_LIMIT=1800 # seconds
 
@@ -46,15 +47,20 @@ command_verify() {
 
 # verify_part PART
 verify_part() {
-  local part=$1 commit folder status=0 start=$SECONDS outcome result
+  local part=$1 commit folder status=0 start outcome result
   commit=$(verified_commit)
   folder=$SLUICE_ROOT/build/verify/$commit
   if [[ -f $folder/$part.passed && $commit != *-changed ]]; then
     say "$part: passed already at $commit"
     return 0
   fi
+  local preset
+  for preset in $(sed -n 's/^# presets: //p' "$SLUICE_ROOT/tools/verify/$part.sh"); do
+    build_preset "$preset"
+  done
   rm -rf "$folder/$part.work" "$folder/$part.passed"
   mkdir -p "$folder/$part.work"
+  start=$SECONDS
   say "$part: started (at most $((PART_LIMIT / 60)) minutes; log build/verify/$commit/$part.log)"
   SLUICE=$SLUICE_ROOT/build/release/bin/sluice PYTHON=$PYTHON PART_DIR=$folder/$part.work \
     timeout --kill-after=30 "$PART_LIMIT" bash -euo pipefail -c '

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # unit tests, each deck of the property tests once, under address and undefined-behaviour sanitizers
-build_preset sanitize
+# presets: sanitize
 status=0 told=()
 # Open MPI, libxml2 and HDF5 keep memory until the end of the process: leaks are not counted here.
 under_sanitizers() {

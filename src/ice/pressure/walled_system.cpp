@@ -9,10 +9,12 @@
 // solid, and do not depend on d. V R is a volume of the CELL: one of little fluid counts little,
 // for it shares what it holds with its neighbours anyhow.
 //
-// Rows of cells without fluid say d = 0. A cell with no open face stands alone: V, or V_L where that
-// is more, so that a pocket that is squeezed has its pressure at once and one that opens none below
-// -K. Behind the sweep -(V_L - V) becomes V (p_L - p)/K, p_L by the law, where a cell gives what
-// the step makes of it; where it gives its old state (walls/lagrangian.cpp) it stays linear.
+// Rows of cells without fluid say d = 0. A cell with no open face stands alone: V, or V_L where
+// that is more, so that a pocket that is squeezed has its pressure at once and one that opens none
+// below -K.
+//
+// Behind the sweep -(V_L - V) becomes V (p_L - p)/K, p_L by the law, where a cell gives what the
+// step makes of it; where it gives its old state (walls/lagrangian.cpp) it stays linear.
 #include <algorithm>
 #include <cmath>
 

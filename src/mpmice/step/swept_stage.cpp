@@ -55,8 +55,8 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 }
 
 // What surfaces that have moved from theta to these fractions work on the fluid, by pressure and
-// friction; not where a gap waits for fluid. Of rigid solids it comes from outside (that of friction
-// is booked with its force).
+// friction; not where a gap waits for fluid. Of rigid solids it comes from outside (that of
+// friction is booked with its force).
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
   const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
