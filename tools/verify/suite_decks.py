@@ -433,12 +433,24 @@ def promised(suite, deck_list):
             if name.startswith(below) and deck_list.cells(suite / "inputs" / name) is not None}
 
 
-def make_page(sluice, suite, deck_list):
-    """The page's text, what to tell of it, the names of the decks that run"""
+def rows_of(page):
+    """The rows of a page by the names of their decks: whether it runs, the line."""
+    lines = re.findall(r"^(\| (\S+\.ups) \|.*\|)$", page.read_text(), re.M)
+    return {name: (bool(re.search(r"\| runs[^|]*\|$", line)), line + "\n") for line, name in lines}
+
+
+def make_page(sluice, suite, deck_list, only=""):
+    """The page's text, what to tell of it, the names of the decks that run. Decks whose names do not
+    match `only` keep their rows."""
+    kept = rows_of(deck_list.page) if only else {}
+
     def row(path):
         cells = deck_list.cells(path)
         if cells is None:
             return None
+        if short_name(suite, path) in kept and not re.search(only, short_name(suite, path)):
+            good, line = kept[short_name(suite, path)]
+            return good, short_name(suite, path), line
         good, state = state_of(sluice, suite, path, deck_list.run_deck)
         name = short_name(suite, path)
         return good, name, f"| {' | '.join([name, *cells, state])} |\n"
@@ -485,7 +497,7 @@ def test(sluice, suite):
 
 def treat(sluice, suite, deck_list, given):
     """Whether all is well with a list; says what was found."""
-    text, told, running = make_page(sluice, suite, deck_list)
+    text, told, running = make_page(sluice, suite, deck_list, given.only)
     lost = promised(suite, deck_list) - running
     if lost:
         print(f"RESULT: promised, but do not run: {', '.join(sorted(lost))}")
@@ -504,6 +516,8 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sluice", required=True)
     parser.add_argument("--check", action="store_true", help="compare with the pages only")
+    parser.add_argument("--only", default="", metavar="PATTERN",
+                        help="decks whose names match; the others keep their rows")
     parser.add_argument("--test", action="store_true",
                         help="check the decks of the fluid that run, run some steps of a few")
     parser.add_argument("lists", nargs="*", metavar="LIST", help=", ".join(sorted(LISTS)))

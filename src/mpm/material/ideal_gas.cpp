@@ -31,12 +31,13 @@ class GasParticles final : public Material {
       const double T = b.temperature[i] * std::pow(J / J_0, 1 - gamma_);
       if (!(T > 0)) return BatchFault{i, "temperature of a gas <= 0", T};
       const double rate = (J - J_0) / (0.5 * (J + J_0) * b.dt);  // tr D
-      double q = 0;
-      if (viscous_ && rate < 0 && b.spacing != nullptr) {
-        const double length = 2.5 * b.spacing[i];
-        q = length * length * density_ / J * rate * rate;
-      }
-      set_stress(b, i, J, T, q);
+      // q = rho (2.5 h tr D)^2 = rho Q h |tr D|
+      const double squeeze = viscous_ && rate < 0 ? -rate * b.spacing : 0;
+      const double Q = 2.5 * 2.5 * squeeze;
+      set_stress(b, i, J, T, density_ / J * Q * squeeze);
+      // What acts a step later is stable to h/(Q + sqrt(Q^2 + c^2)), as artificial viscosity.
+      const double c = b.wave_speed[i];
+      if (squeeze > 0) b.wave_speed[i] = Q + std::sqrt(Q * Q + c * c);
       b.heating[i] += (T - b.temperature[i]) / b.dt;
       b.energy[i] =
           b.old_energy[i] + 0.5 * b.volume_0[i] * (b.old_stress[0][i] + b.stress[0][i]) * (J - J_0);

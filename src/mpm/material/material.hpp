@@ -49,7 +49,7 @@ struct Batch {
   const double* temperature = nullptr;  // at the start, K
   const double* mass = nullptr;         // kg
   const double* volume_0 = nullptr;     // in the reference state: volume is J volume_0, m^3
-  const double* spacing = nullptr;      // null, or length of a cell for laws that need one
+  double spacing = 0;                   // least edge of a cell, m; 0: there is no grid
   const std::int64_t* id = nullptr;
   std::array<const double*, 3> position{};  // m, when a law starts; null in a step
   Six<const double> old_stress{};

@@ -30,7 +30,6 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
   mass_.assign(n, constants.density);
   volume_0_.assign(n, 1);
   heating_.assign(n, 0);
-  spacing_.assign(n, 1);
   for (int i = 0; i < count; ++i) id_.push_back(i);
   old_history_.resize(static_cast<std::size_t>(history_columns_));
   history_.resize(static_cast<std::size_t>(history_columns_));
@@ -72,7 +71,7 @@ Batch MaterialSample::batch() {
   b.temperature = temperature_.data();
   b.mass = mass_.data();
   b.volume_0 = volume_0_.data();
-  b.spacing = spacing_.data();
+  b.spacing = 1;
   b.id = id_.data();
   b.old_energy = column(now_, energy_at);
   b.energy = column(next_, energy_at);

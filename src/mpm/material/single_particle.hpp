@@ -56,7 +56,7 @@ class MaterialSample {
   double time_ = 0;
   bool isothermal_ = false;
   State now_, next_;
-  std::vector<double> L_, temperature_, mass_, volume_0_, heating_, spacing_;
+  std::vector<double> L_, temperature_, mass_, volume_0_, heating_;
   std::vector<std::int64_t> id_;
   std::vector<const double*> old_history_;
   std::vector<double*> history_;

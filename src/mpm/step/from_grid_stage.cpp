@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
@@ -41,6 +42,13 @@ struct SolidStep::ThreadReport {
 };
 
 namespace {
+
+double least_spacing(const Level& level) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < 3; ++d)
+    if (level.active[static_cast<std::size_t>(d)]) least = std::min(least, level.spacing[d]);
+  return least;
+}
 
 double second_moment_factor(Basis basis) {
   return basis == Basis::cubic ? 3.0 : 4.0;
@@ -295,6 +303,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       to_spatial_gradient(shape_of(*w.set, c), at, n, report.read);
     Batch& b = report.columns.between(*w.set, *w.next, *body.carried, at, n);
     b.time = scope.step.time;
+    b.spacing = least_spacing(level_);
     b.dt = dt;
     for (std::size_t e = 0; e < 9; ++e) b.L[e] = report.read.L[e];
     std::fill_n(report.heating, n, 0.0);
