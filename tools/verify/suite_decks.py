@@ -440,8 +440,8 @@ def rows_of(page):
 
 
 def make_page(sluice, suite, deck_list, only=""):
-    """The page's text, what to tell of it, the names of the decks that run. Decks whose names do not
-    match `only` keep their rows."""
+    """The page's text, what to tell of it, the names of the decks that run. Decks whose names do
+    not match `only` keep their rows."""
     kept = rows_of(deck_list.page) if only else {}
 
     def row(path):
