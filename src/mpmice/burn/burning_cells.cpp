@@ -7,16 +7,28 @@
 namespace sluice::mpmice {
 
 std::vector<BurningField> burning_fields(const models::SolidBurn& burn) {
-  const auto field = [](SurfaceValue value, const ice::Labels::AtSurfaces& l) {
+  const auto field = [](BurningValue value, const ice::Labels::AtSurfaces& l) {
     return BurningField{value, l.saved, l.kept};
   };
   const ice::Labels& l = ice::labels();
   if (std::holds_alternative<models::SteadyBurn>(burn.law))
-    return {field(SurfaceValue::burns, l.burning_steady)};
+    return {field(BurningValue::burns, l.burning_steady)};
   if (std::holds_alternative<models::UnsteadyBurn>(burn.law))
-    return {field(SurfaceValue::burns, l.burning_unsteady),
-            field(SurfaceValue::temperature, l.surface_temperature),
-            field(SurfaceValue::gradient, l.surface_gradient)};
+    return {field(BurningValue::burns, l.burning_unsteady),
+            field(BurningValue::temperature, l.surface_temperature),
+            field(BurningValue::gradient, l.surface_gradient)};
+  if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law)) {
+    std::vector<BurningField> fields = {
+        field(BurningValue::detonates, l.detonating),
+        field(BurningValue::kind, l.burning),
+        {BurningValue::share, l.burned_share, l.kept_burned_share},
+        {BurningValue::gain, l.burned_in_step, l.kept_burned_in_step}};
+    if (ddt->spread) {
+      fields.push_back(field(BurningValue::delay, l.induction_time));
+      fields.push_back(field(BurningValue::waited, l.count_time));
+    }
+    return fields;
+  }
   return {};
 }
 

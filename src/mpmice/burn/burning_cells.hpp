@@ -1,5 +1,5 @@
-// Fields of the cells in which surfaces burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
-// SurfTemp and SurfTempGrad. Each is kept only where the deck saves it.
+// Fields of the cells in which solids burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
+// SurfTemp and SurfTempGrad; those of DDT1. Each is kept only where the deck saves it.
 #pragma once
 #include <vector>
 
@@ -10,9 +10,19 @@
 
 namespace sluice::mpmice {
 
-enum class SurfaceValue { burns, temperature, gradient };
+enum class BurningValue {
+  burns,  // of surfaces
+  temperature,
+  gradient,
+  detonates,  // of DDT1
+  kind,
+  delay,
+  waited,
+  share,
+  gain
+};
 struct BurningField {
-  SurfaceValue value = SurfaceValue::burns;
+  BurningValue value = BurningValue::burns;
   Label saved, kept;
 };
 // What can be saved of a law.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
+#include "models/ddt1.hpp"
 #include "models/unsteady_burn.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
@@ -25,6 +26,8 @@ struct SolidSet {
   std::vector<std::uint8_t> outer;
   int surface_column = -1;  // of mpm::Carried::surface
   std::vector<models::SurfaceHistory> surface;
+  int flame_column = -1;                // of mpm::Carried::flame
+  std::vector<models::Ignition> flame;  // that comes to each; empty: none needs time
   // Faces that are outer since solids parted in this step, bits by particle; empty: none.
   std::vector<std::uint8_t> parted;
   std::vector<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
@@ -122,6 +125,19 @@ void read_surfaces(SolidSet<D>& s) {
   const double* T = s.set->column(static_cast<std::size_t>(s.surface_column));
   const double* gradient = s.set->column(static_cast<std::size_t>(s.surface_column) + 1);
   for (std::size_t p = 0; p < s.set->size(); ++p) s.surface.push_back({T[p], gradient[p]});
+}
+
+// What they know of flames, as the step begins.
+template <int D>
+void read_flames(SolidSet<D>& s) {
+  s.flame.clear();
+  if (s.flame_column < 0) return;
+  const auto first = static_cast<std::size_t>(s.flame_column);
+  const double *kind = s.set->column(first), *come = s.set->column(first + 1),
+               *time = s.set->column(first + 2), *way = s.set->column(first + 3);
+  for (std::size_t p = 0; p < s.set->size(); ++p)
+    s.flame.push_back(
+        {static_cast<models::Ignition::Kind>(static_cast<int>(kind[p])), come[p], time[p], way[p]});
 }
 
 // Takes the faces of a set with these bits, at both ends of the step where `moved`.
