@@ -69,7 +69,7 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
       solids_(scene, with_corners(std::move(solids), burns, scene.grid.levels.front())),
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))),
       burns_(std::move(burns)),
-      burning_(scene, burns_) {
+      burning_(scene, burns_, solids_.material_count(), fluid.models.any_source()) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
   if (const ParticleMethod* tracers = fluid_.particles())

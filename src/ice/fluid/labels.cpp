@@ -136,6 +136,8 @@ void declare_walls(Labels& l) {
                              "particles of DDT1 in the cell to which one has set out.");
   l.kept_burned_share = cell("work.F", "1", "F, while steps are taken.");
   l.kept_burned_in_step = cell("work.delF", "1", "delF, while steps are taken.");
+  l.kept_model_mass = cell("work.burned_mass", "kg",
+                           "Mass that burning solids give, or fluids get from them, in the step.");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const std::string axis = axes[d];

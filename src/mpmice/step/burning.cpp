@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
+#include "ice/fluid/labels.hpp"
 #include "mpmice/burn/burn_law.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/step/level_coupling.hpp"
@@ -231,13 +232,47 @@ bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn&
       take_from_particles(burn.solid, burn.product, heat_of_reaction(burn), shares), in_cells);
 }
 
+// Mass per cell volume that burning has made, of all products.
+template <int D>
+Column LevelCoupling<D>::all_products() const {
+  Column all(frame_.box.cells(), 0.0);
+  for (const Column& of_one : products_)
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += of_one[i];
+  return all;
+}
+
+// modelMass_src, where the deck saves it. `given`: by solid, mass per cell volume.
+template <int D>
+void LevelCoupling<D>::keep_given_mass(const StageScope& scope,
+                                       const std::vector<Column>& given) const {
+  const Label kept = ice::labels().kept_model_mass;
+  const auto keep = [&](int material, const Column& mass, double sign) {
+    if (mass.empty() || scope.levels.front()->state().find(kept, material) < 0) return;
+    Column of_cells = mass;
+    for (double& m : of_cells) m *= sign * frame_.cell_volume;
+    keep_in_cells(scope, kept, material, of_cells);
+  };
+  for (std::size_t k = 0; k < given.size(); ++k) keep(static_cast<int>(k), given[k], -1);
+  for (std::size_t m = 0; m < products_.size(); ++m)
+    keep(solids_->material_count() + static_cast<int>(m), products_[m], 1);
+}
+
 template <int D>
 Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   vanished_ = false;
   if (burns_.empty()) return Verdict::good;
   begin_burning();
   bool any = false;
-  for (const models::SolidBurn& law : burns_) any |= burn_by(scope, law);
+  std::vector<Column> given(static_cast<std::size_t>(solids_->material_count()));
+  for (const models::SolidBurn& law : burns_) {
+    const Column before = all_products();
+    any |= burn_by(scope, law);
+    const Column now = all_products();
+    Column& of_solid = given[static_cast<std::size_t>(law.solid)];
+    of_solid.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) of_solid[i] += now[i] - before[i];
+  }
+  keep_given_mass(scope, given);
   if (!any) return Verdict::good;
   burned_.add_to(*scope.ranks, *scope.sums,
                  static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums()));

@@ -87,6 +87,8 @@ class LevelCoupling final : public Coupling {
   Verdict burn(const StageScope& scope);
   void begin_burning();
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
+  Column all_products() const;
+  void keep_given_mass(const StageScope& scope, const std::vector<Column>& given) const;
   struct BurningPiece {
     std::size_t set, particle, cell;
   };
