@@ -84,11 +84,20 @@ TEST(ExplosiveRuns, CracksBurnAtTheFluxOfSurfaces) {
   const std::vector<double> masses = run.particles("p.mass").front();
   for (const std::size_t p : {1, 2})
     EXPECT_NEAR((volume * density - masses[p]) / burned, 1, 1e-6) << p;
-  EXPECT_EQ(masses[3], masses[4]);
   EXPECT_EQ(kinds(CoupledRun("explosive", at_once, 1, {}, 2))[2], 3);
-  const CoupledRun whole("explosive", until("0.0001", at_once));
-  ASSERT_EQ(whole.report().status, RunStatus::done);
-  EXPECT_LT(whole.worst_drift_but_energy(), 1e-13);
+}
+
+// Products of GPa in pores of some millionths of a cell, all along the bar: they act on what is left
+// around them by the share that is open, and no cell pushes another's explosive. Measured: energy
+// 7e-9, speeds .5 m/s.
+TEST(ExplosiveRuns, PoresDoNotTearExplosive) {
+  const CoupledRun run("explosive", until("0.0001", {model + "useInductionTime=false"}));
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  EXPECT_EQ(kinds(run), (std::vector<double>{2, 3, 3, 3, 3, 3}));
+  EXPECT_LT(run.worst_drift_but_energy(), 1e-12);  // momentum of what hardly moves
+  EXPECT_LT(std::fabs(run.drift("total energy")), 1e-7);
+  const std::vector<double> speeds = run.particles("p.velocity").front();
+  for (const double u : speeds) EXPECT_LT(std::fabs(u), 2);
 }
 
 // Explosive without such cracks, at this pressure: its surface alone burns.

@@ -77,13 +77,20 @@ std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
   return faces;
 }
 
-// Faces count by what is left of their particles.
+// Faces count by what is left of their particles; which of them are inner ones.
 template <int D>
 void weigh_faces(SolidSet<D>& s) {
   if (s.part < 0) return;
+  std::vector<std::uint8_t> outer = outer_faces_of(s);
+  if (s.outer.size() == outer.size())
+    for (std::size_t p = 0; p < outer.size(); ++p) outer[p] |= s.outer[p];
   s.faces.weight.resize(s.faces.size());
-  for (std::size_t i = 0; i < s.faces.size(); ++i)
-    s.faces.weight[i] = s.filled[s.faces.particle[i]];
+  s.faces.inner.resize(s.faces.size());
+  for (std::size_t i = 0; i < s.faces.size(); ++i) {
+    const std::size_t p = s.faces.particle[i];
+    s.faces.weight[i] = s.filled[p];
+    s.faces.inner[i] = (outer[p] >> s.faces.face[i] & 1) == 0 ? 1 : 0;
+  }
 }
 
 // Particles that reach a periodic side at either end of the step.

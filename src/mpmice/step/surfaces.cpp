@@ -54,6 +54,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       s.next = &store.next(level, b);
       s.parted.clear();
       s.dropped.clear();
+      s.outer.clear();
     }
   }
   sets_.resize(n);
