@@ -43,27 +43,34 @@ TEST(ExplosiveRuns, FlamesComeAfterTheirDelay) {
   EXPECT_NEAR(waited[45] / 0.00017, 1, 0.05);
 }
 
-// Explosive whose flames are there at once, but cannot enter cracks: burns as Steady_Burn has it,
-// to the bit.
-TEST(ExplosiveRuns, SurfacesBurnAsBySteadyBurn) {
-  const std::string surface =
-      "<fromMaterial>solid</fromMaterial><toMaterial>gas</toMaterial><IdealGasConst>8.314"
-      "</IdealGasConst><PreExpCondPh>1.637e15</PreExpCondPh><ActEnergyCondPh>1.76e5"
-      "</ActEnergyCondPh><PreExpGasPh>1.6e-3</PreExpGasPh><CondPhaseHeat>4.0e5</CondPhaseHeat>"
-      "<GasPhaseHeat>3.018e6</GasPhaseHeat><HeatConductGasPh>0.07</HeatConductGasPh>"
-      "<HeatConductCondPh>0.2</HeatConductCondPh><SpecificHeatBoth>1.4e3</SpecificHeatBoth>"
-      "<MoleWeightGasPh>0.0342</MoleWeightGasPh><IgnitionTemp>250</IgnitionTemp>";
+const std::string surface =
+    "<fromMaterial>solid</fromMaterial><toMaterial>gas</toMaterial><IdealGasConst>8.314"
+    "</IdealGasConst><PreExpCondPh>1.637e15</PreExpCondPh><ActEnergyCondPh>1.76e5"
+    "</ActEnergyCondPh><PreExpGasPh>1.6e-3</PreExpGasPh><CondPhaseHeat>4.0e5</CondPhaseHeat>"
+    "<GasPhaseHeat>3.018e6</GasPhaseHeat><HeatConductGasPh>0.07</HeatConductGasPh>"
+    "<HeatConductCondPh>0.2</HeatConductCondPh><SpecificHeatBoth>1.4e3</SpecificHeatBoth>"
+    "<MoleWeightGasPh>0.0342</MoleWeightGasPh><IgnitionTemp>250</IgnitionTemp>";
+
+// A disk of explosive in gas at 1 bar.
+CoupledDeck disk(const std::string& tags) {
   CoupledDeck deck;
   deck.cells = "[20,20,1]";
   deck.upper = "[1,1,0.05]";
   deck.saves.emplace_back("p.mass");
+  deck.models = "<Model type='DDT1'><DDT1>" + surface +
+                "<ThresholdPressureSB>5e4</ThresholdPressureSB><G>1</G><b>1</b><E0>1</E0>" + tags +
+                "</DDT1></Model>";
+  return deck;
+}
+
+// Explosive whose flames are there at once, but cannot enter cracks: burns as Steady_Burn has it,
+// to the bit.
+TEST(ExplosiveRuns, SurfacesBurnAsBySteadyBurn) {
+  CoupledDeck deck = disk("<ThresholdPressureJWL>1e12</ThresholdPressureJWL>");
+  const CoupledRun explosive(deck);
   deck.models = "<Model type='Steady_Burn'><Steady_Burn>" + surface +
                 "<ThresholdPressure>5e4</ThresholdPressure></Steady_Burn></Model>";
   const CoupledRun steady(deck);
-  deck.models = "<Model type='DDT1'><DDT1>" + surface +
-                "<ThresholdPressureSB>5e4</ThresholdPressureSB><ThresholdPressureJWL>1e12"
-                "</ThresholdPressureJWL><G>1</G><b>1</b><E0>1</E0></DDT1></Model>";
-  const CoupledRun explosive(deck);
   ASSERT_EQ(explosive.report().status, RunStatus::done) << explosive.report().message;
   EXPECT_EQ(explosive.particles("p.mass"), steady.particles("p.mass"));
   EXPECT_EQ(explosive.field("press_CC", 0).components[0],
@@ -87,8 +94,8 @@ TEST(ExplosiveRuns, CracksBurnAtTheFluxOfSurfaces) {
   EXPECT_EQ(kinds(CoupledRun("explosive", at_once, 1, {}, 2))[2], 3);
 }
 
-// Products of GPa in pores of some millionths of a cell, all along the bar: they act on what is left
-// around them by the share that is open, and no cell pushes another's explosive. Measured: energy
+// Products of GPa in pores of some millionths of a cell, all along the bar: they act on what is
+// left around them by the share that is open, and no cell pushes another's explosive. Measured: energy
 // 7e-9, speeds .5 m/s.
 TEST(ExplosiveRuns, PoresDoNotTearExplosive) {
   const CoupledRun run("explosive", until("0.0001", {model + "useInductionTime=false"}));
@@ -150,9 +157,24 @@ TEST(ExplosiveRuns, NeitherBoxesNorThreadsNorARestartShow) {
   }
 }
 
-std::string message_of(const std::vector<std::string>& changes) {
+// Once it detonates outputs follow by time, and the run ends so many steps later.
+TEST(ExplosiveRuns, IntervalsOfOutputsFollowADetonation) {
+  const CoupledRun run(
+      disk("<ThresholdPressureJWL>9e4</ThresholdPressureJWL><adjust_IO_intervals>"
+           "<PressureSwitch><PressureThreshold>9e9</PressureThreshold><newOutputInterval>1"
+           "</newOutputInterval><newCheckPointInterval>1</newCheckPointInterval></PressureSwitch>"
+           "<DetonationDetected><remainingTimesteps>3</remainingTimesteps><newOutputInterval>1e-9"
+           "</newOutputInterval><newCheckPointInterval>1</newCheckPointInterval>"
+           "</DetonationDetected></adjust_IO_intervals>"));
+  EXPECT_EQ(run.report().status, RunStatus::max_steps);
+  EXPECT_EQ(run.report().last_step, 4);
+  EXPECT_EQ(Archive::open(*run.report().archive).outputs().size(), 4u);  // 0, 2, 3, 4
+}
+
+template <class Deck>
+std::string message_of(const Deck& deck, const std::vector<std::string>& changes = {}) {
   try {
-    const CoupledRun run("explosive", changes);
+    const CoupledRun run(deck, changes);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -161,10 +183,24 @@ std::string message_of(const std::vector<std::string>& changes) {
 
 TEST(ExplosiveDecks, NameWhatIsWrong) {
   EXPECT_THAT(
-      message_of({model + "ThresholdPressureSB=6e9"}),
+      message_of("explosive", {model + "ThresholdPressureSB=6e9"}),
       AllOf(HasSubstr("=6e9: error"), HasSubstr("is above <ThresholdPressureJWL> 5.3e+09")));
-  EXPECT_THAT(message_of({model + "toMaterial=explosive"}), HasSubstr("nothing would pass"));
-  EXPECT_THAT(message_of({model + "IgnitionConst=2"}), HasSubstr("'2' is out of range"));
+  EXPECT_THAT(message_of("explosive", {model + "toMaterial=explosive"}),
+              HasSubstr("nothing would pass"));
+  EXPECT_THAT(message_of("explosive", {model + "IgnitionConst=2"}),
+              HasSubstr("'2' is out of range"));
+  const std::string jwl = "<ThresholdPressureJWL>5e9</ThresholdPressureJWL>";
+  EXPECT_THAT(message_of(disk(jwl + "<useCrackModel>true</useCrackModel>")),
+              AllOf(HasSubstr("coupled.ups:"), HasSubstr("the law of 'solid' has no cracks")));
+  EXPECT_THAT(message_of(disk(jwl + "<useInductionTime>true</useInductionTime>")),
+              HasSubstr("<DDT1> with <useInductionTime> needs <IgnitionConst>"));
+  EXPECT_THAT(message_of(disk(jwl + "<burnMaterial>solid</burnMaterial>")),
+              HasSubstr("<burnMaterial> is a solid"));
+  EXPECT_THAT(message_of(disk(jwl + "<burnMaterial>smoke</burnMaterial>")),
+              HasSubstr("no material 'smoke'"));
+  CoupledDeck twice = disk(jwl);
+  twice.models += twice.models;
+  EXPECT_THAT(message_of(twice), HasSubstr("two <DDT1> of the same material"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Fields of the cells in which solids burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
-// SurfTemp and SurfTempGrad; those of DDT1; modelMass_src. Each is kept only where the deck saves it.
+// SurfTemp and SurfTempGrad; those of DDT1; modelMass_src. Each is kept only where the deck saves
+// it.
 #pragma once
 #include <vector>
 
