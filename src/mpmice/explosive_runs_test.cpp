@@ -95,8 +95,8 @@ TEST(ExplosiveRuns, CracksBurnAtTheFluxOfSurfaces) {
 }
 
 // Products of GPa in pores of some millionths of a cell, all along the bar: they act on what is
-// left around them by the share that is open, and no cell pushes another's explosive. Measured: energy
-// 7e-9, speeds .5 m/s.
+// left around them by the share that is open, and no cell pushes another's explosive.
+// Measured: energy 7e-9, speeds .5 m/s.
 TEST(ExplosiveRuns, PoresDoNotTearExplosive) {
   const CoupledRun run("explosive", until("0.0001", {model + "useInductionTime=false"}));
   ASSERT_EQ(run.report().status, RunStatus::done);
