@@ -17,9 +17,9 @@ struct TagSpec;
 namespace sluice::models {
 
 struct JwlPp {
-  static constexpr double most_burned = 0.99;    // F
   static constexpr double most_in_a_step = 0.2;  // of rho0 times the volume of the cell
 
+  double most_burned = 0.99;  // F
   double threshold_pressure = 0;
   double least_volume_fraction = 0.01;
   double G = 0, b = 1;  // 1/(s Pa^b)

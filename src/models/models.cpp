@@ -90,6 +90,8 @@ const std::vector<Entry>& table() {
       {"Unsteady_Burn", unsteady_burn_tag(), check_solid_reactant,
        [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
        burn<read_unsteady_burn>},
+      {"DDT1", ddt1_tag(), check_ddt1, [](const DeckNode& /*parameters*/, const Reading& /*to*/) {},
+       nullptr, false, nullptr, burn<read_ddt1>},
       {"mass_momentum_energy_src", fixed_values_tag(), of_fluids<check_fixed_values>,
        [](const DeckNode& parameters, const Reading& to) {
          for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
@@ -227,14 +229,18 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
 void check_models(const DeckNode& root, const MaterialNames& materials,
                   std::vector<Fault>& faults) {
   std::set<std::string> labels;
-  std::set<int> traced, remembering;
+  std::set<int> traced;
+  std::set<std::pair<std::string, int>> remembering;
   const auto& of_all_particles = particle_variables();
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     entry.check(parameters, materials, faults);
-    if (parameters.name == "Unsteady_Burn" &&
-        !remembering.insert(read_material(parameters, "fromMaterial", materials.all())).second)
-      return add_error(faults, parameters.where, "two <Unsteady_Burn> of the same material",
-                       "a surface can follow one of them alone");
+    if ((parameters.name == "Unsteady_Burn" || parameters.name == "DDT1") &&
+        !remembering
+             .insert({parameters.name, read_material(parameters, "fromMaterial", materials.all())})
+             .second)
+      return add_error(faults, parameters.where,
+                       fmt::format("two <{}> of the same material", parameters.name),
+                       "particles can follow one of them alone");
     if (entry.labels == nullptr) return;
     if (entry.labels == tracer_labels &&
         !traced.insert(read_material(parameters, "material", materials.fluids)).second)

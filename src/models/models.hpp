@@ -10,6 +10,7 @@
 
 #include "framework/deck/deck.hpp"
 #include "framework/scene/geometry_reader.hpp"
+#include "models/ddt1.hpp"
 #include "models/fixed_values.hpp"
 #include "models/mass_exchange.hpp"
 #include "models/mixed_gas.hpp"
@@ -30,7 +31,7 @@ namespace sluice::models {
 struct SolidBurn {
   int solid = 0;    // among the solids
   int product = 0;  // among the fluids
-  std::variant<MassExchange, SimpleBurn, SteadyBurn, UnsteadyBurn> law;
+  std::variant<MassExchange, SimpleBurn, SteadyBurn, UnsteadyBurn, Ddt1> law;
   Location where;
 };
 

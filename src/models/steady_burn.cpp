@@ -53,7 +53,7 @@ SteadyBurn::Surface SteadyBurn::surface(double p, double T0, double density) con
   return {T, k.flux(T)};
 }
 
-std::vector<TagSpec> surface_and_flame_tags() {
+std::vector<TagSpec> surface_and_flame_tags(const char* threshold) {
   const auto number = [](const char* name, const char* text, const char* unit) {
     return tag(name, text).once().real().at_least(0).unit(unit);
   };
@@ -77,7 +77,7 @@ std::vector<TagSpec> surface_and_flame_tags() {
               "accepted without effect: which faces of particles are on the surface is known")
               .real()
               .at_least(0),
-          number("ThresholdPressure", "burns from this pressure on", "pressure"),
+          number(threshold, "burns from this pressure on", "pressure"),
           number("IgnitionTemp",
                  "burns where the fluid at the surface or around it, or the solid, is hotter than "
                  "this",
@@ -89,7 +89,7 @@ TagSpec steady_burn_tag() {
       .with_children(surface_and_flame_tags());
 }
 
-SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& /*names*/) {
+SteadyBurn read_surface_and_flame(const DeckNode& parameters, const char* threshold) {
   SteadyBurn m;
   m.gas_constant = parameters.real("IdealGasConst");
   m.solid_rate = parameters.real("PreExpCondPh");
@@ -101,9 +101,13 @@ SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& /*n
   m.conductivity = parameters.real("HeatConductCondPh");
   m.specific_heat = parameters.real("SpecificHeatBoth");
   m.molar_mass = parameters.real("MoleWeightGasPh");
-  m.threshold_pressure = parameters.real("ThresholdPressure");
+  m.threshold_pressure = parameters.real(threshold);
   m.ignition_temperature = parameters.real("IgnitionTemp");
   return m;
+}
+
+SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& /*names*/) {
+  return read_surface_and_flame(parameters);
 }
 
 }  // namespace sluice::models

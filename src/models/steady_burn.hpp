@@ -42,7 +42,10 @@ struct SteadyBurn {
 };
 
 // Its parameters, which models of the same surface and flame share.
-std::vector<TagSpec> surface_and_flame_tags();
+// `threshold`: what that of the pressure is called.
+std::vector<TagSpec> surface_and_flame_tags(const char* threshold = "ThresholdPressure");
+SteadyBurn read_surface_and_flame(const DeckNode& parameters,
+                                  const char* threshold = "ThresholdPressure");
 TagSpec steady_burn_tag();
 SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& names);
 

@@ -33,6 +33,22 @@ void bind_fluids(ice::IceScene& fluid, std::vector<Fault>& faults) {
       momentum.set(m, n, std::max(momentum(m, n), ice::one_velocity_coefficient));
 }
 
+// Cracks that burn are those of the solid's law.
+void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& component,
+                  std::vector<Fault>& faults) {
+  for (const models::SolidBurn& burn : burns) {
+    const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
+    const auto solid = static_cast<std::size_t>(burn.solid);
+    if (ddt == nullptr || !ddt->cracks ||
+        mpm::column_of(component.solids().carried()[solid], "p.crackRad") >= 0)
+      continue;
+    add_error(faults, burn.where,
+              fmt::format("<useCrackModel> of <DDT1>: the law of '{}' has no cracks",
+                          component.solids().scene().materials[solid].name),
+              "take <constitutive_model type=\"visco_scram\">, or useCrackModel false");
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<MpmIce> make_component(const Deck& deck, const Scene& scene,
@@ -47,8 +63,9 @@ std::unique_ptr<MpmIce> make_component(const Deck& deck, const Scene& scene,
   models::MaterialNames names;
   for (const ice::IceMaterial& m : fluid.materials) names.fluids.push_back(m.name);
   for (const mpm::SolidMaterial& m : solids.materials) names.solids.push_back(m.name);
-  auto component = std::make_unique<MpmIce>(scene, std::move(fluid), std::move(solids),
-                                            models::read_burns(*deck.root, names));
+  const std::vector<models::SolidBurn> burns = models::read_burns(*deck.root, names);
+  auto component = std::make_unique<MpmIce>(scene, std::move(fluid), std::move(solids), burns);
+  check_cracks(burns, *component, faults);
   component->solids().warn_of_absent_labels(faults);
   return component;
 }

@@ -38,6 +38,8 @@ mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::Solid
   for (const models::SolidBurn& burn : burns) {
     mpm::SolidMaterial& solid = solids.materials[static_cast<std::size_t>(burn.solid)];
     solid.burns = true;
+    const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
+    solid.awaits_flames |= ddt != nullptr && ddt->spread.has_value();
     solid.surface_remembers |= std::holds_alternative<models::UnsteadyBurn>(burn.law);
   }
   solids.carry_corners(level.active);
@@ -67,7 +69,7 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
       solids_(scene, with_corners(std::move(solids), burns, scene.grid.levels.front())),
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size()))),
       burns_(std::move(burns)),
-      burning_(scene, burns_) {
+      burning_(scene, burns_, solids_.material_count(), fluid.models.any_source()) {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
   if (const ParticleMethod* tracers = fluid_.particles())
@@ -163,7 +165,23 @@ int MpmIce::reduction_maxima() const {
 
 int MpmIce::reduction_sums() const {
   return static_cast<int>(first_burned_sum()) +
-         (burns_.empty() ? 0 : BurnedSums::count(material_count()));
+         (burns_.empty()
+              ? 0
+              : BurnedSums::count(material_count()) + static_cast<int>(output_switches().size()));
+}
+
+// In the order in which the step finds them.
+std::vector<OutputSwitch> MpmIce::output_switches() const {
+  std::vector<OutputSwitch> switches;
+  for (const models::SolidBurn& burn : burns_)
+    if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law))
+      for (const models::Ddt1::Switch& s : ddt->switches) switches.push_back(s.to);
+  return switches;
+}
+
+bool MpmIce::passes_switch(std::size_t n, const std::vector<double>& sums) const {
+  const auto behind = static_cast<std::size_t>(BurnedSums::count(material_count()));
+  return sums[first_burned_sum() + behind + n] > 0;
 }
 
 StepLimit MpmIce::step_limit(const std::vector<double>& maxima) const {

@@ -76,6 +76,8 @@ class MpmIce final : public Component {
 
   int reduction_maxima() const override;
   int reduction_sums() const override;
+  std::vector<OutputSwitch> output_switches() const override;
+  bool passes_switch(std::size_t n, const std::vector<double>& sums) const override;
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
   bool quiet_blocks_allowed() const override { return false; }
   double courant_number() const override { return fluid_.courant_number(); }

@@ -23,6 +23,7 @@ struct Row {
 };
 
 constexpr const char* measured_cost = "boxes are dealt out to ranks by measured cost";
+constexpr const char* cracks_at_the_flux = "cracks burn at the mass flux of surfaces";
 
 // clang-format off
 constexpr Row table[] = {

@@ -18,6 +18,7 @@
 #include "framework/refine/volume_faces.hpp"
 #include "framework/run/conservation.hpp"
 #include "framework/run/step_shape.hpp"
+#include "framework/scene/output_switch.hpp"
 #include "framework/task/effect.hpp"
 #include "framework/task/reductions.hpp"
 #include "framework/task/schedule.hpp"
@@ -199,6 +200,12 @@ class Component {
   virtual std::vector<std::pair<std::string, double>> account(
       const Conservation& /*tallies*/) const {
     return {};
+  }
+  // New intervals of outputs that the scene may come to, and whether a step with these sums has
+  // come to the n-th.
+  virtual std::vector<OutputSwitch> output_switches() const { return {}; }
+  virtual bool passes_switch(std::size_t /*n*/, const std::vector<double>& /*sums*/) const {
+    return false;
   }
   // Labels of .dat histories and their values.
   virtual double history_value(Label label, const Totals& totals) const = 0;

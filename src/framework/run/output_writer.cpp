@@ -50,10 +50,10 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
       add(saved.on_grid);
     } else if (label && is_analysed(*label)) {
       add(saved.analysed);
-    } else if (label && solver.is_step_label(*label)) {
-      add(saved.step);
-    } else if (label && solver.is_diagnostic_label(*label)) {
-      add(saved.diagnostic);
+    } else if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label))) {
+      // Of some materials the one, of others the other.
+      if (solver.is_step_label(*label)) add(saved.step);
+      if (solver.is_diagnostic_label(*label)) add(saved.diagnostic);
     } else if (const ParticleMethod* method = hierarchy.component().particles();
                method != nullptr && method->is_absent(request.label)) {
       continue;
@@ -98,6 +98,9 @@ void OutputWriter::add_output_pieces(LevelSolver& solver, bool initial,
   const int level = solver.level().index;
   Warehouse& outputs = solver.outputs();
   std::vector<Label> labels = saved_.diagnostic;
+  std::erase_if(labels, [&](Label l) {
+    return std::find(saved_.step.begin(), saved_.step.end(), l) != saved_.step.end();
+  });
   if (!initial) labels.insert(labels.end(), saved_.step.begin(), saved_.step.end());
   const int materials = component_->material_count();
   for (std::size_t n = 0; n < labels.size() * static_cast<std::size_t>(materials); ++n) {

@@ -64,7 +64,9 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       analysis_(scene, hierarchy_, communicator),
       level_history_(hierarchy_.possible_levels(), communicator.is_root()),
       conservation_(conserved_names(component)),
-      tallies_(component.tally_names()) {}
+      tallies_(component.tally_names()) {
+  time_.set_switches(component.output_switches());
+}
 
 Simulation::~Simulation() = default;
 
@@ -287,6 +289,19 @@ void Simulation::plant_nan(IntVec3 cell) {
   hierarchy_.level(0).touch();
 }
 
+void Simulation::act_on_switches(const std::vector<double>& sums) {
+  const std::vector<OutputSwitch> switches = component_.output_switches();
+  for (std::size_t n = 0; n < switches.size(); ++n) {
+    if (!component_.passes_switch(n, sums) || !time_.act_on_switch(n)) continue;
+    const TimeState& t = time_.state();
+    std::string note = fmt::format(
+        "step {} at t = {:.6g}: outputs every {:g}, checkpoints every {:g} from here on", t.step,
+        t.time, switches[n].output_interval, switches[n].checkpoint_interval);
+    if (t.last_step > 0) note += fmt::format("; the last step is {}", t.last_step);
+    if (communicator_.is_root()) progress_->note(note);
+  }
+}
+
 bool Simulation::step() {
   StepPlan plan = time_.plan(limit_.dt);
   if (!plan.message.empty() && communicator_.is_root()) progress_->note(plan.message);
@@ -302,6 +317,7 @@ bool Simulation::step() {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunControl::Answer& answer = result.control;
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
+  act_on_switches(result.sums);
   time_.remember_physics_dt(limit_.dt);
   ++steps_;
   if (const ParticleCloud* particles = hierarchy_.particles())

@@ -54,6 +54,7 @@ class Simulation {
   void book(const StepPlan& plan, const std::vector<double>& sums);
   void keep(const StepPlan& plan, const StepEnd& end);
   void prepare_next(const StepPlan& plan, const StepEnd& end);
+  void act_on_switches(const std::vector<double>& sums);
   void sample_levels();
   void flush_samples();
   static std::vector<std::string> conserved_names(const Component& component);

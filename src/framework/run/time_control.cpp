@@ -98,6 +98,8 @@ TimeControl::TimeControl(const TimeSettings& time, const OutputSettings& output,
 
 void TimeControl::restart(const TimeState& state, bool keep_schedule) {
   state_ = state;
+  for (std::size_t n = 0; n < switches_.size(); ++n)
+    if ((state_.switches >> n & 1U) != 0) take_intervals(switches_[n]);
   if (!keep_schedule) state_.schedule = schedule_.state_at(state.time, state.previous_dt);
   just_restarted_ = true;
   status_ = RunStatus::running;
@@ -106,9 +108,32 @@ void TimeControl::restart(const TimeState& state, bool keep_schedule) {
 }
 
 int TimeControl::step_limit() const {
-  if (time_.max_timesteps <= 0) return limits_.max_steps;
-  if (limits_.max_steps <= 0) return time_.max_timesteps;
-  return std::min(time_.max_timesteps, limits_.max_steps);
+  int limit = 0;
+  for (const int most : {time_.max_timesteps, limits_.max_steps, state_.last_step})
+    if (most > 0) limit = limit > 0 ? std::min(limit, most) : most;
+  return limit;
+}
+
+// By time, in place of whatever the deck had.
+void TimeControl::take_intervals(const OutputSwitch& by) {
+  output_.interval = by.output_interval;
+  output_.timestep_interval = 0;
+  CheckpointSettings& checkpoint = output_.checkpoint;
+  checkpoint.interval = by.checkpoint_interval;
+  checkpoint.timestep_interval = 0;
+  checkpoint.walltime_interval = checkpoint.walltime_start = 0;
+  schedule_ = OutputSchedule(output_);
+  next_wall_checkpoint_ = schedule_.first_wall_checkpoint();
+}
+
+bool TimeControl::act_on_switch(std::size_t n) {
+  if ((state_.switches >> n & 1U) != 0) return false;
+  state_.switches |= 1U << n;
+  const OutputSwitch& by = switches_.at(n);
+  take_intervals(by);
+  state_.schedule = schedule_.state_at(state_.time, state_.previous_dt);
+  if (by.remaining_steps > 0) state_.last_step = state_.step + by.remaining_steps;
+  return true;
 }
 
 bool TimeControl::reaches_end(int step, double end, double dt) const {
@@ -257,7 +282,9 @@ std::string to_json_text(const TimeState& state) {
               {"previous_dt", state.previous_dt},
               {"physics_dt", state.physics_dt},
               {"next_output", state.schedule.next_output},
-              {"next_checkpoint", state.schedule.next_checkpoint}}
+              {"next_checkpoint", state.schedule.next_checkpoint},
+              {"switches", state.switches},
+              {"last_step", state.last_step}}
       .dump();
 }
 
@@ -271,6 +298,10 @@ TimeState time_state_from_json_text(const std::string& text) {
     state.physics_dt = json.at("physics_dt").get<double>();
     state.schedule.next_output = json.at("next_output").get<std::int64_t>();
     state.schedule.next_checkpoint = json.at("next_checkpoint").get<std::int64_t>();
+    if (json.contains("switches")) {  // archives of earlier versions have none
+      state.switches = json.at("switches").get<unsigned>();
+      state.last_step = json.at("last_step").get<int>();
+    }
     return state;
   } catch (const JsonError& error) {
     throw InputError(fmt::format(

@@ -21,9 +21,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "framework/run/output_schedule.hpp"
 #include "framework/run/run_status.hpp"
+#include "framework/scene/output_switch.hpp"
 #include "framework/scene/time_settings.hpp"
 
 namespace sluice {
@@ -56,6 +58,8 @@ struct TimeState {
   double previous_dt = 0;  // of the last step; 0 before the first
   double physics_dt = 0;   // what the physics allows next, where it is known already; else 0
   ScheduleState schedule;
+  unsigned switches = 0;  // which have acted, one bit for each
+  int last_step = 0;      // that one of them has set; 0: none
 
   bool operator==(const TimeState&) const = default;
 };
@@ -86,6 +90,11 @@ class TimeControl {
  public:
   TimeControl(const TimeSettings& time, const OutputSettings& output, RunLimits limits = {});
 
+  // What may change the intervals later: known before a restart.
+  void set_switches(std::vector<OutputSwitch> switches) { switches_ = std::move(switches); }
+  // The n-th acts from the step behind the last on; again: nothing. Whether it has.
+  bool act_on_switch(std::size_t n);
+
   // Goes on from a checkpoint. Intervals may have changed since: pass keep_schedule = false.
   void restart(const TimeState& state, bool keep_schedule = true);
 
@@ -113,11 +122,13 @@ class TimeControl {
   std::string describe(const StepPlan& plan, double physics_dt);
   bool reaches_end(int step, double end, double dt) const;
   int step_limit() const;
+  void take_intervals(const OutputSwitch& by);
 
   TimeSettings time_;
   OutputSettings output_;
   RunLimits limits_;
   OutputSchedule schedule_;
+  std::vector<OutputSwitch> switches_;
   TimeState state_;
   RunStatus status_ = RunStatus::running;
   bool just_restarted_ = false;

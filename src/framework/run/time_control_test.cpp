@@ -320,6 +320,55 @@ TEST(TimeControl, restarts_go_on_with_the_same_bits) {
   }
 }
 
+// Intervals that a run takes once it has come to something; a restart behind it keeps them.
+TEST(TimeControl, a_switch_changes_intervals_once_and_ends_the_run) {
+  OutputSettings output;
+  output.timestep_interval = 1;
+  output.checkpoint.timestep_interval = 1;
+  const std::vector<OutputSwitch> switches = {{0.3, 0.5, 0}, {0.2, 0.4, 6}};
+  TimeControl whole(plain_time(), output);
+  whole.set_switches(switches);
+  std::vector<TimeState> states;
+  std::vector<StepPlan> plans;
+  while (whole.status() == RunStatus::running) {
+    plans.push_back(whole.plan(0.1));
+    accept(whole, plans.back());
+    if (plans.back().step == 4) {
+      EXPECT_TRUE(whole.act_on_switch(0));
+    }
+    if (plans.back().step == 10) {
+      EXPECT_TRUE(whole.act_on_switch(1));
+    }
+    if (plans.back().step > 10) {
+      EXPECT_FALSE(whole.act_on_switch(0));
+    }
+    states.push_back(whole.state());
+  }
+  EXPECT_EQ(whole.status(), RunStatus::max_steps);
+  std::vector<int> outputs, checkpoints;
+  for (const StepPlan& plan : plans) {
+    if (plan.output) outputs.push_back(plan.step);
+    if (plan.checkpoint) checkpoints.push_back(plan.step);
+  }
+  EXPECT_EQ(outputs, (std::vector<int>{1, 2, 3, 4, 6, 9, 12, 14, 16}));
+  EXPECT_EQ(checkpoints, (std::vector<int>{2, 3, 4, 5, 10, 12, 16}));
+  for (const std::size_t at : {2UL, 5UL, 11UL}) {
+    TimeControl again(plain_time(), output);
+    again.set_switches(switches);
+    again.restart(time_state_from_json_text(to_json_text(states[at])));
+    for (std::size_t i = at + 1; i < states.size(); ++i) {
+      const StepPlan plan = again.plan(0.1);
+      EXPECT_EQ(plan.output, plans[i].output) << i;
+      EXPECT_EQ(plan.checkpoint, plans[i].checkpoint) << i;
+      accept(again, plan);
+      if (plan.step == 4) again.act_on_switch(0);
+      if (plan.step == 10) again.act_on_switch(1);
+      EXPECT_EQ(again.state(), states[i]);
+    }
+    EXPECT_EQ(again.status(), RunStatus::max_steps);
+  }
+}
+
 TEST(TimeControl, restart_may_override_its_first_step) {
   TimeSettings time = plain_time();
   time.override_restart_delt = 0.5;

@@ -121,6 +121,23 @@ void declare_walls(Labels& l) {
                   "the cell; 0 elsewhere.");
   l.surface_gradient = at_surfaces("UnsteadyBurn.SurfTempGrad", "work.surface_gradient", "K/m",
                                    "Likewise the gradient of temperature in the solid there.");
+  l.detonating = at_surfaces("detonating", "work.detonating", "1",
+                             "1 where the explosive of DDT1 detonated in the step.");
+  l.burning =
+      at_surfaces("burning", "work.burning_explosive", "1",
+                  "What the explosive of DDT1 does in a cell: 1 a flame is on its way, 2 its "
+                  "surface burns, 3 its cracks burn; 0: nothing of it.");
+  l.induction_time =
+      at_surfaces("inductionTime", "work.induction_time", "s",
+                  "Time that flames on their way need at the present pressure, mean over the "
+                  "particles of DDT1 in the cell to which one is; 0: none.");
+  l.count_time = at_surfaces("countTime", "work.count_time", "s",
+                             "How long flames have been on their way or were, mean over the "
+                             "particles of DDT1 in the cell to which one has set out.");
+  l.kept_burned_share = cell("work.F", "1", "F, while steps are taken.");
+  l.kept_burned_in_step = cell("work.delF", "1", "delF, while steps are taken.");
+  l.kept_model_mass = cell("work.burned_mass", "kg",
+                           "Mass that burning solids give, or fluids get from them, in the step.");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const std::string axis = axes[d];
@@ -253,9 +270,11 @@ void declare_step_labels(Labels& l) {
   l.source_pressure = cell("delP_MassX", "Pa",
                            "Change of the pressure over the step by mass and energy that models "
                            "add or pass on, to first order.");
-  l.burned_share = cell("F", "1",
-                        "Burned share of an explosive in the cell, product over reactant and "
-                        "product by mass; of the model JWLpp, with the reactant.");
+  l.burned_share =
+      cell("F", "1",
+           "Burned share of an explosive in the cell, product over reactant and "
+           "product by mass; of the models JWLpp and DDT1, with the reactant; of the latter 0 "
+           "in cells without explosive.");
   l.burned_in_step = cell("delF", "1", "What that share has gained by burning in the step.");
   l.model_mass = cell("modelMass_src", "kg", "Mass that models add to the material in the step.");
   l.model_momentum = cell_vector("modelMom_src", "kg m/s",

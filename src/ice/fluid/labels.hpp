@@ -32,6 +32,9 @@ struct Labels {
     Label saved, kept;
   };
   AtSurfaces burning_steady, burning_unsteady, surface_temperature, surface_gradient;
+  // Of explosive that burns and detonates (DDT1).
+  AtSurfaces detonating, burning, induction_time, count_time;
+  Label kept_burned_share, kept_burned_in_step, kept_model_mass;
 
   // From a state alone.
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;

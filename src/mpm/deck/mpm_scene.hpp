@@ -53,6 +53,7 @@ struct SolidMaterial {
   }
   bool burns = false;              // its particles lose mass in place
   bool surface_remembers = false;  // at a rate that depends on what has burned before
+  bool awaits_flames = false;      // that take time to come along
   Location where;
 };
 

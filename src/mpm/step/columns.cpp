@@ -101,6 +101,10 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.surface = add(l.surface_temperature, false);
     add(l.surface_gradient, false);
   }
+  if (material.awaits_flames) {
+    c.flame = add(l.flame_kind, false);
+    for (const Label label : {l.flame_come, l.flame_time, l.flame_way}) add(label, false);
+  }
   if (solids.total_lagrangian) c.columns.reference = add(l.reference, false);
   if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
       !solids.manufactured.empty())
@@ -120,6 +124,15 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     for (const Label label : labels_of(h)) add(label, true, h.components == 6 && label == h.label);
   c.history_columns = next - c.columns.history;
   return c;
+}
+
+int column_of(const Carried& carried, std::string_view label) {
+  int column = 0;
+  for (const ParticleAttribute& a : carried.attributes) {
+    if (a.label.name() == label) return column;
+    column += a.columns();
+  }
+  return -1;
 }
 
 std::array<const double*, 3> places_of(const ParticleSet& set, const Columns& c) {

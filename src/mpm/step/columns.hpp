@@ -1,5 +1,6 @@
 // What the particles of a material carry, and in which columns of a ParticleSet it stands.
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "framework/run/particle_method.hpp"
@@ -44,11 +45,15 @@ struct Carried {
   int history_columns = 0;
   int filled = -1;   // column: part of the volume between the corners that has not burned
   int surface = -1;  // 2, what its burning surface remembers: temperature, gradient
+  int flame = -1;    // 4, of the flame that comes to it: kind, share come, time, way
   std::array<double, 3> half{0.5, 0.5, 0.5};          // where the particles do not differ
   std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };
 
 Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material);
+
+// First column of an attribute with this label; -1: there is none.
+int column_of(const Carried& carried, std::string_view label);
 
 // Columns as a kernel takes them.
 template <std::size_t N>

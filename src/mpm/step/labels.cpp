@@ -71,6 +71,14 @@ SolidLabels declare_all() {
   l.surface_gradient =
       declare("UnsteadyBurn.PartSurfTempGrad", real, "K/m",
               "Gradient of temperature in the solid at that surface; 1e12 before it burns.");
+  l.flame_kind = declare("DDT1.PartFlame", real, "1",
+                         "What flames do to a particle, or come to do, of the model DDT1 with "
+                         "induction times: 2 burn its surface, 3 its cracks; 0: none has set out.");
+  l.flame_come = declare("DDT1.PartFlameCome", real, "1",
+                         "Share of its way to the particle that such a flame has come.");
+  l.flame_time = declare("DDT1.PartFlameTime", real, "s", "How long ago it set out.");
+  l.flame_way =
+      declare("DDT1.PartFlameWay", real, "m", "Its way, as it would go along the surface.");
   return l;
 }
 

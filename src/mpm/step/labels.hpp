@@ -14,6 +14,7 @@ struct SolidLabels {
   std::array<Label, most_corners> corner;
   Label filled;
   Label surface_temperature, surface_gradient;
+  Label flame_kind, flame_come, flame_time, flame_way;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage, heating or another method of the format give particles this

@@ -4,6 +4,8 @@
 
 namespace sluice::mpmice {
 
+inline constexpr double seen_volume = 0.2;  // fluids that fill less of a cell do not count as hot
+
 // Of the fluid at a piece of surface, and of the particle behind it.
 struct AtSurface {
   double pressure = 0;

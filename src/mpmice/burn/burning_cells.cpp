@@ -7,28 +7,56 @@
 namespace sluice::mpmice {
 
 std::vector<BurningField> burning_fields(const models::SolidBurn& burn) {
-  const auto field = [](SurfaceValue value, const ice::Labels::AtSurfaces& l) {
+  const auto field = [](BurningValue value, const ice::Labels::AtSurfaces& l) {
     return BurningField{value, l.saved, l.kept};
   };
   const ice::Labels& l = ice::labels();
   if (std::holds_alternative<models::SteadyBurn>(burn.law))
-    return {field(SurfaceValue::burns, l.burning_steady)};
+    return {field(BurningValue::burns, l.burning_steady)};
   if (std::holds_alternative<models::UnsteadyBurn>(burn.law))
-    return {field(SurfaceValue::burns, l.burning_unsteady),
-            field(SurfaceValue::temperature, l.surface_temperature),
-            field(SurfaceValue::gradient, l.surface_gradient)};
+    return {field(BurningValue::burns, l.burning_unsteady),
+            field(BurningValue::temperature, l.surface_temperature),
+            field(BurningValue::gradient, l.surface_gradient)};
+  if (std::holds_alternative<models::Ddt1>(burn.law))
+    return {field(BurningValue::detonates, l.detonating),
+            field(BurningValue::kind, l.burning),
+            {BurningValue::share, l.burned_share, l.kept_burned_share},
+            {BurningValue::gain, l.burned_in_step, l.kept_burned_in_step},
+            field(BurningValue::delay, l.induction_time),
+            field(BurningValue::waited, l.count_time)};
   return {};
 }
 
-BurningCells::BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns) {
-  const std::vector<SaveRequest>& saves = scene.output.saves;
-  for (const models::SolidBurn& burn : burns)
-    for (const BurningField& field : burning_fields(burn))
-      if (std::any_of(saves.begin(), saves.end(),
-                      [&](const SaveRequest& r) { return r.label == field.saved.name(); })) {
-        slots_.push_back({field.kept, burn.solid, 1, 0});
-        saved_.push_back(field.saved);
-      }
+std::vector<int> products(const models::SolidBurn& burn) {
+  std::vector<int> all = {burn.product};
+  if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
+      ddt != nullptr && ddt->surface_product != burn.product)
+    all.push_back(ddt->surface_product);
+  return all;
+}
+
+BurningCells::BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns,
+                           int first_fluid, bool other_sources) {
+  const auto add = [&](Label saved, Label kept, int material) {
+    const std::vector<SaveRequest>& saves = scene.output.saves;
+    const SlotInfo slot{kept, material, 1, 0};
+    if (std::any_of(slots_.begin(), slots_.end(),
+                    [&](const SlotInfo& s) { return s.label == kept && s.material == material; }))
+      return;
+    if (std::none_of(saves.begin(), saves.end(),
+                     [&](const SaveRequest& r) { return r.label == saved.name(); }))
+      return;
+    slots_.push_back(slot);
+    saved_.push_back(saved);
+  };
+  const ice::Labels& l = ice::labels();
+  for (const models::SolidBurn& burn : burns) {
+    for (const BurningField& field : burning_fields(burn)) add(field.saved, field.kept, burn.solid);
+    add(l.model_mass, l.kept_model_mass, burn.solid);
+    if (!other_sources)
+      for (const int product : products(burn))
+        add(l.model_mass, l.kept_model_mass, first_fluid + product);
+  }
 }
 
 void BurningCells::clear(Warehouse& state) const {

@@ -1,5 +1,6 @@
-// Fields of the cells in which surfaces burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
-// SurfTemp and SurfTempGrad. Each is kept only where the deck saves it.
+// Fields of the cells in which solids burn: SteadyBurn.BurningCell, UnsteadyBurn.BurningCell,
+// SurfTemp and SurfTempGrad; those of DDT1; modelMass_src. Each is kept only where the deck saves
+// it.
 #pragma once
 #include <vector>
 
@@ -10,17 +11,31 @@
 
 namespace sluice::mpmice {
 
-enum class SurfaceValue { burns, temperature, gradient };
+enum class BurningValue {
+  burns,  // of surfaces
+  temperature,
+  gradient,
+  detonates,  // of DDT1
+  kind,
+  delay,
+  waited,
+  share,
+  gain
+};
 struct BurningField {
-  SurfaceValue value = SurfaceValue::burns;
+  BurningValue value = BurningValue::burns;
   Label saved, kept;
 };
+// The fluids that it makes.
+std::vector<int> products(const models::SolidBurn& burn);
 // What can be saved of a law.
 std::vector<BurningField> burning_fields(const models::SolidBurn& burn);
 
 class BurningCells {
  public:
-  BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns);
+  // `other_sources`: fluids tell modelMass_src of their own.
+  BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns, int first_fluid,
+               bool other_sources);
 
   // Work slots of the coupling, by solid.
   const std::vector<SlotInfo>& slots() const { return slots_; }

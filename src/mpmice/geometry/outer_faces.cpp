@@ -45,6 +45,7 @@ void OuterFaces<D>::clear() {
   particle.clear();
   face.clear();
   weight.clear();
+  inner.clear();
 }
 
 template <int D>

@@ -41,9 +41,13 @@ struct OuterFaces {
   // The part of the particle's volume that is solid, by face; empty: all of it. Sums over surfaces
   // count a face by it: of particles that are solid in part all faces must be here.
   std::vector<double> weight;
+  // 1: another particle shares the face, which is here for the two may be solid in different parts;
+  // empty: none is.
+  std::vector<std::uint8_t> inner;
 
   std::size_t size() const { return face.size(); }
   double weight_of(std::size_t i) const { return weight.empty() ? 1.0 : weight[i]; }
+  bool is_inner(std::size_t i) const { return !inner.empty() && inner[i] != 0; }
   void clear();  // keeps its memory
   // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`; they are numbered from
   // `first` on. Without `to` the corners do not move.

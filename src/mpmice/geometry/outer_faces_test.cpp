@@ -103,5 +103,32 @@ TEST(OuterFaces, PiecesAddUp) {
   }
 }
 
+// The face between two particles in a grid plane, which one of them has left in part: in each cell
+// beside it there is half of what they differ by.
+TEST(OuterFaces, BothSidesOfAnInnerOneCancelInOneCell) {
+  OuterFaces<2> faces;
+  for (auto* x : {&faces.start, &faces.end}) {
+    (*x)[0] = {std::vector<double>{3, 3}, std::vector<double>{1.25, 1.75}};
+    (*x)[1] = {std::vector<double>{3, 3}, std::vector<double>{1.75, 1.25}};
+  }
+  faces.particle = {0, 1};
+  faces.face = {1, 0};  // the high side of particle 0, the low side of particle 1
+  faces.weight = {0.9, 0.7};
+  const auto in_cells = [&] {
+    std::array<double, 2> sums{};  // of the cells below and above the plane
+    for_each_piece<2>(faces, When::start, 0, 2,
+                      [&](std::size_t i, int, const FacetNodes<2>&, const Piece<2>& piece) {
+                        sums[piece.cell[0] < 3 ? 0 : 1] += faces.weight_of(i) * piece.area[0];
+                      });
+    return sums;
+  };
+  faces.inner = {1, 1};
+  EXPECT_NEAR(in_cells()[0], 0.05, 1e-15);
+  EXPECT_NEAR(in_cells()[1], 0.05, 1e-15);
+  faces.inner = {0, 0};  // each looks into the other's cell
+  EXPECT_NEAR(in_cells()[0], -0.35, 1e-15);
+  EXPECT_NEAR(in_cells()[1], 0.45, 1e-15);
+}
+
 }  // namespace
 }  // namespace sluice::mpmice::outer_faces

@@ -1,5 +1,6 @@
 // The pieces of outer faces in cells, at the start or at the end of a step.
 #pragma once
+#include <cmath>
 
 #include "mpmice/geometry/cut.hpp"
 
@@ -17,7 +18,19 @@ struct Piece {
   std::array<double, D> n;  // area vector of the whole facet: area = n s
 };
 
-// act(i, t, nodes, piece): facet t of face i.
+// Does the facet lie in a grid plane.
+template <int D>
+bool in_grid_plane(const FacetNodes<D>& nodes) {
+  for (std::size_t a = 0; a < D; ++a) {
+    bool flat = nodes[0][a] == std::floor(nodes[0][a]);
+    for (std::size_t k = 1; k < D; ++k) flat = flat && nodes[k][a] == nodes[0][a];
+    if (flat) return true;
+  }
+  return false;
+}
+
+// act(i, t, nodes, piece): facet t of face i. In a grid plane outer faces lie in the cell that they
+// look into, inner ones half in each: both sides of one alike, so that they cancel in both cells.
 template <int D, class Act>
 void for_each_piece(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end,
                     Act&& act) {
@@ -26,16 +39,27 @@ void for_each_piece(const OuterFaces<D>& faces, When when, std::size_t begin, st
     for (int t = 0; t < facets_of_face<D>; ++t) {
       const FacetNodes<D> nodes = facet_nodes<D>(x, i, t);
       const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
-      std::array<CellSpan, D> spans;
-      for (int d = 0; d < D; ++d) {
-        const auto a = static_cast<std::size_t>(d);
-        spans[a] = span_along<D>(nodes, d, n[a]);
+      const auto cut = [&](const std::array<double, D>& look, double share) {
+        std::array<CellSpan, D> spans;
+        for (int d = 0; d < D; ++d) {
+          const auto a = static_cast<std::size_t>(d);
+          spans[a] = span_along<D>(nodes, d, look[a]);
+        }
+        cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& moments) {
+          Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
+          for (double& m : piece.m) m *= share;
+          for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
+          act(i, t, nodes, piece);
+        });
+      };
+      if (!faces.is_inner(i) || !in_grid_plane<D>(nodes)) {
+        cut(n, 1);
+        continue;
       }
-      cut_facet<D>(nodes, spans, n, [&](const Cell<D>& cell, const Moments<D>& moments) {
-        Piece<D> piece{cell, {}, moments.s, moments.m, n};
-        for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * moments.s;
-        act(i, t, nodes, piece);
-      });
+      std::array<double, D> back = n;
+      for (double& b : back) b = -b;
+      cut(n, 0.5);
+      cut(back, 0.5);
     }
 }
 

@@ -9,12 +9,6 @@
 #include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
-namespace {
-
-constexpr double seen_volume = 0.2;  // fluids that fill less of a cell do not count as hot
-
-}  // namespace
-
 // Hottest fluid in a cell, or around it where asked or where the cell has little; 0: none.
 template <int D>
 double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
@@ -37,30 +31,17 @@ std::vector<ExposedArea<D>> LevelCoupling<D>::exposed_areas(
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                    [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-                      const std::size_t p = s.faces.particle[i];
-                      if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
-                      Cell<D> c = piece.cell;
-                      for (std::size_t d = 0; d < D; ++d)
-                        if (!frame_.periodic[d] &&
-                            (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
-                          return;  // on a side of the domain
-                      c = frame_.inside(c);
-                      const std::size_t k = frame_.box.index(c);
-                      if (!wet(k)) return;
-                      AtSurface at;
-                      at.pressure = fields_.pressure[k];
-                      at.solid_temperature = T[p];
-                      at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
-                      at.density = mass[p] / volume[p];
-                      std::array<double, D> area = piece.area;
-                      for (int d = 0; d < D; ++d)
-                        area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
-                      const auto surface = steady_surface(burn, at);
-                      if (surface.flux > 0 && pieces != nullptr) pieces->push_back({n, p, k});
-                      exposed[p].add(s.faces.face[i], area, surface);
-                    });
+  for_each_open_piece(s, [&](std::size_t p, int face, const std::array<double, D>& area,
+                             const Cell<D>& c, std::size_t k) {
+    AtSurface at;
+    at.pressure = fields_.pressure[k];
+    at.solid_temperature = T[p];
+    at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
+    at.density = mass[p] / volume[p];
+    const auto surface = steady_surface(burn, at);
+    if (surface.flux > 0 && pieces != nullptr) pieces->push_back({n, p, k});
+    exposed[p].add(face, area, surface);
+  });
   return exposed;
 }
 
@@ -85,9 +66,7 @@ void LevelCoupling<D>::delay_burning(const models::UnsteadyBurn& law, SolidSet<D
 template <int D>
 void LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
                                      std::vector<Column>& shares) {
-  const Warehouse& state = scope.levels.front()->state();
-  std::vector<BurningField> fields = burning_fields(burn);
-  std::erase_if(fields, [&](const BurningField& f) { return state.find(f.kept, burn.solid) < 0; });
+  const std::vector<BurningField> fields = saved_fields(scope, burn);
   std::vector<BurningPiece> pieces;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
@@ -104,17 +83,13 @@ void LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::Soli
   if (!fields.empty()) store_burning(scope, burn, fields, pieces);
 }
 
-// Of what surfaces remember, in cells; `most` pieces are in one.
+// Means in cells of the values of pieces; `most` of these are in one.
 template <int D>
 void LevelCoupling<D>::mean_of_pieces(const StageScope& scope,
-                                      const std::vector<BurningPiece>& pieces, bool gradient,
+                                      const std::vector<BurningPiece>& pieces, const Column& values,
                                       const CellSums<D>& counts, double most, Column& mean) const {
-  const auto value = [&](const BurningPiece& piece) {
-    const models::SurfaceHistory& surface = sets_[piece.set].surface[piece.particle];
-    return gradient ? surface.gradient : surface.temperature;
-  };
   double largest = 1e-300;
-  for (const BurningPiece& piece : pieces) largest = std::max(largest, std::fabs(value(piece)));
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
   Reduction all;
   const auto slot = all.add_maximum(largest);
   scope.ranks->reduce(all);
@@ -122,48 +97,108 @@ void LevelCoupling<D>::mean_of_pieces(const StageScope& scope,
   CellSums<D> sums;
   sums.begin(frame_.box, 1);
   sums.reach(frame_.box);
-  for (const BurningPiece& piece : pieces)
-    sums.lane(0)[piece.cell] += to_sum(value(piece) / largest / most);
+  for (std::size_t n = 0; n < pieces.size(); ++n)
+    sums.lane(0)[pieces[n].cell] += to_sum(values[n] / largest / most);
   sums.sum_over_ranks(*scope.ranks);
   for (std::size_t i = 0; i < mean.size(); ++i)
     if (counts.lane(0)[i] > 0)
       mean[i] = from_sum(sums.lane(0)[i]) * largest * most / static_cast<double>(counts.lane(0)[i]);
 }
 
-// For the archive, by all ranks' pieces of surface: means over the pieces in a cell.
+// How many pieces, of all ranks, are in each cell, and the most of them.
+template <int D>
+double LevelCoupling<D>::count_pieces(const StageScope& scope,
+                                      const std::vector<BurningPiece>& pieces,
+                                      CellSums<D>& counts) const {
+  counts.begin(frame_.box, 1);
+  counts.reach(frame_.box);
+  for (const BurningPiece& piece : pieces) ++counts.lane(0)[piece.cell];
+  counts.sum_over_ranks(*scope.ranks);
+  return static_cast<double>(
+      *std::max_element(counts.lane(0), counts.lane(0) + frame_.box.cells()));
+}
+
+// What is not 0, for the archive.
+template <int D>
+void LevelCoupling<D>::keep_in_cells(const StageScope& scope, Label kept, int solid,
+                                     const Column& values) const {
+  Warehouse& next = scope.levels.front()->attempted();
+  const int slot = next.find(kept, solid);
+  for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
+    const RealView to = next.view(slot, 0, b);
+    for_each_cell(frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells),
+                  [&](IntVec3 c) {
+                    const double value = values[frame_.box.index(frame_.cell(c))];
+                    if (value != 0) to(c) = value;
+                  });
+  }
+}
+
+// Means over the pieces of surface that burn in a cell.
 template <int D>
 void LevelCoupling<D>::store_burning(const StageScope& scope, const models::SolidBurn& burn,
                                      const std::vector<BurningField>& fields,
                                      const std::vector<BurningPiece>& pieces) const {
   CellSums<D> counts;
-  counts.begin(frame_.box, 1);
-  counts.reach(frame_.box);
-  for (const BurningPiece& piece : pieces) ++counts.lane(0)[piece.cell];
-  counts.sum_over_ranks(*scope.ranks);
-  const double most =
-      static_cast<double>(*std::max_element(counts.lane(0), counts.lane(0) + frame_.box.cells()));
-  Warehouse& next = scope.levels.front()->attempted();
+  const double most = count_pieces(scope, pieces, counts);
   for (const BurningField& field : fields) {
-    Column mean(frame_.box.cells(), 1.0);
-    if (field.value != SurfaceValue::burns)
-      mean_of_pieces(scope, pieces, field.value == SurfaceValue::gradient, counts, most, mean);
-    const int slot = next.find(field.kept, burn.solid);
-    for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
-      const RealView to = next.view(slot, 0, b);
-      for_each_cell(frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells),
-                    [&](IntVec3 c) {
-                      const std::size_t i = frame_.box.index(frame_.cell(c));
-                      if (counts.lane(0)[i] > 0) to(c) = mean[i];
-                    });
+    Column mean(frame_.box.cells(), 0.0), values;
+    if (field.value == BurningValue::burns) {
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = counts.lane(0)[i] > 0 ? 1 : 0;
+    } else {
+      for (const BurningPiece& piece : pieces) {
+        const models::SurfaceHistory& surface = sets_[piece.set].surface[piece.particle];
+        values.push_back(field.value == BurningValue::gradient ? surface.gradient
+                                                               : surface.temperature);
+      }
+      mean_of_pieces(scope, pieces, values, counts, most, mean);
     }
+    keep_in_cells(scope, field.kept, burn.solid, mean);
   }
+}
+
+// Those of its fields that the deck saves.
+template <int D>
+std::vector<BurningField> LevelCoupling<D>::saved_fields(const StageScope& scope,
+                                                         const models::SolidBurn& burn) const {
+  const Warehouse& state = scope.levels.front()->state();
+  std::vector<BurningField> fields = burning_fields(burn);
+  std::erase_if(fields, [&](const BurningField& f) { return state.find(f.kept, burn.solid) < 0; });
+  return fields;
 }
 
 template void LevelCoupling<1>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               std::vector<Column>&);
+template double LevelCoupling<1>::hottest_fluid(const Cell<1>&, bool) const;
+template double LevelCoupling<1>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               CellSums<1>&) const;
+template void LevelCoupling<1>::mean_of_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               const Column&, const CellSums<1>&, double,
+                                               Column&) const;
+template void LevelCoupling<1>::keep_in_cells(const StageScope&, Label, int, const Column&) const;
+template std::vector<BurningField> LevelCoupling<1>::saved_fields(const StageScope&,
+                                                                  const models::SolidBurn&) const;
 template void LevelCoupling<2>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               std::vector<Column>&);
+template double LevelCoupling<2>::hottest_fluid(const Cell<2>&, bool) const;
+template double LevelCoupling<2>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               CellSums<2>&) const;
+template void LevelCoupling<2>::mean_of_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               const Column&, const CellSums<2>&, double,
+                                               Column&) const;
+template void LevelCoupling<2>::keep_in_cells(const StageScope&, Label, int, const Column&) const;
+template std::vector<BurningField> LevelCoupling<2>::saved_fields(const StageScope&,
+                                                                  const models::SolidBurn&) const;
 template void LevelCoupling<3>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               std::vector<Column>&);
+template double LevelCoupling<3>::hottest_fluid(const Cell<3>&, bool) const;
+template double LevelCoupling<3>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               CellSums<3>&) const;
+template void LevelCoupling<3>::mean_of_pieces(const StageScope&, const std::vector<BurningPiece>&,
+                                               const Column&, const CellSums<3>&, double,
+                                               Column&) const;
+template void LevelCoupling<3>::keep_in_cells(const StageScope&, Label, int, const Column&) const;
+template std::vector<BurningField> LevelCoupling<3>::saved_fields(const StageScope&,
+                                                                  const models::SolidBurn&) const;
 
 }  // namespace sluice::mpmice

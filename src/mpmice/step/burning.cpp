@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
+#include "ice/fluid/labels.hpp"
 #include "mpmice/burn/burn_law.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/step/level_coupling.hpp"
@@ -97,14 +98,14 @@ void LevelCoupling<D>::mean_in_cells(const StageScope& scope, int kind, Column& 
 // Particles lose their shares.
 template <int D>
 std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_particles(
-    const models::SolidBurn& burn, const std::vector<Column>& shares) {
+    int solid, int product, double Q, const std::vector<Column>& shares) {
   const mpm::MaterialConstants& constants =
-      solids_->scene().materials[static_cast<std::size_t>(burn.solid)].constants;
-  const double c_s = constants.specific_heat, Q = heat_of_reaction(burn);
+      solids_->scene().materials[static_cast<std::size_t>(solid)].constants;
+  const double c_s = constants.specific_heat;
   std::vector<Given> given;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
-    if (s.kind != burn.solid) continue;
+    if (s.kind != solid) continue;
     const auto next = [&](int c) { return s.next->column(static_cast<std::size_t>(c)); };
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     const double* T = next(s.columns->temperature);
@@ -120,7 +121,7 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
         g.velocity[d] = next(s.columns->velocity + d)[p];
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];
       }
-      burned_.add(burn.solid, solids_->material_count() + burn.product, g.mass, Q * g.mass,
+      burned_.add(solid, solids_->material_count() + product, g.mass, Q * g.mass,
                   (c_s * T[p] + Q) * g.mass + constants.reference_pressure * (volume[p] * f));
       s.stays[p] *= rest;
       s.filled[p] *= rest;
@@ -184,7 +185,10 @@ void LevelCoupling<D>::note_burned(const StageScope& scope) {
 
 template <int D>
 void LevelCoupling<D>::begin_burning() {
-  burned_.begin(solids_->material_count() + fluid_->material_count());
+  const int materials = solids_->material_count() + fluid_->material_count();
+  burned_.begin(materials);
+  next_switch_ = static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums() +
+                                          BurnedSums::count(materials));
   products_.assign(amounts_.mass.size(), Column(frame_.box.cells(), 0.0));
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
@@ -194,6 +198,7 @@ void LevelCoupling<D>::begin_burning() {
     for (std::size_t p = 0; p < s.outer.size(); ++p)
       s.outer[p] = static_cast<std::uint8_t>(bits[p]);
     read_surfaces(s);
+    read_flames(s);
   }
 }
 
@@ -213,6 +218,7 @@ void LevelCoupling<D>::burn_particles(const models::SolidBurn& burn, const Colum
 
 template <int D>
 bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
+  if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law)) return burn_ddt(scope, burn, *ddt);
   Column in_cells;
   std::vector<Column> shares(sets_.size());
   if (!burns_surfaces(burn)) {
@@ -221,7 +227,34 @@ bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn&
   } else {
     burn_surfaces(scope, burn, shares);
   }
-  return give_to_cells(scope, burn.product, take_from_particles(burn, shares), in_cells);
+  return give_to_cells(
+      scope, burn.product,
+      take_from_particles(burn.solid, burn.product, heat_of_reaction(burn), shares), in_cells);
+}
+
+// Mass per cell volume that burning has made, of all products.
+template <int D>
+Column LevelCoupling<D>::all_products() const {
+  Column all(frame_.box.cells(), 0.0);
+  for (const Column& of_one : products_)
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += of_one[i];
+  return all;
+}
+
+// modelMass_src, where the deck saves it. `given`: by solid, mass per cell volume.
+template <int D>
+void LevelCoupling<D>::keep_given_mass(const StageScope& scope,
+                                       const std::vector<Column>& given) const {
+  const Label kept = ice::labels().kept_model_mass;
+  const auto keep = [&](int material, const Column& mass, double sign) {
+    if (mass.empty() || scope.levels.front()->state().find(kept, material) < 0) return;
+    Column of_cells = mass;
+    for (double& m : of_cells) m *= sign * frame_.cell_volume;
+    keep_in_cells(scope, kept, material, of_cells);
+  };
+  for (std::size_t k = 0; k < given.size(); ++k) keep(static_cast<int>(k), given[k], -1);
+  for (std::size_t m = 0; m < products_.size(); ++m)
+    keep(solids_->material_count() + static_cast<int>(m), products_[m], 1);
 }
 
 template <int D>
@@ -230,7 +263,16 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   if (burns_.empty()) return Verdict::good;
   begin_burning();
   bool any = false;
-  for (const models::SolidBurn& law : burns_) any |= burn_by(scope, law);
+  std::vector<Column> given(static_cast<std::size_t>(solids_->material_count()));
+  for (const models::SolidBurn& law : burns_) {
+    const Column before = all_products();
+    any |= burn_by(scope, law);
+    const Column now = all_products();
+    Column& of_solid = given[static_cast<std::size_t>(law.solid)];
+    of_solid.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) of_solid[i] += now[i] - before[i];
+  }
+  keep_given_mass(scope, given);
   if (!any) return Verdict::good;
   burned_.add_to(*scope.ranks, *scope.sums,
                  static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums()));
@@ -264,6 +306,21 @@ Verdict LevelCoupling<D>::remove_burned(const StageScope& scope) {
   return Verdict::good;
 }
 
+template void LevelCoupling<1>::mean_in_cells(const StageScope&, int, Column&, Column&);
+template void LevelCoupling<1>::burn_particles(const models::SolidBurn&, const Column&,
+                                               std::vector<Column>&) const;
+template std::vector<LevelCoupling<1>::Given> LevelCoupling<1>::take_from_particles(
+    int, int, double, const std::vector<Column>&);
+template void LevelCoupling<2>::mean_in_cells(const StageScope&, int, Column&, Column&);
+template void LevelCoupling<2>::burn_particles(const models::SolidBurn&, const Column&,
+                                               std::vector<Column>&) const;
+template std::vector<LevelCoupling<2>::Given> LevelCoupling<2>::take_from_particles(
+    int, int, double, const std::vector<Column>&);
+template void LevelCoupling<3>::mean_in_cells(const StageScope&, int, Column&, Column&);
+template void LevelCoupling<3>::burn_particles(const models::SolidBurn&, const Column&,
+                                               std::vector<Column>&) const;
+template std::vector<LevelCoupling<3>::Given> LevelCoupling<3>::take_from_particles(
+    int, int, double, const std::vector<Column>&);
 template Verdict LevelCoupling<1>::burn(const StageScope&);
 template Verdict LevelCoupling<2>::burn(const StageScope&);
 template Verdict LevelCoupling<3>::burn(const StageScope&);

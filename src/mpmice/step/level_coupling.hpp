@@ -6,6 +6,7 @@
 #include "mpm/transfer/corner_volume.hpp"
 #include "mpmice/burn/burned_sums.hpp"
 #include "mpmice/burn/burning_cells.hpp"
+#include "mpmice/burn/explosive_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/geometry/pieces.hpp"
@@ -87,6 +88,8 @@ class LevelCoupling final : public Coupling {
   Verdict burn(const StageScope& scope);
   void begin_burning();
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
+  Column all_products() const;
+  void keep_given_mass(const StageScope& scope, const std::vector<Column>& given) const;
   struct BurningPiece {
     std::size_t set, particle, cell;
   };
@@ -97,7 +100,13 @@ class LevelCoupling final : public Coupling {
   void burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
                      std::vector<Column>& shares);
   void mean_of_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
-                      bool gradient, const CellSums<D>& counts, double most, Column& mean) const;
+                      const Column& values, const CellSums<D>& counts, double most,
+                      Column& mean) const;
+  double count_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
+                      CellSums<D>& counts) const;
+  void keep_in_cells(const StageScope& scope, Label kept, int solid, const Column& values) const;
+  std::vector<BurningField> saved_fields(const StageScope& scope,
+                                         const models::SolidBurn& burn) const;
   void store_burning(const StageScope& scope, const models::SolidBurn& burn,
                      const std::vector<BurningField>& fields,
                      const std::vector<BurningPiece>& pieces) const;
@@ -106,6 +115,36 @@ class LevelCoupling final : public Coupling {
   void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
   void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
   double hottest_fluid(const Cell<D>& c, bool around) const;
+  // Explosive (explosive.cpp), and flames that come to it (flames.cpp).
+  bool burn_ddt(const StageScope& scope, const models::SolidBurn& burn, const models::Ddt1& law);
+  ExplosiveCells look_at_explosive(const StageScope& scope, const models::SolidBurn& burn,
+                                   const models::Ddt1& law);
+  void find_hot_cells(const StageScope& scope, const models::SolidBurn& burn,
+                      const models::Ddt1& law, ExplosiveCells& cells) const;
+  void detonate(double dt, const models::SolidBurn& burn, const models::Ddt1& law,
+                ExplosiveCells& cells) const;
+  void burn_open_faces(const models::Ddt1& law, const ExplosiveCells& cells, std::size_t n,
+                       double dt, Column& shares) const;
+  void burn_cracks(const models::Ddt1& law, const ExplosiveCells& cells, std::size_t n, double dt,
+                   Column& shares) const;
+  void mark_burning_surfaces(const StageScope& scope, const std::vector<Column>& shares,
+                             ExplosiveCells& cells) const;
+  void pass_switches(const StageScope& scope, const models::Ddt1& law, const ExplosiveCells& cells);
+  void store_explosive(const StageScope& scope, const models::SolidBurn& burn,
+                       const models::Ddt1& law, const ExplosiveCells& cells,
+                       const std::vector<Column>& of_surfaces,
+                       const std::vector<Column>& of_cracks) const;
+  void spread_flames(const models::Ddt1& law, const ExplosiveCells& cells, std::size_t n,
+                     double dt);
+  struct FlameWay {
+    double length = 1e300;
+    models::Ignition::Kind kind = models::Ignition::none;
+  };
+  FlameWay way_to(const models::Ddt1& law, const ExplosiveCells& cells, const Cell<D>& c,
+                  const std::array<double, D>& normal, bool open, bool hot, bool cracked) const;
+  void note_flames(const StageScope& scope);
+  Cell<D> middle_of(const SolidSet<D>& s, std::size_t p) const;
+  const double* crack_radii(const SolidSet<D>& s) const;
   // Given to cells (burn_products.cpp).
   // What a particle gives; energy (internal) and kinetic energy per mass.
   struct Given {
@@ -113,7 +152,7 @@ class LevelCoupling final : public Coupling {
     double mass, energy, kinetic;
     Vec3 velocity{};
   };
-  std::vector<Given> take_from_particles(const models::SolidBurn& burn,
+  std::vector<Given> take_from_particles(int solid, int product, double heat_of_reaction,
                                          const std::vector<Column>& shares);
   double most_parts_given(const StageScope& scope, const std::vector<Given>& given) const;
   bool give_to_cells(const StageScope& scope, int product, const std::vector<Given>& given,
@@ -145,6 +184,13 @@ class LevelCoupling final : public Coupling {
   void for_each_neighbour(const Cell<D>& c, F&& act) const;
   template <class F>
   void for_each_around(const Cell<D>& c, int reach, F&& act) const;
+  // act(place, cells from c, by direction): likewise.
+  template <class F>
+  void for_each_offset(const Cell<D>& c, int reach, F&& act) const;
+  // act(particle, face, area vector (outward), cell, its place): of the outer faces, as they are at
+  // the start of the step, the pieces that look into cells with fluid.
+  template <class F>
+  void for_each_open_piece(const SolidSet<D>& s, F&& act) const;
   // act(cell, place in the arrays) for the cells near solids.
   template <class F>
   void for_each_cell_near(F&& act) const;
@@ -160,6 +206,7 @@ class LevelCoupling final : public Coupling {
   SolidFields<D> fields_;
   std::vector<models::SolidBurn> burns_;
   BurnedSums burned_;
+  std::size_t next_switch_ = 0;   // place among the sums of the step
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
   bool overlap_ = false;          // do bodies overlap somewhere
   bool vanished_ = false;         // has a particle burned to its end in this step
@@ -192,19 +239,50 @@ void LevelCoupling<D>::for_each_neighbour(const Cell<D>& c, F&& act) const {
 template <int D>
 template <class F>
 void LevelCoupling<D>::for_each_around(const Cell<D>& c, int reach, F&& act) const {
+  for_each_offset(c, reach, [&](std::size_t i, const std::array<int, D>&) { act(i); });
+}
+
+template <int D>
+template <class F>
+void LevelCoupling<D>::for_each_offset(const Cell<D>& c, int reach, F&& act) const {
   const int width = 2 * reach + 1;
   int count = 1;
   for (int d = 0; d < D; ++d) count *= width;
   for (int n = 0; n < count; ++n) {
     Cell<D> other = c;
-    for (int d = 0, rest = n; d < D; ++d, rest /= width)
-      other[static_cast<std::size_t>(d)] += rest % width - reach;
+    std::array<int, D> offset{};
+    for (int d = 0, rest = n; d < D; ++d, rest /= width) {
+      offset[static_cast<std::size_t>(d)] = rest % width - reach;
+      other[static_cast<std::size_t>(d)] += offset[static_cast<std::size_t>(d)];
+    }
     bool there = true;
     for (std::size_t d = 0; d < D; ++d)
       there &= frame_.periodic[d] ||
                (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
-    if (there) act(frame_.box.index(frame_.inside(other)));
+    if (there) act(frame_.box.index(frame_.inside(other)), offset);
   }
+}
+
+template <int D>
+template <class F>
+void LevelCoupling<D>::for_each_open_piece(const SolidSet<D>& s, F&& act) const {
+  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
+                    [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+                      const std::size_t p = s.faces.particle[i];
+                      if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
+                      Cell<D> c = piece.cell;
+                      for (std::size_t d = 0; d < D; ++d)
+                        if (!frame_.periodic[d] &&
+                            (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
+                          return;  // on a side of the domain
+                      c = frame_.inside(c);
+                      const std::size_t k = frame_.box.index(c);
+                      if (!wet(k)) return;
+                      std::array<double, D> area = piece.area;
+                      for (int d = 0; d < D; ++d)
+                        area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
+                      act(p, s.faces.face[i], area, c, k);
+                    });
 }
 
 template <int D>

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "framework/run/particle_cloud.hpp"
+#include "models/ddt1.hpp"
 #include "models/unsteady_burn.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
@@ -25,6 +26,8 @@ struct SolidSet {
   std::vector<std::uint8_t> outer;
   int surface_column = -1;  // of mpm::Carried::surface
   std::vector<models::SurfaceHistory> surface;
+  int flame_column = -1;                // of mpm::Carried::flame
+  std::vector<models::Ignition> flame;  // that comes to each; empty: none needs time
   // Faces that are outer since solids parted in this step, bits by particle; empty: none.
   std::vector<std::uint8_t> parted;
   std::vector<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
@@ -74,13 +77,20 @@ std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
   return faces;
 }
 
-// Faces count by what is left of their particles.
+// Faces count by what is left of their particles; which of them are inner ones.
 template <int D>
 void weigh_faces(SolidSet<D>& s) {
   if (s.part < 0) return;
+  std::vector<std::uint8_t> outer = outer_faces_of(s);
+  if (s.outer.size() == outer.size())
+    for (std::size_t p = 0; p < outer.size(); ++p) outer[p] |= s.outer[p];
   s.faces.weight.resize(s.faces.size());
-  for (std::size_t i = 0; i < s.faces.size(); ++i)
-    s.faces.weight[i] = s.filled[s.faces.particle[i]];
+  s.faces.inner.resize(s.faces.size());
+  for (std::size_t i = 0; i < s.faces.size(); ++i) {
+    const std::size_t p = s.faces.particle[i];
+    s.faces.weight[i] = s.filled[p];
+    s.faces.inner[i] = (outer[p] >> s.faces.face[i] & 1) == 0 ? 1 : 0;
+  }
 }
 
 // Particles that reach a periodic side at either end of the step.
@@ -122,6 +132,19 @@ void read_surfaces(SolidSet<D>& s) {
   const double* T = s.set->column(static_cast<std::size_t>(s.surface_column));
   const double* gradient = s.set->column(static_cast<std::size_t>(s.surface_column) + 1);
   for (std::size_t p = 0; p < s.set->size(); ++p) s.surface.push_back({T[p], gradient[p]});
+}
+
+// What they know of flames, as the step begins.
+template <int D>
+void read_flames(SolidSet<D>& s) {
+  s.flame.clear();
+  if (s.flame_column < 0) return;
+  const auto first = static_cast<std::size_t>(s.flame_column);
+  const double *kind = s.set->column(first), *come = s.set->column(first + 1),
+               *time = s.set->column(first + 2), *way = s.set->column(first + 3);
+  for (std::size_t p = 0; p < s.set->size(); ++p)
+    s.flame.push_back(
+        {static_cast<models::Ignition::Kind>(static_cast<int>(kind[p])), come[p], time[p], way[p]});
 }
 
 // Takes the faces of a set with these bits, at both ends of the step where `moved`.

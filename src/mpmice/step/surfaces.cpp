@@ -48,11 +48,13 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
       s.columns = &solids_->carried()[static_cast<std::size_t>(k)].columns;
       s.part = solids_->carried()[static_cast<std::size_t>(k)].filled;
       s.surface_column = solids_->carried()[static_cast<std::size_t>(k)].surface;
+      s.flame_column = solids_->carried()[static_cast<std::size_t>(k)].flame;
       s.present = &store.set(level, b);
       s.set = s.present;
       s.next = &store.next(level, b);
       s.parted.clear();
       s.dropped.clear();
+      s.outer.clear();
     }
   }
   sets_.resize(n);
