@@ -153,6 +153,10 @@ Effect sources(const IceScene& ice) {
       name(fmt::format("{} burns to {} above {:g} Pa", material(x.from), material(x.to),
                        x.by_pressure->threshold_pressure),
            x.by_pressure->G > 0, x.where);
+    else if (x.by_front)
+      name(fmt::format("{} burns to {} behind a front at {:g} m/s", material(x.from),
+                       material(x.to), x.by_front->D),
+           true, x.where);
     else
       name(fmt::format("{} becomes {} at {:g}/s", material(x.from), material(x.to), x.rate),
            x.rate > 0, x.where);

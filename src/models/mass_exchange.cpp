@@ -29,24 +29,35 @@ TagSpec mass_exchange_tag() {
            tag("startTime", "from when on").real().at_least(0).unit("time").by_default("0")});
 }
 
-MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names) {
+namespace {
+
+MassExchange read_materials(const DeckNode& parameters, const MaterialNames& names) {
   MassExchange m;
   const Reactant reactant = read_reactant(parameters, names);
   m.from = reactant.from;
   m.to = reactant.to;
-  m.rate = parameters.real("rate");
-  m.when.start = real_or(parameters, "startTime", 0);
   m.where = parameters.where;
   return m;
 }
 
+}  // namespace
+
+MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m = read_materials(parameters, names);
+  m.rate = parameters.real("rate");
+  m.when.start = real_or(parameters, "startTime", 0);
+  return m;
+}
+
 MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names) {
-  MassExchange m;
-  const Reactant reactant = read_reactant(parameters, names);
-  m.from = reactant.from;
-  m.to = reactant.to;
-  m.where = parameters.where;
+  MassExchange m = read_materials(parameters, names);
   m.by_pressure = read_jwlpp_law(parameters);
+  return m;
+}
+
+MassExchange read_light_time(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m = read_materials(parameters, names);
+  m.by_front = read_light_time_law(parameters);
   return m;
 }
 

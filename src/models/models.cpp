@@ -14,6 +14,7 @@
 #include "models/binary_properties.hpp"
 #include "models/flame_sheet.hpp"
 #include "models/jwlpp.hpp"
+#include "models/light_time.hpp"
 #include "models/material_name.hpp"
 #include "models/mixture_scalar.hpp"
 
@@ -81,6 +82,11 @@ const std::vector<Entry>& table() {
          add_exchange(parameters, to, read_jwlpp);
        },
        nullptr, false, nullptr, burn<read_jwlpp>},
+      {"LightTime", light_time_tag(), check_fluid_reactant,
+       [](const DeckNode& parameters, const Reading& to) {
+         add_exchange(parameters, to, read_light_time);
+       },
+       nullptr, false, nullptr, nullptr},
       {"Simple_Burn", simple_burn_tag(), check_solid_reactant,
        [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
        burn<read_simple_burn>},

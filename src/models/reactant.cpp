@@ -41,6 +41,16 @@ void check_solid_reactant(const DeckNode& parameters, const MaterialNames& names
               "name a material of <MPM>, in a run of mpmice");
 }
 
+void check_fluid_reactant(const DeckNode& parameters, const MaterialNames& names,
+                          std::vector<Fault>& faults) {
+  check_reactant(parameters, names, faults);
+  const DeckNode* node = parameters.child("fromMaterial");
+  if (node == nullptr) return;
+  const auto from = find_material(node->text, names.all());
+  if (from && *from < static_cast<int>(names.solids.size()))
+    add_not_built(faults, node->where, fmt::format("<{}> of a solid", parameters.name));
+}
+
 Reactant read_reactant(const DeckNode& parameters, const MaterialNames& names) {
   const std::vector<std::string> all = names.all();
   const auto solids = static_cast<int>(names.solids.size());

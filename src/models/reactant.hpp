@@ -32,6 +32,9 @@ void check_reactant(const DeckNode& parameters, const MaterialNames& names,
 // Also that <fromMaterial> is a solid: of a model that burns surfaces.
 void check_solid_reactant(const DeckNode& parameters, const MaterialNames& names,
                           std::vector<Fault>& faults);
+// Also that <fromMaterial> is a fluid.
+void check_fluid_reactant(const DeckNode& parameters, const MaterialNames& names,
+                          std::vector<Fault>& faults);
 // Of a deck that has been checked.
 Reactant read_reactant(const DeckNode& parameters, const MaterialNames& names);
 

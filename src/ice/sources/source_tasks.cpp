@@ -120,10 +120,11 @@ void declare_source_labels(TaskList& list, const SchemeVariables& v, const Schem
   const int first = o.mixture ? 0 : o.material;
   for (const SourceLabel& s : all)
     for (int m = 0; m < source_change(o).materials; ++m) save(list, v, o, effect, s, first + m, m);
-  for (int m = 0; m < source_change(o).materials; ++m) {
-    save_share(list, v, o, effect, l.burned_share, SourceChange::burned_share, first + m);
+  for (int m = 0; m < source_change(o).materials; ++m)
     save_share(list, v, o, effect, l.burned_in_step, SourceChange::burned_in_step, first + m);
-  }
+  // Of all: where products are alone the reactant's F is 1, as beside a rest of it.
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    save_share(list, v, o, effect, l.burned_share, SourceChange::burned_share, m);
 }
 
 }  // namespace sluice::ice

@@ -2,6 +2,7 @@
 #include "ice/sources/sources.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sluice::ice {
 namespace {
@@ -42,9 +43,19 @@ void move_apart(const SourceRows& r, std::size_t k, int c, int i, double mean, d
 
 Sources::Sources(const models::ModelList& models, const std::vector<models::AddedHeat>& heat,
                  const std::vector<Fluid>& fluids, const Level& level,
-                 const std::array<int, 3>& direction) {
+                 const std::array<int, 3>& direction)
+    : anchor_(level.anchor), spacing_(level.spacing) {
+  double volume = 1;
+  int count = 0;
+  for (int d = 2; d >= 0; --d)
+    if (level.active[static_cast<std::size_t>(d)]) {
+      volume *= level.spacing[d];
+      along_ = d;
+      ++count;
+    }
+  edge_ = std::pow(volume, 1.0 / std::max(count, 1));
   for (const models::MassExchange& x : models.mass_exchanges)
-    if (x.by_pressure ? x.by_pressure->G > 0 : x.rate > 0) {
+    if (x.by_front || (x.by_pressure ? x.by_pressure->G > 0 : x.rate > 0)) {
       exchanges_.push_back(x);
       if (x.by_pressure) fluids_ = fluids;
     }
@@ -66,7 +77,7 @@ bool Sources::takes_from(int material) const {
 
 bool Sources::takes_from(int material, const StepConstants& step) const {
   return std::any_of(exchanges_.begin(), exchanges_.end(), [&](const models::MassExchange& x) {
-    return x.from == material && (x.by_pressure || x.share(step.time, step.dt) > 0);
+    return x.from == material && (x.by_pressure || x.by_front || x.share(step.time, step.dt) > 0);
   });
 }
 
@@ -76,10 +87,11 @@ void Sources::apply(const SourceRows& r) const {
   for (int c = 0; c < r.layout.count(); ++c) std::fill_n(change_row(r, c), n, 0.0);
   // With one material in the graph there is nothing to exchange.
   for (const models::MassExchange& x : exchanges_) {
-    const double share = x.by_pressure ? 0.0 : x.share(step.time, step.dt);
+    const bool burns = x.by_pressure || x.by_front;
+    const double share = burns ? 0.0 : x.share(step.time, step.dt);
     if (r.layout.materials > 1 && share > 0) exchange(r, x, share);
-    if (!x.by_pressure) continue;
-    if (r.layout.materials > 1) burn(r, x);
+    if (!burns) continue;
+    if (r.layout.materials > 1) x.by_pressure ? burn_by_pressure(r, x) : burn_by_front(r, x);
     tell_shares(r, x);
   }
   const auto here = [&](int material) {
@@ -160,28 +172,53 @@ double Sources::pressure(const SourceRows& r, int i) const {
   return volume > 0 ? sum / volume : 0.0;
 }
 
-void Sources::burn(const SourceRows& r, const models::MassExchange& x) const {
+template <class Burned>
+void Sources::burn(const SourceRows& r, const models::MassExchange& x, double heat,
+                   Burned&& burned) const {
   using C = SourceChange;
-  const models::JwlPp& law = *x.by_pressure;
   const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
-  const double dt = r.row->step().dt;
   const auto row_of = [&](C::OfCell q) { return change_row(r, r.layout.of(q)); };
   for (int i = 0; i < r.row->count(); ++i) {
     const double M = r.mass[from][i], product = r.mass[to][i];
-    if (M == 0.0 || !(r.volume[from][i] > law.least_volume_fraction)) continue;
-    const double p = pressure(r, i);
-    if (!law.burns(p, r.volume[from][i])) continue;
-    const double burned = law.burned(dt, p, M, product);
-    if (!(burned > 0)) continue;
-    const Passed passed = pass(r, x.from, x.to, i, std::min(burned / M, 1.0));
-    const double heat = law.heat * passed.mass;
-    r.energy[to][i] += heat;
-    change_row(r, r.layout.of(x.to, C::energy))[i] += heat;
-    row_of(C::total_energy)[i] += heat;
+    if (M == 0.0) continue;
+    const double most = burned(i);
+    if (!(most > 0)) continue;
+    const Passed passed = pass(r, x.from, x.to, i, std::min(most / M, 1.0));
+    const double released = heat * passed.mass;
+    r.energy[to][i] += released;
+    change_row(r, r.layout.of(x.to, C::energy))[i] += released;
+    row_of(C::total_energy)[i] += released;
     row_of(C::burned_mass)[i] += passed.mass;
-    row_of(C::released_heat)[i] += heat;
+    row_of(C::released_heat)[i] += released;
     row_of(C::burned_in_step)[i] += passed.mass / (M + product);
   }
+}
+
+void Sources::burn_by_pressure(const SourceRows& r, const models::MassExchange& x) const {
+  const models::JwlPp& law = *x.by_pressure;
+  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const double dt = r.row->step().dt;
+  burn(r, x, law.heat, [&](int i) {
+    if (!(r.volume[from][i] > law.least_volume_fraction)) return 0.0;
+    const double p = pressure(r, i);
+    if (!law.burns(p, r.volume[from][i])) return 0.0;
+    return law.burned(dt, p, r.mass[from][i], r.mass[to][i]);
+  });
+}
+
+void Sources::burn_by_front(const SourceRows& r, const models::MassExchange& x) const {
+  const models::LightTime& law = *x.by_front;
+  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const double end = r.row->step().time + r.row->step().dt;
+  burn(r, x, law.heat, [&](int i) {
+    if (!law.in_mixed_cells && !(r.volume[from][i] + r.volume[to][i] > law.full)) return 0.0;
+    IntVec3 cell = r.row->cell();
+    cell[along_] += i;
+    Vec3 centre;
+    for (int d = 0; d < 3; ++d) centre[d] = anchor_[d] + (cell[d] + 0.5) * spacing_[d];
+    const double M = r.mass[from][i], all = M + r.mass[to][i];
+    return std::min(law.share(centre, end, edge_) * all - r.mass[to][i], M);
+  });
 }
 
 void Sources::tell_shares(const SourceRows& r, const models::MassExchange& x) const {

@@ -10,9 +10,8 @@
 //              of it where less than 1e-16 of the cell would stay, nothing where the receiver is
 //              absent and would get less than that: supports stay
 // compact
-//   burning    likewise (models/jwlpp.hpp), at the pressure sum V_m p_m of the cell; the heat of
-// the
-//              reaction goes to the product
+//   burning    likewise, by the pressure sum V_m p_m of the cell (models/jwlpp.hpp) or the place
+//              (models/light_time.hpp); the heat of the reaction goes to the product
 //   heat       E_m += q M_m
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass
@@ -77,12 +76,21 @@ class Sources {
   };
   Passed pass(const SourceRows& rows, int from, int to, int i, double share) const;
   void exchange(const SourceRows& rows, const models::MassExchange& model, double share) const;
-  void burn(const SourceRows& rows, const models::MassExchange& model) const;
+  // burned(i): mass per volume of the cell that burns; 0 where none does.
+  template <class Burned>
+  void burn(const SourceRows& rows, const models::MassExchange& model, double heat,
+            Burned&& burned) const;
+  void burn_by_pressure(const SourceRows& rows, const models::MassExchange& model) const;
+  void burn_by_front(const SourceRows& rows, const models::MassExchange& model) const;
   double pressure(const SourceRows& rows, int i) const;
   void tell_shares(const SourceRows& rows, const models::MassExchange& model) const;
   void heat(const SourceRows& rows, int material, double energy) const;
   void fix(const SourceRows& rows, const Fixed& fixed, int first, int end) const;
 
+  // Of cells: where cell 0 begins, lengths, direction of a row, mean edge in the active directions.
+  Vec3 anchor_, spacing_;
+  int along_ = 0;
+  double edge_ = 0;
   std::vector<models::MassExchange> exchanges_;
   std::vector<Fluid> fluids_;  // where something burns
   std::vector<models::AddedHeat> heat_;
