@@ -67,7 +67,7 @@ def commands_with(build, files):
 
 
 def vectorised_loops(command):
-    """{(file, line): bytes of the vectors of each instance, 0 for none} that one source reports."""
+    """{(file, line): bytes of the vectors of each instance, 0: none} as one source reports."""
     words = shlex.split(command["command"])
     if pathlib.Path(words[0]).name == "ccache":
         words = words[1:]
