@@ -88,7 +88,7 @@ def loops_of(report, directory):
         if found := made or MISSED.match(line):
             place = (os.path.normpath(os.path.join(directory, found[1])), int(found[2]))
             width, before = int(found[3]) if made else 0, loops.setdefault(place, [])
-            rest_of_one = before and before[-1] > width > 0  # what is left over, in narrower vectors
+            rest_of_one = before and before[-1] > width > 0  # narrower
             if not rest_of_one:
                 before.append(width)
     return loops
