@@ -56,6 +56,11 @@ TEST(Detonation, RunsAsItIsPrescribed) {
     highest = std::max(highest, p.at(i));
   }
   record("F", most);
+  // F falls to 0 in one and a half cells; the slope is a difference over two.
+  const CellValues slope = run.field("mag_grad_Fr", 0, "2.5e-5", 1);
+  double steepest = 0;
+  for (int i = 0; i < slope.size.x; ++i) steepest = std::max(steepest, slope.at(i));
+  EXPECT_NEAR(steepest * dx, 0.5, 0.01);
   EXPECT_LT(most, 1e-12);
   const double speed = speed_of_theory();
   double V = 0.4, at = 0, least = 1e300;  // of Chapman and Jouguet

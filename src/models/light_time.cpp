@@ -28,6 +28,11 @@ TagSpec light_time_tag() {
                .by_default("true")});
 }
 
+Label front_gradient_label() {
+  return declare_label({"mag_grad_Fr", ValueType::real, Centring::cell, "1/m",
+                        "Magnitude of the gradient of F, of the model LightTime."});
+}
+
 LightTime read_light_time_law(const DeckNode& parameters) {
   LightTime m;
   m.start = parameters.vector("starting_location");

@@ -9,6 +9,7 @@
 
 #include "framework/base/vec3.hpp"
 #include "framework/deck/deck.hpp"
+#include "framework/field/label.hpp"
 
 namespace sluice {
 struct TagSpec;
@@ -41,6 +42,8 @@ struct LightTime {
 };
 
 TagSpec light_time_tag();
+// "mag_grad_Fr", with the products.
+Label front_gradient_label();
 LightTime read_light_time_law(const DeckNode& parameters);
 
 }  // namespace sluice::models

@@ -86,7 +86,9 @@ const std::vector<Entry>& table() {
        [](const DeckNode& parameters, const Reading& to) {
          add_exchange(parameters, to, read_light_time);
        },
-       nullptr, false, nullptr, nullptr},
+       [](const DeckNode& /*parameters*/) {
+         return std::vector<std::string>{front_gradient_label().name()};
+       }},
       {"Simple_Burn", simple_burn_tag(), check_solid_reactant,
        [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
        burn<read_simple_burn>},

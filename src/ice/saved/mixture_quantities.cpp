@@ -6,6 +6,7 @@
 
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/sources/sources.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/transport/subgrid_stress.hpp"
 
@@ -35,6 +36,7 @@ class Declarer {
       q.mach(u, c.sound, m);
     }
     declare_compressibility();
+    declare_front();
   }
 
  private:
@@ -226,6 +228,23 @@ class Declarer {
     q_.slopes(v_.mass[k], l.gradient_rho, m);
     q_.slopes(T, l.gradient_temperature, m);
     q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
+  }
+
+  // Of F behind a prescribed front.
+  void declare_front() {
+    const auto front = o_.sources == nullptr ? std::nullopt : o_.sources->front();
+    if (!front) return;
+    const VariableId share = q_.list().temporary("burned share of a front");
+    TaskBuilder t = q_.list().task("burned share of a front", effect_diagnostics);
+    const In from = t.read(v_.mass[static_cast<std::size_t>(front->first)]),
+             to = t.read(v_.mass[static_cast<std::size_t>(front->second)]);
+    const Out out = t.write(share);
+    t.kernel([=](const Row& row) {
+      const double *reactant = row(from), *product = row(to);
+      double* F = row(out);
+      for (int i = 0; i < row.count(); ++i) F[i] = models::JwlPp::share(reactant[i], product[i]);
+    });
+    q_.slopes(share, models::front_gradient_label(), front->second);
   }
 
   // sum V_m/K_m, and the share of each in it.

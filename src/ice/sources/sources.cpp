@@ -81,6 +81,12 @@ bool Sources::takes_from(int material, const StepConstants& step) const {
   });
 }
 
+std::optional<std::pair<int, int>> Sources::front() const {
+  for (const models::MassExchange& x : exchanges_)
+    if (x.by_front) return std::pair{x.from, x.to};
+  return std::nullopt;
+}
+
 void Sources::apply(const SourceRows& r) const {
   const StepConstants& step = r.row->step();
   const int n = r.row->count();

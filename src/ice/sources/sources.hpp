@@ -20,6 +20,8 @@
 // becomes; the material of `fixed` mixes with none.
 #pragma once
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "framework/task/task.hpp"
@@ -59,6 +61,9 @@ class Sources {
   // Can a cell of this material alone come to hold others.
   bool takes_from(int material) const;
   bool takes_from(int material, const StepConstants& step) const;
+
+  // Explosive and products of a prescribed front.
+  std::optional<std::pair<int, int>> front() const;
 
   // Writes all components of the change.
   void apply(const SourceRows& rows) const;
