@@ -9,8 +9,10 @@
 #include "framework/field/label.hpp"
 #include "framework/run/particle_method.hpp"
 #include "ice/fluid/labels.hpp"
+#include "models/light_time.hpp"
 #include "models/tracer_particles.hpp"
 #include "models/transported_scalar.hpp"
+#include "mpm/material/history_labels.hpp"
 
 namespace sluice {
 namespace {
@@ -60,6 +62,8 @@ std::string label_reference() {
   scalar.name = "NAME";
   scalar.declare_labels();
   particle_labels();
+  models::front_gradient_label();
+  mpm::declare_history_labels();
   models::TracerScalar tracer_scalar;
   tracer_scalar.name = "p.NAME";
   tracer_scalar.label();

@@ -33,14 +33,12 @@ constexpr int volume_column = 0, elastic_column = 1, kappa_column = 2, strain_co
 class Arenisca final : public Material {
  public:
   explicit Arenisca(const AreniscaConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.evp", "", "plastic change of volume, logarithmic"), 1},
-                {particle_label("p.eve", "", "elastic change of volume, logarithmic"), 1},
-                {particle_label("p.Kappa", "Pa", "trace of the stress where the cap begins"), 1},
+    history_ = {{history_label("p.evp"), 1},
+                {history_label("p.eve"), 1},
+                {history_label("p.Kappa"), 1},
                 {plastic_strain_label(), 1}};
-    if (c_.kinematic != 0)
-      history_.push_back({particle_label("p.BackStress", "Pa", "centre of the yield surface"), 6});
-    if (c_.T1 > 0)
-      history_.push_back({particle_label("p.stressQS", "Pa", "stress without rate dependence"), 6});
+    if (c_.kinematic != 0) history_.push_back({history_label("p.BackStress"), 6});
+    if (c_.T1 > 0) history_.push_back({history_label("p.stressQS"), 6});
     quiet_column_ = first_optional + (c_.kinematic != 0 ? 6 : 0);
   }
 

@@ -59,10 +59,10 @@ class Metal final : public Material {
   Metal(const MetalConstants& constants, Flow flow) : c_(constants), flow_(std::move(flow)) {
     history_ = {{plastic_strain_label(), 1},
                 {plastic_strain_rate_label(), 1},
-                {particle_label("p.strainRate", "1/s", "(2/3 D : D)^(1/2) of the step"), 1}};
+                {history_label("p.strainRate"), 1}};
     if (c_.pores.evolve || c_.yield.porous) {
       porosity_at_ = columns();
-      history_.push_back({particle_label("p.porosity", "", "share of pores"), 1});
+      history_.push_back({history_label("p.porosity"), 1});
     }
     if (c_.erodes) {
       failed_at_ = columns();
@@ -74,10 +74,7 @@ class Metal final : public Material {
     }
     if (!c_.elements.none()) {
       elements_at_ = columns();
-      history_.push_back({particle_label("p.maxwellDeviators", "Pa",
-                                         "deviators of the Maxwell elements, in the axes of the "
-                                         "body"),
-                          c_.elements.columns()});
+      history_.push_back({history_label("p.maxwellDeviators"), c_.elements.columns()});
     }
   }
 

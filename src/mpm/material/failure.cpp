@@ -35,19 +35,14 @@ class MaterialWithFailure final : public Material {
     of_law_ = columns_;
     const DamageForm form = c_.damage.form;
     if (form == DamageForm::threshold)
-      threshold_at_ =
-          add({particle_label("p.epsf", "", "threshold of failure of the particle"), 1});
+      threshold_at_ = add({history_label("p.epsf"), 1});
     else if (form != DamageForm::none)
       damage_at_ = add({damage_label(), 1});
-    if (form == DamageForm::brittle)
-      greatest_at_ = add(
-          {particle_label("p.damageForce", "Pa^0.5", "greatest tension so far, of brittle damage"),
-           1});
+    if (form == DamageForm::brittle) greatest_at_ = add({history_label("p.damageForce"), 1});
     failed_at_ = law_->failed_column();
     const bool needs_it = form == DamageForm::threshold || c_.erosion != Erosion::none;
     if (needs_it && failed_at_ < 0) failed_at_ = add({localized_label(), 1});
-    if (c_.char_time > 0 && failed_at_ >= 0)
-      time_at_ = add({particle_label("p.timeofloc", "s", "when the particle failed"), 1});
+    if (c_.char_time > 0 && failed_at_ >= 0) time_at_ = add({history_label("p.timeofloc"), 1});
   }
 
   std::span<const HistoryColumn> history() const override { return history_; }

@@ -1,32 +1,83 @@
 // Labels of what laws remember of a particle; several laws share some.
 #pragma once
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
 #include "framework/field/label.hpp"
 
 namespace sluice::mpm {
 
-inline Label particle_label(const char* name, const char* unit, const char* definition) {
-  return declare_label({name, ValueType::real, Centring::particle, unit, definition});
+struct HistoryInfo {
+  const char *name, *unit, *definition;
+};
+inline constexpr HistoryInfo history_table[] = {
+    {"p.alpha", "1", "Distension: volume over that of the solid."},
+    {"p.alphaUnloaded", "1", "Distension without pressure."},
+    {"p.BackStress", "Pa", "Centre of the yield surface."},
+    {"p.bElBar", "1", "Isochoric elastic left Cauchy-Green tensor."},
+    {"p.crackRad", "m", "Radius of the cracks."},
+    {"p.damage", "1", "Damage, 0 for a sound particle."},
+    {"p.damageForce", "Pa^0.5", "Greatest tension so far, of brittle damage."},
+    {"p.elasticDeviator", "Pa",
+     "Deviator of the second Piola-Kirchhoff stress without relaxation."},
+    {"p.epsf", "1", "Threshold of failure of the particle."},
+    {"p.eve", "1", "Elastic change of volume, logarithmic."},
+    {"p.evp", "1", "Plastic change of volume, logarithmic."},
+    {"p.fail", "1", "1: matrix failed, 2: fibres, 3: both."},
+    {"p.Kappa", "Pa", "Trace of the stress where the cap begins."},
+    {"p.lightTime", "s", "When the detonation arrives."},
+    {"p.localizedMPM", "1", "0 for a sound particle; 1, 2: failed in tension, in shear."},
+    {"p.maxwellDeviators", "Pa", "Deviators of the Maxwell elements, in the axes of the body."},
+    {"p.maxwellElement", "Pa", "Stress of the Maxwell element."},
+    {"p.maxwellStress", "Pa", "Deviators of the five Maxwell elements."},
+    {"p.plasticStrain", "1", "Equivalent plastic strain."},
+    {"p.plasticStrainRate", "1/s", "Rate of the equivalent plastic strain."},
+    {"p.porosity", "1", "Share of pores."},
+    {"p.progressdelF", "1", "Share of the explosive that burnt in the step."},
+    {"p.progressF", "1", "Burnt share of the explosive."},
+    {"p.relaxingStress", "Pa", "Six relaxing shares of p.elasticDeviator."},
+    {"p.strainRate", "1/s", "(2/3 D : D)^(1/2) of the step."},
+    {"p.strainTemperature", "K",
+     "Temperature to which the thermal strain of a rate-form law has been taken."},
+    {"p.stressQS", "Pa", "Stress without rate dependence."},
+    {"p.stretch", "1", "Isochoric stretch of the fibres."},
+    {"p.thermalPressure", "Pa", "Pressure of the solid by its temperature at the start."},
+    {"p.timeofloc", "s", "When the particle failed."},
+    {"p.yieldStress", "Pa", "Yield stress drawn for the particle."},
+};
+
+inline Label declare_history(const HistoryInfo& h) {
+  return declare_label({h.name, ValueType::real, Centring::particle, h.unit, h.definition});
 }
+// std::logic_error for a name that the table does not have.
+inline Label history_label(std::string_view name) {
+  for (const HistoryInfo& h : history_table)
+    if (name == h.name) return declare_history(h);
+  throw std::logic_error("history_label: " + std::string(name));
+}
+// So that pages tell of all.
+inline void declare_history_labels() {
+  for (const HistoryInfo& h : history_table) declare_history(h);
+}
+
 inline Label plastic_strain_label() {
-  return particle_label("p.plasticStrain", "", "equivalent plastic strain");
+  return history_label("p.plasticStrain");
 }
 inline Label plastic_strain_rate_label() {
-  return particle_label("p.plasticStrainRate", "1/s", "rate of the equivalent plastic strain");
+  return history_label("p.plasticStrainRate");
 }
 inline Label strain_temperature_label() {
-  return particle_label(
-      "p.strainTemperature", "K",
-      "temperature to which the thermal strain of a rate-form law has been taken");
+  return history_label("p.strainTemperature");
 }
 inline Label yield_stress_label() {
-  return particle_label("p.yieldStress", "Pa", "yield stress drawn for the particle");
+  return history_label("p.yieldStress");
 }
 inline Label localized_label() {
-  return particle_label("p.localizedMPM", "",
-                        "0 for a sound particle; 1, 2: failed in tension, in shear");
+  return history_label("p.localizedMPM");
 }
 inline Label damage_label() {
-  return particle_label("p.damage", "", "damage, 0 for a sound particle");
+  return history_label("p.damage");
 }
 
 }  // namespace sluice::mpm

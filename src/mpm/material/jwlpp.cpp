@@ -23,8 +23,7 @@ struct JwlppConstants {
 class Jwlpp final : public Material {
  public:
   explicit Jwlpp(const JwlppConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.progressF", "", "burnt share of the explosive"), 1},
-                {particle_label("p.progressdelF", "", "what burnt of it in the step"), 1}};
+    history_ = {{history_label("p.progressF"), 1}, {history_label("p.progressdelF"), 1}};
   }
   std::span<const HistoryColumn> history() const override { return history_; }
 

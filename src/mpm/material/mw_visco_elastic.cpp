@@ -33,7 +33,7 @@ struct StandardSolid {
 class MaxwellSolid final : public Material {
  public:
   explicit MaxwellSolid(const StandardSolid& constants) : c_(constants) {
-    history_ = {{particle_label("p.maxwellElement", "Pa", "stress of the Maxwell element"), 6}};
+    history_ = {{history_label("p.maxwellElement"), 6}};
   }
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.bulk(); }

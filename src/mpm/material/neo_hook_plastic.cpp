@@ -31,9 +31,8 @@ class NeoHookPlastic final : public Material {
         alpha_(p.real("alpha")),
         range_(p.word("yield_distrib") == "uniform" ? p.real("yield_range") : 0),
         seed_(static_cast<std::uint64_t>(p.real("yield_seed"))) {
-    history_ = {{particle_label("p.bElBar", "", "isochoric elastic left Cauchy-Green tensor"), 6},
-                {plastic_strain_label(), 1},
-                {yield_stress_label(), 1}};
+    history_ = {
+        {history_label("p.bElBar"), 6}, {plastic_strain_label(), 1}, {yield_stress_label(), 1}};
   }
 
   std::span<const HistoryColumn> history() const override { return history_; }

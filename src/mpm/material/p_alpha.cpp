@@ -46,11 +46,9 @@ struct Pores {
 class PorousSolid final : public Material {
  public:
   explicit PorousSolid(const PorousConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.alpha", "", "distension: volume over that of the solid"), 1},
-                {particle_label("p.alphaUnloaded", "", "distension without pressure"), 1},
-                {particle_label("p.thermalPressure", "Pa",
-                                "pressure of the solid by its temperature at the start"),
-                 1}};
+    history_ = {{history_label("p.alpha"), 1},
+                {history_label("p.alphaUnloaded"), 1},
+                {history_label("p.thermalPressure"), 1}};
   }
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.K_0; }

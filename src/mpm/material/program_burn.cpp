@@ -29,8 +29,7 @@ struct BurnConstants {
 class ProgramBurn final : public Material {
  public:
   explicit ProgramBurn(const BurnConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.progressF", "", "burnt share of the explosive"), 1},
-                {particle_label("p.lightTime", "s", "when the detonation arrives"), 1}};
+    history_ = {{history_label("p.progressF"), 1}, {history_label("p.lightTime"), 1}};
   }
   std::span<const HistoryColumn> history() const override { return history_; }
 

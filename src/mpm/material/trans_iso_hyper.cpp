@@ -43,15 +43,10 @@ struct Parts {
 class FibreRubber final : public Material {
  public:
   explicit FibreRubber(const FibreConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.stretch", "", "isochoric stretch of the fibres"), 1},
-                {particle_label("p.fail", "", "1: matrix failed, 2: fibres, 3: both"), 1}};
+    history_ = {{history_label("p.stretch"), 1}, {history_label("p.fail"), 1}};
     if (c_.relaxes) {
-      history_.push_back({particle_label("p.elasticDeviator", "Pa",
-                                         "deviator of the second Piola-Kirchhoff stress without "
-                                         "relaxation"),
-                          6});
-      history_.push_back(
-          {particle_label("p.relaxingStress", "Pa", "six relaxing shares of that"), 6 * shares});
+      history_.push_back({history_label("p.elasticDeviator"), 6});
+      history_.push_back({history_label("p.relaxingStress"), 6 * shares});
     }
   }
   std::span<const HistoryColumn> history() const override { return history_; }

@@ -45,9 +45,8 @@ struct ScramState {
 class ViscoScram final : public Material {
  public:
   explicit ViscoScram(const ScramConstants& constants) : c_(constants) {
-    history_ = {{particle_label("p.crackRad", "m", "radius of the cracks"), 1},
-                {particle_label("p.maxwellStress", "Pa", "deviators of the five Maxwell elements"),
-                 6 * static_cast<int>(elements)}};
+    history_ = {{history_label("p.crackRad"), 1},
+                {history_label("p.maxwellStress"), 6 * static_cast<int>(elements)}};
     if (c_.expansion != 0) history_.push_back({strain_temperature_label(), 1});
   }
   std::span<const HistoryColumn> history() const override { return history_; }
