@@ -120,7 +120,7 @@ int iterations_through(Gaps kind, int n, double tolerance) {
     for_each_cell(level->domain, [&](IntVec3 c) {
       const bool gap = c.x == (c.y / pitch % 2 == 0 ? 0 : n - 1);
       double& coupling = matrix.low(1)[0](c);
-      if (c.y % pitch != 0 || gap) return;
+      if (c.y % pitch != 0 || c.y == 0 || gap) return;
       matrix.diagonal()[0](c) += coupling;
       matrix.diagonal()[0]({c.x, c.y - 1, 0}) += coupling;
       coupling = 0;

@@ -133,14 +133,14 @@ void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool 
     std::int64_t* sums = nodes.sums(block) + table.shape().place(to.of) * lanes;
     const std::int64_t count = from[count_lane];
     for (int l = 0; l < count_lane; ++l) {
-      std::int64_t value = from[l] - count;
+      std::int64_t value = wrapped_difference(from[l], count);
       for (int d = 0; d < 3; ++d)
         if (vectors && to.flipped[static_cast<std::size_t>(d)] &&
             (l == first_lane[0] + d || l == first_lane[1] + d))
           value = -value;
-      sums[l] += value + count;
+      sums[l] = wrapped_sum(sums[l], wrapped_sum(value, count));
     }
-    sums[count_lane] += count;
+    sums[count_lane] = wrapped_sum(sums[count_lane], count);
   });
 }
 

@@ -54,7 +54,7 @@ void CompositeNodes::to_fine(BlockTable& coarse, NodeLanes& coarse_nodes, BlockT
       fine_nodes.fit(fine);
       std::int64_t* to = fine_nodes.sums(block) + shape.place(at) * lanes;
       for (int l = 0; l < lanes; ++l) {
-        to[l] += from[l];
+        to[l] = wrapped_sum(to[l], from[l]);
         from[l] = 0;
       }
     });
@@ -90,9 +90,10 @@ void CompositeNodes::hang_block(const BlockTable& fine, NodeLanes& fine_nodes,
         std::int64_t* to = lanes_at(coarse, coarse_nodes, parent);
         if (to == nullptr) return;
         for (int l = 0; l < count_lane; ++l)
-          to[l] +=
-              static_cast<std::int64_t>(std::nearbyint(sum_in(from, l) * weight)) + rounding_bits;
-        to[count_lane] += rounding_bits;
+          to[l] = wrapped_sum(
+              to[l],
+              static_cast<std::int64_t>(std::nearbyint(sum_in(from, l) * weight)) + rounding_bits);
+        to[count_lane] = wrapped_sum(to[count_lane], rounding_bits);
       });
     for (int l = 0; l < lanes; ++l) from[l] = 0;
   });

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/grid/grid_boxes.hpp"
+#include "mpm/nodes/node_sums.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -141,7 +142,8 @@ void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) 
         groups[g]->fit(table);
         std::int64_t* sums = groups[g]->sums(b);
         const double* values = from.data() + at + 1 + g * block_lanes;
-        for (int l = 0; l < block_lanes; ++l) sums[l] += std::bit_cast<std::int64_t>(values[l]);
+        for (int l = 0; l < block_lanes; ++l)
+          sums[l] = wrapped_sum(sums[l], std::bit_cast<std::int64_t>(values[l]));
       }
     }
   Buffers totals(neighbours_.size());

@@ -15,15 +15,24 @@ namespace sluice::mpm {
 
 // Half of a node: four lanes.
 using Four = double __attribute__((vector_size(32)));
-using FourBits = std::int64_t __attribute__((vector_size(32)));
+// Of whole numbers that wrap, as unsigned ones may.
+using FourBits = std::uint64_t __attribute__((vector_size(32)));
 using FourAtNode = double __attribute__((vector_size(32), may_alias));
-using FourBitsAtNode = std::int64_t __attribute__((vector_size(32), may_alias));
+using FourBitsAtNode = std::uint64_t __attribute__((vector_size(32), may_alias));
 
 inline constexpr double rounding_number = 0x1.8p52;  // 1.5 2^52
 inline constexpr std::int64_t rounding_bits = std::bit_cast<std::int64_t>(rounding_number);
 inline constexpr int count_lane = lanes - 1;
 // Contributions that the lanes of a node take without overflow.
 inline constexpr std::int64_t most_contributions = 4096;
+
+// Lanes wrap: what they sum is right modulo 2^64.
+inline std::int64_t wrapped_sum(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+inline std::int64_t wrapped_difference(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
 
 inline void add_rounded(std::int64_t* node, Four value) {
   const Four rounded = value + rounding_number;
@@ -55,8 +64,7 @@ inline std::int64_t contributions(const std::int64_t* node) {
 
 // The sum in a lane, in units of 2^-k.
 inline double sum_in(const std::int64_t* node, int lane) {
-  return static_cast<double>(static_cast<std::int64_t>(
-      static_cast<std::uint64_t>(node[lane]) - static_cast<std::uint64_t>(node[count_lane])));
+  return static_cast<double>(wrapped_difference(node[lane], node[count_lane]));
 }
 
 inline double as_real(std::int64_t bits) {

@@ -228,7 +228,9 @@ void CohesiveZones::take(std::vector<Body>& bodies) {
         const std::int64_t* from = body.cohesive.sums(b) + n * lanes;
         if (from[count_lane] == 0) continue;
         std::int64_t* node = body.nodes.sums(b) + n * lanes;
-        for (int d = 0; d < 3; ++d) node[force_lane + d] += from[force_lane + d] - from[count_lane];
+        for (int d = 0; d < 3; ++d)
+          node[force_lane + d] = wrapped_sum(
+              node[force_lane + d], wrapped_difference(from[force_lane + d], from[count_lane]));
         const double mass = sum_in(node, 0) / body.units.mass;
         largest = std::max(largest, sum_in(from, stiffness_lane) / stiffness_scale_ / mass);
       }
