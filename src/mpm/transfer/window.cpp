@@ -79,7 +79,7 @@ void Window::add_to(const BlockTable& table, NodeLanes& to, bool shared) const {
         for (int l = 0; l < lanes; ++l)
           std::atomic_ref(sums[l]).fetch_add(from[l], std::memory_order_relaxed);
       else
-        for (int l = 0; l < lanes; ++l) sums[l] += from[l];
+        for (int l = 0; l < lanes; ++l) sums[l] = wrapped_sum(sums[l], from[l]);
     }
   });
 }
