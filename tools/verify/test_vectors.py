@@ -16,6 +16,8 @@ SOURCE = """void f() {
 """
 REPORT = """../../src/f.cpp:4:21: optimized: loop vectorized using 64 byte vectors
 ../../src/f.cpp:4:21: optimized:  loop vectorized using 16 byte vectors
+../../src/f.cpp:4:21: missed: couldn't vectorize loop
+../../src/f.cpp:4:21: optimized: loop vectorized using 64 byte vectors
 ../../src/f.cpp:9:3: optimized: basic block part vectorized using 32 byte vectors
 """
 
@@ -27,8 +29,9 @@ class Vectors(unittest.TestCase):
             source.write_text(SOURCE)
             self.assertEqual(vectors.marked_loops([source]), {(str(source), 4)})
 
-    def test_reads_the_widest_vectors_of_a_loop(self):
-        self.assertEqual(vectors.loops_of(REPORT, "/build/release"), {("/src/f.cpp", 4): 64})
+    def test_reads_the_widest_vectors_of_each_instance_of_a_loop(self):
+        self.assertEqual(vectors.loops_of(REPORT, "/build/release"),
+                         {("/src/f.cpp", 4): [64, 0, 64]})
 
 
 if __name__ == "__main__":
