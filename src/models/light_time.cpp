@@ -35,8 +35,8 @@ Label front_gradient_label() {
 
 LightTime read_light_time_law(const DeckNode& parameters) {
   LightTime m;
-  m.start = parameters.vector("starting_location");
-  m.normal = vector_or(parameters, "direction_if_plane", {});
+  m.front = detonation_front(parameters.vector("starting_location"),
+                             vector_or(parameters, "direction_if_plane", {}));
   m.D = parameters.real("D");
   m.heat = parameters.real("E0");
   m.in_mixed_cells = boolean_or(parameters, "react_mixed_cells", true);

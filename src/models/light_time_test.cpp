@@ -8,11 +8,11 @@ namespace {
 
 TEST(LightTime, RunsFromAPointOrAPlane) {
   LightTime law;
-  law.start = {1, 0, 0};
-  EXPECT_DOUBLE_EQ(law.distance({1, 3, 4}), 5);
-  law.normal = {0, 2, 0};
-  EXPECT_DOUBLE_EQ(law.distance({1, 3, 4}), 3);
-  EXPECT_DOUBLE_EQ(law.distance({7, -3, 4}), 3);
+  law.front = detonation_front({1, 0, 0}, {});
+  EXPECT_DOUBLE_EQ(law.front.distance({1, 3, 4}), 5);
+  law.front = detonation_front({1, 0, 0}, {0, 2, 0});
+  EXPECT_DOUBLE_EQ(law.front.distance({1, 3, 4}), 3);
+  EXPECT_DOUBLE_EQ(law.front.distance({7, -3, 4}), 3);
 }
 
 TEST(LightTime, BurnsOverItsWidth) {

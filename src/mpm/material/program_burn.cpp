@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/detonation_front.hpp"
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/explosive_mixture.hpp"
 #include "mpm/material/history_labels.hpp"
@@ -17,13 +18,14 @@
 namespace sluice::mpm {
 namespace {
 
+using Front = models::DetonationFront;
+
 struct BurnConstants {
   ExplosiveMixture of;
   double J0 = 1;       // rho0 over the density of the material
   double density = 0;  // of the material
   double speed = 0, start_time = 0;
-  Vec3 start;
-  Vec3 normal;  // of a plane, of length 1; 0: from a point
+  Front front;
 };
 
 class ProgramBurn final : public Material {
@@ -35,10 +37,8 @@ class ProgramBurn final : public Material {
 
   void start(const Batch& b) const override {
     for (int i = 0; i < b.count; ++i) {
-      const Vec3 s = Vec3{b.position[0][i], b.position[1][i], b.position[2][i]} - c_.start;
-      const double distance =
-          c_.normal == Vec3{} ? std::sqrt(dot(s, s)) : std::abs(dot(s, c_.normal));
-      b.history[1][i] = c_.start_time + distance / c_.speed;
+      const Vec3 place = {b.position[0][i], b.position[1][i], b.position[2][i]};
+      b.history[1][i] = c_.start_time + c_.front.distance(place) / c_.speed;
       b.history[0][i] = 0;
       b.energy[i] = 0;
       set_stress(b, i, determinant(at(b.F, i)), 0);
@@ -46,13 +46,12 @@ class ProgramBurn final : public Material {
   }
 
   std::optional<BatchFault> update(const Batch& b) const override {
-    constexpr double all = 0.96;
     if (const auto fault = fault_of_volume(b)) return fault;
     for (int i = 0; i < b.count; ++i) {
       const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-      const double t_b = b.old_history[1][i], width = 1.5 * std::cbrt(b.volume_0[i]);
+      const double t_b = b.old_history[1][i], width = Front::width * std::cbrt(b.volume_0[i]);
       double f = std::max((b.time + b.dt - t_b) * c_.speed / width, 0.0);
-      f = std::max(f > all ? 1 : f, b.old_history[0][i]);
+      f = std::max(f > Front::all ? 1 : f, b.old_history[0][i]);
       b.history[0][i] = f;
       b.history[1][i] = t_b;
       set_stress(b, i, J, f);
@@ -83,10 +82,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   if (p.has("rho0")) c.J0 = p.real("rho0") / c.density;
   c.speed = p.real("D");
   c.start_time = p.real("T0");
-  c.start = p.vector("starting_location");
-  const Vec3 n = p.vector("direction_if_plane");
-  const double size = std::hypot(n[0], n[1], n[2]);
-  if (size > 0) c.normal = n * (1 / size);
+  c.front = models::detonation_front(p.vector("starting_location"), p.vector("direction_if_plane"));
   return std::make_shared<ProgramBurn>(c);
 }
 
