@@ -10,7 +10,7 @@
 #include "ice/ice.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
-#include "mpm/mpm.hpp"
+#include "mpm/implicit_mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
 #include "mpmice/make_component.hpp"
 
@@ -30,7 +30,7 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
   if (any_error(faults)) return nullptr;
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
-  auto component = std::make_unique<mpm::Mpm>(scene, std::move(solids));
+  std::unique_ptr<mpm::Mpm> component = mpm::make_solids(scene, std::move(solids));
   component->warn_of_absent_labels(faults);
   return component;
 }
@@ -45,6 +45,7 @@ constexpr ComponentKind kinds[] = {
     {"ice", add_ice_tags, make_ice},
     {"mpm", mpm::add_mpm_tags, make_mpm},
     {"amrmpm", nullptr, make_mpm},
+    {"impm", nullptr, make_mpm},
     {"mpmice", nullptr, make_mpmice},
     {"rmpmice", nullptr, make_mpmice},
     {"rigidmpmice", nullptr, make_mpmice},

@@ -67,6 +67,9 @@ class Mpm : public Component {
                   Totals& totals) const override;
   std::string describe_fault(int kind) const override;
 
+ protected:
+  const Scene& run_scene() const { return scene_; }
+
  private:
   const Scene& scene_;
   MpmScene solids_;

@@ -40,6 +40,31 @@ std::vector<IndexBox> layers_of(const IndexBox& cells) {
   return layers;
 }
 
+// Of implicit steps: no particle goes farther than 0.8 cells.
+double rate_of_ways(const Level& level, const ParticleSet& set, const Carried& carried) {
+  constexpr double most_cells = 0.8;
+  double rate = 0;
+  for (int d = 0; d < 3; ++d) {
+    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    for (const double v :
+         set.attribute_values(static_cast<std::size_t>(carried.columns.velocity + d)))
+      rate = std::max(rate, std::fabs(v) / (most_cells * level.spacing[d]));
+  }
+  return rate;
+}
+
+// p.xx: with a grid that stays where it was, the format's p.x is the place at the start, and this
+// the place now. Here both are the place now.
+DerivedAttribute place_of_format() {
+  static const Label label =
+      declare_label({"p.xx", ValueType::vector, Centring::particle, "m",
+                     "Place of a particle, as p.x: under another name of the format."});
+  return {label, [](const ParticleSet& set, std::vector<std::vector<double>>& to) {
+            for (int d = 0; d < 3; ++d)
+              std::copy_n(set.coordinate(d), set.size(), to[static_cast<std::size_t>(d)].begin());
+          }};
+}
+
 }  // namespace
 
 SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
@@ -55,6 +80,7 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
     kind.derived.push_back(
         mean_pressure_of(carried_.back().columns, m.constants.reference_pressure));
     kind.derived.push_back(thermal_volume_of(carried_.back().columns, m.constants));
+    if (solids.implicit) kind.derived.push_back(place_of_format());
     if (carried_.back().columns.heating >= 0)
       kind.derived.push_back(rate_of_format(carried_.back().columns));
     kind.by_blocks = true;
@@ -191,6 +217,9 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
 bool SolidParticles::is_absent(const std::string& name) const {
   // Forces of a fluid act on corners of particles: no node has an acceleration from its pressure.
   if (name == "gradPAccNC") return true;
+  // Particles tell how far they have gone: no node keeps its way.
+  if (name == "dispNew") return true;
+  if (name == "p.xx" && solids_->implicit) return false;
   return is_label_of_laws(name) &&
          std::none_of(kinds_.begin(), kinds_.end(), [&](const ParticleKind& kind) {
            return std::any_of(kind.attributes.begin(), kind.attributes.end(),
@@ -238,6 +267,7 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
 double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set,
                                     double& wave) const {
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
+  if (solids_->implicit) return rate_of_ways(level, set, carried_[static_cast<std::size_t>(kind)]);
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
   ParticleSet to(set.attribute_count());  // a law writes beside what it reads

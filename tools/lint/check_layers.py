@@ -49,7 +49,7 @@ FLOORS = {
         ["start"],
         ["step"],
         ["levels", "account"],
-        ["saved"],
+        ["saved", "implicit"],
     ],
     "mpmice": [["deck", "geometry"], ["exchange"], ["burn"], ["step"], ["account"]],
 }

@@ -4,8 +4,8 @@
     SLUICE_DECKS=FOLDER tools/verify/suite_decks.py --sluice build/release/bin/sluice LIST...
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
-inputs/ICE, coarsened to seconds), mpm (decks of solids, a few steps) or mpmice (fluid and solids,
-a few steps). A deck that `sluice
+inputs/ICE, coarsened to seconds), mpm (decks of solids, a few steps), impm (implicit steps,
+likewise) or mpmice (fluid and solids, a few steps). A deck that `sluice
 check` finds good is run; of any other the first fault is told. --check writes nothing and fails
 when a page is not what it would write. --test is quick: `sluice check` must find every deck good
 that the page says runs, and one deck of each kind is run for a few steps; exit 77 means that
@@ -72,6 +72,19 @@ MPM_HEAD = f"""# Decks of solids
 
 Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite,
 and its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite
+through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+{FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
+`resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
+values of its last output are finite, volumes and masses of particles are positive, and the mass of
+each material is conserved to {LARGEST_DRIFT:g}. That says nothing of accuracy. Of the others the
+first thing that is missing is told, as `sluice check` or the start of the run says it.
+
+"""
+
+IMPM_HEAD = f"""# Decks of implicit steps
+
+Every deck of the folders `inputs/IMPM` and `inputs/UintahRelease/IMPM` of the format's public
+suite, and its state. This page is written by `tools/verify/suite_decks.py impm`, which finds the suite
 through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
 {FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
 `resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
@@ -402,6 +415,12 @@ class MpmList:
         return [component_of(path), models_of(path)]
 
 
+class ImpmList(MpmList):
+    page = ROOT / "docs" / "impm_decks.md"
+    head, folders = IMPM_HEAD, ("inputs/IMPM", "inputs/UintahRelease/IMPM")
+    told = "decks of implicit steps run"
+
+
 class MpmIceList:
     page = ROOT / "docs" / "mpmice_decks.md"
     head = MPMICE_HEAD
@@ -419,7 +438,8 @@ class MpmIceList:
         return [component, str(materials_of(path)), models_of(path)]
 
 
-LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList, "mpmice": MpmIceList}
+LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList, "impm": ImpmList,
+         "mpmice": MpmIceList}
 
 
 def short_name(suite, path):

@@ -75,12 +75,13 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "amrmpm", "mpmice", "rmpmice", "rigidmpmice", "poisson1",
-                             "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
+                     .words({"ice", "mpm", "amrmpm", "impm", "mpmice", "rmpmice", "rigidmpmice",
+                             "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")
                      .spelling("AMRmpm", "amrmpm")
+                     .spelling("IMPM", "impm")
                      .spelling("MPMICE", "mpmice")
                      .spelling("RIGIDMPMICE", "rigidmpmice")
                      .spelling("POISSON1", "poisson1")
@@ -102,8 +103,6 @@ TagSpec component() {
                                  "gauss_solver",
                                  "gpuresizetest1",
                                  "heat",
-                                 "impm",
-                                 "IMPM",
                                  "mpnp",
                                  "particletest",
                                  "PARTICLETEST",

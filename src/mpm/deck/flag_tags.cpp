@@ -1,5 +1,5 @@
 // <MPM>: the method's flags; <AMR><MPM>.
-#include "mpm/deck/schema.hpp"
+#include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -16,8 +16,7 @@ TagSpec ignored(const std::string& name, const std::string& reason) {
 std::vector<TagSpec> scheme_tags() {
   return {
       tag("time_integrator", "how a step is taken")
-          .words({"explicit"})
-          .not_built({"implicit"})
+          .words({"explicit", "implicit"})
           .by_default("explicit"),
       tag("interpolator",
           "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
@@ -157,7 +156,8 @@ std::vector<TagSpec> idle_tags() {
           .boolean(),
       ignored("d_ndim", "the grid says it").integer(),
       tag("do_grid_reset",
-          "the grid goes back to its places after each step; true alone is supported")
+          "the grid goes back to its places after each step; false, of implicit steps alone: shape "
+          "functions stay those of the start, as total_lagrangian says")
           .boolean()
           .by_default("true"),
       tag("do_scalar_diffusion", "a concentration diffuses; false alone is supported")
@@ -177,6 +177,7 @@ std::vector<TagSpec> idle_tags() {
 TagSpec flags_tag() {
   return tag("MPM", "the material point method for solids")
       .with_children(scheme_tags())
+      .with_children(implicit_tags())
       .with_children(physics_tags())
       .with_children(file_tags())
       .with_children(idle_tags());

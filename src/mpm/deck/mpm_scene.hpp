@@ -1,5 +1,6 @@
 // What a deck says of solids, as plain data.
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,6 +79,10 @@ struct ContactRule {
   std::optional<double> stop_time;
   Vec3 velocity_after_stop{};
   Location where;
+  bool takes(int material) const {
+    return materials.empty() ||
+           std::find(materials.begin(), materials.end(), material) != materials.end();
+  }
 };
 
 // A <PhysicalBC>: a load that follows a curve, on the particles of a surface.
@@ -130,6 +135,16 @@ struct SolidBoundary {
   Vec3 value{};
 };
 
+// Of implicit steps: <MPM> of the component impm.
+struct ImplicitSettings {
+  bool dynamic = true;    // nodes have inertia
+  bool mechanics = true;  // DoMechanics
+  double displacement_criterion = 1e-10, energy_criterion = 4e-10;
+  int iterations_to_shrink = 12, iterations_to_grow = 4, most_iterations = 25;
+  double shrink = 0.6, grow = 2;                // of the step
+  bool conducts = false, heat_is_stored = true;  // by implicit steps
+};
+
 struct MpmScene {
   Basis basis = Basis::linear;
   Transfer transfer = Transfer::flip;
@@ -176,11 +191,13 @@ struct MpmScene {
   bool refine_particles = false;
   std::vector<SolidMaterial> materials;
   std::vector<ContactRule> contacts;
+  std::vector<ContactRule> rigid_contacts;  // of implicit steps, which have no others
   std::vector<LoadCurve> loads;
   std::vector<SolidBoundary> boundaries;
   std::vector<CohesiveZone> cohesive_zones;  // empty where use_cohesive_zones is not true
   std::vector<SplitCriterion> splits;
   bool colinear_normals = true;
+  std::optional<ImplicitSettings> implicit;  // none: explicit steps
   bool xpic2_of_format = false;  // tag XPIC2: places move with the filtered velocity too
 };
 

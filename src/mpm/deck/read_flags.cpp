@@ -8,6 +8,7 @@
 #include "framework/deck/nearest_name.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "mpm/deck/data_file.hpp"
+#include "mpm/deck/implicit.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
@@ -146,6 +147,13 @@ void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
     read_physics(*flags, s);
     read_files(*flags, s, faults);
     read_traction_faces(*flags, s, faults);
+  }
+  if (runs_implicit(root)) {
+    const DeckNode* flags = root.child("MPM");
+    s.implicit = flags != nullptr ? read_implicit(*flags) : ImplicitSettings{};
+    s.total_lagrangian |= flags != nullptr && !boolean_or(*flags, "do_grid_reset", true);
+    s.heat_conduction = s.implicit->conducts;
+    s.musl = false;
   }
   read_splits(root, s, faults);
 }

@@ -22,7 +22,7 @@ MaterialConstants read_constants(const DeckNode& node, double reference_pressure
   return c;
 }
 
-double determinant(const std::array<double, 9>& a) {
+double det_of_map(const std::array<double, 9>& a) {
   return a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) +
          a[2] * (a[3] * a[7] - a[4] * a[6]);
 }
@@ -40,11 +40,11 @@ void read_map(const DeckNode& node, SeedObject& o, std::vector<Fault>& faults) {
   }
   o.shift = vector_or(node, "affineTransformation_b", {});
   o.mapped = o.mapped || node.has("affineTransformation_b");
-  if (!(determinant(o.map) > 0))
+  if (!(det_of_map(o.map) > 0))
     add_error(faults, node.where,
               fmt::format("affineTransformation_A0, A1, A2 have the determinant {:g}; particles "
                           "need a positive volume",
-                          determinant(o.map)),
+                          det_of_map(o.map)),
               "exchange two rows, or give another map");
 }
 

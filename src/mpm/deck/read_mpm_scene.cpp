@@ -64,6 +64,13 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
       read_contacts(*block, s, faults);
       if (zones) read_cohesive_zones(*block, s, faults);
     }
+  // All that deforms has one velocity at a node: what is left are rigid bodies.
+  if (s.implicit) {
+    std::erase_if(s.contacts,
+                  [](const ContactRule& c) { return c.kind != ContactKind::specified; });
+    s.rigid_contacts = std::move(s.contacts);
+    s.contacts.clear();
+  }
   read_loads(root, geometry, s, faults);
   read_boundaries(scene, s, faults);
   return s;

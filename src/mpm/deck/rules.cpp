@@ -6,7 +6,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
-#include "mpm/deck/schema.hpp"
+#include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -33,13 +33,13 @@ void warn_of_idle(const DeckNode& flags, const char* name, const std::string& ne
 }
 
 // Flags that turn on what is not built.
-void check_not_built(const DeckNode& flags, std::vector<Fault>& faults) {
+void check_not_built(const DeckNode& flags, bool implicit, std::vector<Fault>& faults) {
   constexpr std::pair<const char*, const char*> refused[] = {{"do_scalar_diffusion", "true"},
                                                              {"DoGranularMPM", "true"},
                                                              {"coupled_flow_analysis", "true"},
                                                              {"do_grid_reset", "false"}};
   for (const auto& [name, value] : refused)
-    if (text_of(flags, name) == value)
+    if (text_of(flags, name) == value && !(implicit && std::string_view(name) == "do_grid_reset"))
       add_not_built(faults, flags.child(name)->where, fmt::format("<{}> {}", name, value));
 }
 
@@ -127,7 +127,7 @@ void check_solid_blocks(const DeckNode& root, std::vector<Fault>& faults) {
 void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
   if (flags == nullptr || !runs_solids(root)) return;
-  check_not_built(*flags, faults);
+  check_not_built(*flags, runs_implicit(root), faults);
   check_axisymmetric(root, *flags, faults);
   check_files(*flags, faults);
   check_viscosity(*flags, faults);

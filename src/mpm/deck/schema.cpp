@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mpm/deck/data_file.hpp"
+#include "mpm/deck/implicit.hpp"
 #include "mpm/deck/material_law.hpp"
 
 namespace sluice::mpm {
@@ -67,6 +68,7 @@ void add_mpm_tags(Schema& schema) {
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);
+  schema.rules.emplace_back(check_implicit);
   schema.rules.emplace_back(check_solid_materials);
   schema.rules.emplace_back(check_contacts);
   schema.rules.emplace_back(check_cohesive_zones);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "framework/deck/faults.hpp"
-#include "mpm/deck/schema.hpp"
+#include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -18,7 +18,8 @@ struct Stray {
 constexpr const char* implicit = "the implicit method alone reads it";
 constexpr const char* no_limit = "a velocity has no limit of its own: steps are limited";
 
-constexpr Stray stray_flags[] = {
+// Of implicit steps, in decks of explicit ones.
+constexpr Stray stray_flags_of_explicit[] = {
     {"dynamic", implicit},
     {"solver", implicit},
     {"convergence_criteria_disp", implicit},
@@ -34,6 +35,8 @@ constexpr Stray stray_flags[] = {
     {"num_iters_to_increase_delT", implicit},
     {"iters_before_timestep_restart", implicit},
     {"extra_solver_flushes", implicit},
+};
+constexpr Stray stray_flags[] = {
     {"maximum_particle_velocity", no_limit},
     {"do_thermal_expansion", "each material has its linear_thermal_expansion_coef"},
     {"erosion", "each material has its own <erosion>"},
@@ -105,6 +108,7 @@ void drop_stray_flags(DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_solids(root)) return;
   if (DeckNode* flags = root.child("MPM")) {
     drop(*flags, stray_flags, faults);
+    if (!runs_implicit(root)) drop(*flags, stray_flags_of_explicit, faults);
     const auto on = [&](const char* name) {
       const DeckNode* node = flags->child(name);
       return node != nullptr && node->text == "true";

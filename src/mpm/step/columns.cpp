@@ -68,6 +68,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   };
   const SolidLabels& l = solid_labels();
   c.columns.velocity = add(l.velocity, true);
+  if (solids.implicit) c.columns.acceleration = add(l.acceleration, true);
   c.columns.mass = add(l.mass, false);
   c.columns.volume_0 = add(l.volume_0, false);
   c.columns.volume = add(l.volume, true);

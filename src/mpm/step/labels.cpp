@@ -16,6 +16,8 @@ SolidLabels declare_all() {
   SolidLabels l;
   l.velocity = declare("p.velocity", vector, "m/s",
                        "Velocity of a particle, half a step before its position.");
+  l.acceleration = declare("p.acceleration", vector, "m/s^2",
+                           "Acceleration of a particle at the end of an implicit step.");
   l.mass = declare("p.mass", real, "kg", "Mass of a particle.");
   l.volume_0 = declare("p.volume_0", real, "m^3", "Volume of a particle in the reference state.");
   l.volume = declare("p.volume", real, "m^3", "Volume of a particle.");

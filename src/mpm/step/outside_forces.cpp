@@ -76,6 +76,12 @@ void OutsideForces::make_room(const ParticleCloud& cloud, int level) {
   }
 }
 
+void OutsideForces::make_room(int kind, std::size_t count) {
+  std::vector<Forces>& boxes = forces_[static_cast<std::size_t>(kind)];
+  boxes.resize(1);
+  for (std::vector<double>& f : boxes.front()) f.resize(count);
+}
+
 OutsideForces::Columns3 OutsideForces::forces(int kind, int box) const {
   if (!acts(kind)) return {};
   const Forces& f = forces_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];

@@ -38,6 +38,8 @@ class OutsideForces {
 
   // For all sets of a level, before any of them is filled.
   void make_room(const ParticleCloud& cloud, int level);
+  // For one set of so many particles of a kind, as box 0.
+  void make_room(int kind, std::size_t count);
   // Forces on particles begin to end of a set at this time; sets of boxes may be filled side by
   // side. The largest component.
   double fill(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,

@@ -1,0 +1,105 @@
+// Tags of implicit steps: how Newton's method ends, how it sets the length of
+// steps, heat.
+#include "framework/scene/deck_values.hpp"
+#include "mpm/deck/implicit.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+TagSpec implicit_flag(const std::string& name, const std::string& doc,
+                      const std::string& standard) {
+  return tag(name, "implicit steps: " + doc).boolean().by_default(standard);
+}
+
+TagSpec implicit_count(const std::string& name, const std::string& doc,
+                       const std::string& standard) {
+  return tag(name, "implicit steps: " + doc).integer().at_least(1).by_default(standard);
+}
+
+TagSpec implicit_criterion(const std::string& name, const std::string& doc,
+                           const std::string& standard) {
+  return tag(name, "implicit steps: " + doc).real().above(0).by_default(standard);
+}
+
+}  // namespace
+
+std::vector<TagSpec> implicit_tags() {
+  return {
+      implicit_flag("dynamic", "nodes have inertia; false: every step ends in equilibrium", "true"),
+      tag("solver",
+          "accepted without effect: linear systems of implicit steps "
+          "are solved directly, and "
+          "corrected until the residual is small")
+          .words({"petsc", "simple", "hypre"}),
+      implicit_criterion("convergence_criteria_disp",
+                         "Newton's method ends when |du|^2 is less than this part of "
+                         "its largest, and the "
+                         "criterion of energy holds",
+                         "1e-10"),
+      implicit_criterion("convergence_criteria_energy",
+                         "the same of |du . residual|, in terms of the first", "4e-10"),
+      implicit_count("num_iters_to_decrease_delT",
+                     "after so many iterations the next step is delT_decrease_factor "
+                     "times as long",
+                     "12"),
+      implicit_count("num_iters_to_increase_delT",
+                     "after at most so many it is delT_increase_factor times as long", "4"),
+      implicit_count("iters_before_timestep_restart",
+                     "a step that has not converged after so many is taken again, half "
+                     "as long",
+                     "25"),
+      tag("delT_decrease_factor", "implicit steps: see num_iters_to_decrease_delT")
+          .real()
+          .above(0)
+          .at_most(0.95)
+          .by_default("0.6"),
+      tag("delT_increase_factor", "implicit steps: see num_iters_to_increase_delT")
+          .real()
+          .at_least(1)
+          .by_default("2"),
+      implicit_flag("DoMechanics", "bodies move and deform; false: heat alone", "true"),
+      implicit_flag("DoImplicitHeatConduction", "heat is conducted, by a linear system a step",
+                    "false"),
+      implicit_flag("DoTransientImplicitHeatConduction",
+                    "heat is stored; false: temperatures are those of a steady state", "true"),
+      tag("temperature_solve",
+          "accepted without effect: DoImplicitHeatConduction says whether heat "
+          "is conducted")
+          .boolean(),
+      tag("interpolateParticleTempToGridEveryStep",
+          "accepted without effect: particles take the change of the nodes' "
+          "temperatures, which "
+          "blurs nothing")
+          .boolean(),
+      tag("extra_solver_flushes", "accepted without effect: the solver needs none").integer(),
+  };
+}
+
+bool runs_implicit(const DeckNode& root) {
+  if (!runs_mpm(root)) return false;
+  const DeckNode* component = root.child("SimulationComponent");
+  const std::string type = component->attribute("type").value_or("");
+  if (type == "impm" || type == "IMPM") return true;
+  const DeckNode* flags = root.child("MPM");
+  const DeckNode* integrator = flags == nullptr ? nullptr : flags->child("time_integrator");
+  return integrator != nullptr && integrator->text == "implicit" &&
+         (type == "mpm" || type == "MPM");
+}
+
+ImplicitSettings read_implicit(const DeckNode& flags) {
+  ImplicitSettings s;
+  s.dynamic = boolean_or(flags, "dynamic", s.dynamic);
+  s.mechanics = boolean_or(flags, "DoMechanics", s.mechanics);
+  s.displacement_criterion = real_or(flags, "convergence_criteria_disp", s.displacement_criterion);
+  s.energy_criterion = real_or(flags, "convergence_criteria_energy", s.energy_criterion);
+  s.iterations_to_shrink = integer_or(flags, "num_iters_to_decrease_delT", s.iterations_to_shrink);
+  s.iterations_to_grow = integer_or(flags, "num_iters_to_increase_delT", s.iterations_to_grow);
+  s.most_iterations = integer_or(flags, "iters_before_timestep_restart", s.most_iterations);
+  s.shrink = real_or(flags, "delT_decrease_factor", s.shrink);
+  s.grow = real_or(flags, "delT_increase_factor", s.grow);
+  s.conducts = boolean_or(flags, "DoImplicitHeatConduction", s.conducts);
+  s.heat_is_stored = boolean_or(flags, "DoTransientImplicitHeatConduction", s.heat_is_stored);
+  return s;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,314 @@
+#include "mpm/implicit/implicit_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/implicit/conduction.hpp"
+#include "mpm/step/rates.hpp"
+#include "mpm/step/solid_step.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+constexpr double most_cells = 0.8;  // that a particle goes in a step
+
+}  // namespace
+
+ImplicitStep::ImplicitStep(const Scene& scene, const MpmScene& solids,
+                           const std::vector<Carried>& carried,
+                           const std::vector<ParticleKind>& kinds)
+    : scene_(&scene), solids_(&solids), carried_(&carried), kinds_(&kinds) {}
+
+NodesOfStep::Parts ImplicitStep::parts() const {
+  return {scene_, solids_, &level_, boundary_.get(), carried_, &particles_, reached_.get()};
+}
+
+Verdict ImplicitStep::begin(const StageScope& scope) {
+  const StepScope& step = scope.step;
+  level_ = scope.levels.front()->level();
+  if (boundary_ == nullptr) {
+    boundary_ = std::make_unique<NodeBoundary>(*scene_, *solids_, level_);
+    outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
+  }
+  particles_.gather(*scope.particles, *kinds_, *scope.ranks);
+  reached_ = std::make_unique<ReachedNodes>(*solids_, level_, *boundary_, *carried_, particles_);
+  find_rigid_ways(step.time, step.dt);
+  find_forces(scope);
+  nodes_ = std::make_unique<NodesOfStep>(parts(), rigid_, forces_, step.time, step.dt,
+                                         scope.dt_before == 0);
+  equilibrium_ = std::make_unique<Equilibrium>(parts(), *scope.levels.front()->team(), step.time);
+  return Verdict::good;
+}
+
+// Their own velocity until a rule stops them, and then what it says.
+void ImplicitStep::find_rigid_ways(double time, double dt) {
+  rigid_.assign(particles_.count(), {});
+  stopped_.assign(particles_.count(), false);
+  for (std::size_t k = 0; k < particles_.count(); ++k) {
+    if (!solids_->materials[k].rigid) continue;
+    const ParticleSet& set = particles_.kind(k).now;
+    const auto v = read_columns<3>(set, (*carried_)[k].columns.velocity);
+    double moving = 1;  // share of the step
+    Vec3 after{};
+    for (const ContactRule& rule : solids_->rigid_contacts)
+      if (rule.takes(static_cast<int>(k)) && rule.stop_time) {
+        moving = std::clamp((*rule.stop_time - time) / dt, 0.0, 1.0);
+        after = rule.velocity_after_stop;
+        break;
+      }
+    stopped_[k] = moving == 0;
+    rigid_[k].resize(set.size());
+    for (std::size_t q = 0; q < set.size(); ++q)
+      for (int d = 0; d < 3; ++d)
+        if (level_.active[static_cast<std::size_t>(d)])
+          rigid_[k][q][d] =
+              dt * (moving * v[static_cast<std::size_t>(d)][q] + (1 - moving) * after[d]);
+  }
+}
+
+// At the end of the step.
+void ImplicitStep::find_forces(const StageScope& scope) {
+  forces_.assign(particles_.count(), {});
+  const std::vector<double>& maxima = scope.maxima->front();
+  outside_->count(*scope.particles, *scope.ranks,
+                  std::span(maxima).subspan(rate_count(particles_.count())));
+  for (std::size_t k = 0; k < particles_.count(); ++k) {
+    const auto kind = static_cast<int>(k);
+    if (!outside_->acts(kind) || solids_->materials[k].rigid) continue;
+    const ParticleSet& set = particles_.kind(k).now;
+    outside_->make_room(kind, set.size());
+    outside_->fill(kind, 0, set, 0, set.size(), scope.step.time + scope.step.dt);
+    const auto f = outside_->forces(kind, 0);
+    forces_[k].resize(set.size());
+    for (std::size_t q = 0; q < set.size(); ++q) forces_[k][q] = {f[0][q], f[1][q], f[2][q]};
+  }
+}
+
+Verdict ImplicitStep::find_ways(const StageScope& scope) {
+  newton_ = {};
+  if (!solids_->implicit->mechanics) {
+    for (std::vector<Vec3>* field : {&nodes_->u, &nodes_->v0, &nodes_->a0})
+      std::fill(field->begin(), field->end(), Vec3{});
+    newton_.converged = true;
+    return Verdict::good;
+  }
+  newton_ = equilibrium_->find(*nodes_, solver_);
+  if (newton_.converged) return Verdict::good;
+  *scope.reason = newton_.reason;
+  return Verdict::reject;
+}
+
+Verdict ImplicitStep::conduct(const StageScope& scope) {
+  warmed_.clear();
+  if (!solids_->implicit->conducts) return Verdict::good;
+  if (conduct_heat(parts(), *outside_, scope.step.time, scope.step.dt, warmed_))
+    return Verdict::good;
+  *scope.reason =
+      "the conduction of heat has no solution: without storage of heat "
+      "(DoTransientImplicitHeatConduction false) a side must give a temperature";
+  return Verdict::reject;
+}
+
+// Positions, velocities, accelerations from the nodes.
+void ImplicitStep::read_nodes(std::size_t k, const Response::Span& span) {
+  const Columns& c = (*carried_)[k].columns;
+  const Stencils& s = reached_->of(k);
+  const ParticleSet& now = particles_.kind(k).now;
+  ParticleSet& next = particles_.kind(k).next;
+  const auto v = read_columns<3>(now, c.velocity), way = read_columns<3>(now, c.displacement);
+  const auto to_v = write_columns<3>(next, c.velocity),
+             to_a = write_columns<3>(next, c.acceleration),
+             to_way = write_columns<3>(next, c.displacement),
+             to_force = write_columns<3>(next, c.outside_force);
+  const bool dynamic = solids_->implicit->dynamic;
+  for (std::size_t p = span.at; p < span.at + static_cast<std::size_t>(span.count); ++p) {
+    Vec3 u{}, change{}, a{};
+    for (std::size_t e = s.first(p); e < s.first(p + 1); ++e) {
+      const auto n = static_cast<std::size_t>(s.node[e]);
+      const Vec3 v1 = nodes_->velocity(n), a1 = nodes_->acceleration(n);
+      for (int d = 0; d < 3; ++d) {
+        const double share = s.weight[e] * s.sign(e, d);
+        u[d] += share * nodes_->u[n][d];
+        change[d] += share * (v1[d] - nodes_->v0[n][d]);
+        a[d] += share * a1[d];
+      }
+    }
+    for (int d = 0; d < 3; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      next.coordinate(d)[p] = now.coordinate(d)[p] + u[d];
+      to_v[axis][p] = dynamic ? v[axis][p] + change[d] : u[d] / span.dt;
+      to_a[axis][p] = a[d];
+      if (to_way[axis] != nullptr) to_way[axis][p] = way[axis][p] + u[d];
+      if (to_force[axis] != nullptr) to_force[axis][p] = forces_[k].empty() ? 0 : forces_[k][p][d];
+    }
+  }
+}
+
+void ImplicitStep::warm(std::size_t k, const Response::Span& span, const double* heating) {
+  const Columns& c = (*carried_)[k].columns;
+  const Stencils& s = reached_->of(k);
+  const double* T = span.set->column(static_cast<std::size_t>(c.temperature));
+  ParticleSet& next = particles_.kind(k).next;
+  double* to = next.column(static_cast<std::size_t>(c.temperature));
+  for (int q = 0; q < span.count; ++q) {
+    const std::size_t p = span.at + static_cast<std::size_t>(q);
+    to[p] = T[p] + (heating != nullptr ? span.dt * heating[q] : 0);
+    if (!warmed_.empty())
+      for (std::size_t e = s.first(p); e < s.first(p + 1); ++e)
+        to[p] += s.weight[e] * warmed_[static_cast<std::size_t>(s.node[e])];
+    if (c.heating >= 0)
+      next.column(static_cast<std::size_t>(c.heating))[p] = (to[p] - T[p]) / span.dt;
+    if (c.heat_source >= 0) next.column(static_cast<std::size_t>(c.heat_source))[p] = 0;
+  }
+}
+
+bool ImplicitStep::move_chunk(std::size_t k, const Response::Span& span, Response& response,
+                              std::string& reason) {
+  ChunkOfMatrices phi, T;
+  equilibrium_->deformation(*nodes_, k, span, response, phi);
+  if (const auto fault = response.forces(span, phi, particles_.kind(k).next, span.at, T)) {
+    const Vec3 x = span.set->position(fault->particle);
+    if (reason.empty())
+      reason = fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
+                           span.set->id(fault->particle), k, solids_->materials[k].name, x.x, x.y,
+                           x.z, fault->reason, fault->value);
+    return false;
+  }
+  read_nodes(k, span);
+  warm(k, span, response.heating());
+  return true;
+}
+
+// Rigid particles keep all but their place, their velocity and their temperature.
+void ImplicitStep::keep_rigid(std::size_t k, double dt) {
+  AllParticles::Kind& kind = particles_.kind(k);
+  const Columns& c = (*carried_)[k].columns;
+  for (const std::size_t a : (*kinds_)[k].advanced_columns())
+    std::copy_n(kind.now.column(a), kind.now.size(), kind.next.column(a));
+  const auto v = write_columns<3>(kind.next, c.velocity),
+             way = write_columns<3>(kind.next, c.displacement);
+  for (std::size_t p = 0; p < kind.now.size(); ++p)
+    for (int d = 0; d < 3; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      kind.next.coordinate(d)[p] = kind.now.coordinate(d)[p] + rigid_[k][p][d];
+      if (stopped_[k]) v[axis][p] = rigid_[k][p][d] / dt;
+      if (way[axis] != nullptr) way[axis][p] += rigid_[k][p][d];
+    }
+  for (std::size_t at = 0; at < kind.now.size(); at += chunk_size)
+    warm(k,
+         {&kind.now, at, static_cast<int>(std::min<std::size_t>(chunk_size, kind.now.size() - at)),
+          0, dt},
+         nullptr);
+}
+
+bool ImplicitStep::move_kind(const StageScope& scope, std::size_t k, std::string& reason) {
+  double spacing = 1e300;
+  for (int d = 0; d < 3; ++d)
+    if (level_.active[static_cast<std::size_t>(d)]) spacing = std::min(spacing, level_.spacing[d]);
+  Response response(*solids_, solids_->materials[k], (*carried_)[k], spacing, level_.active);
+  const ParticleSet& now = particles_.kind(k).now;
+  for (std::size_t at = 0; at < now.size(); at += chunk_size)
+    if (!move_chunk(k,
+                    {&now, at, static_cast<int>(std::min<std::size_t>(chunk_size, now.size() - at)),
+                     scope.step.time, scope.step.dt},
+                    response, reason))
+      return false;
+  return true;
+}
+
+Verdict ImplicitStep::to_particles(const StageScope& scope) {
+  for (std::size_t k = 0; k < particles_.count(); ++k) {
+    if (solids_->materials[k].rigid)
+      keep_rigid(k, scope.step.dt);
+    else if (!move_kind(scope, k, *scope.reason))
+      return Verdict::reject;
+  }
+  find_rates(scope);
+  for (const double rate : new_rates_)
+    if (!std::isfinite(rate)) {
+      *scope.reason = "what a particle holds after the step is no number";
+      return Verdict::reject;
+    }
+  keep_books(scope);
+  particles_.give_back(*scope.particles, *kinds_);
+  return Verdict::good;
+}
+
+// The next step: no particle goes farther than it may, and as Newton's method went.
+void ImplicitStep::find_rates(const StageScope& scope) {
+  const ImplicitSettings& settings = *solids_->implicit;
+  const std::size_t kinds = particles_.count();
+  new_rates_.assign(rate_count(kinds), 0.0);
+  double rate = 0;
+  for (std::size_t k = 0; k < kinds; ++k) {
+    const AllParticles::Kind& kind = particles_.kind(k);
+    if (kind.now.empty()) continue;
+    const Columns& c = (*carried_)[k].columns;
+    const KindRates rates =
+        rates_of(solids_->basis, transfer_grid(*solids_, level_, (*carried_)[k].half), kind.now,
+                 kind.next, c, 0, kind.now.size());
+    rates.to(std::span(new_rates_)
+                 .subspan(1 + k * static_cast<std::size_t>(KindRates::count),
+                          static_cast<std::size_t>(KindRates::count)));
+    for (int d = 0; d < 3; ++d)
+      if (level_.active[static_cast<std::size_t>(d)])
+        rate = std::max(rate, std::max(std::fabs(rates.up[d]), std::fabs(rates.down[d])) /
+                                  (most_cells * level_.spacing[d]));
+  }
+  double factor = 1;
+  if (newton_.iterations <= settings.iterations_to_grow) factor = settings.grow;
+  if (newton_.iterations >= settings.iterations_to_shrink) factor = settings.shrink;
+  new_rates_[0] = std::max(rate, 1 / (factor * scope.step.dt / scene_->time.timestep_multiplier));
+  new_rates_.insert(new_rates_.end(), outside_->counts().begin(), outside_->counts().end());
+}
+
+// Impulses of sides and rigid bodies, and of what acts from outside, by the rule of the step.
+void ImplicitStep::keep_books(const StageScope& scope) {
+  std::vector<double>& sums = *scope.sums;
+  const double dt = scope.step.dt;
+  const std::vector<Vec3>& inner = equilibrium_->inner_forces();
+  std::array<ExactSum, 3> given, outside;
+  ExactSum work, work_outside;
+  for (std::size_t n = 0; n < nodes_->count() && !inner.empty(); ++n) {
+    if (!(nodes_->mass[n] > 0)) continue;
+    const Vec3 v1 = nodes_->velocity(n);
+    for (int d = 0; d < 3; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      const double gain = nodes_->mass[n] * (v1[d] - nodes_->v0[n][d]);
+      const double middle = 0.5 * (v1[d] + nodes_->v0[n][d]);
+      const double force = 0.5 * dt * (nodes_->mass[n] * nodes_->a0[n][d] + nodes_->force[n][d]);
+      const double held = nodes_->dynamic() ? gain - force - 0.5 * dt * inner[n][d] : gain;
+      if (nodes_->dynamic()) {
+        outside[axis].add(force);
+        work_outside.add(force * middle);
+      }
+      if (!nodes_->is_free(n, d) || !nodes_->dynamic()) {
+        given[axis].add(held);
+        work.add(held * middle);
+      }
+    }
+  }
+  for (int d = 0; d < 3; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    sums[static_cast<std::size_t>(StepSums::impulse_x + d)] += given[axis].value();
+    sums[static_cast<std::size_t>(StepSums::force_x + d)] += outside[axis].value();
+  }
+  sums[StepSums::work] += work.value();
+  sums[StepSums::force_work] += work_outside.value();
+}
+
+Verdict ImplicitStep::take_over(const StageScope& scope) {
+  scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
+                                end = scope.step.time + scope.step.dt] {
+    cloud->take_over(end);
+    std::vector<double>& all = maxima->front();
+    all.resize(std::max(all.size(), new_rates_.size()));
+    std::copy(new_rates_.begin(), new_rates_.end(), all.begin());
+    cloud->relocate();
+  });
+  return Verdict::good;
+}
+
+}  // namespace sluice::mpm

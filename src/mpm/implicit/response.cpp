@@ -1,0 +1,122 @@
+#include "mpm/implicit/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/material/tensor.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+// Between round-off over it and its square, both parts of 1e-10 or less of a stiffness.
+constexpr double nudge = 1e-6;
+
+Matrix matrix_at(const ChunkOfMatrices& m, int q) {
+  Matrix to;
+  for (std::size_t e = 0; e < 9; ++e) to[e] = m.e[e][q];
+  return to;
+}
+
+// det and det(m) m^-1.
+double adjugate_of(const Matrix& m, Matrix& to) {
+  to = {m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+        m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+        m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
+  return m[0] * to[0] + m[1] * to[3] + m[2] * to[6];
+}
+
+}  // namespace
+
+Response::Response(const MpmScene& solids, const SolidMaterial& material, const Carried& carried,
+                   double spacing, std::array<bool, 3> active)
+    : solids_(&solids),
+      material_(&material),
+      carried_(&carried),
+      spacing_(spacing),
+      active_(active) {}
+
+void Response::at_rest(const Span& s, ChunkOfMatrices& phi) const {
+  for (int e = 0; e < 9; ++e)
+    if (solids_->total_lagrangian)
+      std::copy_n(s.set->column(static_cast<std::size_t>(carried_->columns.F + e)) + s.at, s.count,
+                  phi.e[e]);
+    else
+      std::fill_n(phi.e[e], s.count, e % 4 == 0 ? 1.0 : 0.0);
+}
+
+std::optional<ResponseFault> Response::forces(const Span& s, const ChunkOfMatrices& phi,
+                                              ParticleSet& to, std::size_t to_at,
+                                              ChunkOfMatrices& T) {
+  const Columns& c = carried_->columns;
+  Batch& b = columns_.between(*s.set, s.at, to, to_at, *carried_, s.count);
+  b.time = s.time;
+  b.dt = s.dt;
+  b.spacing = spacing_;
+  for (std::size_t e = 0; e < 9; ++e) b.L[e] = L_[e];
+  b.wave_speed = wave_;
+  b.heating = heating_;
+  std::fill_n(heating_, s.count, 0.0);
+  double* F[9];
+  for (int e = 0; e < 9; ++e) F[e] = to.column(static_cast<std::size_t>(c.F + e)) + to_at;
+  double* volume = to.column(static_cast<std::size_t>(c.volume)) + to_at;
+  for (int q = 0; q < s.count; ++q) {
+    Matrix old, moved = matrix_at(phi, q), step = moved, adjugate;
+    for (std::size_t e = 0; e < 9; ++e) old[e] = b.old_F[e][q];
+    if (solids_->total_lagrangian) {
+      const double det = adjugate_of(old, adjugate);
+      step = product(moved, adjugate);
+      for (double& x : step) x /= det;
+    } else {
+      moved = product(moved, old);
+    }
+    const double J = determinant(moved);
+    if (!(J > 0))
+      return ResponseFault{s.at + static_cast<std::size_t>(q),
+                           "the step turns it inside out, det F", J};
+    for (std::size_t e = 0; e < 9; ++e) {
+      F[e][q] = moved[e];
+      L_[e][q] = (step[e] - (e % 4 == 0 ? 1.0 : 0.0)) / s.dt;
+    }
+    volume[q] = J * b.volume_0[q];
+  }
+  if (const auto fault = material_->law->update(b))
+    return ResponseFault{s.at + static_cast<std::size_t>(fault->particle), fault->reason,
+                         fault->value};
+  constexpr std::size_t place[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+  for (int q = 0; q < s.count; ++q) {
+    Matrix adjugate, stress;
+    const double factor = volume[q] / adjugate_of(matrix_at(phi, q), adjugate);
+    for (std::size_t e = 0; e < 9; ++e) stress[e] = b.stress[place[e]][q];
+    for (std::size_t r = 0; r < 3; ++r)  // sigma Phi^-T
+      for (std::size_t k = 0; k < 3; ++k)
+        T.e[3 * r + k][q] =
+            factor * (stress[3 * r] * adjugate[3 * k] + stress[3 * r + 1] * adjugate[3 * k + 1] +
+                      stress[3 * r + 2] * adjugate[3 * k + 2]);
+  }
+  return std::nullopt;
+}
+
+std::optional<ResponseFault> Response::tangents(const Span& s, const ChunkOfMatrices& phi,
+                                                ChunkOfMatrices& T, double* A) {
+  if (trial_.size() == 0) {
+    trial_ = ParticleSet(s.set->attribute_count());
+    for (int q = 0; q < chunk_size; ++q) trial_.add({}, 0);
+  }
+  ChunkOfMatrices moved = phi, up, down;
+  for (std::size_t r = 0; r < 9; ++r) {
+    if (!active_[r / 3] || !active_[r % 3]) continue;
+    for (int q = 0; q < s.count; ++q) moved.e[r][q] = phi.e[r][q] + nudge;
+    if (auto fault = forces(s, moved, trial_, 0, up)) return fault;
+    for (int q = 0; q < s.count; ++q) moved.e[r][q] = phi.e[r][q] - nudge;
+    if (auto fault = forces(s, moved, trial_, 0, down)) return fault;
+    for (int q = 0; q < s.count; ++q) {
+      moved.e[r][q] = phi.e[r][q];
+      const double width = (phi.e[r][q] + nudge) - (phi.e[r][q] - nudge);
+      for (std::size_t e = 0; e < 9; ++e)
+        A[81 * static_cast<std::size_t>(q) + 9 * e + r] = (up.e[e][q] - down.e[e][q]) / width;
+    }
+  }
+  return forces(s, phi, trial_, 0, T);
+}
+
+}  // namespace sluice::mpm
