@@ -119,7 +119,7 @@ TEST(ImplicitStep, BitsDoNotDependOnThreadsOrBoxes) {
 
 // A slab with one warm side: T = T_1 + (T_0 - T_1) sum 4/((2n+1) pi) sin(...) exp(...).
 TEST(ImplicitStep, HeatFollowsItsSeries) {
-  constexpr double tolerance = 0.01;  // of 100 K; measured:
+  constexpr double tolerance = 0.01;  // of 100 K; not measured yet
   SolidDeck deck = bar(20,
                        "<time_integrator>implicit</time_integrator>"
                        "<DoImplicitHeatConduction>true</DoImplicitHeatConduction>");
