@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Run the accuracy studies of one group in full and write docs/accuracy.md with tables and pictures.
+"""Run the accuracy studies of one group in full; write docs/accuracy.md with tables and pictures.
 
 Groups: fluid (explicit ICE), pressure (semi-implicit ICE), solids (MPM and MPMICE).
 """
@@ -16,10 +16,11 @@ GROUPS = ("fluid", "pressure", "solids")
 HEAD = """# What accuracy costs in time
 
 Written by `./dev verify ladders_fluid ladders_pressure ladders_solids`: every study of
-`regression/accuracy` in full, each point the median of up to {repeats} runs on one core. The tables show the
-default setting; pictures and CSV files have all of them. `sluice accuracy NAME` repeats a study. Times are
-those of one machine of two cores, disturbed at times: compare within a study. Errors of a study whose
-variable has an exact solution are against that, the others' against a finer run of their own.
+`regression/accuracy` in full, each point the median of up to {repeats} runs on one core. The tables
+show the default setting; pictures and CSV files have all of them. `sluice accuracy NAME` repeats a
+study. Times are those of one machine of two cores, disturbed at times: compare within a study.
+Errors of a study whose variable has an exact solution are against that, the others' against a finer
+run of their own.
 """
 
 

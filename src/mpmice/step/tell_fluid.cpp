@@ -36,8 +36,8 @@ std::vector<SeenPlace> LevelCoupling<D>::places_seen(const IndexBox& box, int al
   return seen;
 }
 
-// The velocity of the solid at the low faces of the cells along the n-th direction: the mean of both
-// cells by mass.
+// The velocity of the solid at the low faces of the cells along the n-th direction: the mean of
+// both cells by mass.
 template <int D>
 Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
   Column to(frame_.box.cells(), 0.0);
