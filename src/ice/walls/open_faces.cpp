@@ -78,7 +78,7 @@ void close_row(const Row& row, In fraction, In raw, In outflow, Out to, int axis
     const double above = w[i] + rb[i] * dx, from_above = a ? above : w[i];
     const double below = from_above - ra[i] * dx, sum = b ? below : from_above;
     const double closed = std::fabs(sum) < least ? 0.0 : sum;
-    flow[i] = a & b ? w[i] : closed;
+    flow[i] = (a & b) ? w[i] : closed;
   }
 }
 
@@ -151,7 +151,8 @@ void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariab
 #pragma GCC ivdep
           for (int i = 0; i < count; ++i) {
             const double passes = (1.0 - a[i]) * q[i];
-            open[i] = (ta[i] < 1) & (tb[i] < 1) ? passes : 0.0;
+            const bool wet = (ta[i] < 1) & (tb[i] < 1);
+            open[i] = wet ? passes : 0.0;
           }
         }
       });

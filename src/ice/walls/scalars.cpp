@@ -48,7 +48,7 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     const double *theta = row(fraction), *after = row(next);
     double* __restrict here = row(touched);
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) here[i] = (theta[i] > 0) | (after[i] > 0) ? 1.0 : 0.0;
+    for (int i = 0; i < n; ++i) here[i] = ((theta[i] > 0) | (after[i] > 0)) ? 1.0 : 0.0;
     for (std::size_t k = 0; k < mass.size(); ++k) {
       const double* rho = row(density[k]);
       double* M = row(mass[k]);
@@ -95,7 +95,7 @@ void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOpti
 #pragma GCC ivdep
       for (int i = 0; i < count; ++i) {
         const double open = 1.0 - a[i];
-        to[i] = (ta[i] < 1) & (tb[i] < 1) ? open : 0.0;
+        to[i] = ((ta[i] < 1) & (tb[i] < 1)) ? open : 0.0;
       }
     });
   }

@@ -65,7 +65,8 @@ void store_row(const Row& row, const Handles& h, int components) {
     for (int i = 0; i < n; ++i) {
       const double next = a[i];
       s[i] = next;
-      a[i] = (theta[i] > 0) | (after[i] > 0) ? before[i] : next;
+      const bool solid = (theta[i] > 0) | (after[i] > 0);
+      a[i] = solid ? before[i] : next;
     }
   };
   store(h.amounts.next.rho, h.rho_new, h.rho, 0);
