@@ -48,7 +48,8 @@ def duration(seconds):
 def section(name, study, rows):
     """Heading, table of the default setting, and picture of one study, lines of Markdown."""
     lines = [f"\n## {study['title']}\n\n",
-             f"`sluice accuracy {name}`: {study.get('norm', 'l1')} error of `{study['variable']}`.\n\n",
+             f"`sluice accuracy {name}`: {study.get('norm', 'l1')} error of "
+             f"`{study['variable']}`.\n\n",
              "| cells | steps | error | order | time |\n", "| --- | --- | --- | --- | --- |\n"]
     for row in rows:
         if row["default"] != "1":
