@@ -88,8 +88,10 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
                                                        options_.mixed));
   effects_.add(open_faces(ice_, *boundary_.front()));
   if (ice_.solids > 0)
-    effects_.add({"solids in the flow", true, "cells that solids share and faces that they cover",
-                  ice_.materials.front().where});
+    effects_.add(
+        {"solids in the flow", true,
+         "cells that solids share and faces that they cover; torn particles go on as blocks",
+         ice_.materials.front().where});
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, ice_.models.scalars, scene.grid, boundary_,

@@ -61,7 +61,7 @@ int Mpm::reduction_maxima() const {
 }
 
 int Mpm::reduction_sums() const {
-  return StepSums::count;
+  return StepSums::count + static_cast<int>(solids_.materials.size());
 }
 
 // dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier.
@@ -74,12 +74,14 @@ StepLimit Mpm::step_limit(const std::vector<double>& maxima) const {
 StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*start*/,
                          double /*dt*/) const {
   StepBalance b;
-  b.mass.assign(solids_.materials.size(), 0.0);
+  for (std::size_t m = 0; m < solids_.materials.size(); ++m)
+    b.mass.push_back(-sums[StepSums::count + m]);
   for (int d = 0; d < 3; ++d) {
-    b.momentum[d] = sums[static_cast<std::size_t>(StepSums::impulse_x + d)];
+    b.momentum[d] = sums[static_cast<std::size_t>(StepSums::impulse_x + d)] -
+                    sums[static_cast<std::size_t>(StepSums::left_x + d)];
     b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSums::force_x + d)];
   }
-  b.energy = sums[StepSums::work];
+  b.energy = sums[StepSums::work] - sums[StepSums::left_kinetic] - sums[StepSums::left_internal];
   b.energy_of_forces = sums[StepSums::force_work] - sums[StepSums::heat_from_fluid];
   return b;
 }
@@ -95,7 +97,8 @@ std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
   const double fluid = sums[StepSums::corner_work];
   const double within = sums[StepSums::node_work] - sums[StepSums::load_work] - fluid;  // W_int
   const double outside = sums[StepSums::force_work] + sums[StepSums::work] + fluid;
-  return {gain + sums[StepSums::exchange_gain], -within, loss, gain - (within + outside - loss)};
+  return {gain + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
+          -within - sums[StepSums::left_internal], loss, gain - (within + outside - loss)};
 }
 
 std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {

@@ -122,6 +122,7 @@ void MpmIce::add_reference_work(const ParticleCloud& particles, Totals& totals) 
 StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* start,
                             double dt) const {
   StepBalance b = solids_.balance(sums, start, dt);
+  b.energy -= sums[mpm::StepSums::left_reference];
   StepStart of_fluid;
   if (start != nullptr) of_fluid = {fluid_part(start->mass, solids_.material_count()), {}};
   const StepBalance f = fluid_.balance(fluid_part(sums, solids_.reduction_sums()),

@@ -60,6 +60,24 @@ TEST(SemiImplicitRuns, SameBitsOnBoxesAndThreads) {
         << label;
 }
 
+// The solid on the finer of two levels, which share one system.
+TEST(SemiImplicitRuns, KeepMassAndMomentumOnLevels) {
+  CoupledDeck deck;
+  deck.time = "0.0005";
+  deck.solid = solid_object(disk_at(0.4, 0.5, 0.15), "[30,10,0]");
+  deck.fluid =
+      "<ImplicitSolver><max_outer_iterations>1</max_outer_iterations><outer_iteration_tolerance>"
+      "1e-6</outer_iteration_tolerance><Parameters variable='implicitPressure'>"
+      "<tolerance>1e-2</tolerance></Parameters></ImplicitSolver>";
+  deck.periodic = "[1,1,0]";
+  deck.finer =
+      "<Level><Box label='2'><lower>[0.1,0.2,0]</lower><upper>[0.7,0.8,0.025]</upper>"
+      "<resolution>[48,48,1]</resolution></Box></Level>";
+  const CoupledRun run(deck);
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  EXPECT_LT(run.worst_drift_but_energy(), 1e-12);
+}
+
 // The disk at rest where the gases move: it is thrown into them.
 const std::string disk_at_rest = "MaterialProperties/MPM/material/geom_object/velocity=[0,0,0]";
 

@@ -81,7 +81,7 @@ TEST_P(FullFlowBetweenPlates, Converges) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(At, FullFlowBetweenPlates, testing::Values(0.0, 0.3, 0.49, 0.51, 0.9),
+INSTANTIATE_TEST_SUITE_P(Full, FullFlowBetweenPlates, testing::Values(0.0, 0.3, 0.49, 0.51, 0.9),
                          by_place);
 
 // Gas between a disk that turns and a ring at rest, of rigid particles:

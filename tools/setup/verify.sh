@@ -19,7 +19,7 @@ verified_commit() {
   local commit
   commit=$(git -C "$SLUICE_ROOT" rev-parse --short=12 HEAD 2>/dev/null) || commit=unknown
   if [[ -n $(git -C "$SLUICE_ROOT" status --porcelain --untracked-files=no -- \
-    . ':!docs/verification.md' 2>/dev/null) ]]; then
+    . ':!docs/verification.md' ':!docs/accuracy*' 2>/dev/null) ]]; then
     commit+=-changed
   fi
   echo "$commit"

@@ -18,19 +18,32 @@ LIMIT = 700  # seconds a deck
 BUDGET = 1700  # seconds in all: the part's limit less some room
 
 
+def fault_of(words, folder):
+    """Why a command failed; empty: it did not."""
+    try:
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return f"not finished in {LIMIT} s"
+    if done.returncode == 0:
+        return ""
+    last = (done.stderr.strip() or done.stdout.strip()).splitlines()
+    return f"exit {done.returncode}: {last[-1] if last else 'no message'}"
+
+
+def drive(given, deck):
+    """A deck of one particle (<MaterialDriver>)."""
+    fault = fault_of([given.sluice, "drive", str(deck)], given.inputs)
+    return not fault, fault or "driven"
+
+
 def run(given, deck, folder, options):
     report = folder / "report.json"
     words = [given.sluice, "run", str(deck), "-o", str(folder), "--progress", "none", "--json",
              str(report), *options]
     began = time.monotonic()
-    try:
-        done = subprocess.run(words, cwd=given.suite or given.inputs, capture_output=True,
-                              text=True, timeout=LIMIT)
-    except subprocess.TimeoutExpired:
-        return False, f"not finished in {LIMIT} s"
-    if done.returncode != 0:
-        last = (done.stderr.strip() or done.stdout.strip()).splitlines()
-        return False, f"exit {done.returncode}: {last[-1] if last else 'no message'}"
+    fault = fault_of(words, given.suite or given.inputs)
+    if fault:
+        return False, fault
     told = json.loads(report.read_text())
     text = f"{told['status']}, {told['steps']} steps, {time.monotonic() - began:.1f} s"
     return told["status"] in ("done", "max_steps"), text
@@ -55,7 +68,8 @@ def main():
             continue
         folder = given.folder / f"{number:02d}_{deck.stem}"
         folder.mkdir()
-        good, text = run(given, deck, folder, options)
+        good, text = (drive(given, deck) if deck.parent.name == "drive"
+                      else run(given, deck, folder, options))
         print(f"   {'good  ' if good else 'FAILED'} {deck.name}: {text}", flush=True)
         if not good:
             failed.append(deck.name)

@@ -8,8 +8,9 @@ under_sanitizers() {
     run_tests sanitize --timeout 900 "$@" || status=$?
   told+=("$(tests_told sanitize)")
 }
-under_sanitizers --full -LE 'lint|tools|verification|properties'
-# Left out, as they take hours here: convergence studies, and decks mirrored and on ranks and boxes.
+# Left out, as they take hours here: long runs and convergence studies, and decks mirrored and on
+# ranks and boxes.
+under_sanitizers -LE 'lint|tools|verification|properties'
 under_sanitizers --full -L properties -R 'AfterARestart|RandomScene'
 echo "RESULT: $(IFS=';'; echo "${told[*]}")"
 exit "$status"

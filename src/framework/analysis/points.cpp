@@ -9,7 +9,7 @@ namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int time_column = 4;  // after X Y Z Timestep
+constexpr int time_of_point = 4;  // after X Y Z Timestep
 
 std::string header_line(const std::vector<AnalysedQuantity>& quantities) {
   std::string header = "# X Y Z Timestep Time";
@@ -33,7 +33,7 @@ AnalysisFile PointsSampler::file_of(std::size_t candidate) const {
   const Candidate& c = candidates_[candidate];
   return AnalysisFile(
       fmt::format("{}/L-{}/i{}_j{}_k{}", names_[c.line], level_, c.cell.x, c.cell.y, c.cell.z),
-      header_, time_column);
+      header_, time_of_point);
 }
 
 void PointsSampler::lay_out(const Level& level) {

@@ -68,14 +68,29 @@ void ParticleCloud::start(const Levels& levels, double time) {
       for (int b = 0; b < kind.store.box_count(l); ++b) kind.store.set(l, b).shrink();
 }
 
-void ParticleCloud::keep_inside(int kind, const Level& level, ParticleSet& set) {
-  const Reflects reflects = [&](Side side, IntVec3 cell) {
-    return method_->reflects(kind, level.index, side, cell);
+Reflects ParticleCloud::reflects(int kind, const Level& level) const {
+  return [this, kind, l = level.index](Side side, IntVec3 cell) {
+    return method_->reflects(kind, l, side, cell);
   };
+}
+
+std::vector<std::uint32_t> ParticleCloud::leaving(int kind, int l, int box) const {
+  const Reflects walls = reflects(kind, level(l));
+  const ParticleSet& set = store(kind).set(l, box);
+  std::vector<std::uint32_t> dropped;
+  for (std::size_t n = 0; n < set.size(); ++n) {
+    Vec3 place = set.position(n);
+    if (!bring_inside(level(l), walls, place)) dropped.push_back(static_cast<std::uint32_t>(n));
+  }
+  return dropped;
+}
+
+void ParticleCloud::keep_inside(int kind, const Level& level, ParticleSet& set) {
+  const Reflects walls = reflects(kind, level);
   std::vector<std::uint32_t> kept;
   for (std::size_t n = 0; n < set.size(); ++n) {
     Vec3 place = set.position(n);
-    if (!bring_inside(level, reflects, place)) continue;
+    if (!bring_inside(level, walls, place)) continue;
     set.move_to(n, place);
     kept.push_back(static_cast<std::uint32_t>(n));
   }

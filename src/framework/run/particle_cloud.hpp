@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "framework/archive/field_piece.hpp"
+#include "framework/particle/domain_ends.hpp"
 #include "framework/particle/particle_store.hpp"
 #include "framework/run/level_solver.hpp"
 #include "framework/run/particle_method.hpp"
@@ -40,6 +41,8 @@ class ParticleCloud {
   // Particles that left the domain go, periodic ones are wrapped, all go to their boxes: needed
   // when one may have left its domain, or its block by most of a cell. Collective.
   void relocate();
+  // The numbers of those in a box that relocate() drops: they have left the domain.
+  std::vector<std::uint32_t> leaving(int kind, int level, int box) const;
   // Of those in a box only the particles numbered `kept` stay, in that order; relocate() is next.
   void keep_only(int kind, int level, int box, const std::vector<std::uint32_t>& kept);
   // A copy of particle n of a box at another place, with a number of its own; relocate() is next.
@@ -84,6 +87,7 @@ class ParticleCloud {
   void settle();
   void advance_box(int kind, LevelSolver& level, int box, ParticleStep step);
   void keep_inside(int kind, const Level& level, ParticleSet& set);
+  Reflects reflects(int kind, const Level& level) const;
 
   const ParticleMethod* method_;
   Communicator* communicator_;

@@ -222,6 +222,7 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
     if (result.good) {
       hierarchy_.accept();
       ledger_.accept_step();
+      result.sums = hierarchy_.step_sums();  // with what was booked at acceptance
       return plan;
     }
     hierarchy_.reject();

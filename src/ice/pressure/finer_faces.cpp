@@ -6,6 +6,7 @@
 #include "framework/grid/cell_map.hpp"
 #include "framework/run/level_solver.hpp"
 #include "ice/fluid/labels.hpp"
+#include "ice/pressure/pressure_system.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
@@ -23,8 +24,8 @@ void add_means_of_side(const LevelSolver& finer, const CellMap& map, int box, co
   const Level& level = finer.level();
   const IntVec3 ratio = level.ratio;
   const Warehouse& stored = finer.outputs();
-  const auto u = stored.view(stored.find(labels().face_velocity[d], 0), 0, box);
-  const auto p = stored.view(stored.find(labels().face_pressure[d], 0), 0, box);
+  const auto u = stored.view(slot_of(stored, labels().face_velocity[d]), 0, box);
+  const auto p = stored.view(slot_of(stored, labels().face_pressure[d]), 0, box);
   IndexBox layer = cells;  // of cells below whose low faces lie on the side
   layer.lower[d] = plus ? cells.upper[d] : cells.lower[d];
   layer.upper[d] = layer.lower[d] + 1;
@@ -69,7 +70,7 @@ void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
   // Before faces were stored for the first time nothing asks for them.
   for (int d = 0; d < 3; ++d)
     if (finer.level().active[static_cast<std::size_t>(d)] &&
-        finer.outputs().find(labels().face_pressure[d], 0) < 0)
+        slot_of(finer.outputs(), labels().face_pressure[d]) < 0)
       return;
   const CellMap fine_map(finer.level()), coarse_map(coarser.level());
   std::vector<FaceMean> means;
@@ -82,7 +83,7 @@ void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
                             means);
   Warehouse& state = coarser.state();
   const auto put = [&](Label label, IntVec3 cell, double value) {
-    const int slot = state.find(label, 0);
+    const int slot = slot_of(state, label);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
         state.view(slot, 0, b)(cell) = value;

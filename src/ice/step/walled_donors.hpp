@@ -8,7 +8,7 @@ namespace sluice::ice {
 // V, V_L: volume of the fluid in the cell before and after the Lagrangian phase; E_L: its energy.
 inline bool gives_new_state(double V, double V_L, double E_L) {
   constexpr double least = 0.5, most_squeeze = 0.3, most_stretch = 3.0;
-  return V >= least && V_L > most_squeeze * V && V_L < most_stretch * V && E_L > 0;
+  return (V >= least) & (V_L > most_squeeze * V) & (V_L < most_stretch * V) & (E_L > 0);
 }
 
 }  // namespace sluice::ice

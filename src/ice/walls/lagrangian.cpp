@@ -49,47 +49,63 @@ struct FaceRows {
   }
 };
 
+// What viscous stress takes of dP, one component.
+template <int D>
+void pull_row(const Row& row, const Handles& h, const ImpulseConstants& s, int c,
+              double* __restrict dP) {
+  const int n = row.whole_vectors();
+  const double *tm[D], *tp[D];
+  for (int d = 0; d < D; ++d) {
+    const In t = h.stress[static_cast<std::size_t>(d)];
+    tm[d] = row(t, c);
+    tp[d] = row(t, c, d, 1);
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double pull = 0;
+    for (int d = 0; d < D; ++d) pull += s.l[d] * (tp[d][i] - tm[d][i]);
+    dP[i] -= pull;
+  }
+}
+
 // dP of the cell, by component; M, P.
 template <int D, int C>
 void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                   const SchemeOptions& o) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   const FaceRows<D> f(row, h);
   const double *r = row(h.rho), *theta = row(h.fraction), *pw = row(h.wall_pressure);
-  double* M = row(h.mass);
+  double* __restrict M = row(h.mass);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) M[i] = r[i] * (1.0 - theta[i]);
   for (int c = 0; c < C; ++c) {
     const double* m = row(h.momentum, c);
-    double *dP = row(h.impulse, c), *P = row(h.cell_momentum, c);
+    double* __restrict dP = row(h.impulse, c);
+    double* __restrict P = row(h.cell_momentum, c);
+    const double kick = s.kick[c], push = s.push[c], l = s.l[c];
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double V = 1.0 - theta[i];
       P[i] = m[i] * V;
-      const double weight = s.kick[c] * M[i] + s.push[c] * V;
-      if (c >= D) {
-        dP[i] = -weight;
-        continue;
-      }
-      const int d = c % D;
-      const double low = 1.0 - f.am[d][i], high = 1.0 - f.ap[d][i];
-      dP[i] = s.l[c] * ((high * f.pp[d][i] - low * f.pm[d][i]) - pw[i] * (high - low)) - weight;
+      dP[i] = -(kick * M[i] + push * V);
     }
-    if (!o.viscous) continue;
-    for (int i = 0; i < n; ++i) {
-      double pull = 0;
-      for (int d = 0; d < D; ++d) {
-        const In t = h.stress[static_cast<std::size_t>(d)];
-        pull += s.l[d] * (row(t, c, d, 1)[i] - row(t, c)[i]);
+    if (c < D) {
+      const double *am = f.am[c % D], *ap = f.ap[c % D], *pm = f.pm[c % D], *pp = f.pp[c % D];
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) {
+        const double low = 1.0 - am[i], high = 1.0 - ap[i];
+        dP[i] = l * ((high * pp[i] - low * pm[i]) - pw[i] * (high - low)) + dP[i];
       }
-      dP[i] -= pull;
     }
+    if (o.viscous) pull_row<D>(row, h, s, c, dP);
   }
 }
 
 // Heat of friction and conduction.
 template <int D, int C>
 void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const SchemeOptions& o,
-              double* energy) {
-  const int n = row.count();
+              double* __restrict energy) {
+  const int n = row.whole_vectors();
   const double* W = row(h.inverse_mass);
   for (int d = 0; d < D && o.viscous; ++d) {
     const In t = h.stress[static_cast<std::size_t>(d)];
@@ -97,6 +113,7 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
       const double *u = row(h.velocity, c), *um = row(h.velocity, c, d, -1),
                    *up = row(h.velocity, c, d, 1), *dP = row(h.impulse, c);
       const double *tm = row(t, c), *tp = row(t, c, d, 1);
+#pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
         const double ub = u[i] - 0.5 * dP[i] * W[i];
         energy[i] +=
@@ -105,14 +122,15 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
     }
   }
   if (o.mixture && o.viscous) {
-    double* friction = row(h.mixture, 1);
-    for (int i = 0; i < n; ++i)
-      friction[i] =
-          energy[i] + row(h.mixture, 0)[i] - (1.0 - row(h.fraction)[i]) * row(h.energy)[i];
+    double* __restrict friction = row(h.mixture, 1);
+    const double *work = row(h.mixture, 0), *theta = row(h.fraction), *E = row(h.energy);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) friction[i] = energy[i] + work[i] - (1.0 - theta[i]) * E[i];
   }
   for (int d = 0; d < D && o.conducting; ++d) {
     const In q = h.heat_flux[static_cast<std::size_t>(d)];
     const double *low = row(q), *high = row(q, 0, d, 1);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) energy[i] += s.l[d] * (low[i] - high[i]);
   }
 }
@@ -120,7 +138,7 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
 template <int D, int C>
 void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
-  const int n = row.count();
+  const int n = row.whole_vectors();
   impulse_rows<D, C>(row, h, s, o);
   const FaceRows<D> f(row, h);
   const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
@@ -133,13 +151,16 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     v[c] = row(h.velocity_L, c);
     given[c] = row(h.donor_velocity, c);
   }
-  double *W = row(h.inverse_mass), *Es = row(h.energy_star);
+  double* __restrict W = row(h.inverse_mass);
+  double* __restrict Es = row(h.energy_star);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
-    W[i] = V > 0 ? (V == 1.0 ? w[i] : w[i] / V) : 1e300;
+    const double inverse_M = V > 0 ? w[i] / V : 1e300;
+    W[i] = inverse_M;
     double work = 0, closing = 0;
     for (int d = 0; d < D; ++d) {
-      const double ub = V > 0 ? u[d][i] - 0.5 * dP[d][i] * W[i] : 0.0;
+      const double ub_wet = u[d][i] - 0.5 * dP[d][i] * inverse_M, ub = V > 0 ? ub_wet : 0.0;
       const double low = 1.0 - f.am[d][i], high = 1.0 - f.ap[d][i];
       work +=
           s.l[d] * (f.pp[d][i] * (f.wp[d][i] - high * ub) - f.pm[d][i] * (f.wm[d][i] - low * ub));
@@ -147,11 +168,19 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
   }
-  if (o.keeps_work())
-    for (int i = 0; i < n; ++i) row(h.mixture, 0)[i] = (1.0 - theta[i]) * E[i] - Es[i];
+  if (o.keeps_work()) {
+    double* __restrict work = row(h.mixture, 0);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) work[i] = (1.0 - theta[i]) * E[i] - Es[i];
+  }
   add_heat<D, C>(row, h, s, o, Es);
-  double *iJ = row(h.inverse_J), *rL = row(h.rho_L), *EL = row(h.energy_L);
-  double *N = row(h.courant), *iN = row(h.inverse_courant), *whole = row(h.base_mask);
+  double* __restrict iJ = row(h.inverse_J);
+  double* __restrict rL = row(h.rho_L);
+  double* __restrict EL = row(h.energy_L);
+  double* __restrict N = row(h.courant);
+  double* __restrict iN = row(h.inverse_courant);
+  double* __restrict whole = row(h.base_mask);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
     double stretch = 0, out = 0;
@@ -163,27 +192,32 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     for (int c = D; c < C; ++c) carried += s.l[c] * std::fabs(u[c][i]);
     if constexpr (C > D) out += V * carried;
     const double volume = (1.0 - after[i]) + stretch;
-    const bool solid = theta[i] > 0 || after[i] > 0;
-    const bool old = solid && !gives_new_state(V, volume, Es[i]);
-    const double inverse = 1.0 / (solid ? larger(volume, least_volume) : volume);
+    const bool solid = (theta[i] > 0) | (after[i] > 0);
+    const bool old = solid & !gives_new_state(V, volume, Es[i]);
+    const double room = larger(volume, least_volume), inverse = 1.0 / (solid ? room : volume);
+    const double rho_after = (r[i] * V) * inverse, E_after = Es[i] * inverse;
+    const double outflow = smaller(out * inverse, 1.0);
     iJ[i] = inverse;
-    rL[i] = old ? r[i] : (r[i] * V) * inverse;
-    EL[i] = old ? E[i] : Es[i] * inverse;
-    N[i] = smaller(out * inverse, 1.0);
-    iN[i] = 1.0 / larger(N[i], 0.05);
+    rL[i] = old ? r[i] : rho_after;
+    EL[i] = old ? E[i] : E_after;
+    N[i] = outflow;
+    iN[i] = 1.0 / larger(outflow, 0.05);
     whole[i] = old ? 0.0 : V;
     for (int c = 0; c < C; ++c) {
-      v[c][i] = V > 0 ? u[c][i] - dP[c][i] * W[i] : 0.0;
-      given[c][i] = old ? u[c][i] : v[c][i];
+      const double wet = u[c][i] - dP[c][i] * W[i], after_push = V > 0 ? wet : 0.0;
+      v[c][i] = after_push;
+      given[c][i] = old ? u[c][i] : after_push;
     }
   }
   for (int d = 0; d < D; ++d) {
     const double* open = row(h.open, d);
-    double* mask = row(h.remap_mask[static_cast<std::size_t>(d)]);
+    double* __restrict mask = row(h.remap_mask[static_cast<std::size_t>(d)]);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) mask[i] = whole[i] * open[i];
   }
   for (int d = 0; d < D; ++d) {
     const double* open = row(h.open, d);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) whole[i] *= open[i];
   }
 }

@@ -29,13 +29,18 @@ void face_row(const Row& row, const FaceHandles& h, int axis, double dx_dt) {
   const double *pa = row(h.pressure, 0, axis, -1), *pb = row(h.pressure);
   const double *A = row(h.mean), *C = row(h.swept), *v = row(h.solid);
   const double *u = row(h.u), *p = row(h.p);
-  double *uf = row(h.u_f), *pf = row(h.p_f), *w = row(h.flow);
+  double* __restrict uf = row(h.u_f);
+  double* __restrict pf = row(h.p_f);
+  double* __restrict w = row(h.flow);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    const bool a = ta[i] < 1, b = tb[i] < 1;
-    uf[i] = a && b ? u[i] : v[i];
-    pf[i] = a && b ? p[i] : a ? pa[i] : b ? pb[i] : 0.5 * (pa[i] + pb[i]);
-    const bool closed = !a && !b && na[i] >= 1 && nb[i] >= 1;
-    w[i] = closed ? 0.0 : (1.0 - A[i]) * uf[i] - C[i] * dx_dt;
+    const bool a = ta[i] < 1, b = tb[i] < 1, open = a & b;
+    const double dry = 0.5 * (pa[i] + pb[i]), above = b ? pb[i] : dry, wall = a ? pa[i] : above;
+    const double velocity = open ? u[i] : v[i], passes = (1.0 - A[i]) * velocity - C[i] * dx_dt;
+    uf[i] = velocity;
+    pf[i] = open ? p[i] : wall;
+    const bool closed = !(a | b) & (na[i] >= 1) & (nb[i] >= 1);
+    w[i] = closed ? 0.0 : passes;
   }
 }
 
@@ -66,14 +71,14 @@ void close_row(const Row& row, In fraction, In raw, In outflow, Out to, int axis
   const int n = row.count();
   const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction);
   const double *ra = row(outflow, 0, axis, -1), *rb = row(outflow), *w = row(raw);
-  double* flow = row(to);
+  double* __restrict flow = row(to);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const bool a = ta[i] < 1, b = tb[i] < 1;
-    flow[i] = w[i];
-    if (a && b) continue;
-    if (a) flow[i] += rb[i] * dx;
-    if (b) flow[i] -= ra[i] * dx;
-    if (std::fabs(flow[i]) < least) flow[i] = 0;
+    const double above = w[i] + rb[i] * dx, from_above = a ? above : w[i];
+    const double below = from_above - ra[i] * dx, sum = b ? below : from_above;
+    const double closed = std::fabs(sum) < least ? 0.0 : sum;
+    flow[i] = (a & b) ? w[i] : closed;
   }
 }
 
@@ -141,9 +146,14 @@ void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariab
         const double *ta = row(theta, 0, axis, -1), *tb = row(theta), *a = row(covered);
         for (int c = 0; c < components; ++c) {
           const double* q = row(in, c);
-          double* open = row(out, c);
-          for (int i = 0; i < row.count(); ++i)
-            open[i] = ta[i] < 1 && tb[i] < 1 ? (1.0 - a[i]) * q[i] : 0.0;
+          double* __restrict open = row(out, c);
+          const int count = row.count();
+#pragma GCC ivdep
+          for (int i = 0; i < count; ++i) {
+            const double passes = (1.0 - a[i]) * q[i];
+            const bool wet = (ta[i] < 1) & (tb[i] < 1);
+            open[i] = wet ? passes : 0.0;
+          }
         }
       });
     };

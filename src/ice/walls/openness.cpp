@@ -21,11 +21,16 @@ void add_openness(TaskList& list, const SchemeVariables& v, const SchemeOptions&
       const double *below = row(fraction, 0, a, -1), *above = row(fraction, 0, a, 1);
       const double* low = row(covered[static_cast<std::size_t>(a)]);
       const double* high = row(covered[static_cast<std::size_t>(a)], 0, a, 1);
-      double* to = row(open, a);
-      for (int i = 0; i < n; ++i)
-        to[i] = here[i] < 1 && below[i] < 1 && above[i] < 1 && low[i] < 0.5 && high[i] < 0.5;
+      double* __restrict to = row(open, a);
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) {
+        const bool wet = (here[i] < 1) & (below[i] < 1) & (above[i] < 1);
+        const bool open_by_half = (low[i] < 0.5) & (high[i] < 0.5);
+        to[i] = (wet & open_by_half) ? 1.0 : 0.0;
+      }
       if (!o.masked) continue;
       const double* of_redo = row(mask);
+#pragma GCC ivdep
       for (int i = 0; i < n; ++i) to[i] *= of_redo[i];
     }
   });

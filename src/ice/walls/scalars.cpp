@@ -46,8 +46,9 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *theta = row(fraction), *after = row(next);
-    double* here = row(touched);
-    for (int i = 0; i < n; ++i) here[i] = theta[i] > 0 || after[i] > 0;
+    double* __restrict here = row(touched);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) here[i] = ((theta[i] > 0) | (after[i] > 0)) ? 1.0 : 0.0;
     for (std::size_t k = 0; k < mass.size(); ++k) {
       const double* rho = row(density[k]);
       double* M = row(mass[k]);
@@ -89,8 +90,13 @@ void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOpti
     const Out share = task.write(v.scalars.open_share[n]);
     task.kernel([=](const Row& row) {
       const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction), *a = row(covered);
-      double* to = row(share);
-      for (int i = 0; i < row.count(); ++i) to[i] = ta[i] < 1 && tb[i] < 1 ? 1.0 - a[i] : 0.0;
+      double* __restrict to = row(share);
+      const int count = row.count();
+#pragma GCC ivdep
+      for (int i = 0; i < count; ++i) {
+        const double open = 1.0 - a[i];
+        to[i] = ((ta[i] < 1) & (tb[i] < 1)) ? open : 0.0;
+      }
     });
   }
 }

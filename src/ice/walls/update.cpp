@@ -33,17 +33,19 @@ void update_cells(const Row& row, const Handles& h) {
   }
   const double *M = row(h.amounts.rho), *Es = row(h.amounts.energy_star);
   const double *theta = row(h.fraction), *after = row(h.next);
-  double *rn = row(h.amounts.next.rho), *En = row(h.amounts.next.energy);
+  double* __restrict rn = row(h.amounts.next.rho);
+  double* __restrict En = row(h.amounts.next.energy);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    const auto passed = [&](int d) { return Gm[d][i] - Gp[d][i]; };
-    const double rho = M[i] + motion.mass(i);
+    const bool solid = (theta[i] > 0) | (after[i] > 0);
+    const double rho = M[i] + motion.mass(i), inverse = 1.0 / rho;
     rn[i] = rho;
-    if (!(theta[i] > 0 || after[i] > 0)) {
-      En[i] = Es[i] + motion.heat(i, rho, 1.0 / rho, passed);
-      continue;
+    double total = Es[i] + motion.heat(i, solid ? 0.0 : rho, solid ? 0.0 : inverse,
+                                       [&](int d) { return Gm[d][i] - Gp[d][i]; });
+    for (int c = 0; c < C; ++c) {
+      const double of_frame = (P[c][i] - 0.5 * rho * v[c][i]) * v[c][i];
+      total += solid ? of_frame : 0.0;
     }
-    double total = Es[i] + motion.heat(i, 0.0, 0.0, passed);
-    for (int c = 0; c < C; ++c) total += (P[c][i] - 0.5 * rho * v[c][i]) * v[c][i];
     En[i] = total;
   }
 }
@@ -52,14 +54,19 @@ void update_cells(const Row& row, const Handles& h) {
 void store_row(const Row& row, const Handles& h, int components) {
   const int n = row.count();
   const double *theta = row(h.fraction), *after = row(h.next);
-  double* to = row(h.fraction_new);
+  double* __restrict to = row(h.fraction_new);
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i) to[i] = after[i];
   const auto store = [&](Out amount, Out state, In old, int c) {
-    double *a = row(amount, c), *s = row(state, c);
+    double* __restrict a = row(amount, c);
+    double* __restrict s = row(state, c);
     const double* before = row(old, c);
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      s[i] = a[i];
-      if (theta[i] > 0 || after[i] > 0) a[i] = before[i];
+      const double next = a[i];
+      s[i] = next;
+      const bool solid = (theta[i] > 0) | (after[i] > 0);
+      a[i] = solid ? before[i] : next;
     }
   };
   store(h.amounts.next.rho, h.rho_new, h.rho, 0);

@@ -5,6 +5,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "framework/grid/grid_boxes.hpp"
+#include "mpm/step/book_leaving.hpp"
 #include "mpm/step/carry_corners.hpp"
 #include "mpm/step/split_particles.hpp"
 
@@ -180,7 +181,8 @@ Verdict SolidLevels::from_grid(const StageScope& scope) {
 
 Verdict SolidLevels::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                ranks = scope.ranks, end = scope.step.time + scope.step.dt] {
+                                ranks = scope.ranks, sums = scope.sums,
+                                end = scope.step.time + scope.step.dt] {
     cloud->take_over(end);
     double travel = 0;
     bool left = false;
@@ -196,6 +198,7 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     strayed_ += travel;
     const bool split =
         solids_->refine_particles && split_particles(*solids_, *carried_, *cloud, *ranks);
+    if (left) book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
     if (strayed_ >= most_stray || left || split) relocate(*cloud);
     for (int l = 0; l < count() && split; ++l) {  // the bounds of what there is now
       const std::vector<double> rates = cloud->rates(l);

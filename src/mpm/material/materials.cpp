@@ -82,21 +82,21 @@ const std::vector<std::string> models_not_supported = {"ArenaSoil",
                                                        "three_factor_mooney",
                                                        "visco_plastic"};
 // Tags that decks give to models which never read them.
-const std::vector<std::string> never_read = {"strain_limit",
-                                             "reduction_factor",
-                                             "yield_stress",
-                                             "hardening_modulus",
-                                             "isothermal",
-                                             "useTaylorSeriesForDefGrad",
-                                             "num_taylor_terms",
-                                             "coeff_thermal_expansion",
-                                             "G",
-                                             "K",
-                                             "use_polar_decomposition_RMB",
-                                             "StrainEnergy",
-                                             "shear_modulus",
-                                             "bulk_modulus",
-                                             "alpha"};
+const std::vector<std::string> laws_never_read = {"strain_limit",
+                                                  "reduction_factor",
+                                                  "yield_stress",
+                                                  "hardening_modulus",
+                                                  "isothermal",
+                                                  "useTaylorSeriesForDefGrad",
+                                                  "num_taylor_terms",
+                                                  "coeff_thermal_expansion",
+                                                  "G",
+                                                  "K",
+                                                  "use_polar_decomposition_RMB",
+                                                  "StrainEnergy",
+                                                  "shear_modulus",
+                                                  "bulk_modulus",
+                                                  "alpha"};
 
 // Of the attribute `type`.
 AttributeSpec type_attribute() {
@@ -130,7 +130,7 @@ TagSpec constitutive_model_tag() {
   TagSpec whole = choice_tag("constitutive_model",
                              "the law between deformation and stress; "
                              "docs/theory/mpm_materials.md has the formulas",
-                             parts, never_read)
+                             parts, laws_never_read)
                       .once();
   whole.attributes = {type_attribute()};
   return whole;

@@ -94,6 +94,14 @@ struct StepSums {
     corner_work,
     exchange_gain,
     surface_work,
+    // What particles that leave the domain take along: momentum, kinetic and internal energy, the
+    // work of the reference pressure on their volume. Behind `count` their mass, by material.
+    left_x,
+    left_y,
+    left_z,
+    left_kinetic,
+    left_internal,
+    left_reference,
     count
   };
 };

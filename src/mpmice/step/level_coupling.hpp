@@ -47,6 +47,8 @@ class LevelCoupling final : public Coupling {
   void close_cells_at_sides();
   bool stays_near(const CellBox<D>& end) const;
   IndexBox seen_from(IndexBox cells) const;
+  std::vector<SeenPlace> places_seen(const IndexBox& box, int along) const;
+  Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
   void smooth_normals();
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
@@ -163,6 +165,7 @@ class LevelCoupling final : public Coupling {
   void note_burned(const StageScope& scope);
   Verdict open_burned_volume(const StageScope& scope);
   // What tears (torn.cpp).
+  bool is_drawn_out(const CornerColumns<D>& x, std::size_t p) const;
   bool tears(const mpm::CornerVolume<D>& v) const;
   bool leaves(const SolidSet<D>& s, std::size_t p) const;
   Periods<D> periods() const;
@@ -193,7 +196,12 @@ class LevelCoupling final : public Coupling {
   void for_each_open_piece(const SolidSet<D>& s, F&& act) const;
   // act(cell, place in the arrays) for the cells near solids.
   template <class F>
-  void for_each_cell_near(F&& act) const;
+  void for_each_cell_near(F&& act) const {
+    for_each_cell_in(frame_.window, act);
+  }
+  // The same for the cells of a part of the arrays.
+  template <class F>
+  void for_each_cell_in(const CellBox<D>& part, F&& act) const;
 
   Frame<D> frame_;
   std::array<mpm::Axis, D> axes_;  // of the corners
@@ -287,21 +295,20 @@ void LevelCoupling<D>::for_each_open_piece(const SolidSet<D>& s, F&& act) const 
 
 template <int D>
 template <class F>
-void LevelCoupling<D>::for_each_cell_near(F&& act) const {
-  const CellBox<D>& near = frame_.window;
-  Cell<D> c = near.lower;
+void LevelCoupling<D>::for_each_cell_in(const CellBox<D>& part, F&& act) const {
+  Cell<D> c = part.lower;
   const auto along_x = [&] {
-    c[0] = near.lower[0];
+    c[0] = part.lower[0];
     std::size_t i = frame_.box.index(c);
-    for (; c[0] < near.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
+    for (; c[0] < part.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
   };
   if constexpr (D == 1) {
     along_x();
   } else if constexpr (D == 2) {
-    for (c[1] = near.lower[1]; c[1] < near.upper[1]; ++c[1]) along_x();
+    for (c[1] = part.lower[1]; c[1] < part.upper[1]; ++c[1]) along_x();
   } else {
-    for (c[2] = near.lower[2]; c[2] < near.upper[2]; ++c[2])
-      for (c[1] = near.lower[1]; c[1] < near.upper[1]; ++c[1]) along_x();
+    for (c[2] = part.lower[2]; c[2] < part.upper[2]; ++c[2])
+      for (c[1] = part.lower[1]; c[1] < part.upper[1]; ++c[1]) along_x();
   }
 }
 

@@ -154,6 +154,14 @@ struct Frame {
 
 using Column = std::vector<double>;
 
+// A cell of a box, or its low face along a direction, and the place in the arrays that it sees;
+// `flipped`: a face in a mirror, along which velocities turn.
+struct SeenPlace {
+  IntVec3 cell;
+  std::size_t at = 0;
+  bool flipped = false;
+};
+
 template <int D>
 struct SolidFields {
   // Geometry at the start of the step, at its end, between (geometry/).

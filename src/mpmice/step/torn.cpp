@@ -32,6 +32,21 @@ mpm::CornerVolume<D> volume_of(const CornerColumns<D>& x, std::size_t p) {
 
 }  // namespace
 
+// Can a corner be far from the middle at all; most particles are not asked for more.
+template <int D>
+bool LevelCoupling<D>::is_drawn_out(const CornerColumns<D>& x, std::size_t p) const {
+  bool out = false;
+  for (std::size_t a = 0; a < D; ++a) {
+    double low = x[0][a][p], high = low;
+    for (std::size_t k = 1; k < x.size(); ++k) {
+      low = std::min(low, x[k][a][p]);
+      high = std::max(high, x[k][a][p]);
+    }
+    out |= high - low > torn_corner * frame_.spacing[frame_.direction[a]];
+  }
+  return out;
+}
+
 // Does the particle let its neighbours go; it must be better off as a block.
 template <int D>
 bool LevelCoupling<D>::tears(const mpm::CornerVolume<D>& v) const {
@@ -119,11 +134,13 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     for (std::size_t p = 0; p < s.set->size(); ++p) {
+      if (leaves(s, p)) {
+        leaving.push_back({&s, p, {}});
+        continue;
+      }
+      if (rigid || !is_drawn_out(x, p)) continue;
       const mpm::CornerVolume<D> v = volume_of<D>(x, p);
-      if (leaves(s, p))
-        leaving.push_back({&s, p, v});
-      else if (!rigid && tears(v))
-        torn.push_back({&s, p, v});
+      if (tears(v)) torn.push_back({&s, p, v});
     }
   }
   Reduction all;

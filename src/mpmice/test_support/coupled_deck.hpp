@@ -47,6 +47,7 @@ struct CoupledDeck {
   std::string models;                  // in <Models>
   std::string gravity = "[0,0,0]";
   std::string faces;  // in place of symmetric sides
+  std::string finer;  // finer levels
   std::vector<std::string> saves = {"press_CC", "temp_CC",    "vel_CC",       "rho_CC",
                                     "p.x",      "p.velocity", "p.particleID", "p.stress"};
 };
@@ -89,13 +90,13 @@ inline std::string text_of(const CoupledDeck& deck) {
       "</exchange_coefficients></exchange_properties></"
       "MaterialProperties>\n{}<Grid><BoundaryConditions>\n{}</BoundaryConditions><Level><Box "
       "label='1'><lower>{}</lower>"
-      "<upper>{}</upper><resolution>{}</resolution></Box><periodic>{}</periodic></Level></Grid>\n"
+      "<upper>{}</upper><resolution>{}</resolution></Box><periodic>{}</periodic></Level>{}</Grid>\n"
       "</Uintah_specification>\n",
       deck.time, deck.multiplier, saves, deck.gravity, deck.fluid,
       solid_of(deck, "solid", deck.solid), deck.further, deck.viscosity, deck.specific_heat,
       deck.gas, deck.further_gas, deck.drag, deck.heat,
       deck.models.empty() ? "" : "<Models>" + deck.models + "</Models>\n", faces, deck.lower,
-      deck.upper, deck.cells, deck.periodic);
+      deck.upper, deck.cells, deck.periodic, deck.finer);
 }
 
 }  // namespace sluice::mpmice

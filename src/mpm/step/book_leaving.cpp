@@ -1,0 +1,53 @@
+#include "mpm/step/book_leaving.hpp"
+
+#include <array>
+
+#include "framework/base/reduction.hpp"
+#include "mpm/step/solid_step.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+using LeftSums = std::vector<ExactSum>;  // in the order of StepSums from left_x on
+
+void add(const ParticleSet& set, const Columns& c, double reference_pressure,
+         const std::vector<std::uint32_t>& leaving, std::size_t material, LeftSums& sums) {
+  const double *mass = set.column(static_cast<std::size_t>(c.mass)),
+               *energy = set.column(static_cast<std::size_t>(c.energy)),
+               *volume = set.column(static_cast<std::size_t>(c.volume));
+  const auto v = read_columns<3>(set, c.velocity);
+  const auto to = [&](std::size_t index) -> ExactSum& { return sums[index - StepSums::left_x]; };
+  for (const std::uint32_t p : leaving) {
+    double v2 = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      to(StepSums::left_x + d).add(mass[p] * v[d][p]);
+      v2 += v[d][p] * v[d][p];
+    }
+    to(StepSums::left_kinetic).add(0.5 * mass[p] * v2);
+    to(StepSums::left_internal).add(energy[p]);
+    to(StepSums::left_reference).add(-reference_pressure * volume[p]);
+    to(StepSums::count + material).add(mass[p]);
+  }
+}
+
+}  // namespace
+
+void book_leaving(const MpmScene& solids, const std::vector<Carried>& carried,
+                  const ParticleCloud& cloud, Communicator& ranks, std::vector<double>& sums) {
+  LeftSums left(StepSums::count - StepSums::left_x + solids.materials.size());
+  for (std::size_t m = 0; m < solids.materials.size(); ++m) {
+    const int kind = static_cast<int>(m);
+    for (int l = 0; l < cloud.store(kind).level_count(); ++l)
+      for (int b = 0; b < cloud.store(kind).box_count(l); ++b)
+        add(cloud.store(kind).set(l, b), carried[m].columns,
+            solids.materials[m].constants.reference_pressure, cloud.leaving(kind, l, b), m, left);
+  }
+  Reduction reduction;
+  std::vector<Reduction::Sum> slots;
+  for (const ExactSum& s : left) slots.push_back(reduction.add_sum(s));
+  ranks.reduce(reduction);
+  for (std::size_t s = 0; s < slots.size(); ++s)
+    sums[StepSums::left_x + s] += reduction.sum(slots[s]).value();
+}
+
+}  // namespace sluice::mpm
