@@ -20,6 +20,8 @@ target_compile_options(sluice_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>  # GCC ivdep
+  # Names of files that are compiled together are no shadows of one another's parameters.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>
   $<$<CXX_COMPILER_ID:Clang>:-Wno-ignored-attributes>  # of lambdas, GCC takes them so
   # No result may depend on whether a cell falls into the vector body or the remainder.
   -ffp-contract=off -fno-math-errno -fno-trapping-math
