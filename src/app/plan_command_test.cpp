@@ -172,6 +172,18 @@ TEST_F(PlanCommand, NamesTheLabelsOfParticles) {
     EXPECT_THAT(said_, HasSubstr(part));
 }
 
+TEST_F(PlanCommand, ALabelThatNoMaterialHasIsLeftOut) {
+  std::ostringstream read;
+  read << std::ifstream(SLUICE_SOURCE_DIR "/inputs/mpm/colliding_disks.ups").rdbuf();
+  std::string text = read.str();
+  const std::string archiver = "<DataArchiver>";
+  text.insert(text.find(archiver) + archiver.size(), "<save label='gradPAccNC'/>");
+  const fs::path absent = folder_ / "absent.ups";
+  std::ofstream(absent) << text;
+  ASSERT_EQ(sluice({"plan", absent.string()}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("nothing is saved of it"));
+}
+
 TEST_F(PlanCommand, CountsFieldsMessagesAndOutputs) {
   const json p = plan({deck("blast_3d"), "--boxes", "2,1,1", "--ranks", "2"});
   EXPECT_LE(p.at("memory").at("field_doubles_per_cell").get<double>(), 40);

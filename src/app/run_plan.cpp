@@ -139,7 +139,8 @@ class Planner {
         if (!of_nodes) (in_step ? stored_ : computed_).insert(*label);
         PlannedOutput out;
         out.label = v.label;
-        out.made = fmt::format("{}, {}", m.name, of_nodes  ? "from the particles"
+        out.made = fmt::format("{}, {}", m.name,
+                               of_nodes  ? "from the particles"
                                : in_step ? "stored in the step"
                                          : "from the state");
         out.where = v.where;
@@ -217,6 +218,8 @@ class Planner {
     for (const SaveRequest& r : o.saves) {
       const std::optional<Label> label = find_known(r.label, true);
       if (!label && describe_analysed_field(r)) continue;
+      if (!label && component_.particles() != nullptr && component_.particles()->is_absent(r.label))
+        continue;  // a warning has told it
       if (!label) refuse(r.where, LabelUse::save, r.label);
       PlannedOutput out;
       out.label = r.label;

@@ -29,6 +29,16 @@ TEST_F(SolidBits, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
   expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
 }
 
+// Every rank computes all of an implicit step, in one order.
+TEST_F(SolidBits, ImplicitStepsAreTheSameBitsOnRanksAndAfterARestart) {
+  const std::string deck =
+      SLUICE_SOURCE_DIR "/inputs/mpm/implicit_bar.ups --set Time/maxTime=1";
+  const fs::path whole = run("whole", deck);
+  expect_same(whole, run("ranks", deck + " --boxes 3,1,1", 2));
+  const fs::path first = run("first", deck + " --max-steps 9");
+  expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1"));
+}
+
 // Bars that collide and split, on three levels that come and go (a deck of the public suite).
 TEST_F(SolidBits, PartsOfParticlesAreTheSameBitsOnRanksAndAfterARestart) {
   const auto folder = folder_in_environment("SLUICE_DECKS");

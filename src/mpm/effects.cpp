@@ -20,22 +20,42 @@ std::string_view name_of(Transfer t) {
   return names[static_cast<int>(t)];
 }
 
+void add_of_implicit(const ImplicitSettings& s, EffectList& list) {
+  list.add({"deformation",
+            s.mechanics,
+            s.mechanics ? "Newton's method for the nodes" : "DoMechanics is false",
+            {}});
+  list.add({"inertia",
+            s.mechanics && s.dynamic,
+            s.dynamic ? "trapezoidal rule" : "<dynamic> false: a step ends in equilibrium",
+            {}});
+  list.add({"heat conduction",
+            s.conducts,
+            s.conducts ? "a linear system in each step" : "no DoImplicitHeatConduction",
+            {}});
+}
+
 }  // namespace
 
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
   EffectList list;
   list.add({"solids",
             true,
-            fmt::format("{} material{}, {} shape functions, {} transfer", s.materials.size(),
-                        s.materials.size() == 1 ? "" : "s", name_of(s.basis), name_of(s.transfer)),
+            fmt::format("{} material{}, {} shape functions, {} transfer{}", s.materials.size(),
+                        s.materials.size() == 1 ? "" : "s", name_of(s.basis), name_of(s.transfer),
+                        s.implicit ? ", implicit steps" : ""),
             {}});
-  const bool contact = s.materials.size() > 1 && !s.contacts.empty();
+  if (s.implicit) add_of_implicit(*s.implicit, list);
+  const std::vector<ContactRule>& rules = s.implicit ? s.rigid_contacts : s.contacts;
+  const bool contact = s.materials.size() > 1 && !rules.empty();
   list.add({"contact", contact,
             s.materials.size() < 2 ? "one material"
-            : contact              ? fmt::format("{} contact rule{}", s.contacts.size(),
-                                    s.contacts.size() == 1 ? "" : "s")
+            : contact              ? fmt::format("{} {}rule{}", rules.size(),
+                                    s.implicit ? "rigid contact " : "contact ",
+                                    rules.size() == 1 ? "" : "s")
+            : s.implicit           ? "all that deforms has one velocity at a node"
                                    : "no <contact> acts: velocities of their own",
-            s.contacts.empty() ? Location{} : s.contacts.front().where});
+            rules.empty() ? Location{} : rules.front().where});
   std::size_t points = 0;
   for (const CohesiveZone& zone : s.cohesive_zones) points += zone.points.size();
   list.add({"cohesive zones", points > 0,

@@ -12,7 +12,7 @@ void ImplicitMpm::shape_step(StepShape& shape) const {
     shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
   };
   stage("particles to nodes", &ImplicitStep::begin);
-  stage("ways of the nodes: Newton's method", &ImplicitStep::find_ways);
+  stage("displacements of the nodes: Newton's method", &ImplicitStep::find_displacements);
   if (scene().implicit->conducts) stage("temperatures of the nodes", &ImplicitStep::conduct);
   stage("nodes to particles, deformation, stress", &ImplicitStep::to_particles);
   stage("take over", &ImplicitStep::take_over);
@@ -21,7 +21,15 @@ void ImplicitMpm::shape_step(StepShape& shape) const {
 StepLimit ImplicitMpm::step_limit(const std::vector<double>& maxima) const {
   const double rate = maxima.empty() ? 0 : maxima.front();
   if (!(rate > 0)) return {1e300, "nothing moves"};
-  return {1 / rate, "ways of particles, iterations of Newton's method"};
+  return {1 / rate, "displacement of particles, iterations of Newton's method"};
+}
+
+// What the nodes' own balance lacks is what a_0 of particles is beside that of the forces before.
+std::vector<std::pair<std::string, double>> ImplicitMpm::account(
+    const Conservation& tallies) const {
+  auto entries = Mpm::account(tallies);
+  entries.back() = {"carried accelerations", -entries.back().second};
+  return entries;
 }
 
 std::unique_ptr<Mpm> make_solids(const Scene& scene, MpmScene solids) {

@@ -41,7 +41,7 @@ std::vector<IndexBox> layers_of(const IndexBox& cells) {
 }
 
 // Of implicit steps: no particle goes farther than 0.8 cells.
-double rate_of_ways(const Level& level, const ParticleSet& set, const Carried& carried) {
+double rate_of_displacements(const Level& level, const ParticleSet& set, const Carried& carried) {
   constexpr double most_cells = 0.8;
   double rate = 0;
   for (int d = 0; d < 3; ++d) {
@@ -217,7 +217,7 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
 bool SolidParticles::is_absent(const std::string& name) const {
   // Forces of a fluid act on corners of particles: no node has an acceleration from its pressure.
   if (name == "gradPAccNC") return true;
-  // Particles tell how far they have gone: no node keeps its way.
+  // Particles tell how far they have gone: no node keeps its displacement.
   if (name == "dispNew") return true;
   if (name == "p.xx" && solids_->implicit) return false;
   return is_label_of_laws(name) &&
@@ -267,7 +267,7 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
 double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set,
                                     double& wave) const {
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
-  if (solids_->implicit) return rate_of_ways(level, set, carried_[static_cast<std::size_t>(kind)]);
+  if (solids_->implicit) return rate_of_displacements(level, set, carried_[static_cast<std::size_t>(kind)]);
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
   ParticleSet to(set.attribute_count());  // a law writes beside what it reads

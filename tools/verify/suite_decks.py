@@ -84,8 +84,8 @@ first thing that is missing is told, as `sluice check` or the start of the run s
 IMPM_HEAD = f"""# Decks of implicit steps
 
 Every deck of the folders `inputs/IMPM` and `inputs/UintahRelease/IMPM` of the format's public
-suite, and its state. This page is written by `tools/verify/suite_decks.py impm`, which finds the suite
-through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+suite, and its state. This page is written by `tools/verify/suite_decks.py impm`, which finds the
+suite through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
 {FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
 `resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
 values of its last output are finite, volumes and masses of particles are positive, and the mass of

@@ -76,7 +76,8 @@ TagSpec component() {
       .attribute(attribute("type", "the component")
                      .once()
                      .words({"ice", "mpm", "amrmpm", "impm", "mpmice", "rmpmice", "rigidmpmice",
-                             "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave", "benchmark"})
+                             "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave",
+                             "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")

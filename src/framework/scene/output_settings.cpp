@@ -69,9 +69,14 @@ OutputSettings read_output_settings(const DeckNode& archiver, std::vector<Fault>
     collect(faults, save->where, [&] { o.saves.push_back(read_save(*save, o.compression)); });
   if (const DeckNode* checkpoint = archiver.child("checkpoint"))
     collect(faults, checkpoint->where, [&] { o.checkpoint = read_checkpoint(*checkpoint); });
-  if (o.any() && o.saves.empty() && archiver.all("save").empty())
-    add_error(faults, archiver.where,
-              "<DataArchiver> asks for output but saves nothing; add <save label=\"...\"/>");
+  if (o.any() && o.saves.empty() && archiver.all("save").empty()) {
+    add_warning(faults, archiver.where,
+                "<DataArchiver> asks for output but saves nothing: no output is written",
+                "add <save label=\"...\"/>");
+    o.interval = 0;
+    o.timestep_interval = 0;
+    o.last_timestep = false;
+  }
   return o;
 }
 

@@ -74,13 +74,19 @@ TEST(OutputSettings, WallTimeCheckpointsInSecondsOrHours) {
   EXPECT_EQ(o.checkpoint.cycle, 0);
 }
 
+TEST(OutputSettings, OutputThatSavesNothingIsDropped) {
+  std::string said;
+  const OutputSettings o = read(base + "<outputInterval>1</outputInterval>", &said);
+  EXPECT_THAT(said, HasSubstr("saves nothing"));
+  EXPECT_FALSE(o.any());
+}
+
 TEST(OutputSettings, Faults) {
   struct Case {
     std::string content, message;
   };
   const std::vector<Case> cases = {
       {save + "<outputInterval>1</outputInterval>", "no <filebase>"},
-      {base + "<outputInterval>1</outputInterval>", "saves nothing"},
       {base + save + "<outputInterval>-1</outputInterval>", "at least 0"},
       {base + save +
            "<outputInterval>1</outputInterval><outputTimestepInterval>1</outputTimestepInterval>",

@@ -141,7 +141,7 @@ struct ImplicitSettings {
   bool mechanics = true;  // DoMechanics
   double displacement_criterion = 1e-10, energy_criterion = 4e-10;
   int iterations_to_shrink = 12, iterations_to_grow = 4, most_iterations = 25;
-  double shrink = 0.6, grow = 2;                // of the step
+  double shrink = 0.6, grow = 2;                 // of the step
   bool conducts = false, heat_is_stored = true;  // by implicit steps
 };
 

@@ -10,6 +10,7 @@ namespace sluice::mpm {
 namespace {
 
 constexpr double round_off = 1e-13;  // of the forces in a residual
+constexpr double still = 1e-14;      // of a cell: no displacement at all
 constexpr int most_halvings = 8;
 
 double least_spacing(const Level& level) {
@@ -51,7 +52,7 @@ void Equilibrium::deformation(const NodesOfStep& nodes, std::size_t kind,
   }
 }
 
-// T and A of all particles; false: one cannot take these ways.
+// T and A of all particles; false: one cannot take these displacements.
 bool Equilibrium::evaluate(const NodesOfStep& nodes, std::string& reason) {
   struct Scratch {
     std::vector<std::unique_ptr<Response>> of;
@@ -180,7 +181,7 @@ double Equilibrium::assemble_row(const NodesOfStep& nodes, std::size_t n, bool g
     const auto d = static_cast<int>(a);
     double& right = right_[static_cast<std::size_t>(row)];
     right = nodes.force[n][d] + inner[d] - nodes.mass[n] * acceleration[d];
-    size += std::fabs(nodes.force[n][d]) + nodes.mass[n] * std::fabs(acceleration[d]);
+    size += std::fabs(nodes.force[n][d]) + nodes.inertia(n) * std::fabs(nodes.u[n][d]);
     auto to = static_cast<std::size_t>(rows_.begin[static_cast<std::size_t>(row)]);
     for (std::size_t j = 0; j < near.size(); ++j) {
       const auto m = static_cast<std::size_t>(near[j]);
@@ -299,8 +300,9 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& solver) {
     gives = false;
     most_square = std::max(most_square, square);
     if (report.iterations == 1) first_energy = energy;
-    if (square <= settings.displacement_criterion * most_square &&
-        energy <= settings.energy_criterion * first_energy) {
+    if (square <= still * still * static_cast<double>(change.size()) ||
+        (square <= settings.displacement_criterion * most_square &&
+         energy <= settings.energy_criterion * first_energy)) {
       assemble(nodes, false);
       report.converged = true;
       return report;

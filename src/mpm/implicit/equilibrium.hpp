@@ -1,8 +1,8 @@
-// Newton's method for the ways of nodes in an implicit step.
+// Newton's method for the displacements of nodes in an implicit step.
 //
 //   residual r = f_ext - sum T G - M a_1(u),   (sum G.A.G + 4 M/dt^2) du = r on what is free
 //
-// Ways that are given enter with the first iteration, as part of its linear system. It has
+// Displacements that are given enter with the first iteration, as part of its linear system. It has
 // converged when |du|^2 is less than a part of its largest and |du.r| than a part of the first, or
 // when the residual is round-off of the forces in it. An iteration that turns a particle inside out
 // is halved.
@@ -36,6 +36,8 @@ class Equilibrium {
                    const Response& response, ChunkOfMatrices& phi) const;
   // After find(): the force of the stresses on each node, as last evaluated.
   const std::vector<Vec3>& inner_forces() const { return inner_; }
+  // Likewise T of the particles of a kind, nine numbers each.
+  const std::vector<double>& stresses(std::size_t kind) const { return T_[kind]; }
 
  private:
   struct Chunk {
@@ -61,7 +63,7 @@ class Equilibrium {
   int unknowns_ = 0;
   SparseRows rows_;
   std::vector<double> right_;
-  std::vector<Vec3> inner_, gap_;  // gap: way - u of what is given
+  std::vector<Vec3> inner_, gap_;  // gap: given displacement - u of what is given
 };
 
 }  // namespace sluice::mpm

@@ -38,8 +38,8 @@ TEST(ImplicitBar, HangsAsTheClosedFormInOneStep) {
 
 // Gravity begins at once: after half the longest period, 2 L/c, every mode has gone its way, and
 // the tip is twice as low as at rest; after a whole one the bar is as it was.
-TEST(ImplicitBar, SwingsWithItsPeriodAndKeepsItsEnergy) {
-  constexpr double g = 1e-3, length = 1, tolerance = 0.02;  // not measured yet
+TEST(ImplicitBar, SwingsWithItsPeriod) {
+  constexpr double g = 1e-3, length = 2, tolerance = 0.02;  // not measured yet
   const double c = std::sqrt(modulus / density), half = 2 * length / c;
   const double rest = density * g / modulus * length * length / 2;
   const auto tip_after = [&](double time) {
@@ -56,17 +56,35 @@ TEST(ImplicitBar, SwingsWithItsPeriodAndKeepsItsEnergy) {
   EXPECT_NEAR(tip_after(2 * half) / rest, 0, 2 * tolerance);
 }
 
-// A bar that a rigid body shortens slowly: implicit steps a thousand times as long end where
+// The trapezoidal rule is of second order in time. Particles blur the acceleration that they carry,
+// which adds an error of first order in time and second in space: it is small in long bars.
+TEST(ImplicitBar, ErrorsFallWithTheSquareOfTheStep) {
+  constexpr double end = 0.08;
+  const auto tip = [&](int steps) {
+    const TextRun run(
+        bar(40,
+            "<time_integrator>implicit</time_integrator>"
+            "<total_lagrangian>true</total_lagrangian>"),
+        with_gravity(implicit_steps(end / steps, end, saves({"p.displacement"})), 1e-3), "order", 1,
+        implicit_solids);
+    return run.particles("p.displacement")[0][tip_of(run.particles("p.x")[0])];
+  };
+  const double reference = tip(320);
+  const double coarse = std::fabs(tip(5) - reference), fine = std::fabs(tip(10) - reference);
+  EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << " " << fine;
+}
+
+// A bar that a rigid body shortens slowly: one implicit step ends where four hundred
 // explicit ones do.
 TEST(ImplicitBar, EndsWhereExplicitStepsEnd) {
-  constexpr double tolerance = 2e-3;  // not measured yet
+  constexpr double tolerance = 5e-3;
   const std::string rigid =
       "<material name='piston'><density>1000</density><is_rigid>true</is_rigid>"
       "<constitutive_model type='comp_neo_hook'><bulk_modulus>1e6</bulk_modulus>"
       "<shear_modulus>5e5</shear_modulus></constitutive_model>"
       "<thermal_conductivity>1</thermal_conductivity><specific_heat>5</specific_heat>"
       "<geom_object><box><min>[0.5,0,0]</min><max>[0.6,0.1,0.1]</max></box><res>[2,1,1]</res>"
-      "<velocity>[-0.02,0,0]</velocity><temperature>300</temperature></geom_object></material>";
+      "<velocity>[-0.01,0,0]</velocity><temperature>300</temperature></geom_object></material>";
   const auto stress = [&](bool implicit) {
     SolidDeck deck = bar(5, implicit ? "<time_integrator>implicit</time_integrator>"
                                        "<dynamic>false</dynamic>"
@@ -75,7 +93,7 @@ TEST(ImplicitBar, EndsWhereExplicitStepsEnd) {
     deck.contacts = std::string("<contact><type>rigid</type><materials>[0,1]</materials>") +
                     (implicit ? "" : "<master_material>1</master_material>") +
                     "<direction>[1,0,0]</direction></contact>";
-    TextRun::Rewrites rewrites = implicit_steps(implicit ? 1.0 : 1e-3, 2, saves({"p.stress"}));
+    TextRun::Rewrites rewrites = implicit_steps(implicit ? 0.4 : 1e-3, 0.4, saves({"p.stress"}));
     if (!implicit) rewrites.erase(rewrites.begin());
     const TextRun run(deck, rewrites, "pressed", 1, implicit_solids);
     return run.particles("p.stress")[0];

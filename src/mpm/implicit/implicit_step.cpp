@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mpm/implicit/conduction.hpp"
+#include "mpm/implicit/step_books.hpp"
+#include "mpm/step/book_leaving.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/step/solid_step.hpp"
 
@@ -34,7 +36,7 @@ Verdict ImplicitStep::begin(const StageScope& scope) {
   }
   particles_.gather(*scope.particles, *kinds_, *scope.ranks);
   reached_ = std::make_unique<ReachedNodes>(*solids_, level_, *boundary_, *carried_, particles_);
-  find_rigid_ways(step.time, step.dt);
+  find_rigid_displacements(step.time, step.dt);
   find_forces(scope);
   nodes_ = std::make_unique<NodesOfStep>(parts(), rigid_, forces_, step.time, step.dt,
                                          scope.dt_before == 0);
@@ -43,7 +45,7 @@ Verdict ImplicitStep::begin(const StageScope& scope) {
 }
 
 // Their own velocity until a rule stops them, and then what it says.
-void ImplicitStep::find_rigid_ways(double time, double dt) {
+void ImplicitStep::find_rigid_displacements(double time, double dt) {
   rigid_.assign(particles_.count(), {});
   stopped_.assign(particles_.count(), false);
   for (std::size_t k = 0; k < particles_.count(); ++k) {
@@ -68,25 +70,29 @@ void ImplicitStep::find_rigid_ways(double time, double dt) {
   }
 }
 
-// At the end of the step.
 void ImplicitStep::find_forces(const StageScope& scope) {
-  forces_.assign(particles_.count(), {});
   const std::vector<double>& maxima = scope.maxima->front();
   outside_->count(*scope.particles, *scope.ranks,
                   std::span(maxima).subspan(rate_count(particles_.count())));
+  fill_forces(scope.step.time, forces_before_);
+  fill_forces(scope.step.time + scope.step.dt, forces_);
+}
+
+void ImplicitStep::fill_forces(double time, NodesOfStep::Vectors& forces) {
+  forces.assign(particles_.count(), {});
   for (std::size_t k = 0; k < particles_.count(); ++k) {
     const auto kind = static_cast<int>(k);
     if (!outside_->acts(kind) || solids_->materials[k].rigid) continue;
     const ParticleSet& set = particles_.kind(k).now;
     outside_->make_room(kind, set.size());
-    outside_->fill(kind, 0, set, 0, set.size(), scope.step.time + scope.step.dt);
+    outside_->fill(kind, 0, set, 0, set.size(), time);
     const auto f = outside_->forces(kind, 0);
-    forces_[k].resize(set.size());
-    for (std::size_t q = 0; q < set.size(); ++q) forces_[k][q] = {f[0][q], f[1][q], f[2][q]};
+    forces[k].resize(set.size());
+    for (std::size_t q = 0; q < set.size(); ++q) forces[k][q] = {f[0][q], f[1][q], f[2][q]};
   }
 }
 
-Verdict ImplicitStep::find_ways(const StageScope& scope) {
+Verdict ImplicitStep::find_displacements(const StageScope& scope) {
   newton_ = {};
   if (!solids_->implicit->mechanics) {
     for (std::vector<Vec3>* field : {&nodes_->u, &nodes_->v0, &nodes_->a0})
@@ -231,7 +237,9 @@ Verdict ImplicitStep::to_particles(const StageScope& scope) {
       *scope.reason = "what a particle holds after the step is no number";
       return Verdict::reject;
     }
-  keep_books(scope);
+  if (solids_->implicit->mechanics)
+    book_step({parts(), nodes_.get(), equilibrium_.get(), &forces_before_, &forces_, scope.step.dt},
+              *scope.sums);
   particles_.give_back(*scope.particles, *kinds_);
   return Verdict::good;
 }
@@ -264,45 +272,12 @@ void ImplicitStep::find_rates(const StageScope& scope) {
   new_rates_.insert(new_rates_.end(), outside_->counts().begin(), outside_->counts().end());
 }
 
-// Impulses of sides and rigid bodies, and of what acts from outside, by the rule of the step.
-void ImplicitStep::keep_books(const StageScope& scope) {
-  std::vector<double>& sums = *scope.sums;
-  const double dt = scope.step.dt;
-  const std::vector<Vec3>& inner = equilibrium_->inner_forces();
-  std::array<ExactSum, 3> given, outside;
-  ExactSum work, work_outside;
-  for (std::size_t n = 0; n < nodes_->count() && !inner.empty(); ++n) {
-    if (!(nodes_->mass[n] > 0)) continue;
-    const Vec3 v1 = nodes_->velocity(n);
-    for (int d = 0; d < 3; ++d) {
-      const auto axis = static_cast<std::size_t>(d);
-      const double gain = nodes_->mass[n] * (v1[d] - nodes_->v0[n][d]);
-      const double middle = 0.5 * (v1[d] + nodes_->v0[n][d]);
-      const double force = 0.5 * dt * (nodes_->mass[n] * nodes_->a0[n][d] + nodes_->force[n][d]);
-      const double held = nodes_->dynamic() ? gain - force - 0.5 * dt * inner[n][d] : gain;
-      if (nodes_->dynamic()) {
-        outside[axis].add(force);
-        work_outside.add(force * middle);
-      }
-      if (!nodes_->is_free(n, d) || !nodes_->dynamic()) {
-        given[axis].add(held);
-        work.add(held * middle);
-      }
-    }
-  }
-  for (int d = 0; d < 3; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    sums[static_cast<std::size_t>(StepSums::impulse_x + d)] += given[axis].value();
-    sums[static_cast<std::size_t>(StepSums::force_x + d)] += outside[axis].value();
-  }
-  sums[StepSums::work] += work.value();
-  sums[StepSums::force_work] += work_outside.value();
-}
-
 Verdict ImplicitStep::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
+                                ranks = scope.ranks, sums = scope.sums,
                                 end = scope.step.time + scope.step.dt] {
     cloud->take_over(end);
+    book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
     std::vector<double>& all = maxima->front();
     all.resize(std::max(all.size(), new_rates_.size()));
     std::copy(new_rates_.begin(), new_rates_.end(), all.begin());

@@ -17,10 +17,10 @@ class ImplicitStep {
                const std::vector<ParticleKind>& kinds);
 
   // The stages of a step, in order.
-  Verdict begin(const StageScope& scope);         // particles of all ranks, nodes
-  Verdict find_ways(const StageScope& scope);     // Newton's method
-  Verdict conduct(const StageScope& scope);       // temperatures of nodes
-  Verdict to_particles(const StageScope& scope);  // what particles are at the end
+  Verdict begin(const StageScope& scope);               // particles of all ranks, nodes
+  Verdict find_displacements(const StageScope& scope);  // Newton's method
+  Verdict conduct(const StageScope& scope);             // temperatures of nodes
+  Verdict to_particles(const StageScope& scope);        // what particles are at the end
   Verdict take_over(const StageScope& scope);
 
   // Of the last step.
@@ -28,8 +28,9 @@ class ImplicitStep {
 
  private:
   NodesOfStep::Parts parts() const;
-  void find_rigid_ways(double time, double dt);
+  void find_rigid_displacements(double time, double dt);
   void find_forces(const StageScope& scope);
+  void fill_forces(double time, NodesOfStep::Vectors& forces);
   bool move_kind(const StageScope& scope, std::size_t kind, std::string& reason);
   bool move_chunk(std::size_t kind, const Response::Span& span, Response& response,
                   std::string& reason);
@@ -37,7 +38,6 @@ class ImplicitStep {
   void warm(std::size_t kind, const Response::Span& span, const double* heating);
   void keep_rigid(std::size_t kind, double dt);
   void find_rates(const StageScope& scope);
-  void keep_books(const StageScope& scope);
 
   const Scene* scene_;
   const MpmScene* solids_;
@@ -48,7 +48,7 @@ class ImplicitStep {
   std::unique_ptr<OutsideForces> outside_;
   AllParticles particles_;
   std::unique_ptr<ReachedNodes> reached_;
-  NodesOfStep::Ways rigid_, forces_;
+  NodesOfStep::Vectors rigid_, forces_before_, forces_;
   std::vector<bool> stopped_;  // rigid kinds, by a rule
   std::unique_ptr<NodesOfStep> nodes_;
   std::unique_ptr<Equilibrium> equilibrium_;

@@ -2,8 +2,8 @@
 
 namespace sluice::mpm {
 
-NodesOfStep::NodesOfStep(const Parts& parts, const Ways& rigid, const Ways& forces, double /*time*/,
-                         double dt, bool first_step)
+NodesOfStep::NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces,
+                         double /*time*/, double dt, bool first_step)
     : level_(parts.level), dt_(dt), dynamic_(parts.solids->implicit->dynamic) {
   const std::size_t n = parts.reached->count();
   deforms.assign(n, false);
@@ -23,7 +23,7 @@ NodesOfStep::NodesOfStep(const Parts& parts, const Ways& rigid, const Ways& forc
   }
 }
 
-void NodesOfStep::sum(const Parts& p, const Ways& forces) {
+void NodesOfStep::sum(const Parts& p, const Vectors& forces) {
   Vec3 gravity{};
   for (int d = 0; d < 3; ++d)
     if (level_->active[static_cast<std::size_t>(d)]) gravity[d] = p.scene->constants.gravity[d];
@@ -58,8 +58,8 @@ void NodesOfStep::sum(const Parts& p, const Ways& forces) {
     }
 }
 
-// Sides first; where they do not say, rigid particles do, by their mean way.
-void NodesOfStep::find_given(const Parts& p, const Ways& rigid) {
+// Sides first; where they do not say, rigid particles do, by their mean displacement.
+void NodesOfStep::find_given(const Parts& p, const Vectors& rigid) {
   for (std::size_t n = 0; n < count(); ++n)
     for (std::size_t k = 0; k < p.particles->count(); ++k) {
       if (p.solids->materials[k].rigid) continue;

@@ -1,7 +1,7 @@
 // Nodes of an implicit step: what particles give them, what is given, what Newton's method finds.
 //
 //   M = sum m S, v_0 = sum m v S/M, a_0 = sum m a S/M      over all that deforms: one velocity
-//   u: way of a node in the step; given on sides and where rigid particles reach it
+//   u: displacement of a node in the step; given on sides and where rigid particles reach it
 //   v_1 = 2 u/dt - v_0, a_1 = 4 u/dt^2 - 4 v_0/dt - a_0    (trapezoidal rule of Newmark)
 //   given nodes: v_1 = u/dt, a_1 = 0;   without inertia: v_1 = u/dt, a_1 = 0
 #pragma once
@@ -23,11 +23,11 @@ class NodesOfStep {
     const AllParticles* particles;
     const ReachedNodes* reached;
   };
-  // Ways of rigid particles in the step, by kind; forces from outside at its end, by kind (empty:
+  // Displacements of rigid particles in the step, by kind; forces from outside at its end, by kind (empty:
   // none).
-  using Ways = std::vector<std::vector<Vec3>>;
-  NodesOfStep(const Parts& parts, const Ways& rigid, const Ways& forces, double time, double dt,
-              bool first_step);
+  using Vectors = std::vector<std::vector<Vec3>>;
+  NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces, double time,
+              double dt, bool first_step);
 
   std::size_t count() const { return mass.size(); }
   bool is_free(std::size_t n, int d) const {
@@ -47,8 +47,8 @@ class NodesOfStep {
   std::vector<std::array<bool, 3>> given;
 
  private:
-  void sum(const Parts& parts, const Ways& forces);
-  void find_given(const Parts& parts, const Ways& rigid);
+  void sum(const Parts& parts, const Vectors& forces);
+  void find_given(const Parts& parts, const Vectors& rigid);
 
   const Level* level_;
   double dt_;

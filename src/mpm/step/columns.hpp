@@ -11,7 +11,7 @@ namespace sluice::mpm {
 
 // First column of each; -1: the scene does not need it.
 struct Columns {
-  int velocity = -1;  // 3, half a step behind the position
+  int velocity = -1;      // 3, half a step behind the position
   int acceleration = -1;  // 3, of implicit steps
   int mass = -1;
   int volume_0 = -1;  // in the reference state
