@@ -12,7 +12,11 @@
 #include "models/light_time.hpp"
 #include "models/tracer_particles.hpp"
 #include "models/transported_scalar.hpp"
+#include "mpm/histories.hpp"
 #include "mpm/material/history_labels.hpp"
+#include "mpm/saved/mean_pressure.hpp"
+#include "mpm/saved/node_fields.hpp"
+#include "mpm/step/labels.hpp"
 
 namespace sluice {
 namespace {
@@ -63,7 +67,10 @@ std::string label_reference() {
   scalar.declare_labels();
   particle_labels();
   models::front_gradient_label();
+  mpm::solid_labels();
   mpm::declare_history_labels();
+  mpm::mean_pressure_of({}, 0);
+  mpm::is_history(mpm::node_labels().front());
   models::TracerScalar tracer_scalar;
   tracer_scalar.name = "p.NAME";
   tracer_scalar.label();

@@ -56,10 +56,8 @@ double rate_of_displacements(const Level& level, const ParticleSet& set, const C
 // p.xx: with a grid that stays where it was, the format's p.x is the place at the start, and this
 // the place now. Here both are the place now.
 DerivedAttribute place_of_format() {
-  static const Label label =
-      declare_label({"p.xx", ValueType::vector, Centring::particle, "m",
-                     "Place of a particle, as p.x: under another name of the format."});
-  return {label, [](const ParticleSet& set, std::vector<std::vector<double>>& to) {
+  return {solid_labels().place_of_format,
+          [](const ParticleSet& set, std::vector<std::vector<double>>& to) {
             for (int d = 0; d < 3; ++d)
               std::copy_n(set.coordinate(d), set.size(), to[static_cast<std::size_t>(d)].begin());
           }};
@@ -267,7 +265,8 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
 double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set,
                                     double& wave) const {
   const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
-  if (solids_->implicit) return rate_of_displacements(level, set, carried_[static_cast<std::size_t>(kind)]);
+  if (solids_->implicit)
+    return rate_of_displacements(level, set, carried_[static_cast<std::size_t>(kind)]);
   if (material.rigid) return 0;
   const Carried& carried = carried_[static_cast<std::size_t>(kind)];
   ParticleSet to(set.attribute_count());  // a law writes beside what it reads

@@ -23,7 +23,7 @@ class NodesOfStep {
     const AllParticles* particles;
     const ReachedNodes* reached;
   };
-  // Displacements of rigid particles in the step, by kind; forces from outside at its end, by kind (empty:
+  // By kind: displacements of rigid particles in the step, forces from outside at its end (empty:
   // none).
   using Vectors = std::vector<std::vector<Vec3>>;
   NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces, double time,

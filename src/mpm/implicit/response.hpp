@@ -1,4 +1,5 @@
-// What stress a particle gives to its nodes when these move, and how that changes with their displacements.
+// What stress a particle gives to its nodes when these move, and how that changes with what they
+// move.
 //
 //   Phi = Phi_0 + sum u_i (x) G_i      Phi_0 = I, G of the places at the start of the step;
 //                                      total Lagrangian: Phi_0 = F_n, G of the reference places

@@ -47,6 +47,9 @@ SolidLabels declare_all() {
   l.heating = declare("p.dTdt", real, "K/s",
                       "Rate of a particle's temperature in the step just taken: work that becomes "
                       "heat, conduction, heat sources.");
+  l.place_of_format =
+      declare("p.xx", vector, "m",
+              "Of implicit steps: place of a particle, as p.x, under another name of the format.");
   l.rate_of_format = declare("p.dTdt+", real, "K/s", "p.dTdt, under another name of the format.");
   l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
   l.reference = declare("p.referencePlace", vector, "m",
