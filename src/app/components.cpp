@@ -46,6 +46,7 @@ constexpr ComponentKind kinds[] = {
     {"mpm", mpm::add_mpm_tags, make_mpm},
     {"amrmpm", nullptr, make_mpm},
     {"impm", nullptr, make_mpm},
+    {"sfmpm", nullptr, make_mpm},
     {"mpmice", nullptr, make_mpmice},
     {"rmpmice", nullptr, make_mpmice},
     {"rigidmpmice", nullptr, make_mpmice},

@@ -213,10 +213,15 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
 }
 
 bool SolidParticles::is_absent(const std::string& name) const {
-  // Forces of a fluid act on corners of particles: no node has an acceleration from its pressure.
-  if (name == "gradPAccNC") return true;
-  // Particles tell how far they have gone: no node keeps its displacement.
-  if (name == "dispNew") return true;
+  constexpr std::string_view names[] = {
+      "gradPAccNC",  // forces of a fluid act on corners of particles
+      "dispNew",     // particles tell how far they have gone
+      "p.surface",   // pieces know their surfaces
+      // Of the format's single velocity field, which looks for surfaces.
+      "p.surfgrad", "g.surf", "g.surfgrad", "g.surfnorm"};
+  if (std::find(std::begin(names), std::end(names), name) != std::end(names)) return true;
+  // Of the two sides of a crack.
+  if (name.starts_with("g.") && (name.ends_with("F0") || name.ends_with("F1"))) return true;
   if (name == "p.xx" && solids_->implicit) return false;
   return is_label_of_laws(name) &&
          std::none_of(kinds_.begin(), kinds_.end(), [&](const ParticleKind& kind) {

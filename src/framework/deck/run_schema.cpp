@@ -75,14 +75,16 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "amrmpm", "impm", "mpmice", "rmpmice", "rigidmpmice",
-                             "poisson1", "poisson2", "poisson3", "solvertest", "burger", "wave",
-                             "benchmark"})
+                     .words({"ice", "mpm", "amrmpm", "impm", "sfmpm", "mpmice", "rmpmice",
+                             "rigidmpmice", "poisson1", "poisson2", "poisson3", "solvertest",
+                             "burger", "wave", "benchmark"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")
                      .spelling("AMRmpm", "amrmpm")
                      .spelling("IMPM", "impm")
+                     .spelling("SFMPM", "sfmpm")
+                     .spelling("SFmpm", "sfmpm")
                      .spelling("MPMICE", "mpmice")
                      .spelling("RIGIDMPMICE", "rigidmpmice")
                      .spelling("POISSON1", "poisson1")
@@ -120,10 +122,7 @@ TagSpec component() {
                                  "rmpm",
                                  "rigidmpm",
                                  "RIGIDMPM",
-                                 "sfmpm",
                                  "shmpm",
-                                 "SFmpm",
-                                 "SFMPM",
                                  "smpmice",
                                  "shellmpmice",
                                  "SHELLMPMICE",

@@ -6,19 +6,24 @@
 namespace sluice::mpm {
 namespace {
 
+// Defaults are told here and not written into decks, as explicit steps read none of these tags.
+std::string with_default(const std::string& doc, const std::string& standard) {
+  return "implicit steps: " + doc + "; " + standard + " by default";
+}
+
 TagSpec implicit_flag(const std::string& name, const std::string& doc,
                       const std::string& standard) {
-  return tag(name, "implicit steps: " + doc).boolean().by_default(standard);
+  return tag(name, with_default(doc, standard)).boolean();
 }
 
 TagSpec implicit_count(const std::string& name, const std::string& doc,
                        const std::string& standard) {
-  return tag(name, "implicit steps: " + doc).integer().at_least(1).by_default(standard);
+  return tag(name, with_default(doc, standard)).integer().at_least(1);
 }
 
 TagSpec implicit_criterion(const std::string& name, const std::string& doc,
                            const std::string& standard) {
-  return tag(name, "implicit steps: " + doc).real().above(0).by_default(standard);
+  return tag(name, with_default(doc, standard)).real().above(0);
 }
 
 }  // namespace
@@ -48,15 +53,11 @@ std::vector<TagSpec> implicit_tags() {
                      "a step that has not converged after so many is taken again, half "
                      "as long",
                      "25"),
-      tag("delT_decrease_factor", "implicit steps: see num_iters_to_decrease_delT")
+      implicit_criterion("delT_decrease_factor", "see num_iters_to_decrease_delT", "0.6")
+          .at_most(0.95),
+      tag("delT_increase_factor", with_default("see num_iters_to_increase_delT", "2"))
           .real()
-          .above(0)
-          .at_most(0.95)
-          .by_default("0.6"),
-      tag("delT_increase_factor", "implicit steps: see num_iters_to_increase_delT")
-          .real()
-          .at_least(1)
-          .by_default("2"),
+          .at_least(1),
       implicit_flag("DoMechanics", "bodies move and deform; false: heat alone", "true"),
       implicit_flag("DoImplicitHeatConduction", "heat is conducted, by a linear system a step",
                     "false"),

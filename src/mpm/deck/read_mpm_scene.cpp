@@ -44,6 +44,23 @@ void make_all_rigid(const DeckNode& root, MpmScene& s) {
   }
 }
 
+// The component sfmpm. Rules of masters act on what all share; others have nothing to act on.
+void share_velocities(MpmScene& s, std::vector<Fault>& faults) {
+  std::erase_if(s.contacts, [&](const ContactRule& c) {
+    const bool by_master = c.kind == ContactKind::specified;
+    if (!by_master && c.kind != ContactKind::single_velocity)
+      add_warning(
+          faults, c.where,
+          "<contact> " + c.type + " has no effect: all materials of sfmpm have one velocity");
+    return !by_master;
+  });
+  if (s.materials.size() < 2) return;
+  ContactRule all;
+  all.kind = ContactKind::single_velocity;
+  all.type = "single_velocity";
+  s.contacts.insert(s.contacts.begin(), all);
+}
+
 }  // namespace
 
 MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
@@ -64,6 +81,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
       read_contacts(*block, s, faults);
       if (zones) read_cohesive_zones(*block, s, faults);
     }
+  if (runs_single_field(root)) share_velocities(s, faults);
   // All that deforms has one velocity at a node: what is left are rigid bodies.
   if (s.implicit) {
     std::erase_if(s.contacts,

@@ -100,13 +100,27 @@ TEST(Flags, MisspeltOrObsoleteOnesAreToldAndRead) {
 }
 
 TEST(Flags, OfOtherMethodsAreRefusedByName) {
-  EXPECT_THAT(flag_faults("<time_integrator>implicit</time_integrator>"),
-              HasSubstr("'implicit' is known to the format, but not supported yet"));
+  EXPECT_THAT(flag_faults("<time_integrator>implicit</time_integrator><XPIC2>true</XPIC2>"),
+              HasSubstr("<XPIC2> true with implicit steps is known to the format"));
   EXPECT_THAT(flag_faults("<coupled_flow_analysis>true</coupled_flow_analysis>"),
               HasSubstr("<coupled_flow_analysis> true is known to the format"));
   EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"),
               HasSubstr("<DoGranularMPM> true"));
   EXPECT_EQ(flag_faults("<DoGranularMPM>false</DoGranularMPM>"), "");
+}
+
+TEST(Contacts, OfASingleFieldShareOneVelocity) {
+  SolidDeck deck = with_contact("<type>friction</type><mu>0.3</mu>");
+  std::string text = text_of(deck);
+  const std::string type = "type='mpm'";
+  text.replace(text.find(type), type.size(), "type='sfmpm'");
+  ReadDeck read;
+  read.deck = load_deck_text(text, "solids.ups", {}, solid_schema());
+  finish_reading(read);
+  EXPECT_THAT(read.text, HasSubstr("<contact> friction_bard has no effect: all materials of sfmpm"));
+  ASSERT_EQ(read.solids.contacts.size(), 1U);
+  EXPECT_EQ(read.solids.contacts[0].kind, ContactKind::single_velocity);
+  EXPECT_TRUE(read.solids.contacts[0].materials.empty());
 }
 
 TEST(Flags, ThatContradictEachOtherAreFaults) {

@@ -36,6 +36,11 @@ bool runs_mpm(const DeckNode& root) {
   return is_one_of(component_of(root), solids_alone);
 }
 
+bool runs_single_field(const DeckNode& root) {
+  constexpr std::string_view names[] = {"sfmpm"};
+  return is_one_of(component_of(root), names);
+}
+
 bool runs_solids(const DeckNode& root) {
   return runs_mpm(root) || is_one_of(component_of(root), with_fluid);
 }

@@ -12,6 +12,8 @@ void add_mpm_tags(Schema& schema);
 
 // Whether the deck runs solids, as far as can be seen: alone, or with a fluid too.
 bool runs_mpm(const DeckNode& root);
+// The component sfmpm: all materials have one velocity at a node.
+bool runs_single_field(const DeckNode& root);
 bool runs_solids(const DeckNode& root);
 // The <material> nodes of MPM, in index order.
 std::vector<const DeckNode*> mpm_materials(const DeckNode& root);

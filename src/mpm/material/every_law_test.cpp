@@ -98,6 +98,11 @@ const LawCase cases[] = {
      "<Ps>6e9</Ps><Pe>.46e9</Pe><rhoS>9041</rhoS><K0>35.2e9</K0><T_0>298</T_0><C_0>3800</C_0>"
      "<Gamma_0>1.2</Gamma_0><S_alpha>1.1</S_alpha>",
      Kind::rate, 35.2e9, 0},
+    {"p_alpha",
+     "<Ps>6e9</Ps><Pe>.46e9</Pe><rhoS>9041</rhoS><K0>35.2e9</K0><T_0>298</T_0><C_0>3800</C_0>"
+     "<Gamma_0>1.2</Gamma_0><S_alpha>1.1</S_alpha><shear_modulus>20e9</shear_modulus>"
+     "<yield_stress>5e8</yield_stress><hardening_modulus>1e9</hardening_modulus>",
+     Kind::rate, 35.2e9, 20e9, 0.1, 1e-9, 1e-3, "p_alpha_with_shear"},
     {"ArrudaBoyce8",
      "<bulk_modulus>6e4</bulk_modulus><shear_modulus>3e4</shear_modulus><beta>1.67</beta>",
      Kind::stored_energy, 6e4, 3e4},

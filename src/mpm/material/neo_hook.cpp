@@ -129,11 +129,11 @@ std::shared_ptr<const Material> make_neo_hook(const NeoHookConstants& constants)
 }
 
 MaterialModel comp_neo_hook_model() {
-  return {"comp_neo_hook", {}, "neo-Hookean solid, elastic", plastic_tags(false), make};
+  return {"comp_neo_hook", {"cnh_damage"}, "neo-Hookean solid, elastic", plastic_tags(false), make};
 }
 MaterialModel comp_neo_hook_plastic_model() {
   return {"comp_neo_hook_plastic",
-          {},
+          {"cnhp_damage"},
           "neo-Hookean solid that yields by von Mises with linear hardening",
           plastic_tags(true),
           make};

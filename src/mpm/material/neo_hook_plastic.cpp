@@ -1,13 +1,5 @@
 // comp_neo_hook_plastic: the neo-Hookean solid that yields by von Mises with linear hardening
-// (Simo and Hughes 1998, box 9.1; alpha and H of their equation 9.3.21).
-//
-//   f_bar = J_f^(-1/3) f,   f = I + dt L;   b_tr = f_bar b_e f_bar^T;   s = G dev b_tr
-//   phi = |s| - sqrt(2/3) (sigma_Y + H alpha);   where phi > 0, with mu_bar = G tr b_tr/3:
-//   dgamma = (phi/(2 mu_bar))/(1 + H/(3 mu_bar)),   s -= 2 mu_bar dgamma s/|s|,
-//   alpha += sqrt(2/3) dgamma,   b_e = s/G + m I
-//
-// m keeps det b_e = 1: m^3 - |d|^2/2 m + det d = 1 with d = s/G. The book takes m = tr b_tr/3,
-// which leaves the trial's stored energy in the body: plastic work would be counted twice.
+// (shear_return.hpp).
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +8,7 @@
 #include "mpm/material/neo_hook.hpp"
 #include "mpm/material/objective_step.hpp"
 #include "mpm/material/particle_random.hpp"
+#include "mpm/material/shear_return.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -77,9 +70,8 @@ class NeoHookPlastic final : public Material {
     double *alpha = batch.history[alpha_column], *yield = batch.history[yield_column];
     double *energy = batch.energy, *wave_speed = batch.wave_speed;
     const double K = c_.bulk, G = c_.shear, H = hardening_, J0 = c_.J0, dt = batch.dt;
-    const double per_density = 1 / c_.density, per_G = 1 / G, alpha_0 = alpha_;
+    const double per_density = 1 / c_.density, alpha_0 = alpha_;
     const double expansion = c_.expansion, room = c_.room;
-    const double root_2_3 = std::sqrt(2.0 / 3);
 #pragma GCC ivdep
     for (int i = 0; i < batch.count; ++i) {
       std::array<double, 9> f = at(L_columns, i);
@@ -87,33 +79,12 @@ class NeoHookPlastic final : public Material {
       f[0] += 1;
       f[4] += 1;
       f[8] += 1;
-      const std::array<double, 6> trial = pushed(at(old_b, i), f);
-      const double root = inverse_cube_root(determinant(f)), scale = root * root;
-      const double mean = scale * (trial[0] + trial[1] + trial[2]) * (1.0 / 3);
-      std::array<double, 6> s = {G * (scale * trial[0] - mean), G * (scale * trial[1] - mean),
-                                 G * (scale * trial[2] - mean), G * scale * trial[3],
-                                 G * scale * trial[4],          G * scale * trial[5]};
-      const double size = std::sqrt(double_dot(s, s));
-      const double phi = size - root_2_3 * (old_yield[i] + H * old_alpha[i]);
-      const double excess = phi > 0 ? phi : 0, mu2 = 2 * G * mean;
-      const double dgamma = excess / (mu2 + 2.0 / 3 * H);
-      const double keep = 1 - mu2 * dgamma / (size + 1e-300);
-      for (double& x : s) x *= keep;
-      const double a = old_alpha[i] + root_2_3 * dgamma;
+      const ShearState now = shear_return(at(old_b, i), f, G, old_yield[i], H, old_alpha[i]);
+      const std::array<double, 6> s = now.s, b = now.b;
+      const double a = now.alpha, m = now.m;
       alpha[i] = a;
       yield[i] = old_yield[i];
 
-      std::array<double, 6> b = s;
-      for (double& x : b) x *= per_G;
-      const double square = 0.5 * double_dot(b, b);
-      const double rest = b[0] * (b[1] * b[2] - b[3] * b[3]) - b[5] * (b[5] * b[2] - b[3] * b[4]) +
-                          b[4] * (b[5] * b[3] - b[1] * b[4]) - 1;
-      // Newton's method from the trial's m, which is no less: it comes down to the root.
-      double m = mean;
-      for (int k = 0; k < 4; ++k) m -= (m * (m * m - square) + rest) / (3 * m * m - square);
-      b[0] += m;
-      b[1] += m;
-      b[2] += m;
       const double J_F = determinant(at(F_columns, i)), J = J_F * J0;
       double pressure = 0.5 * K * (J - 1 / J), stored = 0.5 * K * volume_logs(J).energy;
       if constexpr (thermal) {

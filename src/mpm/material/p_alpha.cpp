@@ -14,7 +14,8 @@
 //   k (alpha0 - 1) = alpha0 (1/K0 - alpha0/(rhoS C_0^2))
 // p and e are solved together, e_1 = e_0 - (p_0 + p_1)(v_1 - v_0)/2: one step over a shock lands on
 // the Hugoniot of the porous body. Temperature: of the solid along its isentrope, and the work of
-// the pores as heat. No strength in shear, none that ends tension.
+// the pores as heat. With <shear_modulus>: sigma = -p I + s/J (shear_return.hpp), what it stores is
+// no part of e, plastic work is. No strength ends tension.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
+#include "mpm/material/shear_return.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -36,7 +38,10 @@ struct PorousConstants {
   double K_0 = 0;
   double stiffness = 0, Gamma_0 = 0, S = 0;  // of the solid; rhoS C_0^2, Pa
   double solid_density = 0, density = 0, specific_heat = 0, T_0 = 0;
+  double shear = 0, yield = 0, hardening = 0;  // G, sigma_Y, H, Pa
 };
+
+constexpr int b_column = 3, plastic_column = 9;  // of bodies with strength in shear
 
 struct Pores {
   double alpha, slope;  // d alpha/dp
@@ -49,9 +54,13 @@ class PorousSolid final : public Material {
     history_ = {{history_label("p.alpha"), 1},
                 {history_label("p.alphaUnloaded"), 1},
                 {history_label("p.thermalPressure"), 1}};
+    if (!(c_.shear > 0)) return;
+    history_.push_back({history_label("p.bElBar"), 6});
+    history_.push_back({plastic_strain_label(), 1});
   }
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.K_0; }
+  double shear_modulus() const override { return c_.shear; }
 
   void start(const Batch& b) const override {
     for (int i = 0; i < b.count; ++i) {
@@ -61,7 +70,7 @@ class PorousSolid final : public Material {
       const State now = solved(s);
       b.history[2][i] = s.thermal;
       b.energy[i] = 0;
-      set(b, i, J, now);
+      set(b, i, J, now, {{}, {1, 1, 1}, 1, 0});
     }
   }
 
@@ -69,21 +78,23 @@ class PorousSolid final : public Material {
     if (const auto fault = fault_of_volume(b)) return fault;
     for (int i = 0; i < b.count; ++i) {
       const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-      const double p_0 = -b.old_stress[0][i], E_0 = b.old_energy[i] / b.volume_0[i];
+      const double p_0 = -(b.old_stress[0][i] + b.old_stress[1][i] + b.old_stress[2][i]) / 3;
+      const Shear shear = sheared(b, i);
+      const double E_0 = b.old_energy[i] / b.volume_0[i] - shear.stored_before + shear.heat;
       const Step s = {J_0, J, p_0, E_0, b.old_history[2][i], b.old_history[1][i]};
       const State now = solved(s);
       if (!now.good) return BatchFault{i, "past the pole of Mie-Grueneisen", J};
       const double mean_p = 0.5 * (p_0 + now.p);
       b.history[2][i] = s.thermal;
-      b.energy[i] = b.volume_0[i] * (E_0 - mean_p * (J - J_0));
+      b.energy[i] = b.volume_0[i] * (E_0 - mean_p * (J - J_0) + shear.stored);
       const double old_alpha = b.old_history[0][i];
       const double solid_0 = J_0 * c_.alpha_0 / old_alpha, solid = J * c_.alpha_0 / now.alpha;
       const double of_pores =
           -mean_p * 0.5 * (solid_0 + solid) / c_.solid_density * (now.alpha - old_alpha);
       b.heating[i] += (b.temperature[i] * std::expm1(-c_.Gamma_0 * (solid - solid_0)) +
-                       of_pores / c_.specific_heat) /
+                       (of_pores + shear.heat / c_.density) / c_.specific_heat) /
                       b.dt;
-      set(b, i, J, now);
+      set(b, i, J, now, shear.state);
     }
     return std::nullopt;
   }
@@ -99,11 +110,40 @@ class PorousSolid final : public Material {
     bool good = true;
   };
 
-  void set(const Batch& b, int i, double J, const State& now) const {
+  // Shear of a step, J per m^3 at the start.
+  struct Shear {
+    ShearState state{{}, {1, 1, 1}, 1, 0};
+    double stored_before = 0, stored = 0, heat = 0;
+  };
+  Shear sheared(const Batch& b, int i) const {
+    Shear to;
+    if (!(c_.shear > 0)) return to;
+    std::array<double, 6> old_b;
+    for (int k = 0; k < 6; ++k) old_b[static_cast<std::size_t>(k)] = b.old_history[b_column + k][i];
+    std::array<double, 9> f = at(b.L, i);
+    for (double& x : f) x *= b.dt;
+    for (const std::size_t e : {0, 4, 8}) f[e] += 1;
+    const double alpha = b.old_history[plastic_column][i];
+    to.state = shear_return(old_b, f, c_.shear, c_.yield, c_.hardening, alpha);
+    to.stored_before = 0.5 * c_.shear * (old_b[0] + old_b[1] + old_b[2] - 3);
+    to.stored = 1.5 * c_.shear * (to.state.m - 1);
+    to.heat = (to.state.alpha - alpha) * (c_.yield + 0.5 * c_.hardening * (to.state.alpha + alpha));
+    return to;
+  }
+
+  void set(const Batch& b, int i, double J, const State& now, const ShearState& shear) const {
     b.history[0][i] = now.alpha;
     b.history[1][i] = now.unloaded;
-    for (int k = 0; k < 6; ++k) b.stress[k][i] = k < 3 ? -now.p : 0;
-    b.wave_speed[i] = std::sqrt(std::max(now.modulus, 1e-3 * c_.K_0) * J / c_.density);
+    double modulus = std::max(now.modulus, 1e-3 * c_.K_0);
+    for (std::size_t k = 0; k < 6; ++k) {
+      b.stress[k][i] = (k < 3 ? -now.p : 0) + shear.s[k] / J;
+      if (c_.shear > 0) b.history[b_column + k][i] = shear.b[k];
+    }
+    if (c_.shear > 0) {
+      b.history[plastic_column][i] = shear.alpha;
+      modulus += c_.shear * (4.0 / 3 * shear.m + eigenvalue_reach(shear.b, shear.m)) / J;
+    }
+    b.wave_speed[i] = std::sqrt(modulus * J / c_.density);
   }
 
   Pores pores(double p, double unloaded) const {
@@ -233,11 +273,9 @@ std::shared_ptr<const Material> make(const Parameters& p) {
     p.error("T_0", "<specific_heat> of the material must be greater than 0");
     good = false;
   }
-  for (const char* name : {"shear_modulus", "yield_stress", "hardening_modulus"})
-    if (p.real(name) != 0) {
-      add_not_built(p.faults(), p.block(name)->where, fmt::format("p_alpha: <{}>", name));
-      good = false;
-    }
+  c.shear = p.real("shear_modulus");
+  c.yield = p.real("yield_stress");
+  c.hardening = p.real("hardening_modulus");
   if (!good) return nullptr;
   const auto differs = [&](const char* name, double counts, const char* of) {
     if (p.has(name) && !(std::abs(p.real(name) / counts - 1) < 0.01))
@@ -265,8 +303,9 @@ MaterialModel p_alpha_model() {
       positive_or("T_0", "temperature at which the solid has no thermal pressure, K", 300),
       tag("alpha0", "held against <rhoS>/<density>, which counts").real().at_least(1),
       tag("Ks", "held against <rhoS> <C_0>^2, which counts, Pa").real().above(0)};
-  for (const char* name : {"shear_modulus", "yield_stress", "hardening_modulus"})
-    tags.push_back(number(name, "0; a strength in shear is not supported", 0));
+  tags.push_back(number("shear_modulus", "G of the porous body, Pa; 0: none", 0).at_least(0));
+  tags.push_back(number("yield_stress", "of von Mises, at the start, Pa", 0).at_least(0));
+  tags.push_back(number("hardening_modulus", "sigma_Y over plastic strain, Pa", 0).at_least(0));
   return {"p_alpha", {}, "porous solid whose pores close under pressure", tags, make};
 }
 

@@ -133,6 +133,39 @@ TEST(PorousSolid, WarmSolidPresses) {
   EXPECT_NEAR(s.pressure() / (p_s / (alpha_0 + solid_K * closing / alpha_0)), 1, 1e-3);
 }
 
+// Simple shear: G gamma, then the yield stress; what is not stored heats the solid, which presses
+// on its volume.
+TEST(PorousSolid, YieldsInShear) {
+  constexpr double G = 20e9, Y = 1e8, end = 0.05;
+  MaterialSample s = {law("p_alpha",
+                          porous + "<shear_modulus>20e9</shear_modulus>"
+                                   "<yield_stress>1e8</yield_stress>",
+                          porous_constants()),
+                      porous_constants(), 1, 298};
+  const auto sheared = [](double gamma) { return Matrix{1, gamma, 0, 0, 1, 0, 0, 0, 1}; };
+  double work = 0, before = 0;
+  for (int n = 1; n <= 5000; ++n) {
+    const double gamma = end * n / 5000;
+    ASSERT_EQ(s.step(sheared(gamma), 1e-6), std::nullopt);
+    const double now = s.stress()[5];
+    if (gamma < 0.9 * Y / (std::sqrt(3) * G)) {
+      EXPECT_NEAR(now / (G * gamma), 1, 1e-9);
+    }
+    work += 0.5 * (before + now) * end / 5000;
+    before = now;
+  }
+  const double p = s.pressure();
+  EXPECT_NEAR(s.equivalent() / Y, 1, 1e-9);
+  EXPECT_NEAR(s.energy() / work, 1, 2e-4);
+  const double stored = Y * Y / (6 * G), heat = s.energy() - stored;
+  // As pores close a little, the solid takes their place and cools.
+  const double cooled = 298 * Gamma * (alpha_0 / s.history(0) - 1);
+  EXPECT_NEAR((s.temperature() - 298 + cooled) / (heat / (14100 * 150.0)), 1, 1e-3);
+  // alpha p = Gamma alpha0 e + K_s d alpha/alpha, d alpha = -k (alpha - 1) p
+  const double closing = alpha_0 * (1 / K0 - alpha_0 / solid_K);
+  EXPECT_NEAR(p / (Gamma * alpha_0 * heat / (alpha_0 + solid_K * closing / alpha_0)), 1, 2e-3);
+}
+
 TEST(PorousSolid, BadNumbersAreTold) {
   const auto told_of = [](const std::string& inside) {
     std::vector<Fault> faults;
