@@ -58,8 +58,9 @@ void check_contacts_of(const DeckNode& block, std::vector<Fault>& faults) {
                 "valid: null, single_velocity, rigid");
       continue;
     }
-    if (is_true(contact, "normal_only"))
-      refuse_implicit(*contact->child("normal_only"), "<normal_only> true", faults);
+    for (const char* name : {"normal_only", "include_rotation"})
+      if (is_true(contact, name))
+        refuse_implicit(*contact->child(name), fmt::format("<{}> true", name), faults);
     for (const char* name : {"filename", "ExcludeMaterial"})
       if (const DeckNode* node = contact->child(name); node != nullptr && !node->text.empty())
         refuse_implicit(*node, fmt::format("<{}>", name), faults);
@@ -75,6 +76,48 @@ void check_contacts_of(const DeckNode& block, std::vector<Fault>& faults) {
       refuse_implicit(*node, fmt::format("<{}>", name), faults);
     }
   }
+}
+
+bool is_rigid(const DeckNode& material) {
+  const DeckNode* law = material.child("constitutive_model");
+  return is_true(&material, "is_rigid") ||
+         (law != nullptr && law->attribute("type").value_or("") == "rigid");
+}
+
+// Rigid materials say how nodes move, where a rule says so; nothing else does.
+void warn_of_idle_bodies(const DeckNode& block, std::vector<Fault>& faults) {
+  bool ruled = false;
+  for (const DeckNode* contact : block.all("contact")) {
+    const DeckNode* type = contact->child("type");
+    ruled |= type != nullptr && type->text == "specified";
+  }
+  bool any = false;
+  for (const DeckNode* material : block.all("material")) {
+    any |= is_rigid(*material);
+    if (is_rigid(*material) && !ruled)
+      add_warning(faults, material->where,
+                  "a rigid material without <contact> of type rigid: it passes through the others");
+  }
+  if (ruled && !any)
+    add_warning(
+        faults, block.where,
+        "<contact> rigid has no effect: no material is rigid, and in implicit steps no other "
+        "says how nodes move");
+}
+
+void check_heat_of_sides(const DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* conditions = root.find("Grid/BoundaryConditions");
+  if (conditions == nullptr) return;
+  for (const DeckNode* face : conditions->all("Face"))
+    for (const DeckNode* type : face->all("BCType")) {
+      const auto value = real_of(type, "value");
+      if (type->attribute("label").value_or("") != "Temperature") continue;
+      if (type->attribute("var").value_or("") == "Neumann" && value && *value != 0)
+        refuse_implicit(*type, "a gradient of the temperature on a side", faults);
+      const std::string id = type->attribute("id").value_or("all");
+      if (id != "all" && mpm_materials(root).size() > 1)
+        refuse_implicit(*type, "a temperature of one material on a side", faults);
+    }
 }
 
 void check_implicit_levels(const DeckNode& root, std::vector<Fault>& faults) {
@@ -100,7 +143,12 @@ void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
   }
   if (flags != nullptr) check_flags_of(*flags, faults);
   for (const DeckNode* properties : root.all("MaterialProperties"))
-    if (const DeckNode* block = properties->child("MPM")) check_contacts_of(*block, faults);
+    if (const DeckNode* block = properties->child("MPM")) {
+      check_contacts_of(*block, faults);
+      warn_of_idle_bodies(*block, faults);
+    }
+  if (flags != nullptr && is_true(flags, "DoImplicitHeatConduction"))
+    check_heat_of_sides(root, faults);
   check_implicit_levels(root, faults);
 }
 

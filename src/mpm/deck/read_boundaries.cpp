@@ -30,6 +30,9 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
     if (!c.has_value)
       add_warning(faults, c.where, "a velocity without <value>: [0,0,0] is taken",
                   "write <value>[0.0,0.0,0.0]</value>");
+    else if (!c.is_vector && c.value == 0)
+      add_warning(faults, c.where, "the velocity at a face is a vector: 0 is taken as [0,0,0]",
+                  "write [0.0,0.0,0.0]");
     else if (!c.is_vector)
       add_error(faults, c.where, "the velocity at a face is a vector", "write [0.0,0.0,0.0]");
     return true;

@@ -117,7 +117,8 @@ TEST(Contacts, OfASingleFieldShareOneVelocity) {
   ReadDeck read;
   read.deck = load_deck_text(text, "solids.ups", {}, solid_schema());
   finish_reading(read);
-  EXPECT_THAT(read.text, HasSubstr("<contact> friction_bard has no effect: all materials of sfmpm"));
+  EXPECT_THAT(read.text,
+              HasSubstr("<contact> friction_bard has no effect: all materials of sfmpm"));
   ASSERT_EQ(read.solids.contacts.size(), 1U);
   EXPECT_EQ(read.solids.contacts[0].kind, ContactKind::single_velocity);
   EXPECT_TRUE(read.solids.contacts[0].materials.empty());
@@ -192,11 +193,13 @@ TEST(Materials, BadOnesAreErrorsWithTheirLine) {
 TEST(Materials, StrayStateAndConstantsAreToldAndDropped) {
   SolidDeck deck;
   deck.material = "<D1>0.1</D1><gamma>1.4</gamma>";
-  deck.objects.insert(deck.objects.find("<res>"), "<density>5</density><pressure>1</pressure>");
+  deck.objects.insert(deck.objects.find("<res>"),
+                      "<density>5</density><pressure>1</pressure><concentration>0</concentration>");
   const ReadDeck read = read_solids(deck);
   EXPECT_FALSE(any_error(read.faults)) << read.text;
   for (const char* told : {"<D1> is obsolete", "<gamma> is obsolete",
-                           "<density> in <geom_object> has no effect", "<pressure> in"})
+                           "<density> in <geom_object> has no effect", "<pressure> in",
+                           "<concentration> in <geom_object> has no effect"})
     EXPECT_THAT(read.text, HasSubstr(told));
 }
 

@@ -65,6 +65,9 @@ constexpr Stray stray_state[] = {
     {"density", "a solid's density is that of its material"},
     {"pressure", "a solid's pressure follows from its law"},
 };
+constexpr Stray stray_concentration[] = {
+    {"concentration", "do_scalar_diffusion alone reads it"},
+};
 
 template <class Table>
 void drop(DeckNode& parent, const Table& table, std::vector<Fault>& faults) {
@@ -124,10 +127,16 @@ void drop_stray_flags(DeckNode& root, std::vector<Fault>& faults) {
 
 void drop_stray_state(DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_solids(root)) return;
+  const DeckNode* flags = root.child("MPM");
+  const DeckNode* diffuses = flags == nullptr ? nullptr : flags->child("do_scalar_diffusion");
   for_blocks_of_materials(root, [&](DeckNode& mpm) {
     for (const auto& material : mpm.children)
       for (const auto& object : material->children)
-        if (object->name == "geom_object") drop(*object, stray_state, faults);
+        if (object->name == "geom_object") {
+          drop(*object, stray_state, faults);
+          if (diffuses == nullptr || diffuses->text == "false")
+            drop(*object, stray_concentration, faults);
+        }
   });
 }
 

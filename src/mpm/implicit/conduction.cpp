@@ -44,16 +44,22 @@ HeatOfNodes sum_heat(const NodesOfStep::Parts& p, const OutsideForces& outside, 
   return h;
 }
 
-// What a side says of the temperature of its nodes.
-std::optional<double> given_temperature(const MpmScene& solids, const Level& level, IntVec3 node) {
-  for (const SolidBoundary& b : solids.boundaries) {
+// What a side says of the temperature of its nodes; the last that speaks of a place counts.
+std::optional<double> given_temperature(const NodesOfStep::Parts& p, IntVec3 node) {
+  const Level& level = *p.level;
+  std::optional<double> given;
+  for (const SolidBoundary& b : p.solids->boundaries) {
     const int d = direction_of(b.side);
     if (b.kind != SolidBoundary::Kind::temperature || !level.active[static_cast<std::size_t>(d)])
       continue;
-    if (is_plus(b.side) ? node[d] >= level.domain.upper[d] : node[d] <= level.domain.lower[d])
-      return b.value.x;
+    if (is_plus(b.side) ? node[d] < level.domain.upper[d] : node[d] > level.domain.lower[d])
+      continue;
+    const auto& regions = p.scene->boundary.side(b.side).regions;
+    const Vec3 place = level.anchor + to_real(node) * level.spacing;
+    if (b.region <= 0 || regions[static_cast<std::size_t>(b.region)].shape.contains(d, place))
+      given = b.value.x;
   }
-  return std::nullopt;
+  return given;
 }
 
 // K of one node with all others, in their order.
@@ -97,7 +103,7 @@ bool conduct_heat(const NodesOfStep::Parts& p, const OutsideForces& outside, dou
   for (std::size_t n = 0; n < count; ++n) {
     if (!(h.capacity[n] > 0)) continue;
     before[n] = h.heat[n] / h.capacity[n];
-    given[n] = given_temperature(*p.solids, *p.level, p.reached->index(n));
+    given[n] = given_temperature(p, p.reached->index(n));
     if (given[n]) warmed[n] = *given[n] - before[n];
     moves |= h.source[n] != 0 || warmed[n] != 0;
     if (!given[n]) unknown[n] = unknowns++;
@@ -118,6 +124,7 @@ bool conduct_heat(const NodesOfStep::Parts& p, const OutsideForces& outside, dou
     double r = h.source[n];
     for (const auto& [m, value] : row) {
       const auto other = static_cast<std::size_t>(m);
+      if (!(h.capacity[other] > 0)) continue;  // reached by a slope alone: nothing is known there
       r -= value * (before[other] - before[n]);
       if (unknown[other] < 0) {
         r -= value * warmed[other];

@@ -10,6 +10,7 @@ namespace sluice::mpm {
 namespace {
 
 constexpr double round_off = 1e-13;  // of the forces in a residual
+constexpr double strained = 0.1;     // of stiffness, beside these: a strain of 1e-14
 constexpr double still = 1e-14;      // of a cell: no displacement at all
 constexpr int most_halvings = 8;
 
@@ -122,6 +123,7 @@ void Equilibrium::find_pattern() {
     }
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
+    near.shrink_to_fit();
   });
   rows_.begin.assign(1, 0);
   rows_.column.clear();
@@ -158,8 +160,12 @@ double Equilibrium::assemble_row(const NodesOfStep& nodes, std::size_t n, bool g
       inner[a] -= f;
       size += std::fabs(f);
       const double* row = A + 27 * a;
-      for (int e = 0; e < 9; ++e)
+      double stiffest = 0;
+      for (int e = 0; e < 9; ++e) {
         M[a][e] = sign * (row[e] * g[0] + row[9 + e] * g[1] + row[18 + e] * g[2]);
+        stiffest = std::max(stiffest, std::fabs(M[a][e]));
+      }
+      size += strained * stiffest;
     }
     for (std::size_t e = s.first(entry.particle); e < s.first(entry.particle + 1); ++e) {
       double* block =
@@ -286,6 +292,8 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& solver) {
     for (std::size_t i = 0; i < change.size(); ++i) energy += change[i] * right_[i];
     energy = std::fabs(energy);
     const double square = move(nodes, change, 1, gives);
+    if (report.iterations == 1) first_energy = energy;
+    most_square = std::max(most_square, square);
     if (!evaluate(nodes, report.reason)) {
       double share = 1;
       int halvings = 0;
@@ -298,8 +306,6 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& solver) {
       continue;
     }
     gives = false;
-    most_square = std::max(most_square, square);
-    if (report.iterations == 1) first_energy = energy;
     if (square <= still * still * static_cast<double>(change.size()) ||
         (square <= settings.displacement_criterion * most_square &&
          energy <= settings.energy_criterion * first_energy)) {

@@ -103,6 +103,7 @@ Verdict ImplicitStep::find_displacements(const StageScope& scope) {
   newton_ = equilibrium_->find(*nodes_, solver_);
   if (newton_.converged) return Verdict::good;
   *scope.reason = newton_.reason;
+  retried_ = true;
   return Verdict::reject;
 }
 
@@ -144,7 +145,10 @@ void ImplicitStep::read_nodes(std::size_t k, const Response::Span& span) {
     for (int d = 0; d < 3; ++d) {
       const auto axis = static_cast<std::size_t>(d);
       next.coordinate(d)[p] = now.coordinate(d)[p] + u[d];
-      to_v[axis][p] = dynamic ? v[axis][p] + change[d] : u[d] / span.dt;
+      if (!solids_->implicit->mechanics)
+        to_v[axis][p] = v[axis][p];
+      else
+        to_v[axis][p] = dynamic ? v[axis][p] + change[d] : u[d] / span.dt;
       to_a[axis][p] = a[d];
       if (to_way[axis] != nullptr) to_way[axis][p] = way[axis][p] + u[d];
       if (to_force[axis] != nullptr) to_force[axis][p] = forces_[k].empty() ? 0 : forces_[k][p][d];
@@ -187,7 +191,8 @@ bool ImplicitStep::move_chunk(std::size_t k, const Response::Span& span, Respons
   return true;
 }
 
-// Rigid particles keep all but their place, their velocity and their temperature.
+// Rigid particles keep all but their place, their velocity and their temperature; without
+// mechanics these too.
 void ImplicitStep::keep_rigid(std::size_t k, double dt) {
   AllParticles::Kind& kind = particles_.kind(k);
   const Columns& c = (*carried_)[k].columns;
@@ -196,6 +201,9 @@ void ImplicitStep::keep_rigid(std::size_t k, double dt) {
   const auto v = write_columns<3>(kind.next, c.velocity),
              way = write_columns<3>(kind.next, c.displacement);
   for (std::size_t p = 0; p < kind.now.size(); ++p)
+    for (int d = 0; d < 3 && !solids_->implicit->mechanics; ++d)
+      kind.next.coordinate(d)[p] = kind.now.coordinate(d)[p];
+  for (std::size_t p = 0; p < kind.now.size() && solids_->implicit->mechanics; ++p)
     for (int d = 0; d < 3; ++d) {
       const auto axis = static_cast<std::size_t>(d);
       kind.next.coordinate(d)[p] = kind.now.coordinate(d)[p] + rigid_[k][p][d];
@@ -268,7 +276,14 @@ void ImplicitStep::find_rates(const StageScope& scope) {
   double factor = 1;
   if (newton_.iterations <= settings.iterations_to_grow) factor = settings.grow;
   if (newton_.iterations >= settings.iterations_to_shrink) factor = settings.shrink;
-  new_rates_[0] = std::max(rate, 1 / (factor * scope.step.dt / scene_->time.timestep_multiplier));
+  // A step that an output or the end of the run cut says nothing about the next.
+  double length = scope.step.dt;
+  const double before = scope.maxima->front().front();
+  if (!retried_ && scope.dt_before > 0 && before > 0) {
+    const double most = scene_->time.delt_max > 0 ? scene_->time.delt_max : 1e300;
+    length = std::max(length, std::min(scene_->time.timestep_multiplier / before, most));
+  }
+  new_rates_[0] = std::max(rate, 1 / (factor * length / scene_->time.timestep_multiplier));
   new_rates_.insert(new_rates_.end(), outside_->counts().begin(), outside_->counts().end());
 }
 
@@ -276,6 +291,7 @@ Verdict ImplicitStep::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
                                 ranks = scope.ranks, sums = scope.sums,
                                 end = scope.step.time + scope.step.dt] {
+    retried_ = false;
     cloud->take_over(end);
     book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
     std::vector<double>& all = maxima->front();

@@ -54,6 +54,7 @@ class ImplicitStep {
   std::unique_ptr<Equilibrium> equilibrium_;
   SparseSolver solver_;
   NewtonReport newton_;
+  bool retried_ = false;        // this step is shorter than the one that failed
   std::vector<double> warmed_;  // change of temperature of nodes; empty: heat rests
   std::vector<double> new_rates_;
 };

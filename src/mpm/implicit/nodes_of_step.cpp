@@ -10,6 +10,8 @@ NodesOfStep::NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors
   mass.assign(n, 0.0);
   for (std::vector<Vec3>* field : {&v0, &a0, &force, &u, &way}) field->assign(n, Vec3{});
   given.assign(n, {});
+  by_rigid.assign(n, {});
+  kinds_.assign(parts.particles->count(), std::vector<bool>(n, false));
   sum(parts, forces);
   find_given(parts, rigid);
   for (std::size_t i = 0; i < n; ++i) {
@@ -39,6 +41,7 @@ void NodesOfStep::sum(const Parts& p, const Vectors& forces) {
         const auto n = static_cast<std::size_t>(s.node[e]);
         const double share = m[q] * s.weight[e];
         mass[n] += share;
+        if (share > 0) kinds_[k][n] = true;
         const std::array<double, 3>& g = s.slope[e];
         if (share > 0 || g[0] != 0 || g[1] != 0 || g[2] != 0) deforms[n] = true;
         for (int d = 0; d < 3; ++d) {
@@ -62,7 +65,7 @@ void NodesOfStep::sum(const Parts& p, const Vectors& forces) {
 void NodesOfStep::find_given(const Parts& p, const Vectors& rigid) {
   for (std::size_t n = 0; n < count(); ++n)
     for (std::size_t k = 0; k < p.particles->count(); ++k) {
-      if (p.solids->materials[k].rigid) continue;
+      if (p.solids->materials[k].rigid || (mass[n] > 0 && !holds(n, k))) continue;
       const GivenVelocity g = p.boundary->at(p.reached->index(n), static_cast<int>(k));
       for (int d = 0; d < 3; ++d)
         if (g.given[static_cast<std::size_t>(d)]) {
@@ -88,11 +91,14 @@ void NodesOfStep::find_given(const Parts& p, const Vectors& rigid) {
         }
     }
     for (std::size_t n = 0; n < count(); ++n) {
-      if (!(share[n] > 0)) continue;
+      bool takes = !(mass[n] > 0);
+      for (std::size_t k = 0; k < p.particles->count(); ++k)
+        takes |= holds(n, k) && rule.takes(static_cast<int>(k));
+      if (!(share[n] > 0) || !takes) continue;
       for (int d = 0; d < 3; ++d) {
         const auto axis = static_cast<std::size_t>(d);
         if (rule.directions[d] == 0 || !level_->active[axis] || given[n][axis]) continue;
-        given[n][axis] = true;
+        given[n][axis] = by_rigid[n][axis] = true;
         way[n][d] = moved[n][d] / share[n];
       }
     }

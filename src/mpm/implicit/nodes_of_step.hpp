@@ -44,11 +44,15 @@ class NodesOfStep {
   std::vector<bool> deforms;  // something that deforms is there, if only by its gradient
   std::vector<double> mass;
   std::vector<Vec3> v0, a0, force, u, way;  // force: from outside, gravity too; way: u where given
-  std::vector<std::array<bool, 3>> given;
+  std::vector<std::array<bool, 3>> given, by_rigid;  // by_rigid: by bodies, not by sides
 
  private:
   void sum(const Parts& parts, const Vectors& forces);
   void find_given(const Parts& parts, const Vectors& rigid);
+  // Has a node mass of a material that deforms.
+  bool holds(std::size_t n, std::size_t material) const { return kinds_[material][n]; }
+
+  std::vector<std::vector<bool>> kinds_;  // by material
 
   const Level* level_;
   double dt_;

@@ -11,9 +11,10 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Rows = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>;
 
-constexpr double raised = 1e-8;    // of the diagonal
-constexpr double wanted = 1e-12;   // residual over right-hand side
-constexpr double bearable = 1e-5;  // Newton's method gets on with this
+constexpr double raised = 1e-8;         // of the diagonal
+constexpr double no_stiffness = 1e-14;  // of the largest diagonal: stiffness that is none
+constexpr double wanted = 1e-12;        // residual over right-hand side
+constexpr double bearable = 1e-5;       // Newton's method gets on with this
 constexpr int most_corrections = 60;
 
 }  // namespace
@@ -80,7 +81,13 @@ bool SparseSolver::solve(const SparseRows& rows, std::span<const double> right_s
                rows.column.data(), rows.value.data());
   Eigen::SparseMatrix<double> K = A;
   K = 0.5 * (Eigen::SparseMatrix<double>(A.transpose()) + K).eval();
-  for (int i = 0; i < n; ++i) K.coeffRef(i, i) *= 1 + raised;
+  double most = 0;
+  for (int i = 0; i < n; ++i) most = std::max(most, std::fabs(K.coeff(i, i)));
+  // Rows without stiffness, of nodes that only failed particles reach: none of them is moved.
+  for (int i = 0; i < n; ++i) {
+    double& diagonal = K.coeffRef(i, i);
+    diagonal = std::fabs(diagonal) > no_stiffness * most ? diagonal * (1 + raised) : most;
+  }
   Factor& f = *factor_;
   if (f.begin != rows.begin || f.column != rows.column) {
     f.ldlt.analyzePattern(K);

@@ -1,6 +1,7 @@
 #include "mpm/implicit/stencils.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -8,6 +9,8 @@
 
 namespace sluice::mpm {
 namespace {
+
+constexpr double least_reach = 1e-12;
 
 bool comes_before(IntVec3 a, IntVec3 b) {
   if (a.z != b.z) return a.z < b.z;
@@ -21,7 +24,7 @@ ReachedNodes::ReachedNodes(const MpmScene& solids, const Level& level, const Nod
     : stencils_(particles.count()), raw_(particles.count()) {
   for (std::size_t k = 0; k < particles.count(); ++k)
     find_stencils(solids, level, carried[k], particles.kind(k).now, k);
-  number(boundary, level);
+  number(boundary);
   raw_.clear();
   list_entries();
 }
@@ -65,16 +68,21 @@ void ReachedNodes::find_stencils(const MpmScene& solids, const Level& level, con
               product *= b == a ? w[axis].d[i[a]][q] : w[static_cast<std::size_t>(b)].w[i[b]][q];
             slope[static_cast<std::size_t>(d)] = product;
           }
+          // A particle whose edge lies on a line of nodes reaches the next by round-off alone.
+          double reach = std::fabs(weight);
+          for (int d = 0; d < 3; ++d)
+            reach =
+                std::max(reach, std::fabs(slope[static_cast<std::size_t>(d)]) * level.spacing[d]);
           raw_[kind][entry] = node;
-          s.weight[entry] = weight;
-          s.slope[entry] = slope;
+          s.weight[entry] = reach < least_reach ? 0 : weight;
+          s.slope[entry] = reach < least_reach ? std::array<double, 3>{} : slope;
         }
     }
   });
 }
 
 // Numbers rise along x, then y, then z.
-void ReachedNodes::number(const NodeBoundary& boundary, const Level& level) {
+void ReachedNodes::number(const NodeBoundary& boundary) {
   for (std::size_t k = 0; k < raw_.size(); ++k)
     for (std::size_t e = 0; e < raw_[k].size(); ++e) {
       const int material = static_cast<int>(k);
@@ -85,31 +93,13 @@ void ReachedNodes::number(const NodeBoundary& boundary, const Level& level) {
         if (image.flipped[static_cast<std::size_t>(d)])
           stencils_[k].flipped[e] = static_cast<std::uint8_t>(stencils_[k].flipped[e] | 1 << d);
     }
-  IntVec3 low = level.domain.lower, high = level.domain.upper;
-  for (const auto& nodes : raw_)
-    for (const IntVec3 n : nodes)
-      for (int d = 0; d < 3; ++d) {
-        low[d] = std::min(low[d], n[d]);
-        high[d] = std::max(high[d], n[d]);
-      }
   for (const auto& nodes : raw_) at_.insert(at_.end(), nodes.begin(), nodes.end());
   std::sort(at_.begin(), at_.end(), comes_before);
   at_.erase(std::unique(at_.begin(), at_.end()), at_.end());
-  const IntVec3 size = high - low + IntVec3{1, 1, 1};
-  std::vector<std::int32_t> numbers(static_cast<std::size_t>(size.x) *
-                                    static_cast<std::size_t>(size.y) *
-                                    static_cast<std::size_t>(size.z));
-  const auto place = [&](IntVec3 n) {
-    const IntVec3 i = n - low;
-    return static_cast<std::size_t>(i.x) +
-           static_cast<std::size_t>(size.x) *
-               (static_cast<std::size_t>(i.y) +
-                static_cast<std::size_t>(size.y) * static_cast<std::size_t>(i.z));
-  };
-  for (std::size_t n = 0; n < at_.size(); ++n) numbers[place(at_[n])] = static_cast<int>(n);
   for (std::size_t k = 0; k < raw_.size(); ++k)
     for (std::size_t e = 0; e < raw_[k].size(); ++e)
-      stencils_[k].node[e] = numbers[place(raw_[k][e])];
+      stencils_[k].node[e] = static_cast<std::int32_t>(
+          std::lower_bound(at_.begin(), at_.end(), raw_[k][e], comes_before) - at_.begin());
 }
 
 void ReachedNodes::list_entries() {

@@ -51,7 +51,7 @@ class ReachedNodes {
  private:
   void find_stencils(const MpmScene& solids, const Level& level, const Carried& carried,
                      const ParticleSet& set, std::size_t kind);
-  void number(const NodeBoundary& boundary, const Level& level);
+  void number(const NodeBoundary& boundary);
   void list_entries();
 
   std::vector<Stencils> stencils_;

@@ -117,6 +117,31 @@ void add_of_mirrors(const FinishedStep& s, Sums3& impulse) {
   }
 }
 
+// Force of what deforms on rigid bodies at the end of the step, and its torque about the origin.
+void add_reactions(const FinishedStep& s, std::vector<double>& sums) {
+  const NodesOfStep& nodes = *s.nodes;
+  const Level& level = *s.parts.level;
+  Sums3 force, torque;
+  for (std::size_t n = 0; n < nodes.count(); ++n) {
+    Vec3 f{};
+    const Vec3 v1 = nodes.velocity(n);
+    for (int d = 0; d < 3; ++d) {
+      if (!nodes.by_rigid[n][static_cast<std::size_t>(d)]) continue;
+      f[d] = s.equilibrium->inner_forces()[n][d] + nodes.force[n][d];
+      if (nodes.dynamic()) f[d] -= nodes.mass[n] * (v1[d] - nodes.v0[n][d]) / s.dt;
+      force[static_cast<std::size_t>(d)].add(f[d]);
+    }
+    const Vec3 x = level.anchor + to_real(s.parts.reached->index(n)) * level.spacing;
+    torque[0].add(x.y * f.z - x.z * f.y);
+    torque[1].add(x.z * f.x - x.x * f.z);
+    torque[2].add(x.x * f.y - x.y * f.x);
+  }
+  for (std::size_t d = 0; d < 3; ++d) {
+    sums[StepSums::reaction_x + d] += force[d].value();
+    sums[StepSums::torque_x + d] += torque[d].value();
+  }
+}
+
 struct NodeSums {
   Sums3 impulse;  // of all that acts, in the sense of the rule, but the stresses within
   ExactSum gain, within, outside, given;
@@ -167,6 +192,7 @@ void book_step(const FinishedStep& step, std::vector<double>& sums) {
     sums[static_cast<std::size_t>(StepSums::impulse_x + d)] += acted - outside;
     sums[static_cast<std::size_t>(StepSums::force_x + d)] += outside;
   }
+  add_reactions(step, sums);
   const double rigid_gain = of_particles.rigid_gain.value();
   sums[StepSums::work] += of_nodes.given.value() + rigid_gain;
   sums[StepSums::force_work] += of_nodes.outside.value();

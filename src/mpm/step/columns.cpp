@@ -10,9 +10,14 @@
 namespace sluice::mpm {
 namespace {
 
-bool is_saved(const Scene& scene, const char* name) {
-  return std::any_of(scene.output.saves.begin(), scene.output.saves.end(),
-                     [&](const SaveRequest& s) { return s.label == name; });
+// Is it saved, or followed by an analysis.
+bool is_wanted(const Scene& scene, const char* name) {
+  const auto is_it = [&](const auto& request) { return request.label == name; };
+  return std::any_of(scene.output.saves.begin(), scene.output.saves.end(), is_it) ||
+         std::any_of(scene.analysis.modules.begin(), scene.analysis.modules.end(),
+                     [&](const AnalysisModule& m) {
+                       return std::any_of(m.variables.begin(), m.variables.end(), is_it);
+                     });
 }
 
 // Do the point files of a material have a column.
@@ -85,7 +90,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.columns.half = add(l.half, false);
   if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
   for (double& half : c.half) half = std::min(half, 0.5);
-  if (by_corners(solids.basis) || is_saved(scene, "p.size") || is_saved(scene, "p.scalefactor") ||
+  if (by_corners(solids.basis) || is_wanted(scene, "p.size") || is_wanted(scene, "p.scalefactor") ||
       solids.refine_particles)
     c.columns.size = add(l.size, false);
   if (solids.refine_particles) c.columns.split = add(l.split, false);
@@ -107,7 +112,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     for (const Label label : {l.flame_come, l.flame_time, l.flame_way}) add(label, false);
   }
   if (solids.total_lagrangian) c.columns.reference = add(l.reference, false);
-  if (is_saved(scene, "p.displacement") || is_saved(scene, "g.displacement") ||
+  if (is_wanted(scene, "p.displacement") || is_wanted(scene, "g.displacement") ||
       !solids.manufactured.empty())
     c.columns.displacement = add(l.displacement, true);
   if (solids.with_colour || !solids.insert_file.empty()) c.columns.colour = add(l.colour, false);
@@ -115,9 +120,9 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (loaded) c.columns.marks = add(l.marks, false);
   if (file_gives(material, "p.externalforce")) c.columns.given_force = add(l.given_force, false);
   if (loaded && file_gives(material, "p.normal")) c.columns.normal = add(l.normal, false);
-  if (is_saved(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
-  if (is_saved(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
-  if (is_saved(scene, "p.dTdt") || is_saved(scene, "p.dTdt+") || is_saved(scene, "g.dTdt"))
+  if (is_wanted(scene, "p.externalforce")) c.columns.outside_force = add(l.outside_force, true);
+  if (is_wanted(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
+  if (is_wanted(scene, "p.dTdt") || is_wanted(scene, "p.dTdt+") || is_wanted(scene, "g.dTdt"))
     c.columns.heating = add(l.heating, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   c.columns.history = next;
