@@ -1,6 +1,7 @@
 #include "ice/deck/implicit_settings.hpp"
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/rule_tools.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/solve/solver_tags.hpp"
 #include "ice/deck/schema.hpp"
@@ -49,7 +50,7 @@ void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
     add_error(faults, block->where, "<ImplicitSolver> needs <scheme>conservative</scheme>",
               "remove <scheme>, or <ImplicitSolver>");
   if (const DeckNode* amr = root.child("AMR");
-      amr != nullptr && !boolean_or(*amr, "useLockStep", false))
+      amr != nullptr && !is_true(amr, "useLockStep"))
     if (const DeckNode* grid = root.find("Grid");
         grid != nullptr && amr->child("Regridder") != nullptr)
       add_error(faults, block->where,
