@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "framework/base/error.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/deck/schema_check.hpp"
 
 namespace sluice {
@@ -21,6 +23,16 @@ void sort_by_place(std::vector<Fault>& faults) {
                    [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
 }
 
+// A value that a rule cannot read has been told where values are checked; the other faults of the
+// deck must not be lost with it.
+void apply(const DeckRule& rule, Deck& deck) {
+  try {
+    rule(*deck.root, deck.faults);
+  } catch (const InputError& e) {
+    if (deck.good()) add_error(deck.faults, deck.root->where, e.what());
+  }
+}
+
 Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
   drop_obsolete(*deck.root, deck.faults);
@@ -32,7 +44,7 @@ Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& 
   settle_faces(*deck.root, deck.faults);
   resolve_piece_labels(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
-  for (const DeckRule& rule : schema.rules) rule(*deck.root, deck.faults);
+  for (const DeckRule& rule : schema.rules) apply(rule, deck);
   sort_by_place(deck.faults);
   return deck;
 }

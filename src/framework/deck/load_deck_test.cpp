@@ -287,5 +287,23 @@ TEST(Obsolete, WhatHasNoEffectIsToldOfByLineAndStays) {
   EXPECT_EQ(deck.faults[1].message, "<costAlgorithm> has no effect");
 }
 
+// What a rule cannot read hides no other fault, and is a fault where there is no other.
+TEST(LoadDeck, RulesThatThrowHideNothing) {
+  Schema schema;
+  int calls = 0;
+  schema.rules.push_back(
+      [](const DeckNode&, std::vector<Fault>&) { throw InputError("a rule could not read it"); });
+  schema.rules.push_back([&](const DeckNode&, std::vector<Fault>&) { ++calls; });
+  const std::string good = "<Uintah_specification></Uintah_specification>";
+  const Deck alone = load_deck_text(good, "deck.ups", {}, schema);
+  ASSERT_EQ(alone.faults.size(), 1u);
+  EXPECT_EQ(alone.faults[0].message, "a rule could not read it");
+  const std::string bad = "<Uintah_specification><unknown/></Uintah_specification>";
+  const Deck other = load_deck_text(bad, "deck.ups", {}, schema);
+  ASSERT_EQ(other.faults.size(), 1u);
+  EXPECT_NE(other.faults[0].message.find("unknown"), std::string::npos);
+  EXPECT_EQ(calls, 2);
+}
+
 }  // namespace
 }  // namespace sluice::load_deck_test
