@@ -38,8 +38,7 @@ Verdict ImplicitStep::begin(const StageScope& scope) {
   reached_ = std::make_unique<ReachedNodes>(*solids_, level_, *boundary_, *carried_, particles_);
   find_rigid_displacements(step.time, step.dt);
   find_forces(scope);
-  nodes_ = std::make_unique<NodesOfStep>(parts(), rigid_, forces_, step.time, step.dt,
-                                         scope.dt_before == 0);
+  nodes_ = std::make_unique<NodesOfStep>(parts(), rigid_, forces_, step.dt, scope.dt_before == 0);
   equilibrium_ = std::make_unique<Equilibrium>(parts(), *scope.levels.front()->team(), step.time);
   return Verdict::good;
 }

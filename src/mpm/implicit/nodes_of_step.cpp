@@ -2,8 +2,8 @@
 
 namespace sluice::mpm {
 
-NodesOfStep::NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces,
-                         double /*time*/, double dt, bool first_step)
+NodesOfStep::NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces, double dt,
+                         bool first_step)
     : level_(parts.level), dt_(dt), dynamic_(parts.solids->implicit->dynamic) {
   const std::size_t n = parts.reached->count();
   deforms.assign(n, false);

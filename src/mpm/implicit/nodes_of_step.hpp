@@ -26,8 +26,8 @@ class NodesOfStep {
   // By kind: displacements of rigid particles in the step, forces from outside at its end (empty:
   // none).
   using Vectors = std::vector<std::vector<Vec3>>;
-  NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces, double time,
-              double dt, bool first_step);
+  NodesOfStep(const Parts& parts, const Vectors& rigid, const Vectors& forces, double dt,
+              bool first_step);
 
   std::size_t count() const { return mass.size(); }
   bool is_free(std::size_t n, int d) const {
