@@ -381,7 +381,6 @@ void FluidPart::initialise(Warehouse& state) const {
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
 bool FluidPart::quiet_blocks_allowed() const {
-  if (ice_.solids > 0) return false;
   if (material_count() > 1 &&
       (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))
     return false;

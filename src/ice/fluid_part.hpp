@@ -61,6 +61,8 @@ class FluidPart {
   int first_volume_sum() const;
   int reduction_sums() const;
   bool quiet_blocks_allowed() const;
+  // Blocks that solids meet: what the sweep leaves there is no state yet.
+  bool is_walled(int kind) const { return ice_.solids > 0 && kind == walled_kind(); }
   std::string describe_fault(int kind) const;
 
  private:

@@ -59,6 +59,7 @@ class Ice : public Component {
   int reduction_sums() const override { return fluid_.reduction_sums(); }
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
   bool quiet_blocks_allowed() const override { return fluid_.quiet_blocks_allowed(); }
+  bool may_sleep(int kind) const override { return !fluid_.is_walled(kind); }
   double courant_number() const override { return fluid_.options().cfl; }
   bool diffusive() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;

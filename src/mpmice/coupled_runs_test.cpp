@@ -123,6 +123,22 @@ TEST(CoupledRuns, WhatIsSymmetricStaysSo) {
   EXPECT_LT(most, 1e-8 * 1e5);
 }
 
+// Far from a body that is thrown.
+TEST(CoupledRuns, GasAtRestSleeps) {
+  CoupledDeck deck;
+  deck.upper = "[15,0.01,0.01]";
+  deck.cells = "[1500,1,1]";
+  deck.time = "0.0005";
+  deck.solid = solid_object("<box><min>[0.3,-1,-1]</min><max>[0.5,1,1]</max></box>", "[80,0,0]");
+  const CoupledRun run(deck), awake(deck, {}, 1, {}, true);
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  EXPECT_GT(run.report().blocks_asleep, run.report().steps);
+  EXPECT_EQ(awake.report().blocks_asleep, 0);
+  for (const auto& [label, material] : {std::pair{"press_CC", 0}, {"temp_CC", 1}, {"vel_CC", 1}})
+    EXPECT_EQ(run.field(label, material).components, awake.field(label, material).components);
+  EXPECT_EQ(run.particles("p.x"), awake.particles("p.x"));
+}
+
 TEST(CoupledRuns, NeitherBoxesNorThreadsShow) {
   const std::vector<std::string> shorter{"Time/maxTime=0.0005"};
   const CoupledRun one("shock_over_foam", shorter), many("shock_over_foam", shorter, 2, {3, 2, 1});

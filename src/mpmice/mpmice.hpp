@@ -79,7 +79,8 @@ class MpmIce final : public Component {
   std::vector<OutputSwitch> output_switches() const override;
   bool passes_switch(std::size_t n, const std::vector<double>& sums) const override;
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
-  bool quiet_blocks_allowed() const override { return false; }
+  bool quiet_blocks_allowed() const override { return fluid_.quiet_blocks_allowed(); }
+  bool may_sleep(int kind) const override { return fluid_.may_sleep(kind); }
   double courant_number() const override { return fluid_.courant_number(); }
   bool diffusive() const override { return fluid_.diffusive(); }
   void measure_rates(const Warehouse& state, Reductions& rates) const override {

@@ -28,6 +28,20 @@ std::size_t room_of(std::size_t count) {
   return (count + vector - 1) / vector * vector + vector;
 }
 
+// act(part) for the parts of a region that lie outside of `cells`, side by side.
+template <class F>
+void for_each_outside(const IndexBox& region, const IndexBox& cells, F&& act) {
+  IndexBox rest = region;
+  for (int d = 0; d < 3; ++d) {
+    IndexBox low = rest, high = rest;
+    low.upper[d] = rest.lower[d] = std::min(std::max(rest.lower[d], cells.lower[d]), rest.upper[d]);
+    high.lower[d] = rest.upper[d] =
+        std::max(std::min(rest.upper[d], cells.upper[d]), rest.lower[d]);
+    act(low);
+    act(high);
+  }
+}
+
 }  // namespace
 
 AlignedArray::AlignedArray(std::size_t count, Contents contents) : count_(count) {
@@ -139,17 +153,10 @@ bool Warehouse::any_nonzero(int slot, int c, int b, const IndexBox& region) cons
     return std::isnan(value) ? any_other(v, intersection(region, cells), 0.0) : value != 0.0;
   });
   if (inside) return true;
-  // The ghost cells, side by side.
-  IndexBox rest = region;
-  const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
-  for (int d = 0; d < 3; ++d) {
-    IndexBox low = rest, high = rest;
-    low.upper[d] = rest.lower[d] = std::min(std::max(rest.lower[d], cells.lower[d]), rest.upper[d]);
-    high.lower[d] = rest.upper[d] =
-        std::max(std::min(rest.upper[d], cells.upper[d]), rest.lower[d]);
-    if (any_other(v, low, 0.0) || any_other(v, high, 0.0)) return true;
-  }
-  return false;
+  bool outside = false;
+  for_each_outside(region, local_[static_cast<std::size_t>(b)].cells,
+                   [&](const IndexBox& side) { outside = outside || any_other(v, side, 0.0); });
+  return outside;
 }
 
 void Warehouse::cut(IntVec3 extents) {
@@ -162,6 +169,29 @@ void Warehouse::cut(IntVec3 extents) {
 void Warehouse::forget() {
   for (Slot& s : slots_) s.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
   for (RowMarks& m : marks_) m.clear();
+}
+
+void Warehouse::forget(int b, const IndexBox& region) {
+  if (blocks_.size() == 0) return;
+  blocks_.any_block(b, region, [&](int block, const IndexBox& cells) {
+    for (Slot& s : slots_) s.uniform[static_cast<std::size_t>(block)] = unknown;
+    marks_[static_cast<std::size_t>(b)].clear(cells);
+    return false;
+  });
+}
+
+void Warehouse::clear(int slot, int b) {
+  const auto zero = [&](const IndexBox& part) {
+    for (int c = 0; c < info(slot).components; ++c) fill(view(slot, c, b), part, 0.0);
+  };
+  const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
+  for_each_outside(view(slot, 0, b).box, cells, zero);
+  for_each_part_other(slot, b, 0.0, zero);
+  if (blocks_.size() == 0) return;
+  blocks_.any_block(b, cells, [&](int block, const IndexBox&) {
+    set_uniform(slot, block, 0.0);
+    return false;
+  });
 }
 
 std::size_t Warehouse::bytes() const {

@@ -89,6 +89,11 @@ class Warehouse {
   }
   void forget(int slot, int block) { set_uniform(slot, block, unknown); }
   void forget();  // all slots and blocks, all marks
+  // Of local box number `b`, all slots and marks of the blocks that a region meets.
+  void forget(int b, const IndexBox& region);
+  // Zeros in all components of a slot in local box number `b`, ghost cells too. What is known to be
+  // zero is not written again.
+  void clear(int slot, int b);
   // Of the rows of local box number `b`; null where no blocks were cut.
   RowMarks* marks(int b) { return marks_.empty() ? nullptr : &marks_[static_cast<std::size_t>(b)]; }
   const RowMarks* marks(int b) const {
@@ -97,6 +102,16 @@ class Warehouse {
   // Is any number (a NaN too) of a region of a view other than zero. Reads what is unknown, row by
   // row, and stops at the first that is.
   bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
+  // act(cells) for the parts of local box number `b` not known to hold one value throughout.
+  template <class F>
+  void for_each_part_other(int slot, int b, double value, F&& act) const {
+    const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
+    if (blocks_.size() == 0) return act(cells);
+    blocks_.any_block(b, cells, [&](int block, const IndexBox& part) {
+      if (uniform(slot, block) != value) act(part);
+      return false;
+    });
+  }
   std::size_t bytes() const;
 
   void swap(Warehouse& other) noexcept;

@@ -186,6 +186,27 @@ TEST(Warehouse, FindsWhatIsNotZeroWhateverIsKnownOfBlocks) {
   }
 }
 
+// Cells, ghost cells, both components, whatever was known; what is known to be zero stays as it is.
+TEST(Warehouse, ClearsWhatIsNotKnownToBeZero) {
+  const Level level = level_of({12, 9, 1}, {2, 1, 1});
+  for (const bool cut : {false, true}) {
+    Warehouse w(level, 0);
+    const int slot = w.add({label(0), 0, 2, 2});
+    if (cut) w.cut({3, 4, 1});
+    for (int c = 0; c < 2; ++c) fill(w.view(slot, c, 1), w.view(slot, c, 1).box, 7.0);
+    w.clear(slot, 1);
+    const IndexBox all = w.view(slot, 0, 1).box;
+    for (int c = 0; c < 2; ++c) EXPECT_FALSE(any_other(w.view(slot, c, 1), all, 0.0));
+    const IntVec3 first = w.local_boxes()[1].cells.lower, last = w.local_boxes()[1].cells.upper;
+    const IntVec3 end = last - IntVec3{1, 1, 1};
+    w.view(slot, 0, 1)(first) = w.view(slot, 0, 1)(end) = 5;
+    w.forget(1, {first, first + IntVec3{1, 1, 1}});
+    w.clear(slot, 1);
+    EXPECT_EQ(w.view(slot, 0, 1)(first), 0);
+    EXPECT_EQ(w.view(slot, 0, 1)(end), cut ? 5 : 0);  // nobody said that it was written
+  }
+}
+
 TEST(Warehouse, WhatIsKnownGoesWithTheFieldsAndIsForgotten) {
   const Level level = level_of({12, 1, 1}, {1, 1, 1});
   Warehouse old(level, 0), now(level, 0);

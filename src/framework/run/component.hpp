@@ -173,6 +173,8 @@ class Component {
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.
   virtual bool quiet_blocks_allowed() const = 0;
+  // And of one kind, where it may.
+  virtual bool may_sleep(int /*kind*/) const { return true; }
   // Cells that a wave crosses in one step at its limit: flags are widened so that finer levels keep
   // it between two looks.
   virtual double courant_number() const = 0;

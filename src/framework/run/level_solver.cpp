@@ -144,6 +144,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, Pur
                                        options_.joined ? &coverage_ : nullptr, kind, &volumes_});
     SweepGraph graph = graph_of(*list, purpose, wanted);
     if (v->lists.size() > 1) graph.absent = absent_slots(*list, purpose, kind, wanted);
+    graph.may_sleep = component_->may_sleep(kind);
     return graph;
   };
   if (!diagnostic && chooses_kinds())

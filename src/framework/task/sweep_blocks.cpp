@@ -8,8 +8,10 @@
 namespace sluice {
 
 IntVec3 default_block(const Level& level) {
-  // Measured best: long rows, and as few recomputed ghosts as the cache allows. By active axes.
-  constexpr int extents[3][3] = {{512, 1, 1}, {256, 64, 1}, {128, 48, 128}};
+  // Measured best: long rows, and as few recomputed ghosts as the cache allows. Blocks side by side
+  // are swept as one, so that flat ones cost nothing: finer parts sleep or need the dearer graphs.
+  // By active axes.
+  constexpr int extents[3][3] = {{512, 1, 1}, {256, 16, 1}, {128, 48, 128}};
   constexpr int flat_row = 448;  // of a finer level: its boxes are low, and hardly any part sleeps
   IntVec3 b = level.domain.size();
   int axis = 0;

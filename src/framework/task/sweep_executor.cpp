@@ -252,7 +252,8 @@ void SweepExecutor::run_stack(Worker& worker, const StepConstants& step, std::si
     const Block& block = blocks_[n];
     const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
     leave_absent(graph, n);
-    const bool asleep = options_.quiet_blocks && block.may_sleep && is_quiet(graph, block);
+    const bool asleep =
+        options_.quiet_blocks && graph.may_sleep && block.may_sleep && is_quiet(graph, block);
     if (asleep || block.kind != kind) sweep_pieces(worker, step, kind, sample);
     kind = block.kind;
     const SweepPiece piece{block.box, block.cells};

@@ -20,12 +20,13 @@ struct SweepExecutor::Tally {
 // A graph as it is bound to warehouses.
 struct SweepExecutor::Graph {
   explicit Graph(SweepGraph g)
-      : list(g.list), plan(std::move(g.plan)), absent(std::move(g.absent)) {
+      : list(g.list), plan(std::move(g.plan)), absent(std::move(g.absent)), may_sleep(g.may_sleep) {
     kept.times.assign(plan.tasks.size(), 0);
   }
   const TaskList* list;
   SweepPlan plan;
   std::vector<AbsentSlot> absent;
+  bool may_sleep;
   StateBinding binding;
   std::vector<int> written;       // slots of the new state
   std::vector<int> absent_slots;  // of `absent`, in the new state or among the outputs

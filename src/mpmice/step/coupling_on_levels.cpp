@@ -55,12 +55,8 @@ void CouplingOnLevels::clear_coarser(const StageScope& scope) const {
     slots.push_back({ice::labels().solid_fraction, fluid_->options().place(0), 1, 0});
     for (const SlotInfo& s : slots) {
       const int slot = state.find(s.label, s.material);
-      for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-        const RealView v = state.view(slot, 0, b);
-        fill(v, v.box, 0.0);
-      }
+      for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) state.clear(slot, b);
     }
-    state.forget();
   }
 }
 

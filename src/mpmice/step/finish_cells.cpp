@@ -242,8 +242,8 @@ void LevelCoupling<D>::store(const StageScope& scope) {
                 known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
           cells.fraction(at) = fields_.theta_next[i];
         });
+    next.forget(b, frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells));
   }
-  next.forget();
 }
 
 // A cell whose rest of fluid is no state gives it to the cells around, through covered faces too.

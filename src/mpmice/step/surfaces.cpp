@@ -77,12 +77,14 @@ CellBox<D> LevelCoupling<D>::cells_kept_closed(const StageScope& scope) const {
   CellBox<D> all;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView fraction = state.view(slot, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at) {
-      if (fraction(at) == 0) return;
-      const Cell<D> c = frame_.cell(at);
-      CellBox<D> one{c, c};
-      for (int& upper : one.upper) ++upper;
-      all.include(one);
+    state.for_each_part_other(slot, b, 0.0, [&](const IndexBox& part) {
+      for_each_cell(part, [&](IntVec3 at) {
+        if (fraction(at) == 0) return;
+        const Cell<D> c = frame_.cell(at);
+        CellBox<D> one{c, c};
+        for (int& upper : one.upper) ++upper;
+        all.include(one);
+      });
     });
   }
   return box_of_all<D>(all, *scope.ranks);

@@ -65,11 +65,12 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
     IndexBox seen_of;
     int seen_along = -2;
     const auto tell = [&](Label label, int along, const Column& from, bool turns = false) {
-      const RealView to = state.view(state.find(label, fluid_->options().place(0)), 0, b);
+      const int slot = state.find(label, fluid_->options().place(0));
+      const RealView to = state.view(slot, 0, b);
       if (along != seen_along || !(to.box == seen_of)) seen = places_seen(to.box, along);
       seen_along = along;
       seen_of = to.box;
-      fill(to, to.box, 0.0);
+      state.clear(slot, b);
       for (const SeenPlace& s : seen) to(s.cell) = turns && s.flipped ? -from[s.at] : from[s.at];
     };
     tell(l.solid_fraction, -1, fields_.theta);
@@ -83,8 +84,8 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
       tell(l.swept[d], a, fields_.swept[n], true);
       tell(l.solid_face_velocity[d], a, velocity[n], true);
     }
+    state.forget(b, seen_from(state.local_boxes()[static_cast<std::size_t>(b)].cells));
   }
-  state.forget();
 }
 
 template void LevelCoupling<1>::tell_fluid(const StageScope&);

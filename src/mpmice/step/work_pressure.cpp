@@ -37,8 +37,8 @@ Verdict LevelCoupling<D>::keep_work_pressure(const StageScope& scope) {
                     if (amounts_.touched[i] == 0) return;
                     offset(at) = known[i] != 0 ? X[i] - cells.at(at).pressure : 0.0;
                   });
+    next.forget(b, frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells));
   }
-  next.forget();
   return Verdict::good;
 }
 

@@ -32,7 +32,8 @@ class CoupledRun {
     run(load_deck(file, overrides, tags()), threads, boxes);
   }
   explicit CoupledRun(const CoupledDeck& deck, const std::vector<std::string>& overrides = {},
-                      int threads = 1, IntVec3 boxes = {}) {
+                      int threads = 1, IntVec3 boxes = {}, bool force_all = false) {
+    force_all_ = force_all;
     run(load_deck_text(text_of(deck), "coupled.ups", overrides, tags()), threads, boxes);
   }
 
@@ -90,6 +91,7 @@ class CoupledRun {
     run.program = "test";
     run.deck_xml = to_xml(*deck.root);
     run.limits.max_steps = max_steps_;
+    run.force_all = force_all_;
     run.restart = restart_;
     report_ = Simulation(scene_, *component_, world(), run).run();
   }
@@ -99,6 +101,7 @@ class CoupledRun {
   }
 
   int max_steps_ = 0;
+  bool force_all_ = false;
   std::string restart_;
   TemporaryFolder folder_;
   Scene scene_;
