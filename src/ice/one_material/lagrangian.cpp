@@ -11,9 +11,9 @@
 // vector on the face and u_f the mean of the two cells: friction becomes heat, exactly. Conduction
 // adds -sum_d l_d (q+ - q-).
 #include "ice/fluid/closure_rows.hpp"
-#include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/end_of_step.hpp"
+#include "ice/step/heat_rows.hpp"
 #include "ice/step/impulse.hpp"
 #include "ice/step/variables.hpp"
 
@@ -21,77 +21,13 @@ namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In inverse_rho, velocity, energy, viscosity;
+  In inverse_rho, velocity, energy;
+  FrictionReads friction;
   std::array<In, 3> face_velocity, heat_flux;
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
   Out mixture;  // work of pressures, of friction
 };
-
-// Work of the viscous stress, its kinetic part taken away. Summed over components, then over
-// directions: no order of the axes shows in the bits of one and two dimensions.
-template <int D, int C, bool varies>
-void viscous_work_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
-                       double* __restrict friction) {
-  const int n = row.count();
-  const double* __restrict w = row(h.inverse_rho);
-  const double *tm[D][C], *tp[D][C], *um[D][C], *up[D][C], *u[C], *dp[C];
-  for (int c = 0; c < C; ++c) {
-    u[c] = row(h.velocity, c);
-    dp[c] = row(h.forces.impulse, c);
-    for (int d = 0; d < D; ++d) {
-      const In stress = h.forces.stress[static_cast<std::size_t>(d)];
-      tm[d][c] = row(stress, c);
-      tp[d][c] = row(stress, c, d, 1);
-      um[d][c] = row(h.velocity, c, d, -1);
-      up[d][c] = row(h.velocity, c, d, 1);
-    }
-  }
-  const double *mu = nullptr, *mum[D], *mup[D];
-  if constexpr (varies) {
-    mu = row(h.viscosity);
-    for (int d = 0; d < D; ++d) {
-      mum[d] = row(h.viscosity, 0, d, -1);
-      mup[d] = row(h.viscosity, 0, d, 1);
-    }
-  }
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    double work = 0;
-    for (int d = 0; d < D; ++d) {
-      double along = 0, carried = 0;
-      for (int c = 0; c < C; ++c) {
-        const double ub = u[c][i] - 0.5 * dp[c][i] * w[i];
-        double above = 0.5 * (u[c][i] + up[d][c][i]), below = 0.5 * (um[d][c][i] + u[c][i]);
-        if constexpr (varies) {
-          above += velocity_tilt(mu[i], mup[d][i]) * (up[d][c][i] - u[c][i]);
-          below += velocity_tilt(mum[d][i], mu[i]) * (u[c][i] - um[d][c][i]);
-        }
-        (c < D ? along : carried) += tp[d][c][i] * (above - ub) - tm[d][c][i] * (below - ub);
-      }
-      if constexpr (C > D) along += carried;
-      work += s.l[d] * along;
-    }
-    friction[i] = work;
-  }
-}
-
-template <int D>
-void conduction_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
-                     double* __restrict Es) {
-  const int n = row.count();
-  const double *qm[D], *qp[D];
-  for (int d = 0; d < D; ++d) {
-    qm[d] = row(h.heat_flux[static_cast<std::size_t>(d)]);
-    qp[d] = row(h.heat_flux[static_cast<std::size_t>(d)], 0, d, 1);
-  }
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    double heat = 0;
-    for (int d = 0; d < D; ++d) heat += s.l[d] * (qm[d][i] - qp[d][i]);
-    Es[i] += heat;
-  }
-}
 
 // All but friction and conduction.
 template <int D, int C>
@@ -165,13 +101,10 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   }
   if (o.viscous) {
     double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written again
-    if (o.friction_tilts())
-      viscous_work_rows<D, C, true>(row, h, s, friction);
-    else
-      viscous_work_rows<D, C, false>(row, h, s, friction);
+    friction_rows<D, C>(row, h.friction, row(h.inverse_rho), s, o.friction_tilts(), friction);
     for (int i = 0; i < n; ++i) Es[i] += friction[i];
   }
-  if (o.conducting) conduction_rows<D>(row, h, s, Es);
+  if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, Es);
   const double* iJ = row(h.inverse_J);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) EL[i] = Es[i] * iJ[i];
@@ -186,7 +119,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
-  if (o.friction_tilts()) h.viscosity = task.read(v.front_viscosity, Stencil::box(1));
+  if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
@@ -206,6 +139,9 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
+  h.friction.velocity = h.velocity;
+  h.friction.stress = h.forces.stress;
+  h.friction.impulse = h.forces.impulse;
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());

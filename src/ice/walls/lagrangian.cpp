@@ -15,7 +15,7 @@
 #include "framework/base/infinity.hpp"
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/step/impulse.hpp"
+#include "ice/step/heat_rows.hpp"
 #include "ice/step/walled_donors.hpp"
 #include "ice/walls/variables.hpp"
 
@@ -29,6 +29,7 @@ struct Handles {
   Out mixture;  // work of pressures, of friction
   Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
   std::array<Out, 3> remap_mask;
+  FrictionReads friction;
 };
 
 // Rows along every axis, low and high faces.
@@ -101,38 +102,17 @@ void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   }
 }
 
-// Heat of friction and conduction.
+// Heat of friction and conduction. E_L, which is written behind it, holds what friction gives.
 template <int D, int C>
 void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const SchemeOptions& o,
-              double* __restrict energy) {
-  const int n = row.whole_vectors();
-  const double* W = row(h.inverse_mass);
-  for (int d = 0; d < D && o.viscous; ++d) {
-    const In t = h.stress[static_cast<std::size_t>(d)];
-    for (int c = 0; c < C; ++c) {
-      const double *u = row(h.velocity, c), *um = row(h.velocity, c, d, -1),
-                   *up = row(h.velocity, c, d, 1), *dP = row(h.impulse, c);
-      const double *tm = row(t, c), *tp = row(t, c, d, 1);
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) {
-        const double ub = u[i] - 0.5 * dP[i] * W[i];
-        energy[i] +=
-            s.l[d] * (tp[i] * (0.5 * (u[i] + up[i]) - ub) - tm[i] * (0.5 * (um[i] + u[i]) - ub));
-      }
-    }
+              double* energy) {
+  if (o.viscous) {
+    const int n = row.count();
+    double* friction = o.mixture ? row(h.mixture, 1) : row(h.energy_L);
+    friction_rows<D, C>(row, h.friction, row(h.inverse_mass), s, o.friction_tilts(), friction);
+    for (int i = 0; i < n; ++i) energy[i] += friction[i];
   }
-  if (o.mixture && o.viscous) {
-    double* __restrict friction = row(h.mixture, 1);
-    const double *work = row(h.mixture, 0), *theta = row(h.fraction), *E = row(h.energy);
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) friction[i] = energy[i] + work[i] - (1.0 - theta[i]) * E[i];
-  }
-  for (int d = 0; d < D && o.conducting; ++d) {
-    const In q = h.heat_flux[static_cast<std::size_t>(d)];
-    const double *low = row(q), *high = row(q, 0, d, 1);
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) energy[i] += s.l[d] * (low[i] - high[i]);
-  }
+  if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
 }
 
 template <int D, int C>
@@ -255,6 +235,10 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.courant = task.write(v.courant);
   h.inverse_courant = task.write(v.inverse_courant);
   h.impulse = task.write(v.impulse);
+  if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
+  h.friction.velocity = h.velocity;
+  h.friction.stress = h.stress;
+  h.friction.impulse = h.impulse;
   h.mass = task.write(w.mass);
   h.cell_momentum = task.write(w.momentum);
   h.inverse_mass = task.write(w.inverse_mass);

@@ -43,6 +43,7 @@ class LevelCoupling final : public Coupling {
                     std::array<Column, D>& covered);
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
+  void open_faces_of_fluid();
   void keep_pockets();
   void close_cells_at_sides();
   bool stays_near(const CellBox<D>& end) const;

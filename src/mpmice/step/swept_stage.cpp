@@ -20,6 +20,31 @@ bool LevelCoupling<D>::stays_near(const CellBox<D>& end) const {
   return room.contains(end);
 }
 
+// Away from cells that a solid meets in this step (one beside them a corner may cross within the
+// step) nothing is covered or swept, to the bit, whatever round-off the sums along their row have
+// left: blocks that see no solid know of no such face.
+template <int D>
+void LevelCoupling<D>::open_faces_of_fluid() {
+  std::vector<std::uint8_t> beside(frame_.box.cells());
+  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+    if (has_solid(i)) for_each_around(c, 1, [&](std::size_t j) { beside[j] = 1; });
+  });
+  const auto is_beside = [&](const Cell<D>& c) {
+    return frame_.holds(c) && beside[frame_.box.index(frame_.inside(c))] != 0;
+  };
+  for_each_cell_in(frame_.box, [&](const Cell<D>& c, std::size_t i) {
+    if (is_beside(c)) return;
+    for (std::size_t d = 0; d < D; ++d) {
+      Cell<D> below = c;
+      --below[d];
+      if (is_beside(below)) continue;
+      for (auto* of :
+           {&fields_.covered, &fields_.covered_next, &fields_.mean_covered, &fields_.swept})
+        (*of)[d][i] = 0;
+    }
+  });
+}
+
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   if (!stays_near(cells_of_solids(scope, true))) {
@@ -47,6 +72,7 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   fields_.mean_covered = std::move(found.A);
   fields_.swept = std::move(found.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
+  open_faces_of_fluid();
   keep_pockets();
   close_cells_at_sides();
   mean_over_cells(scope);
