@@ -27,6 +27,7 @@ void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin,
 template <int D>
 void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
   to.box = sums_.box();
+  const Cell<D> high = sums_.reached().upper;
   for (int lane = 0; lane <= D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
   for (int d = 0; d < D; ++d) {
     const auto a = static_cast<std::size_t>(d);
@@ -44,8 +45,8 @@ void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
   sums_.values(D, to.theta);
   for (int d = 0; d < D; ++d)
     if (sides == nullptr || !sides->sides().periodic[static_cast<std::size_t>(d)])
-      raise_open_rows<D>(to.box, sums_.reached(), d, to.a[static_cast<std::size_t>(d)],
-                         d == 0 ? &to.theta : nullptr);
+      raise_open_rows<D>(to.box, sums_.reached(), d, high[static_cast<std::size_t>(d)],
+                         to.a[static_cast<std::size_t>(d)], d == 0 ? &to.theta : nullptr);
 }
 
 void clean_covered_parts(std::span<double> a) {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "mpmice/geometry/bodies_test_support.hpp"
+#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/particle_volume.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
@@ -414,6 +415,18 @@ TEST(SolidInCells, CleanValuesLieBetweenNoughtAndOne) {
   std::vector<double> theta{-3e-16, 5e-15, 2e-14, 0.5, 1 - 2e-10, 1 - 5e-11, 1.3};
   clean_volume_fractions(theta);
   EXPECT_EQ(theta, (std::vector<double>{0, 0, 2e-14, 0.5, 1 - 2e-10, 1, 1}));
+}
+
+// Only a row that faces reach to the high end of is open there; elsewhere a body is folded.
+TEST(SolidInCells, RowsOfFoldedBodiesAreNotOpen) {
+  const CellBox<1> box{{0}, {12}};
+  const std::vector<double> covered{0, 0, 0.5, -0.25, 0.75, 0, 0, 0, 0, 0, 0, 0};
+  std::vector<double> inside = covered, cut = covered, theta = covered;
+  raise_open_rows<1>(box, box, 0, 6, inside, nullptr);
+  EXPECT_EQ(inside, covered);
+  raise_open_rows<1>(box, box, 0, 11, cut, &theta);
+  for (std::size_t i = 0; i < cut.size(); ++i) EXPECT_EQ(cut[i], covered[i] + 0.25);
+  EXPECT_EQ(theta, cut);
 }
 
 }  // namespace

@@ -139,6 +139,7 @@ void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_
 template <int D>
 void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
   to.box = sums_.box();
+  const Cell<D> high = sums_.reached().upper;
   for (int lane = 0; lane <= 2 * D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
   sums_.values(lane_of_q<D>, to.q);
   for (int d = 0; d < D; ++d) {
@@ -147,7 +148,7 @@ void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
     sums_.add_from_above(lane_of_A(d), d);
     sums_.values(lane_of_A(d), to.A[a]);
     if (sides == nullptr || !sides->sides().periodic[a])
-      raise_open_rows<D>(to.box, sums_.reached(), d, to.A[a], nullptr);
+      raise_open_rows<D>(to.box, sums_.reached(), d, high[a], to.A[a], nullptr);
     sums_.values(lane_of_C<D>(d), to.C[a]);
   }
   for (int i = 0; i < face_moments<D>; ++i) {

@@ -19,7 +19,7 @@ namespace {
 // run, well beyond what bodies that hold together reach.
 constexpr double torn_corner = 1.2;
 // Blocks are smaller than what is torn.
-constexpr double largest_block = 1.6;
+constexpr double largest_block = 2.3;
 
 template <int D>
 mpm::CornerVolume<D> volume_of(const CornerColumns<D>& x, std::size_t p) {
