@@ -160,6 +160,8 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   const SchemeVariables fluid = walls::of_fluid_faces(v);
   mixture::Variables open = m;
   open.common.stress = v.walls.whole_stress;
+  open.common.heat_flux = v.walls.whole_heat_flux;
+  open.heat_flux = x.whole_heat_of_each;
   mixture::Variables cells = m;  // amounts, as the update takes them
   cells.common.momentum = v.walls.momentum;
   SchemeOptions masked = o;
@@ -171,8 +173,9 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
   if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   mixture::add_friction(list, open, o);                       // V_m, T_m, u  mu, t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
+  mixture::add_heat_flux(list, open, o, effect_conduction);   // T_m        q_f, of each material
   walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
+  walls::add_heat_of_open_faces(list, m, x, o, effect_solids);
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   walls::add_lagrangian(list, v, o, effect_solids);  // state, faces  Lagrange, donors
   mixture::add_lagrangian_of_each(list, walls::of_whole_cells(m), o, effect_flow);

@@ -328,6 +328,47 @@ TEST(SoftDisk, BetweenThinAndDenseGasLosesNothing) {
   EXPECT_LT(run.report().steps, 80);  // and no step was redone smaller and smaller
 }
 
+// Two viscous gases of 300 and 600 K that meet beside a disk, at one pressure with it.
+TEST(DiskInTwoGases, HeatPassesTheOpenFaces) {
+  CoupledDeck deck;
+  deck.time = "0.002";
+  deck.viscosity = "0.01";
+  const auto gas_at = [](const char* low, const char* high, double R, double temperature) {
+    return fmt::format(
+        "<geom_object>{}<res>[1,1,1]</res><velocity>[0,0,0]</velocity><temperature>{}</temperature>"
+        "<density>{:.17g}</density></geom_object>",
+        box_from(low, high), temperature, 1e5 / (R * temperature));
+  };
+  deck.gas = gas_at("[-9,-9,-9]", "[0.4,9,9]", 287, 300);
+  deck.further_gas =
+      "<material name='hot'><EOS type='ideal_gas'/><dynamic_viscosity>0.01</dynamic_viscosity>"
+      "<thermal_conductivity>50</thermal_conductivity><specific_heat>717.5</specific_heat>"
+      "<gamma>1.2</gamma>" +
+      gas_at("[0.4,-9,-9]", "[9,9,9]", 143.5, 600) + "</material>";
+  deck.drag = "0,0,1e15";
+  deck.heat = "0,0,0";
+  const std::vector<std::string> conducts = {
+      "MaterialProperties/ICE/material[1]/thermal_conductivity=50"};
+  const CoupledRun run(deck, conducts), all(deck, conducts, 1, {}, true);
+  ASSERT_EQ(run.report().status, RunStatus::done);
+  EXPECT_LT(run.worst_drift_but_energy(), 1e-13);
+  EXPECT_LT(std::fabs(run.drift("total energy")), 1e-6);
+  for (const int m : {1, 2}) {
+    const DenseField T = run.field("temp_CC", m);
+    double least = 1e300, most = 0;  // where it is
+    for (const double t : T.components[0]) {
+      if (t > 0) least = std::min(least, t);
+      most = std::max(most, t);
+    }
+    EXPECT_GT(least, 299) << m;
+    EXPECT_LT(most, 601) << m;
+    if (m == 1) {
+      EXPECT_GT(most, 310);
+    }
+    EXPECT_EQ(T.components, all.field("temp_CC", m).components) << m;
+  }
+}
+
 // Velocity of the disk behind a shock of Mach 1.5, on 80 cells against 320. (Where a coefficient
 // binds the gas of its cells the drag falls with the cells: 3.59 and 2.97 m/s.)
 TEST(FullFoamDisk, MovesAlikeOnFinerGrids) {

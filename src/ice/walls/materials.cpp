@@ -23,6 +23,8 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
     const int d = o.axes.direction[a];
     x.whole_flux[n] = list.temporary("flux" + axis, 2 + o.components, d);
     x.whole_flux_of_each[n] = list.temporary("flux of each material" + axis, 3 * M, d);
+    if (o.conducting)
+      x.whole_heat_of_each[n] = list.temporary("heat through contacts" + axis, 2 * M, d);
   }
   return x;
 }
@@ -40,6 +42,16 @@ mixture::Variables of_whole_remap(const mixture::Variables& v, const MaterialVar
   remap.common.flux = x.whole_flux;
   remap.flux = x.whole_flux_of_each;
   return remap;
+}
+
+void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+                            const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count && o.conducting; ++axis) {
+    const auto n = static_cast<std::size_t>(axis);
+    add_open_share(list, v.common, o, axis,
+                   {x.whole_heat_of_each[n], v.heat_flux[n], 2 * static_cast<int>(o.fluids.size())},
+                   "heat through contacts of open faces " + std::to_string(axis), effect);
+  }
 }
 
 void add_shares_of_each(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,

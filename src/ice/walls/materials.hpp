@@ -24,9 +24,14 @@ struct MaterialVariables {
   VariableId passed_on;  // of cells without fluid, by material: what they give per volume
   std::array<VariableId, 3> whole_flux;  // of the mixture and of each material, as the rules of
   std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
+  // Of what conducts: heat through contacts of whole faces.
+  std::array<VariableId, 3> whole_heat_of_each;
 };
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
+// Of what conducts: heat through contacts, on the open share of faces.
+void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                            const SchemeOptions&, int effect);
 // E_mL, V_L of touched cells.
 void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
                         const SchemeOptions&, int effect);

@@ -132,33 +132,40 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
   }
 }
 
+void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int axis,
+                    const FaceShare& of, const std::string& name, int effect) {
+  TaskBuilder task = list.task(name, effect);
+  const In theta = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
+  const In covered = task.read(v.walls.covered[static_cast<std::size_t>(axis)]),
+           in = task.read(of.whole);
+  const Out out = task.write(of.open);
+  task.kernel([=, components = of.components](const Row& row) {
+    const double *ta = row(theta, 0, axis, -1), *tb = row(theta), *a = row(covered);
+    for (int c = 0; c < components; ++c) {
+      const double* q = row(in, c);
+      double* __restrict open = row(out, c);
+      const int count = row.count();
+#pragma GCC ivdep
+      for (int i = 0; i < count; ++i) {
+        const double passes = (1.0 - a[i]) * q[i];
+        const bool wet = (ta[i] < 1) & (tb[i] < 1);
+        open[i] = wet ? passes : 0.0;
+      }
+    }
+  });
+}
+
 // Friction and conduction between cells of fluid, on the open share of their face.
 void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariables& v,
                 const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto n = static_cast<std::size_t>(axis);
-    const auto share = [&](VariableId from, VariableId to, int components, const char* what) {
-      TaskBuilder task = list.task(what + std::to_string(axis), effect);
-      const In theta = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
-      const In covered = task.read(v.walls.covered[n]), in = task.read(from);
-      const Out out = task.write(to);
-      task.kernel([=](const Row& row) {
-        const double *ta = row(theta, 0, axis, -1), *tb = row(theta), *a = row(covered);
-        for (int c = 0; c < components; ++c) {
-          const double* q = row(in, c);
-          double* __restrict open = row(out, c);
-          const int count = row.count();
-#pragma GCC ivdep
-          for (int i = 0; i < count; ++i) {
-            const double passes = (1.0 - a[i]) * q[i];
-            const bool wet = (ta[i] < 1) & (tb[i] < 1);
-            open[i] = wet ? passes : 0.0;
-          }
-        }
-      });
-    };
-    if (o.viscous) share(whole.stress[n], v.stress[n], o.components, "stress of open faces ");
-    if (o.conducting) share(whole.heat_flux[n], v.heat_flux[n], 1, "heat flux of open faces ");
+    if (o.viscous)
+      add_open_share(list, v, o, axis, {whole.stress[n], v.stress[n], o.components},
+                     "stress of open faces " + std::to_string(axis), effect);
+    if (o.conducting)
+      add_open_share(list, v, o, axis, {whole.heat_flux[n], v.heat_flux[n]},
+                     "heat flux of open faces " + std::to_string(axis), effect);
   }
 }
 

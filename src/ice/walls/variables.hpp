@@ -18,6 +18,13 @@ void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
 void add_openness(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_open_faces(TaskList&, const SchemeVariables& fluid, const SchemeVariables& v,
                     const SchemeOptions&, int effect);
+// What passes faces between cells of fluid, from whole faces to their open share.
+struct FaceShare {
+  VariableId whole, open;
+  int components = 1;
+};
+void add_open_share(TaskList&, const SchemeVariables&, const SchemeOptions&, int axis,
+                    const FaceShare& of, const std::string& task, int effect);
 void add_shares(TaskList&, const SchemeVariables& whole, const SchemeVariables& v,
                 const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
