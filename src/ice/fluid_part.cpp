@@ -199,7 +199,7 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   o.first_volume_sum = first_volume_sum();
   if (o.classic) return o;
   o.solids = ice_.solids > 0;
-  if (o.solids && variant.kind == walled_kind()) o.walled = true;
+  o.walled = is_walled(variant.kind);
   if (o.walled && o.fluids.size() == 1) {
     o.material = 0;
     return o;

@@ -308,18 +308,12 @@ TEST(SoftDisk, BetweenThinAndDenseGasLosesNothing) {
   deck.shear = "1e4";
   deck.solid = solid_object(disk_at(0.27, 0.5755, 0.16767), "[0,0,0]", "[3,3,1]");
   deck.specific_heat = "3000";
-  const auto gas_at = [](const char* low, const char* high, double density, double temperature) {
-    return fmt::format(
-        "<geom_object>{}<res>[1,1,1]</res><velocity>[0,0,0]</velocity><temperature>{}</temperature>"
-        "<density>{}</density></geom_object>",
-        box_from(low, high), temperature, density);
-  };
-  deck.gas = gas_at("[-9,-9,-9]", "[0.3892,9,9]", 0.311, 837);
+  deck.gas = gas_of(box_from("[-9,-9,-9]", "[0.3892,9,9]"), 0.311, 837);
   deck.further_gas =
       "<material name='dense'><EOS type='ideal_gas'/><dynamic_viscosity>0</dynamic_viscosity>"
       "<thermal_conductivity>0</thermal_conductivity><specific_heat>717.5</specific_heat>"
       "<gamma>1.2</gamma>" +
-      gas_at("[0.3892,-9,-9]", "[9,9,9]", 11.108, 608.7) + "</material>";
+      gas_of(box_from("[0.3892,-9,-9]", "[9,9,9]"), 11.108, 608.7) + "</material>";
   deck.drag = "1e15,1e15,1e15";
   deck.heat = "1e9,1e9,1e9";
   const CoupledRun run(deck, {"MPM/interpolator=cpdi"});
@@ -333,18 +327,12 @@ TEST(DiskInTwoGases, HeatPassesTheOpenFaces) {
   CoupledDeck deck;
   deck.time = "0.002";
   deck.viscosity = "0.01";
-  const auto gas_at = [](const char* low, const char* high, double R, double temperature) {
-    return fmt::format(
-        "<geom_object>{}<res>[1,1,1]</res><velocity>[0,0,0]</velocity><temperature>{}</temperature>"
-        "<density>{:.17g}</density></geom_object>",
-        box_from(low, high), temperature, 1e5 / (R * temperature));
-  };
-  deck.gas = gas_at("[-9,-9,-9]", "[0.4,9,9]", 287, 300);
+  deck.gas = gas_of(box_from("[-9,-9,-9]", "[0.4,9,9]"), 1e5 / (287 * 300), 300);
   deck.further_gas =
       "<material name='hot'><EOS type='ideal_gas'/><dynamic_viscosity>0.01</dynamic_viscosity>"
       "<thermal_conductivity>50</thermal_conductivity><specific_heat>717.5</specific_heat>"
       "<gamma>1.2</gamma>" +
-      gas_at("[0.4,-9,-9]", "[9,9,9]", 143.5, 600) + "</material>";
+      gas_of(box_from("[0.4,-9,-9]", "[9,9,9]"), 1e5 / (143.5 * 600), 600) + "</material>";
   deck.drag = "0,0,1e15";
   deck.heat = "0,0,0";
   const std::vector<std::string> conducts = {

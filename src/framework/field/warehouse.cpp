@@ -184,11 +184,12 @@ void Warehouse::clear(int slot, int b) {
   const auto zero = [&](const IndexBox& part) {
     for (int c = 0; c < info(slot).components; ++c) fill(view(slot, c, b), part, 0.0);
   };
+  const IndexBox all = view(slot, 0, b).box;
+  if (blocks_.size() == 0) return zero(all);
   const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
-  for_each_outside(view(slot, 0, b).box, cells, zero);
-  for_each_part_other(slot, b, 0.0, zero);
-  if (blocks_.size() == 0) return;
-  blocks_.any_block(b, cells, [&](int block, const IndexBox&) {
+  for_each_outside(all, cells, zero);
+  blocks_.any_block(b, cells, [&](int block, const IndexBox& part) {
+    if (uniform(slot, block) != 0.0) zero(part);
     set_uniform(slot, block, 0.0);
     return false;
   });

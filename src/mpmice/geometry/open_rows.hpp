@@ -5,12 +5,12 @@
 // what is covered at the high one: there the body goes on. The row is raised by that, from the
 // lowest cell that faces reach on: sums have not gone farther down.
 //
-// Boxes end two cells beyond the domain, or farther from bodies inside of it: no row is open then,
-// and what is below zero there is a body that is folded.
+// Boxes end `layers_beyond` cells beyond the domain, or farther from bodies inside of it: no row is
+// open then, and what is below zero there is a body that is folded.
 #pragma once
 #include <vector>
 
-#include "mpmice/geometry/cell_box.hpp"
+#include "mpmice/geometry/cell_sums.hpp"
 
 namespace sluice::mpmice {
 
@@ -21,11 +21,10 @@ template <int D>
 void raise_open_rows(const CellBox<D>& box, const CellBox<D>& reached, int d, int high,
                      std::vector<double>& covered, std::vector<double>* raised) {
   constexpr double round_off = 1e-9;
-  constexpr int layers = 2;
   const std::ptrdiff_t step = box.stride(d);
   const auto along = static_cast<std::size_t>(d);
   CellBox<D> first = reached;  // the first cell of every row
-  if (first.empty() || high + layers < box.upper[along]) return;
+  if (first.empty() || high + layers_beyond < box.upper[along]) return;
   first.upper[along] = first.lower[along] + 1;
   const int length = box.upper[along] - first.lower[along];
   for_each_row_down<D>(box, first, 0, [&](std::size_t begin, std::size_t n) {

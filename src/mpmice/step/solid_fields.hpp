@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/grid/level.hpp"
+#include "mpmice/geometry/cell_sums.hpp"
 #include "mpmice/geometry/periodic_sides.hpp"
 
 namespace sluice::mpmice {
@@ -15,9 +16,9 @@ namespace sluice::mpmice {
 // Active directions of a level, and cells of it as the geometry counts them.
 template <int D>
 struct Frame {
-  // Corners of particles of the domain lie at most so many cells beyond it; beyond periodic sides
-  // particles stay a while before they are taken to the other end.
-  static constexpr int layers = 2, periodic_layers = 4;
+  // Of cells beyond the sides; beyond periodic ones particles stay a while before they are taken to
+  // the other end.
+  static constexpr int layers = layers_beyond, periodic_layers = 4;
   // Cells by which solids may move in a step, and by which what they do reaches beyond them.
   static constexpr int most_move = 2, reach = 3;
   std::array<int, D> direction{};

@@ -22,6 +22,12 @@ inline std::string gas_object(const std::string& shape, double pressure,
       "<density>{:.17g}</density><pressure>{:.17g}</pressure></geom_object>",
       shape, velocity, pressure / (287 * 300), pressure);
 }
+inline std::string gas_of(const std::string& shape, double density, double temperature) {
+  return fmt::format(
+      "<geom_object>{}<res>[1,1,1]</res><velocity>[0,0,0]</velocity><temperature>{:.17g}"
+      "</temperature><density>{:.17g}</density></geom_object>",
+      shape, temperature, density);
+}
 inline std::string box_from(const std::string& low, const std::string& high) {
   return "<box><min>" + low + "</min><max>" + high + "</max></box>";
 }
