@@ -124,9 +124,9 @@ void add_exchange(const IceScene& ice, EffectList& e) {
                                    one_velocity_coefficient);
   if (!ice.one_velocity()) {
     momentum.on = true;
-    momentum.reason +=
-        fmt::format("; not all at least {:g}: each material has a velocity of its own",
-                    one_velocity_coefficient);
+    momentum.reason += fmt::format(
+        "; not all at least {:g}: each material has a velocity of its own{}",
+        one_velocity_coefficient, ice.solids > 0 ? ", but one in cells that solids touch" : "");
   }
   if (several && slip && slip->use_slip_coefficients)
     momentum.reason +=

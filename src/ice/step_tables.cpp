@@ -148,16 +148,19 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 
-// The same where solids are in the fluids, which share one velocity.
+// The same where solids are in the fluids; where they move apart (slip), they do so in cells that
+// no solid touches.
 void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
   walls::declare_variables(list, o, v);
   if (o.implicit) pressure::declare_variables(list, o, v);
-  const walls::MaterialVariables x = walls::declare_materials(list, o, m);
+  walls::MaterialVariables x = walls::declare_materials(list, o, m);
   scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   walls::declare_scalar_walls(list, o, v);
-  const SchemeVariables fluid = walls::of_fluid_faces(v);
+  const bool apart = o.own_velocities;
+  const SchemeVariables moving = apart ? walls::of_volume(m) : v;
+  const SchemeVariables fluid = walls::of_fluid_faces(moving);
   mixture::Variables open = m;
   open.common.stress = v.walls.whole_stress;
   open.common.heat_flux = v.walls.whole_heat_flux;
@@ -166,38 +169,54 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   cells.common.momentum = v.walls.momentum;
   SchemeOptions masked = o;
   masked.masked = true;
+  constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
+  walls::add_touched(list, m, o, effect_solids);              // theta      which cells solids touch
   walls::add_openness(list, v, o, effect_solids);             // theta, a   where slopes count
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
+  if (apart) mixture::add_slip_motion(list, m, o, slip);      // state      u_m, u, c of volume
   add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
-  if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
-  mixture::add_friction(list, open, o);                       // V_m, T_m, u  mu, t_f
+  if (o.implicit) pressure::add_walled_system(list, moving, o, effect_pressure_solve);  // w  matrix
+  mixture::add_friction(list, open, o);                                  // V_m, T_m, u  mu, t_f
+  if (apart) mixture::add_slip_stress(list, open, o, effect_viscosity);  // u_m  t of each
   mixture::add_heat_flux(list, open, o, effect_conduction);   // T_m        q_f, of each material
   walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
+  if (apart) walls::add_stress_of_open_faces(list, open, m, o, effect_solids);
   walls::add_heat_of_open_faces(list, m, x, o, effect_solids);
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   walls::add_lagrangian(list, v, o, effect_solids);  // state, faces  Lagrange, donors
-  mixture::add_lagrangian_of_each(list, walls::of_whole_cells(m), o, effect_flow);
-  walls::add_shares_of_each(list, m, x, o, effect_solids);  // Lagrange   E_mL of touched cells
+  const mixture::Variables whole = walls::of_whole_cells(m);
+  if (apart) mixture::add_slip_phase(list, m, o, slip);  // p_f        w_mL, drift, work
+  mixture::add_lagrangian_of_each(list, whole, o, effect_flow);
+  walls::add_shares_of_each(list, m, x, o, effect_solids);   // Lagrange   E_mL of touched cells
+  if (apart) mixture::add_slip_faces(list, whole, o, slip);  // drift      u_fm, outflow
   mixture::Variables bases = m;
   bases.common = walls::of_bases(v);
   mixture::add_remap_bases(list, bases, masked, effect_second_order);  // Lagrange   bases
-  for (int axis = 0; axis < o.axes.count; ++axis)
-    mixture::add_remap_flux(list, walls::of_whole_remap(m, x, axis), masked, effect_flow, axis);
+  if (apart) mixture::add_slip_bases(list, bases, masked, slip);       // Lagrange   bases of u_m
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const mixture::Variables remap = walls::of_whole_remap(m, x, axis);
+    apart ? mixture::add_slip_flux(list, remap, masked, effect_flow, axis)
+          : mixture::add_remap_flux(list, remap, masked, effect_flow, axis);
+  }
   walls::add_fluxes_of_touched(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
-  mixture::add_update(list, cells, o, effect_equilibration);   // fluxes    new state, rates
+  apart ? mixture::add_slip_update(list, cells, o, effect_equilibration)  // fluxes  new state
+        : mixture::add_update(list, cells, o, effect_equilibration);      //         and rates
   if (o.implicit)
-    pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
-  SchemeVariables sides = v;
-  sides.face_velocity = v.walls.flow;
+    pressure::add_end_of_mixture(list, m, moving, o, effect_pressure_solve);  // X, new state  R, Y
+  mixture::Variables sides = m;
+  sides.common.face_velocity = v.walls.flow;
   walls::add_scalar_walls(list, v, o, effect_solids);  // M_m, theta  M, weights
-  scalars::add_tasks(list, sides, o, effect_scalars);  // w, fluxes   new scalars
-  add_accounts(list, sides, o, effects);
+  const SchemeVariables carrying =
+      apart ? scalars::add_own_motion(list, sides, o, effect_scalars) : sides.common;
+  scalars::add_tasks(list, carrying, o, effect_scalars);  // w, fluxes   new scalars
+  add_accounts(list, sides.common, o, effects);
+  if (apart) mixture::add_slip_force_account(list, m, o, effect_of_forces(o));
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
 }
 
-// The same where each material has a velocity of its own: mixture/slip.hpp.
+// The same without solids, where each material has a velocity of its own: mixture/slip.hpp.
 void declare_own_velocities(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});

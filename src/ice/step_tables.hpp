@@ -11,7 +11,7 @@ void declare_one_material(TaskList& list, const SchemeOptions& options, const Ef
 // Of blocks that solids meet; one fluid.
 void declare_walled_material(TaskList& list, const SchemeOptions& options,
                              const EffectList& effects);
-// Likewise of several fluids with one velocity.
+// Likewise of several fluids.
 void declare_walled_mixture(TaskList& list, const SchemeOptions& options,
                             const EffectList& effects);
 void declare_mixture(TaskList& list, const SchemeOptions& options, const EffectList& effects);

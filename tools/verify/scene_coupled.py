@@ -1,9 +1,9 @@
 """Random scenes of fluids and solids on one grid.
 
 A scene has one or two gases (1e4 to 1e7 Pa, 250 to 1000 K; the second in a part of the domain, at
-another pressure) and one or two bodies of any law, still or moving; any drag and heat exchange from
-none to one velocity, closed, open or periodic sides, explicit or with a semi-implicit pressure, one
-or two dimensions.
+another pressure) with friction and conduction or none, and one or two bodies of any law, still or
+moving, some so fast that the gas tears them; any drag and heat exchange from none to one velocity,
+closed, open or periodic sides, explicit or with a semi-implicit pressure, one or two dimensions.
 Every number follows from the seed alone.
 """
 import random
@@ -13,6 +13,7 @@ from scene_solid import LAWS, contact_of, material_of, mirror, shape_of
 
 DRIFT = 1e-12  # of the scale of each conserved quantity
 
+RUBBER = LAWS[0]
 IMPLICIT = ("<ImplicitSolver><max_outer_iterations>20</max_outer_iterations>"
             "<outer_iteration_tolerance>1e-6</outer_iteration_tolerance></ImplicitSolver>")
 
@@ -72,8 +73,9 @@ def gas(draw, name, shape, dimensions):
     speed = [draw.choice([0, 0, draw.uniform(-200, 200)]) if d < dimensions else 0
              for d in range(3)]
     return (f'<material name="{name}"><EOS type="ideal_gas"/><specific_heat>{heat}</specific_heat>'
-            f"<gamma>{gamma}</gamma><dynamic_viscosity>{draw.choice([0, 0, 1e-3])}"
-            "</dynamic_viscosity><thermal_conductivity>0</thermal_conductivity>"
+            f"<gamma>{gamma}</gamma><dynamic_viscosity>{draw.choice([0, 0, 1e-3, 1])}"
+            "</dynamic_viscosity>"
+            f"<thermal_conductivity>{draw.choice([0, 0, 0.1, 100])}</thermal_conductivity>"
             f"<geom_object>{shape}<res>[1,1,1]</res><velocity>{speed}</velocity>"
             f"<density>{pressure / ((gamma - 1) * heat * temperature)!r}</density>"
             f"<temperature>{temperature!r}</temperature></geom_object></material>")
@@ -85,8 +87,11 @@ def scene(seed):
     dimensions = draw.choice([1, 2, 2])
     count, fluids = draw.choice([1, 1, 2]), draw.choice([1, 1, 2])
     n = {1: 60, 2: 30}[dimensions]
-    laws = [draw.choice(LAWS) for _ in range(count)]
-    solids = [material_of(draw, f"s{k}", law, shape_of(draw, k, count, dimensions), dimensions)
+    torn = draw.random() < 0.15
+    laws = [RUBBER if torn else draw.choice(LAWS) for _ in range(count)]
+    speed = 100 if torn else 0.05  # of sound
+    solids = [material_of(draw, f"s{k}", law, shape_of(draw, k, count, dimensions), dimensions,
+                          speed)
               for k, law in enumerate(laws)]
     split = draw.uniform(0.3, 0.7) if fluids == 2 else 9
     shapes = [f"<box><min>[-9,-9,-9]</min><max>[{split},9,9]</max></box>",
@@ -96,7 +101,7 @@ def scene(seed):
     drag = draw.choice([0, 0, 100, 1e6, 1e15])
     drags = [drag] * pairs
     if fluids == 2:
-        drags[-1] = 1e15  # beside solids fluids share one velocity
+        drags[-1] = draw.choice([0, 1e4, 1e8, 1e15])
     exchange = draw.choice([0, 0, 1e3, 1e9, 1e15])
     kind, implicit = draw.choice(["closed", "open", "periodic"]), draw.random() < 0.25
     across = ["x-", "x+", "y-", "y+"][:2 * dimensions]
@@ -113,7 +118,7 @@ def scene(seed):
         implicit=IMPLICIT if implicit else "", basis=basis, solids="\n".join(solids),
         contact=contact_of(draw, count), gases="\n".join(gases), drag=drags,
         exchange=[exchange] * pairs)
-    words = (f"{'+'.join(law[0] for law in laws)}, {fluids} gases, {basis}, {kind}, "
-             f"{dimensions}-D, drag {drag:g}, heat {exchange:g}"
+    words = (f"{'+'.join(law[0] for law in laws)}{' torn' if torn else ''}, {fluids} gases, "
+             f"{basis}, {kind}, {dimensions}-D, drag {drag:g}, {drags[-1]:g}, heat {exchange:g}"
              f"{', implicit' if implicit else ''}")
     return text, words

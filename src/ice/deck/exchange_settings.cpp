@@ -182,19 +182,6 @@ double PairCoefficients::least_of_pairs() const {
   return least;
 }
 
-bool PairCoefficients::bind_all(double least) const {
-  std::vector<int> bound = {0};
-  std::vector<bool> reached(static_cast<std::size_t>(materials_), false);
-  if (materials_ > 0) reached[0] = true;
-  for (std::size_t i = 0; i < bound.size() && materials_ > 0; ++i)
-    for (int n = 0; n < materials_; ++n) {
-      if (reached[static_cast<std::size_t>(n)] || (*this)(bound[i], n) < least) continue;
-      reached[static_cast<std::size_t>(n)] = true;
-      bound.push_back(n);
-    }
-  return materials_ == 0 || static_cast<int>(bound.size()) == materials_;
-}
-
 ExchangeSettings read_exchange(const DeckNode& root, int materials) {
   ExchangeSettings s;
   s.momentum = PairCoefficients(materials);

@@ -42,8 +42,6 @@ class PairCoefficients {
   PairCoefficients of(int first, int count) const;  // of some that follow each other
   bool any() const;                                 // one pair at least exchanges
   double least_of_pairs() const;                    // 0 when there is no pair
-  // Are all bound to each other by pairs of at least this, if only through others.
-  bool bind_all(double least) const;
 
  private:
   std::size_t index(int m, int n) const {

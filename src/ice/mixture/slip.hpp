@@ -15,10 +15,13 @@
 //   4. the remap takes each material from its own donor, with its own velocity
 //   5. the rest of the drag after the remap; the kinetic energy that drag and remap take becomes
 //      heat, by mass.
+// Cells that solids touch have one velocity: across a wall all fluids have the wall's. Whatever
+// enters them moves with it from then on, and the kinetic energy of its slip becomes heat.
 // Drag: M_m du_m/dt = sum_n K_mn V_m V_n (u_n - u_m). Over a step: two materials by the exponential
 // itself, more by an L-stable method of second order (pair_relaxation.hpp); both limits exact.
 #pragma once
 #include "ice/mixture/variables.hpp"
+#include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 
@@ -36,6 +39,7 @@ void add_slip_faces(TaskList&, const Variables&, const SchemeOptions&, int effec
 // In place of the tasks of the same name without "slip" (4, 5).
 void add_slip_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_slip_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_slip_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
 void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
 // What a driving force works on the slip, summed; absent without one.
 void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
@@ -43,8 +47,27 @@ void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, i
 // Where a task finds what moves against the mixture.
 struct SlipReads {
   std::vector<In> mass, volume, slip;
+  In presence, touched;
+  bool walled = false;
 };
-void read_slip(TaskBuilder&, const Variables&, SlipReads&);
+void read_slip(TaskBuilder&, const Variables&, const SchemeOptions&, SlipReads&);
+
+// Parts of a row in which materials move apart: apart(part); where one is alone, or a solid touches
+// the cells, all have one velocity: bound(part).
+template <class Bound, class Apart>
+void for_each_motion(const Row& row, const SlipReads& r, Bound&& bound, Apart&& apart) {
+  for_each_run(runs_of(row, r.presence), row.count(), [&](int first, int count, double presence) {
+    if (is_single(presence)) return bound(row.part(first, count));
+    if (!r.walled) return apart(row.part(first, count));
+    const double* touched = row(r.touched);
+    for (int begin = first, end = first; begin < first + count; begin = end) {
+      const bool beside = touched[begin] != 0;
+      while (end < first + count && (touched[end] != 0) == beside) ++end;
+      const Row part = row.part(begin, end - begin);
+      beside ? bound(part) : apart(part);
+    }
+  });
+}
 
 struct DragCell;
 // What interfaces and surfaces do to drag.

@@ -5,7 +5,8 @@
 // The sum rises with c in straight pieces: Newton's step ends on the piece of the solution. Without
 // drift u_fm = u_f to the bit. Cells: outflow Courant number of each material,
 // N_m = (1/J) sum_d l_d [max(0, u_fm+) + max(0, -u_fm-)], and the largest l |u_fm| of its outlets,
-// negative if there are several, minus infinity if several are the largest.
+// negative if there are several, minus infinity if several are the largest. At a cell that solids
+// touch nothing drifts; its N_m is that of the mixture.
 #include <cmath>
 #include <limits>
 
@@ -19,8 +20,9 @@ namespace {
 
 struct FaceHandles {
   std::vector<In> mass, volume;
-  In pure, drift, face_velocity;
+  In pure, drift, face_velocity, touched;
   Out own;
+  bool walled = false;
 };
 
 // Volume fractions and drifts on both sides of a face.
@@ -58,6 +60,7 @@ void mixed_faces(const Row& row, const FaceHandles& h, int axis, int axes) {
     f.u = uf[i];
     f.count = materials;
     bool any = false;
+    const bool bound = h.walled && (row(h.touched, 0, axis, -1)[i] != 0 || row(h.touched)[i] != 0);
     for (int m = 0; m < materials; ++m) {
       const auto k = static_cast<std::size_t>(m);
       const double Ma = row(h.mass[k], 0, axis, -1)[i], Mb = row(h.mass[k])[i];
@@ -65,7 +68,7 @@ void mixed_faces(const Row& row, const FaceHandles& h, int axis, int axes) {
       const double db = row(h.drift, m * axes + axis)[i];
       f.a[m] = row(h.volume[k], 0, axis, -1)[i];
       f.b[m] = row(h.volume[k])[i];
-      f.r[m] = Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
+      f.r[m] = !bound && Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
       any = any || f.r[m] != 0.0;
     }
     const double c = any ? f.velocity_of_volume() : f.u;
@@ -91,6 +94,8 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
     h.drift = task.read(v.slip.drift, both);
     h.face_velocity = task.read(v.common.face_velocity[a]);
     h.own = task.write(v.slip.face_velocity[a]);
+    h.walled = o.walled;
+    if (o.walled) h.touched = task.read(v.touched, both);
     task.kernel([=, axes = o.axes.count](const Row& row) {
       for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                         [&](int first, int count, double pure) {
@@ -101,7 +106,7 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
 }
 
 struct CellHandles {
-  In pure, inverse_J, velocity;
+  In pure, inverse_J, velocity, touched, courant;
   std::array<In, 3> face_velocity;
   Out outflow;
 };
@@ -130,7 +135,8 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
         ties += (l[d] * high == largest ? 1.0 : 0.0) + (l[d] * -low == largest ? 1.0 : 0.0);
       }
       for (int c = D; c < o.components; ++c) carried += l[c] * std::fabs(row(h.velocity, c)[i]);
-      N[i] = (out + carried) * row(h.inverse_J)[i];
+      const bool bound = o.walled && row(h.touched)[i] != 0;
+      N[i] = bound ? row(h.courant)[i] : (out + carried) * row(h.inverse_J)[i];
       const double several = ties > 1.0 ? -infinity : -largest;
       outlet[i] = count > 1.0 ? several : largest;
     }
@@ -146,6 +152,10 @@ void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.pure = task.read(v.pure);
   h.inverse_J = task.read(v.common.inverse_J);
   h.velocity = task.read(v.common.velocity);
+  if (o.walled) {
+    h.touched = task.read(v.touched);
+    h.courant = task.read(v.common.courant);
+  }
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     h.face_velocity[a] =

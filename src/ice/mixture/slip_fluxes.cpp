@@ -296,39 +296,42 @@ class Faces {
 }  // namespace
 
 void add_slip_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count; ++axis) add_slip_flux(list, v, o, effect, axis);
+}
+
+void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+                   int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
-    const auto face = static_cast<std::size_t>(axis);
-    const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
-    TaskBuilder task = list.task(names[axis], effect);
-    Handles h;
-    h.common = read_remap_inputs(task, v.common, o, axis);
-    h.common.flux = task.write(v.common.flux[face]);
-    h.materials = read_materials(task, v, o, axis);
-    h.pure = h.materials.pure;
-    h.velocity = task.read(v.slip.velocity, four);
-    h.velocity_L = task.read(v.slip.velocity_L, both);
-    if (o.second_order && o.axes.count > 1) h.base = task.read(v.slip.base[face], both);
-    h.face_velocity = task.read(v.slip.face_velocity[face]);
-    h.outflow = task.read(v.slip.outflow, both);
-    h.flux = task.write(v.flux[face]);
-    h.material_velocity = task.write(v.common.material_velocity[face]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-      task.kernel([=](const Row& row) {
-        const double l = row.step().dt / row.step().spacing[direction];
-        for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
-                          [&](int first, int count, double pure) {
-                            const Row part = row.part(first, count);
-                            if (pure < 0) return Faces<D, C>(part, h, o, axis).run();
-                            const auto m = static_cast<std::size_t>(pure);
-                            const bool ideal = o.fluids[m].ideal() != nullptr;
-                            flux_row_of<D, C>(part, h.common, axis, l, o,
-                                              ideal ? RemapLaw::ideal : RemapLaw::scaled);
-                          });
-      });
+  const int direction = o.axes.direction[axis];
+  const auto face = static_cast<std::size_t>(axis);
+  const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
+  TaskBuilder task = list.task(names[axis], effect);
+  Handles h;
+  h.common = read_remap_inputs(task, v.common, o, axis);
+  h.common.flux = task.write(v.common.flux[face]);
+  h.materials = read_materials(task, v, o, axis);
+  h.pure = h.materials.pure;
+  h.velocity = task.read(v.slip.velocity, four);
+  h.velocity_L = task.read(v.slip.velocity_L, both);
+  if (o.second_order && o.axes.count > 1) h.base = task.read(v.slip.base[face], both);
+  h.face_velocity = task.read(v.slip.face_velocity[face]);
+  h.outflow = task.read(v.slip.outflow, both);
+  h.flux = task.write(v.flux[face]);
+  h.material_velocity = task.write(v.common.material_velocity[face]);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      const double l = row.step().dt / row.step().spacing[direction];
+      for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
+                        [&](int first, int count, double pure) {
+                          const Row part = row.part(first, count);
+                          if (pure < 0) return Faces<D, C>(part, h, o, axis).run();
+                          const auto m = static_cast<std::size_t>(pure);
+                          const bool ideal = o.fluids[m].ideal() != nullptr;
+                          flux_row_of<D, C>(part, h.common, axis, l, o,
+                                            ideal ? RemapLaw::ideal : RemapLaw::scaled);
+                        });
     });
-  }
+  });
 }
 
 }  // namespace sluice::ice::mixture

@@ -54,11 +54,11 @@ void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
 
 struct Handles : SlipReads {
   Bonds bonds;
-  In presence, rho, inverse_rho, velocity, sound;
+  In rho, inverse_rho, velocity, sound;
   Out own, rho_e, inverse_rho_e, volume_velocity, sound_e;
 };
 
-// Where a material is alone all of it is the mixture.
+// Where a material is alone, or all are bound, all of it is the mixture.
 void alone(const Row& row, const Handles& h, int components) {
   const int n = row.count();
   const auto copy = [&](In from, int c, Out to, int d) {
@@ -194,7 +194,10 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
   }
 }
 
-void read_slip(TaskBuilder& task, const Variables& v, SlipReads& r) {
+void read_slip(TaskBuilder& task, const Variables& v, const SchemeOptions& o, SlipReads& r) {
+  r.presence = task.read(v.presence);
+  r.walled = o.walled;
+  if (o.walled) r.touched = task.read(v.touched);
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     r.mass.push_back(task.read(v.mass[m]));
     r.volume.push_back(task.read(v.volume[m]));
@@ -206,8 +209,7 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   add_lock(list, v, o, effect);
   TaskBuilder task = list.task("velocities of each material", effect);
   Handles h;
-  read_slip(task, v, h);
-  h.presence = task.read(v.presence);
+  read_slip(task, v, o, h);
   h.bonds = read_bonds(task, v, o);
   h.rho = task.read(v.common.rho);
   h.inverse_rho = task.read(v.common.inverse_rho);
@@ -220,13 +222,9 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.sound_e = task.write(v.slip.common.sound);
   task.kernel([=, drag = Drag(o.drag, o.slip_exchange), axes = o.axes,
                components = o.components](const Row& row) {
-    for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
-      const Row part = row.part(first, count);
-      if (is_single(presence))
-        alone(part, h, components);
-      else
-        MixedCells(part, h, drag, axes, components).run();
-    });
+    for_each_motion(
+        row, h, [&](const Row& part) { alone(part, h, components); },
+        [&](const Row& part) { MixedCells(part, h, drag, axes, components).run(); });
   });
 }
 

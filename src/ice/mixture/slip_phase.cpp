@@ -19,7 +19,7 @@ namespace {
 
 struct Handles : SlipReads {
   Bonds bonds;
-  In presence, lagrangian;
+  In lagrangian;
   std::array<In, 3> face_pressure;
   Out velocity_L, drift, kick, work, force_work;
   bool force_on = false;
@@ -137,8 +137,7 @@ class Cells {
 void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("drag and pressure on each material", effect);
   Handles h;
-  read_slip(task, v, h);
-  h.presence = task.read(v.presence);
+  read_slip(task, v, o, h);
   h.bonds = read_bonds(task, v, o);
   h.lagrangian = task.read(v.common.lagrangian_mixture);
   for (int axis = 0; axis < o.axes.count; ++axis) {
@@ -154,14 +153,9 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.force_on = o.force_on;
   if (o.force_on) h.force_work = task.write(v.slip.force_work);
   task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
-    for_each_run(runs_of(row, h.presence), row.count(), [&](int first, int count, double presence) {
-      const Row part = row.part(first, count);
-      Cells cells(part, h, drag, o);
-      if (is_single(presence))
-        cells.alone();
-      else
-        cells.mixed();
-    });
+    for_each_motion(
+        row, h, [&](const Row& part) { Cells(part, h, drag, o).alone(); },
+        [&](const Row& part) { Cells(part, h, drag, o).mixed(); });
   });
 }
 

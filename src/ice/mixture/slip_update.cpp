@@ -17,7 +17,7 @@
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/slip.hpp"
-#include "ice/mixture/update_state.hpp"
+#include "ice/mixture/touched_update.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -270,6 +270,7 @@ class Cells {
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
   declare_update(task, v, o, h);
+  declare_touched(task, v, o, h.touched);
   h.velocity_L = task.read(v.slip.velocity_L);
   h.bonds = read_bonds(task, v, o);
   h.friction = read_friction(task, v, o);
@@ -292,7 +293,7 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
     task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
                  drag = Drag(o.drag, o.slip_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
-      for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
+      const auto update = [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
         const Cells<D, C> cells(part, h, o, drag, closure);
         if (pure < 0.0) {
@@ -301,7 +302,15 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
         }
         const auto m = static_cast<std::size_t>(pure);
         if (update_alone<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
-      });
+      };
+      if (h.touched.any) {
+        for_each_run(runs_of(row, h.pure), row.count(), [&](int from, int number, double pure) {
+          for_each_untouched(row(h.touched.cells), from, number,
+                             [&](int first, int count) { update(first, count, pure); });
+        });
+        return end_beside_solids<D, C>(row, h, o, diffusion);
+      }
+      for_each_run(runs_of(row, h.pure), row.count(), update);
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
       if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
     });

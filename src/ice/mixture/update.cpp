@@ -14,11 +14,10 @@
 #include "ice/closure/ideal_relaxation.hpp"
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
-#include "ice/mixture/update_state.hpp"
+#include "ice/mixture/touched_update.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -276,88 +275,6 @@ class MixedCells : public MaterialCells<D> {
   double* defect_;
 };
 
-// Touched cells hold the old state, while the row is looked at.
-void hold_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
-  const double* cells = row(h.touched.cells);
-  for (int i = 0; i < row.count(); ++i) {
-    if (cells[i] == 0) continue;
-    double rho = 0;
-    for (std::size_t m = 0; m < h.state.size(); ++m) {
-      const double M = row(h.state[m].mass)[i];
-      rho += M;
-      row(h.state[m].mass_new)[i] = M;
-      row(h.state[m].volume_new)[i] = row(h.state[m].volume)[i];
-      row(h.state[m].energy_new)[i] = row(h.touched.old_energy[m])[i];
-    }
-    for (int c = 0; c < o.components; ++c)
-      row(h.common.next.momentum, c)[i] = row(h.touched.old_momentum, c)[i];
-    row(h.end, 0)[i] = rho;
-    row(h.end, 1)[i] = 0;  // no rate: who settles the cell has it
-    row(h.pressure)[i] = 0;
-  }
-}
-
-// Amounts of touched cells: walls/materials.hpp.
-template <int D, int C>
-void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
-  const double *cells = row(h.touched.cells), *V_L = row(h.touched.volume_L);
-  const double *before = row(h.touched.before), *next = row(h.touched.next);
-  double* kinetic = row(h.touched.kinetic);
-  for (int i = 0; i < row.count(); ++i) kinetic[i] = next[i];
-  bool any = false;
-  for (int i = 0; i < row.count(); ++i) any |= cells[i] != 0;
-  if (!any) return;
-  const double* E_star = row(h.common.energy_star);
-  mark_alone(row, -1);
-  const MotionRows<D, C> motion(row, h.common);
-  for (int i = 0; i < row.count(); ++i) {
-    if (cells[i] == 0) continue;
-    double rho = 0;
-    const double V = 1.0 - before[i];
-    // Who gives its old state keeps it too: V_L may be anything then, but a volume is above zero.
-    const double kept = gives_new_state(V, V_L[i], E_star[i]) ? V_L[i] : V;
-    for (int m = 0; m < static_cast<int>(h.state.size()); ++m) {
-      const MaterialState& s = h.state[static_cast<std::size_t>(m)];
-      const auto gain = [&](Carried q) {
-        double sum = 0;
-        for (int d = 0; d < D; ++d) {
-          const In f = h.flux[static_cast<std::size_t>(d)];
-          sum += row(f, component(m, q))[i] - row(f, component(m, q), d, 1)[i];
-        }
-        return sum;
-      };
-      const double M = row(s.mass)[i] * V + gain(of_mass);
-      row(s.volume_new)[i] = row(s.volume)[i] * kept + gain(of_volume);
-      row(s.energy_new)[i] = row(h.touched.energy_L, m)[i] + gain(of_energy);
-      row(s.mass_new)[i] = M;
-      rho += M;
-    }
-    double rest = motion.heat(i, 0.0, 0.0, [](int) { return 0.0; });
-    for (int c = 0; c < o.components; ++c) {
-      const double v = row(h.touched.frame, c)[i];
-      rest += (row(h.common.next.momentum, c)[i] - 0.5 * rho * v) * v;
-    }
-    kinetic[i] = rest;
-    if (o.sources != nullptr) add_sources(row.part(i, 1), h, o);
-  }
-}
-
-void declare_touched(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
-                     TouchedCells& t) {
-  t.any = o.walled;
-  if (!t.any) return;
-  const WallVariables& w = v.common.walls;
-  t.cells = task.read(v.touched);
-  t.volume_L = task.read(v.touched_volume);
-  t.energy_L = task.read(v.touched_energy);
-  t.frame = task.read(v.common.velocity_L);
-  t.before = task.read(w.fraction);
-  t.next = task.read(w.next);
-  t.old_momentum = task.read(v.old_momentum);
-  for (const VariableId energy : v.energy) t.old_energy.push_back(task.read(energy));
-  t.kinetic = task.write(w.fraction_new);
-}
-
 }  // namespace
 
 void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
@@ -388,9 +305,7 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
               mixed.relax(first, count);
           });
         });
-        hold_touched(row, h, o);
-        rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
-        store_touched<D, C>(row, h, o);
+        end_beside_solids<D, C>(row, h, o, diffusion);
         return;
       }
       if (runs.key[0] >= 0.0 && is_one_run(runs, n)) {

@@ -109,7 +109,7 @@ void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, con
   }
 }
 
-void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o) {
+void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o, Motion motion) {
   SourceRows rows;
   rows.row = &row;
   rows.change = h.sources.change;
@@ -120,7 +120,7 @@ void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o) {
     rows.energy[m] = row(h.state[m].energy_new);
   }
   for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
-  for (std::size_t m = 0; m < h.slip_new.size(); ++m)
+  for (std::size_t m = 0; motion == Motion::apart && m < h.slip_new.size(); ++m)
     for (int c = 0; c < o.components; ++c)
       rows.slip[m][static_cast<std::size_t>(c)] = row(h.slip_new[m], c);
   o.sources->apply(rows);

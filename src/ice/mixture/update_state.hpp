@@ -23,6 +23,7 @@ struct MaterialState {
 struct TouchedCells {
   bool any = false;
   In cells, volume_L, energy_L, frame, before, next, old_momentum;
+  std::array<In, 3> velocity;  // of each material at faces, where each has its own
   std::vector<In> old_energy;
   Out kinetic;
 };
@@ -58,7 +59,9 @@ void leave_alone(const Row& row, const UpdateState& h, int m, int components);
 void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, const Fluid& fluid);
 
 // Adds the sources to the new state; the density of the mixture follows.
-void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o);
+enum class Motion { apart, bound };
+void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o,
+                 Motion motion = Motion::apart);
 
 // Rows where material m is alone, and its neighbours; `o`: the options of that material. True: they
 // may hold others now, and need one pressure.

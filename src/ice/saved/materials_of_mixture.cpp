@@ -67,10 +67,9 @@ VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOpti
   const std::string name = of_material("friction against the others", m);
   const VariableId friction = list.temporary(name, o.components);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
-  const In presence = task.read(v.presence);
   const FrictionOnSlip pull = read_friction(task, v, o);
   SlipReads state;
-  read_slip(task, v, state);
+  read_slip(task, v, o, state);
   const Out out = task.write(friction);
   task.kernel([=, components = o.components](const Row& row) {
     const double *mass[most_materials], *volume[most_materials];
@@ -81,7 +80,7 @@ VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOpti
     }
     for (int i = 0; i < row.count(); ++i) {
       for (int c = 0; c < components; ++c) row(out, c)[i] = 0.0;
-      if (is_single(row(presence)[i])) continue;
+      if (is_single(row(state.presence)[i])) continue;
       DragCell cell;
       find_present(materials, mass, volume, i, cell);
       for (int c = 0; c < components; ++c) {

@@ -25,6 +25,12 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
     x.whole_flux_of_each[n] = list.temporary("flux of each material" + axis, 3 * M, d);
     if (o.conducting)
       x.whole_heat_of_each[n] = list.temporary("heat through contacts" + axis, 2 * M, d);
+    if (!o.own_velocities) continue;
+    x.whole_velocity[n] = list.temporary("velocity of each material" + axis, M * o.components, d);
+    if (o.viscous)
+      v.slip.stress[n] =
+          list.temporary("friction of each material on open faces, axis " + std::to_string(a),
+                         M * o.components, d);
   }
   return x;
 }
@@ -41,7 +47,39 @@ mixture::Variables of_whole_remap(const mixture::Variables& v, const MaterialVar
   remap.common = of_remap(v.common, axis);
   remap.common.flux = x.whole_flux;
   remap.flux = x.whole_flux_of_each;
+  if (v.common.material_velocity[0].index >= 0) remap.common.material_velocity = x.whole_velocity;
   return remap;
+}
+
+SchemeVariables of_volume(const mixture::Variables& v) {
+  SchemeVariables volume = v.common;
+  volume.rho = v.slip.common.rho;
+  volume.inverse_rho = v.slip.common.inverse_rho;
+  volume.velocity = v.slip.common.velocity;
+  volume.sound = v.slip.common.sound;
+  return volume;
+}
+
+void add_touched(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
+  TaskBuilder task = list.task("cells that solids touch", effect);
+  const In theta = task.read(v.common.walls.fraction), after = task.read(v.common.walls.next);
+  const Out touched = task.write(v.touched);
+  task.kernel([=](const Row& row) {
+    const double *before = row(theta), *next = row(after);
+    double* here = row(touched);
+    for (int i = 0; i < row.count(); ++i) here[i] = before[i] > 0 || next[i] > 0;
+  });
+}
+
+void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
+                              const mixture::Variables& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
+    const auto n = static_cast<std::size_t>(axis);
+    add_open_share(
+        list, v.common, o, axis,
+        {whole.slip.stress[n], v.slip.stress[n], static_cast<int>(o.fluids.size()) * o.components},
+        "friction of each material on open faces " + std::to_string(axis), effect);
+  }
 }
 
 void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
@@ -53,6 +91,23 @@ void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const M
                    "heat through contacts of open faces " + std::to_string(axis), effect);
   }
 }
+
+namespace {
+
+// Kinetic energy of what moves against the mixture, sum |S_m|^2/(2 M_m).
+double energy_of_slip(const Row& row, const mixture::StateReads& state, const std::vector<In>& slip,
+                      const SchemeOptions& o, int i) {
+  double sum = 0;
+  for (std::size_t m = 0; m < slip.size(); ++m) {
+    const double M = row(state.mass[m])[i];
+    double squares[3] = {0, 0, 0};
+    for (int c = 0; c < o.components; ++c) squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
+    if (M > 0) sum += 0.5 / M * ((squares[0] + squares[1]) + squares[2]);
+  }
+  return sum;
+}
+
+}  // namespace
 
 void add_shares_of_each(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
                         const SchemeOptions& o, int effect) {
@@ -66,18 +121,17 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
   for (int a = 0; a < o.axes.count; ++a)
     flow[static_cast<std::size_t>(a)] =
         task.read(w.flow[static_cast<std::size_t>(a)], Stencil::along(o.axes.direction[a], 0, 1));
-  const Out touched = task.write(v.touched), volume = task.write(x.volume_L),
-            E_L = task.write(x.energy_L);
+  const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
   const int materials = static_cast<int>(o.fluids.size());
+  std::vector<In> slip;
+  for (int m = 0; m < materials && o.own_velocities; ++m)
+    slip.push_back(task.read(v.slip.slip[static_cast<std::size_t>(m)]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
     const double *Es = row(star), *E = row(energy);
-    double *here = row(touched), *V_L = row(volume);
-    for (int i = 0; i < n; ++i) {
-      here[i] = before[i] > 0 || next[i] > 0;
-      V_L[i] = 1.0 - next[i];
-    }
+    double* V_L = row(volume);
+    for (int i = 0; i < n; ++i) V_L[i] = 1.0 - next[i];
     for (int a = 0; a < o.axes.count; ++a) {
       const double l = row.step().dt / row.step().spacing[o.axes.direction[a]];
       const In f = flow[static_cast<std::size_t>(a)];
@@ -95,6 +149,13 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
         to[i] = V * E_m[i] - (V_m[i] * pdV + (W - pdV) * (M_m[i] * inverse[i]));
       }
     }
+    if (slip.empty()) return;
+    for (int i = 0; i < n; ++i) {
+      const double heat = (1.0 - before[i]) * inverse[i] * energy_of_slip(row, state, slip, o, i);
+      if (heat == 0) continue;
+      for (int m = 0; m < materials; ++m)
+        row(E_L, m)[i] += heat * row(state.mass[static_cast<std::size_t>(m)])[i];
+    }
   });
 }
 
@@ -105,6 +166,8 @@ struct FluxHandles {
   In touched, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
   In rho_L, energy_of_donor, energy_of_mixture, passed_on;
   Out flux, each;
+  In whole_velocity;  // of each fluid, where they move apart
+  Out velocity;
 };
 
 // Volume, mass and energy of one fluid.
@@ -277,6 +340,31 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
   });
 }
 
+// Fluids that move apart in whole cells.
+void copy_velocities(const Row& row, const FluxHandles& h, const SchemeOptions& o) {
+  const int count = static_cast<int>(o.fluids.size()) * o.components;
+  for (int c = 0; c < count; ++c)
+    std::copy_n(row(h.whole_velocity, c), row.count(), row(h.velocity, c));
+}
+// All that passes face i has one velocity.
+void one_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    for (int c = 0; c < o.components; ++c)
+      row(h.velocity, m * o.components + c)[i] = row(h.flux, 2 + c)[i];
+}
+// That of all, where each fluid has its own.
+void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
+  const double F = row(h.flux, 0)[i];
+  if (F == 0) return;
+  for (int c = 0; c < o.components; ++c) {
+    double sum = 0;
+    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+      sum += row(h.each, mixture::component(m, mixture::of_mass))[i] *
+             row(h.velocity, m * o.components + c)[i];
+    row(h.flux, 2 + c)[i] = sum / F;
+  }
+}
+
 }  // namespace
 
 void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
@@ -290,11 +378,16 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
     h.passed_on = task.read(x.passed_on, both);
     h.flux = task.write(v.common.flux[a]);
     h.each = task.write(v.flux[a]);
+    if (o.own_velocities) {
+      h.whole_velocity = task.read(x.whole_velocity[a]);
+      h.velocity = task.write(v.common.material_velocity[a]);
+    }
     task.kernel([=](const Row& row) {
       const int n = row.count();
       for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
       for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
         std::copy_n(row(h.whole_each, c), n, row(h.each, c));
+      if (o.own_velocities) copy_velocities(row, h, o);
       const TouchedFaces face(row, h, o, axis);
       for (int i = 0; i < n; ++i) {
         if (!face.meets_touched(i)) continue;
@@ -307,13 +400,19 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
           G += q.energy;
         };
         if (!face.donor_is_touched(i)) {
-          if (!face.tells_apart(i)) face.give_whole(i, take);
+          if (!face.tells_apart(i)) {
+            face.give_whole(i, take);
+            if (o.own_velocities) one_velocity(row, h, o, i);
+          } else if (o.own_velocities) {
+            mean_velocity(row, h, o, i);
+          }
           continue;
         }
         face.donor_is_dry(i) ? face.pass_on(i, take) : face.give(i, take);
         row(h.flux, 0)[i] = F;
         row(h.flux, 1)[i] = G;
         for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
+        if (o.own_velocities) one_velocity(row, h, o, i);
       }
     });
   }

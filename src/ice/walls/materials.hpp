@@ -12,6 +12,11 @@
 // not have. One that gives its old state (step/walled_donors.hpp) keeps V_m V in place of V_m V_L,
 // which may be anything then. What the kinetic energy leaves is told apart, until the cell is
 // settled. All other cells take the rules of mixture/, to the bit.
+//
+// Fluids with velocities of their own have one in touched cells (mixture/slip.hpp). What was their
+// slip before a solid touched the cell is heat of E_mL, by mass. Donors that none touches give each
+// fluid with its own velocity U_m; their neighbour takes what they pass with U = sum FM U_m/sum FM,
+// and FM |U_m - U|^2/2 of each as heat.
 #pragma once
 #include "ice/mixture/variables.hpp"
 #include "ice/walls/variables.hpp"
@@ -26,9 +31,16 @@ struct MaterialVariables {
   std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
   // Of what conducts: heat through contacts of whole faces.
   std::array<VariableId, 3> whole_heat_of_each;
+  // Of what moves apart: the velocity of each that passes whole faces.
+  std::array<VariableId, 3> whole_velocity;
 };
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
+// Which cells solids touch.
+void add_touched(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
+// Of what moves apart: friction of each, on the open share of faces.
+void add_stress_of_open_faces(TaskList&, const mixture::Variables& whole, const mixture::Variables&,
+                              const SchemeOptions&, int effect);
 // Of what conducts: heat through contacts, on the open share of faces.
 void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const MaterialVariables&,
                             const SchemeOptions&, int effect);
@@ -39,6 +51,8 @@ void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVari
 void add_fluxes_of_touched(TaskList&, const mixture::Variables&, const MaterialVariables&,
                            const SchemeOptions&, int effect);
 
+// Variables of the volume, which moves and is inert as its materials are together.
+SchemeVariables of_volume(const mixture::Variables&);
 // As mixture/ has them, with what it takes for the faces' velocity.
 mixture::Variables of_whole_cells(const mixture::Variables&);
 mixture::Variables of_whole_remap(const mixture::Variables&, const MaterialVariables&, int axis);

@@ -59,7 +59,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
             squares += m * m;
           }
           known_.put(kinetic, i,
-                     !solid  ? 0.5 * squares / rho
+                     !solid  ? 0.5 * squares / rho + cells.energy_of_slip(at)
                      : M > 1 ? cells.fraction(at)
                              : cells.energy(0, at));
         });
@@ -240,6 +240,7 @@ void LevelCoupling<D>::store(const StageScope& scope) {
           for (int c = 0; c < fluid.components; ++c)
             cells.momentum(c, at) =
                 known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
+          cells.bind(at);
           cells.fraction(at) = fields_.theta_next[i];
         });
     next.forget(b, frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells));

@@ -14,6 +14,7 @@ FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
     mass.push_back(in.find(l.mass, o.place(m)));
     energy.push_back(in.find(l.energy, o.place(m)));
     if (of.material_count() > 1) volume.push_back(in.find(l.volume, o.place(m)));
+    if (o.own_velocities) slip.push_back(in.find(l.slip, o.place(m)));
   }
   for (const models::TransportedScalar& s : o.scalars) {
     scalar.push_back(in.find(s.state(), o.place(s.material)));
@@ -52,6 +53,31 @@ FluidBox::FluidBox(const FluidCells& cells, int b)
   for (const int slot : cells.scalar) scalar_.push_back(cells.state->view(slot, 0, b));
   for (int c = 0; c < cells.components; ++c)
     momentum_[static_cast<std::size_t>(c)] = cells.state->view(cells.momentum, c, b);
+  for (const int slot : cells.slip) {
+    auto& of_material = slip_.emplace_back();
+    for (int c = 0; c < cells.components; ++c)
+      of_material[static_cast<std::size_t>(c)] = cells.state->view(slot, c, b);
+  }
+}
+
+double FluidBox::energy_of_slip(IntVec3 cell) const {
+  double sum = 0;
+  for (std::size_t m = 0; m < slip_.size(); ++m) {
+    const double M = mass_[m](cell);
+    double squares[3] = {0, 0, 0};
+    for (int c = 0; c < cells_->components; ++c) {
+      const double S = slip_[m][static_cast<std::size_t>(c)](cell);
+      squares[c] = S * S;
+    }
+    if (M > 0) sum += 0.5 / M * ((squares[0] + squares[1]) + squares[2]);
+  }
+  return sum;
+}
+
+void FluidBox::bind(IntVec3 cell) const {
+  for (const auto& of_material : slip_)
+    for (int c = 0; c < cells_->components; ++c)
+      of_material[static_cast<std::size_t>(c)](cell) = 0.0;
 }
 
 FluidState FluidBox::at(IntVec3 cell) const {

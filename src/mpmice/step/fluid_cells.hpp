@@ -27,6 +27,7 @@ class FluidCells {
   const Warehouse* state;
   ice::mixture::Equilibration laws;
   std::vector<int> mass, energy, volume;  // slots by material; volume: of several
+  std::vector<int> slip;                  // likewise, of those that move apart
   std::vector<int> scalar;                // of each scalar of the fluids
   std::vector<std::size_t> carrier;       // and the material that carries it
   int momentum, fraction;
@@ -46,6 +47,9 @@ class FluidBox {
   double& momentum(int component, IntVec3 c) const {
     return momentum_[static_cast<std::size_t>(component)](c);
   }
+  // Kinetic energy of what moves against the mixture, per volume of fluid; makes it move with it.
+  double energy_of_slip(IntVec3 c) const;
+  void bind(IntVec3 c) const;
   // Per mass of its carrier.
   double& scalar(std::size_t s, IntVec3 c) const { return scalar_[s](c); }
   double& fraction(IntVec3 c) const { return fraction_(c); }
@@ -57,6 +61,7 @@ class FluidBox {
   const FluidCells* cells_;
   std::vector<RealView> mass_, energy_, volume_, scalar_;
   std::array<RealView, 3> momentum_;
+  std::vector<std::array<RealView, 3>> slip_;
   RealView fraction_;
 };
 
