@@ -263,38 +263,6 @@ TEST(BodyTornApart, NeitherBoxesNorThreadsShow) {
   EXPECT_EQ(one.field("press_CC", 0).components[0], many.field("press_CC", 0).components[0]);
 }
 
-// A disk that falls out of an open side, whole: the rows of cells beside it stay what they are.
-TEST(DiskThatLeaves, TakesNoGasAlong) {
-  CoupledDeck deck;
-  deck.cells = "[24,24,1]";
-  deck.upper = "[1,1,0.041666666666666664]";
-  deck.time = "0.004";
-  deck.density = "7800";
-  deck.bulk = "1e8";
-  deck.shear = "5e7";
-  deck.solid = solid_object(disk_at(0.6, 0.25, 0.17), "[-80,-170,0]");
-  const auto open = [](const char* side) {
-    std::string face = fmt::format("<Face side='{}'>", side);
-    for (const char* label : {"Pressure", "Density", "Temperature"})
-      face += fmt::format("<BCType id='{}' label='{}' var='Neumann'><value>0</value></BCType>",
-                          std::string(label) == "Pressure" ? "0" : "all", label);
-    return face +
-           "<BCType id='all' label='Velocity' var='Neumann'><value>[0,0,0]</value></BCType></Face>";
-  };
-  for (const char* side : {"x-", "x+", "y+", "z-", "z+"})
-    deck.faces += fmt::format(
-        "<Face side='{}'><BCType id='all' label='Symmetric' var='symmetry'/></Face>", side);
-  deck.faces += open("y-");
-  deck.saves = {"press_CC", "rho_CC"};
-  const CoupledRun run(deck);
-  ASSERT_EQ(run.report().status, RunStatus::done) << run.report().message;
-  EXPECT_LT(std::fabs(run.drift("mass of material 1")), 1e-13);
-  const auto [low, high] = range(run.field("press_CC", 0));
-  RecordProperty("pressures", fmt::format("{:.3e} {:.3e}", low, high));
-  EXPECT_GT(low, 0.5e5);
-  EXPECT_LT(high, 2e5);
-}
-
 // Dense gas that bursts into thin hot gas of its neighbourhood, past a soft disk: its traces among
 // small cells have energies that are none of its own law's, two cells away from the disk too.
 TEST(SoftDisk, BetweenThinAndDenseGasLosesNothing) {

@@ -89,7 +89,7 @@ def scene(seed):
     n = {1: 60, 2: 30}[dimensions]
     torn = draw.random() < 0.15
     laws = [RUBBER if torn else draw.choice(LAWS) for _ in range(count)]
-    speed = 100 if torn else 0.05  # of sound
+    speed = 30 if torn else 0.05  # of sound
     solids = [material_of(draw, f"s{k}", law, shape_of(draw, k, count, dimensions), dimensions,
                           speed)
               for k, law in enumerate(laws)]

@@ -3,7 +3,6 @@
 #pragma once
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
-#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::mixture {
 
@@ -16,6 +15,7 @@ inline void declare_touched(TaskBuilder& task, const Variables& v, const SchemeO
   t.volume_L = task.read(v.touched_volume);
   t.energy_L = task.read(v.touched_energy);
   t.frame = task.read(v.common.velocity_L);
+  t.gives_old = task.read(w.gives_old);
   t.before = task.read(w.fraction);
   t.next = task.read(w.next);
   t.old_momentum = task.read(v.old_momentum);
@@ -84,7 +84,7 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
   bool any = false;
   for (int i = 0; i < row.count(); ++i) any |= cells[i] != 0;
   if (!any) return;
-  const double* E_star = row(h.common.energy_star);
+  const double* gives_old = row(h.touched.gives_old);
   mark_alone(row, -1);
   const MotionRows<D, C> motion(row, h.common);
   for (int i = 0; i < row.count(); ++i) {
@@ -92,7 +92,7 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
     double rho = 0;
     const double V = 1.0 - before[i];
     // Who gives its old state keeps it too: V_L may be anything then, but a volume is above zero.
-    const double kept = gives_new_state(V, V_L[i], E_star[i]) ? V_L[i] : V;
+    const double kept = gives_old[i] == 0 ? V_L[i] : V;
     for (int m = 0; m < static_cast<int>(h.state.size()); ++m) {
       const MaterialState& s = h.state[static_cast<std::size_t>(m)];
       const auto gain = [&](Carried q) {

@@ -22,7 +22,7 @@ struct MaterialState {
 // per volume of the cell, and, in place of theta, what momentum leaves to kinetic energy and heat.
 struct TouchedCells {
   bool any = false;
-  In cells, volume_L, energy_L, frame, before, next, old_momentum;
+  In cells, gives_old, volume_L, energy_L, frame, before, next, old_momentum;
   std::array<In, 3> velocity;  // of each material at faces, where each has its own
   std::vector<In> old_energy;
   Out kinetic;

@@ -14,14 +14,13 @@
 #include "ice/pressure/variables.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
-#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
 
 struct Touched {
   bool any = false;
-  In cells, fraction, volume_L, energy_L, energy_star;
+  In cells, fraction, volume_L, energy_L, gives_old;
 };
 
 struct Handles {
@@ -41,7 +40,7 @@ Touched read_touched(TaskBuilder& task, const mixture::Variables& v, const Schem
   t.fraction = task.read(v.common.walls.fraction);
   t.volume_L = task.read(v.touched_volume);
   t.energy_L = task.read(v.touched_energy);
-  t.energy_star = task.read(v.common.energy_star);
+  t.gives_old = task.read(v.common.walls.gives_old);
   return t;
 }
 
@@ -61,7 +60,7 @@ class OwnState {
     theta_ = row(t.fraction);
     V_L_ = row(t.volume_L);
     E_L_ = row(t.energy_L, static_cast<int>(m));
-    E_star_ = row(t.energy_star);
+    gives_old_ = row(t.gives_old);
   }
   void find(int i, double& rho, double& e) const {
     if (touched_ != nullptr && touched_[i] != 0) return beside_solids(i, rho, e);
@@ -72,14 +71,14 @@ class OwnState {
  private:
   void beside_solids(int i, double& rho, double& e) const {
     const double V = 1.0 - theta_[i];
-    const bool moved = gives_new_state(V, V_L_[i], E_star_[i]);
+    const bool moved = gives_old_[i] == 0;
     rho = moved ? M_[i] * V / (V_[i] * V_L_[i]) : M_[i] / V_[i];
     e = moved ? E_L_[i] / (V_[i] * V_L_[i]) : E_[i] / V_[i];
   }
 
   const double *M_, *V_, *E_, *J_, *of_volume_, *iJ_ = nullptr;
   const double *touched_ = nullptr, *theta_ = nullptr, *V_L_ = nullptr, *E_L_ = nullptr,
-               *E_star_ = nullptr;
+               *gives_old_ = nullptr;
 };
 
 // Cells of one material alone.

@@ -23,7 +23,6 @@
 #include "ice/pressure/error_rows.hpp"
 #include "ice/step/cell_sums.hpp"
 #include "ice/step/laws_of_cells.hpp"
-#include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
@@ -158,17 +157,17 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   TaskBuilder task = list.task("volume error beside solids", effect);
   const VolumeReads h = read_volumes(task, v, o);
   const In pL_in = task.read(p_L), p_in = task.read(v.pressure);
-  const In inverse = task.read(v.inverse_J), energy = task.read(v.energy_star);
+  const In inverse = task.read(v.inverse_J), gives_old = task.read(v.walls.gives_old);
   const Out out = task.write(v.solve.error);
   task.always();
   task.kernel([=, axes = o.axes](const Row& row) {
-    const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *E = row(energy);
+    const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *old = row(gives_old);
     double* R = row(out);
     error_row<D>(
         row, h, axes, R,
         [&](int i, double V, double K) {
           const double V_L = 1.0 / per_V[i];
-          return gives_new_state(V, V_L, E[i]) ? -V * ((pL[i] - p[i]) / K) : V_L - V;
+          return old[i] == 0 ? -V * ((pL[i] - p[i]) / K) : V_L - V;
         },
         [&](int i, double) { return pL[i] - p[i]; });
     std::int64_t most = 0;

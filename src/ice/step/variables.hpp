@@ -168,6 +168,7 @@ struct WallVariables {
   // Amounts of the cell: M, P; 1/M; of donors: velocity, weight of slopes along each axis.
   VariableId mass, momentum, inverse_mass, donor_velocity, base_mask;
   std::array<VariableId, 3> remap_mask;
+  VariableId gives_old;  // 1 where donors give their old state: step/walled_donors.hpp
   VariableId after_rho, after_momentum, after_energy;
 };
 

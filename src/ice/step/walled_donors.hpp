@@ -5,10 +5,13 @@
 
 namespace sluice::ice {
 
-// V, V_L: volume of the fluid in the cell before and after the Lagrangian phase; E_L: its energy.
-inline bool gives_new_state(double V, double V_L, double E_L) {
+// V, V_L: volume of the fluid in the cell before and after the Lagrangian phase; E_L: its energy;
+// H: what flows out. What old states give beyond what the cell has its neighbours lend; on a side
+// of the domain it might have none.
+inline bool gives_new_state(double V, double V_L, double E_L, double H, bool on_side) {
   constexpr double least = 0.5, most_squeeze = 0.3, most_stretch = 3.0;
-  return (V >= least) & (V_L > most_squeeze * V) & (V_L < most_stretch * V) & (E_L > 0);
+  const bool whole = (V >= least) & (V_L > most_squeeze * V) & (V_L < most_stretch * V);
+  return (E_L > 0) & (whole | (on_side & (H > V) & (V_L > V)));
 }
 
 }  // namespace sluice::ice

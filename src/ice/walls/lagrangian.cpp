@@ -29,6 +29,7 @@ struct Handles {
   Out mixture;  // work of pressures, of friction
   Out impulse, mass, cell_momentum, inverse_mass, donor_velocity, base_mask;
   std::array<Out, 3> remap_mask;
+  Out gives_old;
   FrictionReads friction;
 };
 
@@ -48,6 +49,26 @@ struct FaceRows {
       ap[d] = row(h.covered[n], 0, d, 1);
     }
   }
+};
+
+// Which cells of a row lie on a side of the domain, where it does not repeat.
+struct Sides {
+  bool all = false;
+  int first = -1, last = -1;
+
+  Sides(const Row& row, const SchemeOptions& o) {
+    const IntVec3 cell = row.cell();
+    for (int a = 1; a < o.axes.count; ++a) {
+      const int d = o.axes.direction[a];
+      if (o.periodic[static_cast<std::size_t>(d)]) continue;
+      all |= cell[d] == o.domain.lower[d] || cell[d] == o.domain.upper[d] - 1;
+    }
+    const int d = o.axes.direction[0];
+    if (o.periodic[static_cast<std::size_t>(d)]) return;
+    first = o.domain.lower[d] - cell[d];
+    last = o.domain.upper[d] - 1 - cell[d];
+  }
+  bool meets(int i) const { return all | (i == first) | (i == last); }
 };
 
 // What viscous stress takes of dP, one component.
@@ -160,6 +181,8 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   double* __restrict N = row(h.courant);
   double* __restrict iN = row(h.inverse_courant);
   double* __restrict whole = row(h.base_mask);
+  double* __restrict keeps = row(h.gives_old);
+  const Sides sides(row, o);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
@@ -173,7 +196,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     if constexpr (C > D) out += V * carried;
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = (theta[i] > 0) | (after[i] > 0);
-    const bool old = solid & !gives_new_state(V, volume, Es[i]);
+    const bool old = solid & !gives_new_state(V, volume, Es[i], out, sides.meets(i));
     const double room = larger(volume, least_volume), inverse = 1.0 / (solid ? room : volume);
     const double rho_after = (r[i] * V) * inverse, E_after = Es[i] * inverse;
     const double outflow = smaller(out * inverse, 1.0);
@@ -183,6 +206,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     N[i] = outflow;
     iN[i] = 1.0 / larger(outflow, 0.05);
     whole[i] = old ? 0.0 : V;
+    keeps[i] = old ? 1.0 : 0.0;
     for (int c = 0; c < C; ++c) {
       const double wet = u[c][i] - dP[c][i] * W[i], after_push = V > 0 ? wet : 0.0;
       v[c][i] = after_push;
@@ -244,6 +268,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_mass = task.write(w.inverse_mass);
   h.donor_velocity = task.write(w.donor_velocity);
   h.base_mask = task.write(w.base_mask);
+  h.gives_old = task.write(w.gives_old);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   const bool scaled = !o.mixture && o.fluid.ideal() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);

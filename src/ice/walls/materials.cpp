@@ -164,7 +164,7 @@ namespace {
 struct FluxHandles {
   mixture::StateReads state;
   In touched, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
-  In rho_L, energy_of_donor, energy_of_mixture, passed_on;
+  In gives_old, passed_on;
   Out flux, each;
   In whole_velocity;  // of each fluid, where they move apart
   Out velocity;
@@ -204,7 +204,7 @@ class TouchedFaces {
     const double H = volume(i);
     const double V = 1.0 - cell(h_.theta, 0, b)[i];
     const double V_L = 1.0 / cell(h_.inverse_J, 0, b)[i];
-    const bool old = gives_old_state(i, b);
+    const bool old = cell(h_.gives_old, 0, b)[i] != 0;
     for (int m = 0; m < materials_; ++m) {
       const auto k = static_cast<std::size_t>(m);
       const double share = cell(h_.state.volume[k], 0, b)[i];
@@ -248,13 +248,6 @@ class TouchedFaces {
   }
 
  private:
-  // A donor that gives its old state gives that of each fluid.
-  bool gives_old_state(int i, bool b) const {
-    double rho = 0;
-    for (const In mass : h_.state.mass) rho += cell(mass, 0, b)[i];
-    return cell(h_.rho_L, 0, b)[i] == rho &&
-           cell(h_.energy_of_donor, 0, b)[i] == cell(h_.energy_of_mixture, 0, b)[i];
-  }
   const double* face(In in, int c = 0) const { return row_(in, c, axis_, shift_); }
   const double* cell(In in, int c, bool b) const {
     return row_(in, c, axis_, b ? shift_ : shift_ - 1);
@@ -284,9 +277,7 @@ FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const Ma
   h.whole_each = task.read(x.whole_flux_of_each[axis], faces);
   h.velocity_L = task.read(v.common.walls.donor_velocity, cells);
   h.energy_L = task.read(x.energy_L, cells);
-  h.rho_L = task.read(v.common.rho_L, cells);
-  h.energy_of_donor = task.read(v.common.energy_L, cells);
-  h.energy_of_mixture = task.read(v.common.energy, cells);
+  h.gives_old = task.read(v.common.walls.gives_old, cells);
   return h;
 }
 

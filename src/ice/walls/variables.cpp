@@ -36,6 +36,7 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.momentum = list.temporary("momentum in the cell", C);
   w.inverse_mass = list.temporary("1/mass in the cell");
   w.donor_velocity = list.temporary("velocity of donors", C);
+  w.gives_old = list.temporary("donors that give their old state");
   w.base_mask = list.temporary("weight of transverse slopes");
   w.after_rho = list.temporary("density after the step");
   w.after_momentum = list.temporary("momentum after the step", C);

@@ -23,7 +23,7 @@ namespace sluice::mpmice {
 inline constexpr double sum_unit = 0x1p56;
 inline constexpr int most_move = 32;  // cells that a facet may reach in a step, along a direction
 // Corners of particles of the domain lie at most so many cells beyond its sides.
-inline constexpr int layers_beyond = 2;
+inline constexpr int layers_beyond = 3;
 
 inline std::uint64_t to_sum(double c) {
   return static_cast<std::uint64_t>(__builtin_llrint(c * sum_unit));
