@@ -212,6 +212,14 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
     wrap_corners(level, carried_[static_cast<std::size_t>(kind)].columns, set);
 }
 
+// Of put_seeded(): what it leaves alone.
+bool SolidParticles::starts_at_zero(int /*kind*/, Label label) const {
+  const SolidLabels& l = solid_labels();
+  const Label empty[] = {l.acceleration, l.energy,        l.affine,      l.split,  l.displacement,
+                         l.viscous,      l.outside_force, l.heat_source, l.heating};
+  return std::find(std::begin(empty), std::end(empty), label) != std::end(empty);
+}
+
 bool SolidParticles::is_absent(const std::string& name) const {
   constexpr std::string_view names[] = {
       "gradPAccNC",  // forces of a fluid act on corners of particles

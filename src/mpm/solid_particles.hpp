@@ -25,6 +25,7 @@ class SolidParticles final : public ParticleMethod {
   bool asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
                        int coarse) const override;
   std::vector<Label> grid_labels() const override;
+  bool starts_at_zero(int kind, Label label) const override;
   bool is_absent(const std::string& name) const override;
   void store_on_grid(const StageScope& scope, std::vector<GridFields>& by_level) const override;
   std::vector<double> rates(const ParticleCloud& cloud, int level) const override;

@@ -88,6 +88,8 @@ ArchiveWriter ArchiveWriter::create(const ArchiveSetup& setup, WriterRanks ranks
   writer.on_root([&] {
     try {
       sluice::write_text(writer.folder_ / "input.xml", setup.deck_xml);
+      for (const auto& [name, xml] : setup.other_decks)
+        sluice::write_text(writer.folder_ / name, xml);
       writer.write_index(writer.outputs_);
     } catch (...) {
       std::error_code ignored;  // an archive that cannot even begin leaves nothing behind

@@ -38,9 +38,11 @@ struct ArchiveSetup {
   std::filesystem::path parent = ".";  // -o DIR
   std::string filebase;                // the deck's <filebase>, e.g. "shockTube.uda"
   std::string deck_xml;                // the deck as run, includes resolved
-  std::string program;                 // "sluice 0.1.0"
-  StorageOptions outputs;              // never applied to checkpoints
-  int checkpoint_cycle = 2;            // checkpoints kept; 0: all
+  // Decks that it names, as files of these names beside it.
+  std::map<std::string, std::string> other_decks;
+  std::string program;       // "sluice 0.1.0"
+  StorageOptions outputs;    // never applied to checkpoints
+  int checkpoint_cycle = 2;  // checkpoints kept; 0: all
   HistoryControl histories;
 };
 

@@ -55,6 +55,9 @@ class Hierarchy {
   void initialise();
   // The state of a checkpoint, on its hierarchy.
   void restore(const ArchiveStep& checkpoint);
+  // The state of a hierarchy of another component on levels like these, between two steps: all that
+  // is of particles, and what was spent. Collective.
+  void succeed(const Hierarchy& earlier);
 
   // One attempt at a coarse step; labels in `wanted` are stored in its last substeps.
   const CycleResult& attempt(int step, double time, double dt, const std::vector<Label>& wanted,

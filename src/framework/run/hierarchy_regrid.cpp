@@ -329,4 +329,24 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
   if (particles_ != nullptr) particles_->restore(checkpoint, existing_levels());
 }
 
+void Hierarchy::succeed(const Hierarchy& earlier) {
+  time_ = earlier.time_;
+  previous_dt_ = earlier.previous_dt_;
+  costs_ = earlier.costs_;
+  last_balance_ = earlier.last_balance_;
+  balances_ = earlier.balances_;
+  balance_seconds_ = earlier.balance_seconds_;
+  if (particles_ == nullptr) return measure_rates(0);
+  particles_->succeed(*earlier.particles_, existing_levels());
+  // A state alone does not tell all that the last step knew of its rates: this goes on where both
+  // find the same in the state.
+  bool alike = true;
+  for (int l = 0; l < level_count(); ++l)
+    alike = alike && particles_->rates(l) == earlier.particles_->rates(l);
+  if (alike)
+    maxima_ = earlier.maxima_;
+  else
+    measure_rates(0);
+}
+
 }  // namespace sluice

@@ -81,6 +81,15 @@ OutputWriter::OutputWriter(const Scene& scene, const Component& component, Hiera
       saved_(sort_saves(scene.output, hierarchy,
                         analysis != nullptr ? analysis->field_labels() : std::vector<Label>())) {}
 
+void OutputWriter::follow(const Scene& scene, const Component& component, Hierarchy& hierarchy,
+                          AnalysisRecorder* analysis) {
+  scene_ = &scene;
+  component_ = &component;
+  hierarchy_ = &hierarchy;
+  analysis_ = analysis;
+  saved_ = sort_saves(scene.output, hierarchy, analysis->field_labels());
+}
+
 bool OutputWriter::wants(Label label, int material, int level, const SaveRequest*& request) const {
   const int materials = component_->material_count();
   const int levels = hierarchy_->level_count();

@@ -32,6 +32,10 @@ class OutputWriter {
   OutputWriter(const Scene& scene, const Component& component, Hierarchy& hierarchy,
                ArchiveWriter archive, AnalysisRecorder* analysis = nullptr);
 
+  // Another component goes on, on levels like those before.
+  void follow(const Scene& scene, const Component& component, Hierarchy& hierarchy,
+              AnalysisRecorder* analysis);
+
   const SavedLabels& saved() const { return saved_; }
   // Labels that a step must store for this output.
   const std::vector<Label>& step_labels() const { return saved_.step; }

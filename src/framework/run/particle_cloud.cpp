@@ -10,6 +10,7 @@
 #include "framework/archive/archive.hpp"
 #include "framework/base/json.hpp"
 #include "framework/particle/domain_ends.hpp"
+#include "framework/run/succession.hpp"
 
 namespace sluice {
 namespace {
@@ -41,6 +42,30 @@ void ParticleCloud::lay_out(const Levels& levels) {
 
 void ParticleCloud::settle() {
   for (Kind& kind : kinds_) kind.store.settle(*communicator_);
+}
+
+void ParticleCloud::succeed(const ParticleCloud& earlier, const Levels& levels) {
+  time_ = earlier.time_;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    Kind& kind = kinds_[k];
+    const Kind& before = earlier.kinds_[k];
+    const auto columns = common_columns(earlier.method_->kinds()[k], method_->kinds()[k]);
+    kind.made = before.made;
+    kind.left = before.left;
+    kind.store.clear();
+    kind.store.lay_out(*earlier.map_);  // boxes may have moved to other ranks since the start
+    for (int l = 0; l < kind.store.level_count(); ++l)
+      for (int b = 0; b < kind.store.box_count(l); ++b) {
+        const ParticleSet& from = before.store.set(l, b);
+        ParticleSet& to = kind.store.set(l, b);
+        to.reserve(from.size());
+        for (std::size_t n = 0; n < from.size(); ++n) to.add(from.position(n), from.id(n));
+        for (const auto& [its, own] : columns)
+          std::copy_n(from.column(its), from.size(), to.column(own));
+      }
+  }
+  lay_out(levels);
+  settle();
 }
 
 void ParticleCloud::follow(const Levels& levels) {

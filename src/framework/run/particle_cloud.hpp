@@ -52,6 +52,9 @@ class ParticleCloud {
   // Boxes have changed. Collective.
   void follow(const Levels& levels);
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
+  // The particles of another method with kinds of the same materials, on levels like these: what
+  // both carry, the rest zero. Collective.
+  void succeed(const ParticleCloud& earlier, const Levels& levels);
 
   int level_count() const { return static_cast<int>(box_seconds_.size()); }
   const Level& level(int l) const { return map_->levels()[static_cast<std::size_t>(l)]; }

@@ -95,6 +95,8 @@ class ParticleMethod {
   // What particles have on the grid, computed when it is saved, of a state between two steps: into
   // the labels that the fields of each level have. Collective.
   virtual std::vector<Label> grid_labels() const { return {}; }
+  // Is an attribute zero in every particle at a start.
+  virtual bool starts_at_zero(int /*kind*/, Label /*label*/) const { return false; }
   // Is it a label that particles have in other scenes alone: nothing is saved of it.
   virtual bool is_absent(const std::string& /*name*/) const { return false; }
   virtual void store_on_grid(const StageScope& /*scope*/,

@@ -10,7 +10,6 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/base/json.hpp"
-#include "framework/base/memory.hpp"
 
 namespace sluice {
 namespace {
@@ -22,6 +21,7 @@ ArchiveSetup archive_setup(const Scene& scene, const RunOptions& o) {
   setup.parent = o.parent;
   setup.filebase = scene.output.filebase;
   setup.deck_xml = o.deck_xml;
+  setup.other_decks = o.other_decks;
   setup.program = o.program;
   setup.outputs.doubles_as_float = scene.output.doubles_as_floats;
   setup.checkpoint_cycle = scene.output.checkpoint.cycle;
@@ -30,16 +30,6 @@ ArchiveSetup archive_setup(const Scene& scene, const RunOptions& o) {
   setup.histories.step_column = scene.output.reduction_step_column;
   setup.histories.time_column = scene.output.reduction_time_column;
   return setup;
-}
-
-SolverOptions solver_options(const RunOptions& o) {
-  SolverOptions s;
-  s.threads = o.threads;
-  s.force_all = o.force_all;
-  s.sample_every = 61;
-  s.block = o.block;
-  s.most_box_cells = o.most_box_cells;
-  return s;
 }
 
 using Rates = std::vector<std::vector<double>>;
@@ -55,14 +45,14 @@ bool all_finite(const Rates& rates) {
 
 Simulation::Simulation(const Scene& scene, const Component& component, Communicator& communicator,
                        RunOptions options)
-    : scene_(scene),
-      component_(component),
-      communicator_(communicator),
+    : scene_(&scene),
+      component_(&component),
+      communicator_(&communicator),
       options_(std::move(options)),
       time_(scene.time, scene.output, options_.limits),
-      hierarchy_(scene, component, communicator, solver_options(options_)),
-      analysis_(scene, hierarchy_, communicator),
-      level_history_(hierarchy_.possible_levels(), communicator.is_root()),
+      hierarchy_(empty_hierarchy(scene, component)),
+      analysis_(std::make_unique<AnalysisRecorder>(scene, *hierarchy_, communicator)),
+      level_history_(hierarchy_->possible_levels(), communicator.is_root()),
       conservation_(conserved_names(component)),
       tallies_(component.tally_names()) {
   time_.set_switches(component.output_switches());
@@ -71,17 +61,18 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
 Simulation::~Simulation() = default;
 
 void Simulation::restart_from(const ArchiveStep& checkpoint) {
-  hierarchy_.restore(checkpoint);
+  turn_to_component_of(checkpoint.info().state);
+  hierarchy_->restore(checkpoint);
   const std::map<std::string, std::string>& kept = checkpoint.info().state;
   time_.restart(time_state_from_json_text(kept.at("time")));
-  hierarchy_.set_previous_dt(time_.state().previous_dt);
+  hierarchy_->set_previous_dt(time_.state().previous_dt);
   set_totals(true);
   conservation_.restore(Json::parse(kept.at("conservation")));
   if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
     tallies_.restore(Json::parse(counted->second));
   ledger_ = EventLedger::from_json(Json::parse(kept.at("events")));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
-    analysis_.restore(sampled->second, &checkpoint);
+    analysis_->restore(sampled->second, &checkpoint);
   limit_ = limit_at_restart(kept);
   time_.remember_physics_dt(limit_.dt);
 }
@@ -91,13 +82,13 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
 StepLimit Simulation::limit_at_restart(const std::map<std::string, std::string>& kept) {
   const auto found = kept.find("rates");
   Rates rates = found == kept.end() ? Rates() : Json::parse(found->second).get<Rates>();
-  rates.resize(static_cast<std::size_t>(hierarchy_.possible_levels()));
-  for (int l = 0; l < hierarchy_.level_count(); ++l)
+  rates.resize(static_cast<std::size_t>(hierarchy_->possible_levels()));
+  for (int l = 0; l < hierarchy_->level_count(); ++l)
     if (static_cast<int>(rates[static_cast<std::size_t>(l)].size()) !=
-        component_.reduction_maxima())
+        component_->reduction_maxima())
       return {time_.state().physics_dt, "checkpoint"};
-  hierarchy_.set_rates(std::move(rates));
-  return hierarchy_.step_limit();
+  hierarchy_->set_rates(std::move(rates));
+  return hierarchy_->step_limit();
 }
 
 void Simulation::start() {
@@ -109,43 +100,44 @@ void Simulation::start() {
     restart_step = entry.step;
     restart_from(earlier.read_checkpoint(entry));
   } else {
-    hierarchy_.initialise();
+    hierarchy_->initialise();
     set_totals(true);
-    limit_ = hierarchy_.first_step_limit();
+    limit_ = hierarchy_->first_step_limit();
     time_.remember_physics_dt(limit_.dt);
   }
   // Bad labels are found also when nothing is written.
-  sort_saves(scene_.output, hierarchy_, analysis_.field_labels());
-  const bool writes = scene_.output.any() || scene_.output.checkpoint.any() || analysis_.any();
+  sort_saves(scene_->output, *hierarchy_, analysis_->field_labels());
+  check_saves_of_successors();
+  const bool writes = scene_->output.any() || scene_->output.checkpoint.any() || analysis_->any();
   if (options_.output && writes) {
     ArchiveWriter archive =
-        ArchiveWriter::create(archive_setup(scene_, options_), writer_ranks(communicator_));
+        ArchiveWriter::create(archive_setup(*scene_, options_), writer_ranks(*communicator_));
     if (restarting)
       archive.adopt(options_.restart, restart_step,
                     options_.copy_earlier ? Earlier::copy : Earlier::refer);
-    analysis_.open(archive.folder());
+    analysis_->open(archive.folder());
     level_history_.open(archive.folder());
     if (restarting) {
-      analysis_.adopt(options_.restart, time_.state().time);
+      analysis_->adopt(options_.restart, time_.state().time);
       level_history_.adopt(options_.restart, time_.state().time);
     }
     sample_levels();
-    output_ = std::make_unique<OutputWriter>(scene_, component_, hierarchy_, std::move(archive),
-                                             &analysis_);
+    output_ = std::make_unique<OutputWriter>(*scene_, *component_, *hierarchy_, std::move(archive),
+                                             analysis_.get());
     if (!restarting && time_.outputs_initial_state()) output_->write_output(step_info(), true);
   }
   ProgressOptions p;
-  p.mode = communicator_.is_root() ? options_.progress : ProgressMode::none;
-  p.max_time = scene_.time.max_time;
+  p.mode = communicator_->is_root() ? options_.progress : ProgressMode::none;
+  p.max_time = scene_->time.max_time;
   p.max_steps =
-      options_.limits.max_steps > 0 ? options_.limits.max_steps : scene_.time.max_timesteps;
+      options_.limits.max_steps > 0 ? options_.limits.max_steps : scene_->time.max_timesteps;
   p.wall_limit = options_.limits.wall_seconds;
-  if (!component_.state_slots().empty()) p.cells = hierarchy_.cell_count();
+  if (!component_->state_slots().empty()) p.cells = hierarchy_->cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
   if (output_ != nullptr) start_seconds_ -= output_->seconds();
-  if (communicator_.is_root() && output_ != nullptr)
-    for (const Fault& warning : analysis_.warnings()) progress_->note(to_string(warning));
+  if (communicator_->is_root() && output_ != nullptr)
+    for (const Fault& warning : analysis_->warnings()) progress_->note(to_string(warning));
   progress_->begin(time_.state().step, time_.state().time, control_.wall_seconds());
 }
 
@@ -160,11 +152,12 @@ StepInfo Simulation::step_info() const {
   info.state["conservation"] = conservation_.checkpoint().dump();
   if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
-  if (all_finite(hierarchy_.rates())) info.state["rates"] = Json(hierarchy_.rates()).dump();
-  if (analysis_.any()) info.state["analysis"] = analysis_.state();
-  if (const ParticleCloud* particles = hierarchy_.particles())
+  if (all_finite(hierarchy_->rates())) info.state["rates"] = Json(hierarchy_->rates()).dump();
+  if (analysis_->any()) info.state["analysis"] = analysis_->state();
+  if (const ParticleCloud* particles = hierarchy_->particles())
     info.state["particles"] = particles->state();
-  if (const std::string regrid = hierarchy_.regrid_state(); !regrid.empty())
+  if (!options_.successors.empty()) info.state["component"] = Json(running_).dump();
+  if (const std::string regrid = hierarchy_->regrid_state(); !regrid.empty())
     info.state["regrid"] = regrid;
   return info;
 }
@@ -187,7 +180,7 @@ void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
       "<advection type=\"FirstOrder\">, or look at the state before this step in the last "
       "checkpoint",
       plan.step, plan.start, a.faults, a.faults == 1 ? "" : "s", plan.dt, f.cell.x, f.cell.y,
-      f.cell.z, f.level, f.material, component_.describe_fault(f.kind), f.value));
+      f.cell.z, f.level, f.material, component_->describe_fault(f.kind), f.value));
 }
 
 // The state was damaged from outside (memory, a fault of the program): a smaller step cannot help.
@@ -206,7 +199,7 @@ void Simulation::fail_unsound(const StepPlan& plan, const CycleResult& a) {
 // Labels that exist only inside the step and are saved or analysed at its end.
 std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
   if (output_ == nullptr) return {};
-  std::vector<Label> labels = analysis_.step_labels(plan.end);
+  std::vector<Label> labels = analysis_->step_labels(plan.end);
   if (plan.output)
     for (Label l : output_->step_labels())
       if (std::find(labels.begin(), labels.end(), l) == labels.end()) labels.push_back(l);
@@ -217,15 +210,15 @@ std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
 // is touched.
 StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
   for (int smaller = 0;; ++smaller) {
-    result = hierarchy_.attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
-                                ledger_);
+    result = hierarchy_->attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
+                                 ledger_);
     if (result.good) {
-      hierarchy_.accept();
+      hierarchy_->accept();
       ledger_.accept_step();
-      result.sums = hierarchy_.step_sums();  // with what was booked at acceptance
+      result.sums = hierarchy_->step_sums();  // with what was booked at acceptance
       return plan;
     }
-    hierarchy_.reject();
+    hierarchy_->reject();
     ledger_.reject_step();
     if (result.unsound) fail_unsound(plan, result);
     if (smaller == smaller_attempts) fail(plan, result);
@@ -243,19 +236,19 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
 
 void Simulation::sample_levels() {
   std::vector<std::int64_t> cells;
-  for (int l = 0; l < hierarchy_.possible_levels(); ++l)
-    cells.push_back(hierarchy_.level(l).level().cell_count());
+  for (int l = 0; l < hierarchy_->possible_levels(); ++l)
+    cells.push_back(hierarchy_->level(l).level().cell_count());
   level_history_.sample(time_.state().step, time_.state().time, cells);
 }
 
 void Simulation::flush_samples() {
-  analysis_.flush();
+  analysis_->flush();
   level_history_.flush();
 }
 
 void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
   if (output_ == nullptr) return;
-  analysis_.sample(plan.step, plan.end);
+  analysis_->sample(plan.step, plan.end);
   if (plan.output || end.checkpoint) flush_samples();
   if (output_->writes_histories(plan.step)) output_->write_histories(plan.step, plan.end, totals());
   if (plan.output) output_->write_output(step_info(), false);
@@ -265,11 +258,11 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
 // the next step will be made with.
 void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   const auto start = std::chrono::steady_clock::now();
-  const bool regridded = hierarchy_.regrid(plan.step);
-  if (hierarchy_.balance(plan.step) || regridded) {
-    limit_ = hierarchy_.step_limit();
+  const bool regridded = hierarchy_->regrid(plan.step);
+  if (hierarchy_->balance(plan.step) || regridded) {
+    limit_ = hierarchy_->step_limit();
     time_.remember_physics_dt(limit_.dt);
-    analysis_.follow_levels();
+    analysis_->follow_levels();
   }
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -283,37 +276,37 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
 }
 
 void Simulation::plant_nan(IntVec3 cell) {
-  Warehouse& state = hierarchy_.level(0).state();
+  Warehouse& state = hierarchy_->level(0).state();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
     if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
       state.view(0, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
-  hierarchy_.level(0).touch();
+  hierarchy_->level(0).touch();
 }
 
 void Simulation::act_on_switches(const std::vector<double>& sums) {
-  const std::vector<OutputSwitch> switches = component_.output_switches();
+  const std::vector<OutputSwitch> switches = component_->output_switches();
   for (std::size_t n = 0; n < switches.size(); ++n) {
-    if (!component_.passes_switch(n, sums) || !time_.act_on_switch(n)) continue;
+    if (!component_->passes_switch(n, sums) || !time_.act_on_switch(n)) continue;
     const TimeState& t = time_.state();
     std::string note = fmt::format(
         "step {} at t = {:.6g}: outputs every {:g}, checkpoints every {:g} from here on", t.step,
         t.time, switches[n].output_interval, switches[n].checkpoint_interval);
     if (t.last_step > 0) note += fmt::format("; the last step is {}", t.last_step);
-    if (communicator_.is_root()) progress_->note(note);
+    if (communicator_->is_root()) progress_->note(note);
   }
 }
 
-bool Simulation::step() {
+void Simulation::step() {
   StepPlan plan = time_.plan(limit_.dt);
-  if (!plan.message.empty() && communicator_.is_root()) progress_->note(plan.message);
+  if (!plan.message.empty() && communicator_->is_root()) progress_->note(plan.message);
   const auto start = std::chrono::steady_clock::now();
   if (options_.plant_nan && options_.plant_nan->first == plan.step)
     plant_nan(options_.plant_nan->second);
   CycleResult result;
   plan = advance(plan, result);
   book(plan, result.sums);
-  analysis_.account(plan.dt, result.sums);
-  limit_ = hierarchy_.step_limit();
+  analysis_->account(plan.dt, result.sums);
+  limit_ = hierarchy_->step_limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunControl::Answer& answer = result.control;
@@ -321,13 +314,12 @@ bool Simulation::step() {
   act_on_switches(result.sums);
   time_.remember_physics_dt(limit_.dt);
   ++steps_;
-  if (const ParticleCloud* particles = hierarchy_.particles())
+  if (const ParticleCloud* particles = hierarchy_->particles())
     particle_updates_ += particles->local_count();
   keep(plan, end);
   prepare_next(plan, end);
   status_ = end.status;
   progress_->step({plan.step, plan.end, limit_.dt, answer.wall_seconds});
-  return end.status == RunStatus::running;
 }
 
 void Simulation::write_last_good_checkpoint() {
@@ -341,7 +333,9 @@ RunReport Simulation::run() {
   start();
   status_ = time_.status();
   try {
-    while (status_ == RunStatus::running && step()) {
+    while (status_ == RunStatus::running) {
+      while (is_next_due()) hand_over();
+      step();
     }
   } catch (const PhysicsError& e) {
     status_ = RunStatus::failed;
@@ -355,69 +349,10 @@ RunReport Simulation::run() {
   if (status_ != RunStatus::failed) set_totals(false);
   RunReport r = report();
   if (output_ != nullptr) {
-    analysis_.flush();
+    analysis_->flush();
     level_history_.finish();
   }
   if (output_ != nullptr) output_->finish(to_json(r).dump(2) + "\n");
-  return r;
-}
-
-RunReport Simulation::report() const {
-  RunReport r;
-  r.status = status_;
-  r.message = message_;
-  if (output_ != nullptr) r.archive = output_->archive_folder();
-  r.steps = steps_;
-  r.last_step = time_.state().step;
-  r.last_checkpoint = last_checkpoint_step_;
-  r.time = time_.state().time;
-  r.cells = hierarchy_.cell_count();
-  r.ranks = communicator_.size();
-  r.threads = options_.threads;
-  r.wall_seconds = control_.wall_seconds();
-  r.stepping_seconds = stepping_seconds_;
-  r.start_seconds = start_seconds_;
-  r.output_seconds = output_ != nullptr ? output_->seconds() : 0.0;
-  r.peak_memory_bytes = peak_resident_bytes_of_all(communicator_);
-  r.step_limit = limit_.reason;
-  r.levels = hierarchy_.costs();
-  if (const ParticleCloud* particles = hierarchy_.particles()) r.particles = particles->counts();
-  r.regrids = hierarchy_.regrids();
-  r.regrid_seconds = hierarchy_.regrid_seconds();
-  r.balances = hierarchy_.balances();
-  r.balance_seconds = hierarchy_.balance_seconds();
-  for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
-  std::vector<double> seconds(static_cast<std::size_t>(component_.effects().size()), 0.0);
-  for (int l = 0; l < hierarchy_.possible_levels(); ++l) {
-    const LevelSolver& solver = hierarchy_.level(l);
-    r.blocks_run += solver.blocks_run();
-    r.blocks_asleep += solver.blocks_asleep();
-    r.updates_asleep += solver.cells_asleep();
-    const std::vector<double> own = solver.effect_seconds();
-    for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
-  }
-  Reduction of_all;
-  const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_asleep),
-             updates = of_all.add_count(r.updates_asleep),
-             particles_moved = of_all.add_count(particle_updates_);
-  communicator_.reduce(of_all);
-  r.blocks_run = of_all.count(run);
-  r.blocks_asleep = of_all.count(asleep);
-  r.updates_asleep = of_all.count(updates);
-  r.particle_updates = of_all.count(particles_moved);
-  r.particles_alone = component_.particles() != nullptr && component_.state_slots().empty();
-  const std::vector<int> tasks = hierarchy_.level(0).effect_tasks();
-  const std::vector<double> doubles = hierarchy_.level(0).effect_doubles();
-  for (int e = 0; e < component_.effects().size(); ++e) {
-    const auto n = static_cast<std::size_t>(e);
-    r.effects.push_back({component_.effects()[e], tasks[n],
-                         doubles[n] * static_cast<double>(sizeof(double)), seconds[n]});
-  }
-  r.events_json = ledger_.to_json().dump();
-  r.conservation_json = conservation_.to_json().dump();
-  r.worst_drift = conservation_.worst_drift();
-  r.account = component_.account(tallies_);
-  r.energy_scale = conservation_.scale(component_.material_count() + 3);
   return r;
 }
 

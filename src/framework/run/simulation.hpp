@@ -1,8 +1,11 @@
 // A run from start (or checkpoint) to end: the step loop and everything it keeps and tells.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "framework/run/analysis_recorder.hpp"
 #include "framework/run/event_ledger.hpp"
@@ -10,6 +13,7 @@
 #include "framework/run/output_writer.hpp"
 #include "framework/run/progress.hpp"
 #include "framework/run/run_report.hpp"
+#include "framework/run/succession.hpp"
 #include "framework/run/time_control.hpp"
 
 namespace sluice {
@@ -21,8 +25,12 @@ struct RunOptions {
   bool force_all = false;
   RunLimits limits;
   ProgressMode progress = ProgressMode::automatic;
-  std::string program;              // "sluice 0.1.0"
-  std::string deck_xml;             // the deck as run
+  std::string program;   // "sluice 0.1.0"
+  std::string deck_xml;  // the deck as run
+  // Decks that it names, by the names of files that it has for them.
+  std::map<std::string, std::string> other_decks;
+  // Components that take over from the first, in the order of their turns.
+  std::vector<Successor> successors;
   std::filesystem::path restart;    // archive to go on from; empty: start anew
   int restart_step = -1;            // -1: the last checkpoint
   bool copy_earlier = false;        // copy earlier outputs instead of referring to them
@@ -48,7 +56,14 @@ class Simulation {
   void start();
   void restart_from(const ArchiveStep& checkpoint);
   StepLimit limit_at_restart(const std::map<std::string, std::string>& kept);
-  bool step();  // false when the run has ended
+  void step();
+  // A run of several components, one after another.
+  bool is_next_due() const;
+  void hand_over();
+  void turn_to(std::size_t number);
+  void turn_to_component_of(const std::map<std::string, std::string>& kept);
+  void check_saves_of_successors() const;
+  std::unique_ptr<Hierarchy> empty_hierarchy(const Scene& scene, const Component& component) const;
   std::vector<Label> labels_to_store(const StepPlan& plan) const;
   StepPlan advance(StepPlan plan, CycleResult& result);
   void book(const StepPlan& plan, const std::vector<double>& sums);
@@ -68,14 +83,15 @@ class Simulation {
   void plant_nan(IntVec3 cell);
   void write_last_good_checkpoint();
 
-  const Scene& scene_;
-  const Component& component_;
-  Communicator& communicator_;
+  const Scene* scene_;          // of the component that runs now
+  const Component* component_;  // likewise
+  Communicator* communicator_;
   RunOptions options_;
+  std::size_t running_ = 0;  // 0: the first component, n: the n-th successor
   RunControl control_;
   TimeControl time_;
-  Hierarchy hierarchy_;
-  AnalysisRecorder analysis_;
+  std::unique_ptr<Hierarchy> hierarchy_;
+  std::unique_ptr<AnalysisRecorder> analysis_;
   LevelHistory level_history_;
   std::unique_ptr<OutputWriter> output_;
   std::unique_ptr<Progress> progress_;

@@ -95,6 +95,9 @@ class TimeControl {
   // The n-th acts from the step behind the last on; again: nothing. Whether it has.
   bool act_on_switch(std::size_t n);
 
+  // Another component goes on: its limits of the step, with the same times of the run.
+  void take_limits(const TimeSettings& time) { time_ = time; }
+
   // Goes on from a checkpoint. Intervals may have changed since: pass keep_schedule = false.
   void restart(const TimeState& state, bool keep_schedule = true);
 
