@@ -26,6 +26,7 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/ICE/impVortex.ups", "there is no material 'atmosphere'"},
     {"inputs/ICE/rayleigh.ups", "there is no variable 'press_force'"},
     {"inputs/MPM/ARL/AMR_nano_pillar.ups", "'explicit' is neither true nor false"},
+    {"inputs/MPM/multidisks.ups", "'inputs/MPM/disks_include1.ups' does not exist"},
     {"inputs/MPM/pbxManual1.ups", "side x+ has no conditions"},
     {"inputs/MPM/sidecrack.ups", "<crack> does not exist in <MPM>"},
     {"inputs/MPM/suvic_10minus4.ups", "side x- has no conditions"},

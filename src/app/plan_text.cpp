@@ -4,6 +4,7 @@
 #include "app/effect_table.hpp"
 #include "app/plan_levels_text.hpp"
 #include "app/run_plan.hpp"
+#include "app/switched_plan.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 
@@ -180,6 +181,7 @@ std::string plan_text(const RunPlan& p) {
       human_count(p.coarse_cells()), p.boxes, p.boxes == 1 ? "" : "es", p.blocks,
       p.blocks == 1 ? "" : "s", p.ranks, p.ranks == 1 ? "" : "s", p.threads,
       p.threads == 1 ? "" : "s");
+  if (!p.parts.empty()) text += parts_text(p.parts) + "\n";
   if (p.hierarchy.levels.size() > 1) text += levels_text(p.hierarchy) + "\n";
   text += directions_text(p) + "\n";
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
@@ -207,6 +209,7 @@ std::string plan_json(const RunPlan& p) {
   const Json json = {{"deck", p.deck},
                      {"title", p.title},
                      {"component", p.component},
+                     {"parts", parts_json(p.parts)},
                      {"resolution", {p.cells.x, p.cells.y, p.cells.z}},
                      {"cells", p.cell_count},
                      {"hierarchy", levels_json(p.hierarchy)},

@@ -11,6 +11,7 @@
 #include "app/option_values.hpp"
 #include "app/run_ending.hpp"
 #include "app/scene_loader.hpp"
+#include "app/switched_parts.hpp"
 #include "app/text_sink.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/json.hpp"
@@ -114,6 +115,8 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   options.progress = progress_of(o);
   options.limits.tell = !o.run.quiet && options.progress != ProgressMode::none;
   options.program = fmt::format("sluice {}", version::kText);
+  options.successors = successors_of(*loaded);
+  options.other_decks = name_subdecks(*loaded);
   options.deck_xml = to_xml(*loaded->deck.root);
   // A link to the newest archive will lead to the one that this run makes.
   if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/first_step_limit.hpp"
+#include "app/switched_plan.hpp"
 #include "framework/run/analysis_heat.hpp"
 #include "framework/run/analysis_particles.hpp"
 #include "framework/run/analysis_spatial.hpp"
@@ -355,6 +356,7 @@ class Planner {
 RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options) {
   RunPlan plan = Planner(loaded, options).plan();
   plan.deck = loaded.deck.file;
+  plan.parts = plan_parts(loaded);
   return plan;
 }
 

@@ -14,6 +14,7 @@
 #include "app/planned_particles.hpp"
 #include "app/scene_loader.hpp"
 #include "framework/run/run_report.hpp"
+#include "framework/run/succession.hpp"
 #include "framework/run/time_control.hpp"
 
 namespace sluice {
@@ -44,8 +45,18 @@ struct PlannedLimit {
   std::string acts;  // "sets the first step", or empty
 };
 
+// A component of a switcher.
+struct PlannedPart {
+  std::string component, deck;
+  int after = 0;  // steps of the run before its turn
+  // Behind the first, by kind of particles; and what its <init> and the deck's <carry_over> name.
+  std::vector<PassedOn> passed_on;
+  std::vector<std::string> named;
+};
+
 struct RunPlan {
   std::string deck, title, component;
+  std::vector<PlannedPart> parts;  // in turn; all that follows is of the first
   IntVec3 cells;
   std::int64_t cell_count = 0;  // of all levels at the start, as far as known
   std::int64_t coarse_cells() const { return std::int64_t{1} * cells.x * cells.y * cells.z; }

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 
 #include "app/components.hpp"
 #include "app/sluice_schema.hpp"
+#include "app/switched_parts.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/deck/faults.hpp"
@@ -52,6 +54,36 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
   return kind->make(deck, scene, faults);
 }
 
+// The same of each component of a switcher.
+void read_parts(const SceneOptions& options, LoadedScene& run, std::vector<Fault>& faults) {
+  for (std::size_t n = 0; n < run.parts.size(); ++n) {
+    const Deck& deck = run.parts[n].deck;
+    if (n == 0) {
+      run.component = read_component(deck, options, run.scene, faults);
+      continue;
+    }
+    LaterScene& later = *run.later.emplace_back(std::make_unique<LaterScene>());
+    later.component = read_component(deck, options, later.scene, faults);
+  }
+  if (!any_error(faults)) check_parts(run, faults);
+}
+
+// What a deck without faults means.
+void read_run(const Deck& deck, const SceneOptions& options, LoadedScene& run,
+              std::vector<Fault>& faults) {
+  if (!runs_switcher(*deck.root)) {
+    run.component = read_component(deck, options, run.scene, faults);
+    return;
+  }
+  run.parts = read_subdecks(*deck.root, sluice_schema());
+  for (const SubDeck& part : run.parts)
+    faults.insert(faults.end(), part.deck.faults.begin(), part.deck.faults.end());
+  if (!any_error(faults)) read_parts(options, run, faults);
+  // What the components share, such as the grid, is told once.
+  std::set<std::string> told;
+  std::erase_if(faults, [&](const Fault& f) { return !told.insert(to_string(f)).second; });
+}
+
 constexpr std::int64_t most_cells_to_make = 250'000;
 
 // What a run finds when it is made ready. Levels that a regridder will make have no cells yet.
@@ -68,11 +100,12 @@ void make_ready(const Scene& scene, const Component& component, std::vector<Faul
 
 std::vector<Fault> scene_faults(const Deck& deck) {
   std::vector<Fault> faults;
-  Scene scene;
+  LoadedScene run;
   try {
-    const auto component = read_component(deck, {}, scene, faults);
-    if (component != nullptr && scene.grid.cell_count() <= most_cells_to_make)
-      make_ready(scene, *component, faults);
+    read_run(deck, {}, run, faults);
+    if (any_error(faults) || run.scene.grid.cell_count() > most_cells_to_make) return faults;
+    make_ready(run.scene, *run.component, faults);
+    for (const auto& later : run.later) make_ready(later->scene, *later->component, faults);
   } catch (const DeckError& e) {
     faults.push_back(e.fault());
   } catch (const InputError& e) {
@@ -89,7 +122,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& file,
   tell(loaded->deck.faults, quiet);
   if (!loaded->deck.good()) throw InputError(errors_of(loaded->deck.faults));
   std::vector<Fault> faults;
-  loaded->component = read_component(loaded->deck, options, loaded->scene, faults);
+  read_run(loaded->deck, options, *loaded, faults);
   tell(faults, quiet);
   if (const std::string errors = errors_of(faults); !errors.empty()) throw InputError(errors);
   return loaded;

@@ -4,15 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "framework/deck/switcher.hpp"
 #include "framework/run/component.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice {
 
+// A component of a switcher behind the first.
+struct LaterScene {
+  Scene scene;
+  std::unique_ptr<Component> component;
+};
+
 struct LoadedScene {
   Deck deck;
   Scene scene;
   std::unique_ptr<Component> component;
+  // Of a switcher, whose first component is that above: the deck of each, and what comes later.
+  std::vector<SubDeck> parts;
+  std::vector<std::unique_ptr<LaterScene>> later;
 };
 
 // What is wrong with a deck that was read without a fault: as a scene and, where it is not large

@@ -175,6 +175,8 @@ int tune(const TuneRequest& o) {
   check(o);
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
   const auto loaded = load_scene(o.deck, o.overrides, {}, o.quiet);
+  if (!loaded->later.empty())
+    throw InputError("sluice tune runs one component; name the deck of one of the switcher's");
   need_solve(loaded->deck);
   const double begin = seconds_now();
   const auto clock = [begin] { return seconds_now() - begin; };

@@ -33,7 +33,9 @@ void apply(const DeckRule& rule, Deck& deck) {
   }
 }
 
-Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
+}  // namespace
+
+Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
   drop_obsolete(*deck.root, deck.faults);
   for (const DeckRewrite& rewrite : schema.rewrites) rewrite(*deck.root, deck.faults);
@@ -49,16 +51,14 @@ Deck finish(Deck deck, const std::vector<std::string>& overrides, const Schema& 
   return deck;
 }
 
-}  // namespace
-
 Deck load_deck(const std::string& file, const std::vector<std::string>& overrides,
                const Schema& schema) {
-  return finish(read_deck(file), overrides, schema);
+  return check_deck(read_deck(file), overrides, schema);
 }
 
 Deck load_deck_text(std::string_view xml, const std::string& shown_name,
                     const std::vector<std::string>& overrides, const Schema& schema) {
-  return finish(read_deck_text(xml, shown_name), overrides, schema);
+  return check_deck(read_deck_text(xml, shown_name), overrides, schema);
 }
 
 }  // namespace sluice

@@ -26,6 +26,9 @@ Deck load_deck(const std::string& file, const std::vector<std::string>& override
 Deck load_deck_text(std::string_view xml, const std::string& shown_name,
                     const std::vector<std::string>& overrides, const Schema& schema);
 
+// The same of a deck that has been read, or put together, without being checked.
+Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema);
+
 // The passes, in the order in which load_deck runs them after reading; each adds to the faults.
 void drop_obsolete(DeckNode& root, std::vector<Fault>& faults);
 void apply_override(DeckNode& root, const std::string& override_text, const Schema& schema,

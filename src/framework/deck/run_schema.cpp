@@ -6,6 +6,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/switcher.hpp"
 
 namespace sluice {
 namespace {
@@ -77,7 +78,7 @@ TagSpec component() {
                      .once()
                      .words({"ice", "mpm", "amrmpm", "impm", "sfmpm", "mpmice", "rmpmice",
                              "rigidmpmice", "poisson1", "poisson2", "poisson3", "solvertest",
-                             "burger", "wave", "benchmark"})
+                             "burger", "wave", "benchmark", "switcher"})
                      .spelling("ICE", "ice")
                      .spelling("MPM", "mpm")
                      .spelling("AMRMPM", "amrmpm")
@@ -131,10 +132,10 @@ TagSpec component() {
                                  "SHELLMPM",
                                  "solvertest2",
                                  "SOLVERTEST2",
-                                 "switcher",
                                  "unifiedschedulertest",
                                  "UNIFIEDSCHEDULERTEST",
-                                 "wasatch"}));
+                                 "wasatch"}))
+      .with_children(switcher_tags());
 }
 
 // Public decks give some numbers twice: the first counts.
@@ -189,6 +190,7 @@ void add_run_tags(Schema& schema) {
                                  tag("taskReadyQueueAlg", "accepted without effect").text()}));
   schema.rewrites.emplace_back(keep_first_of_time);
   schema.rules.emplace_back(check_time);
+  schema.rules.emplace_back(check_switcher);
 }
 
 void check_time(const DeckNode& root, std::vector<Fault>& faults) {

@@ -1,0 +1,165 @@
+// The tags of a switcher, and what must hold among them.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "framework/deck/faults.hpp"
+#include "framework/deck/rule_tools.hpp"
+#include "framework/deck/schema.hpp"
+#include "framework/deck/switcher.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+AttributeSpec type_of_component() {
+  return attribute("type", "the component, as its deck says")
+      .once()
+      .words({"mpm", "impm"})
+      .spelling("MPM", "mpm")
+      .spelling("IMPM", "impm")
+      .not_built({"arches",   "ARCHES",      "amrmpm",   "AMRMPM",   "benchmark",
+                  "burger",   "BURGER",      "ice",      "ICE",      "mpmf",
+                  "mpmice",   "MPMICE",      "poisson1", "poisson2", "poisson3",
+                  "poisson4", "rigidmpmice", "rmpmice",  "sfmpm",    "SFMPM",
+                  "smpm",     "smpmice",     "switcher", "wave",     "WAVE"});
+}
+
+TagSpec criterion() {
+  return tag("SwitchCriteria", "when the next component takes over; the last one has none")
+      .attribute(attribute("type", "what is looked at")
+                     .once()
+                     .words({"Timestep"})
+                     .not_built({"simpleBurn", "steadyBurn", "DDT1"}))
+      .child(tag("timestep", "the next component takes over when so many steps of the run are done")
+                 .once()
+                 .only_for("type", {"Timestep"})
+                 .integer()
+                 .at_least(1));
+}
+
+TagSpec component_in_turn() {
+  return tag("subcomponent", "a component of the run; they run in the order of the deck")
+      .multiple()
+      .only_for("type", {"switcher"})
+      .with_children(
+          {tag("SimulationComponent", "which physics runs; that of the deck, where it is left out")
+               .attribute(type_of_component()),
+           tag("input_file",
+               "deck of the component: materials, limits of the time step and all else but Meta, "
+               "Grid, DataArchiver and the times of the run, which are those of this deck")
+               .once()
+               .text(),
+           criterion(),
+           tag("init",
+               "a variable that starts anew when the component takes over; here that are all that "
+               "the component before does not carry")
+               .multiple()
+               .with_attributes({attribute("var", "label").once().text(),
+                                 attribute("matls", "of which materials")
+                                     .once()
+                                     .words({"mpm_matls", "all_matls"})
+                                     .not_built({"ice_matls"}),
+                                 attribute("levels", "of which levels").index_set()})});
+}
+
+// Each component but the last says when its turn ends, each later than the one before.
+void check_criteria(const std::vector<const DeckNode*>& parts, std::vector<Fault>& faults) {
+  int before = 0;
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const DeckNode* criterion = parts[n]->child("SwitchCriteria");
+    const bool last = n + 1 == parts.size();
+    if (last && criterion != nullptr)
+      add_error(faults, criterion->where,
+                "<SwitchCriteria> in the last <subcomponent>: none takes over from it",
+                "remove it, or add a <subcomponent>");
+    if (!last && criterion == nullptr)
+      add_error(faults, parts[n]->where,
+                fmt::format("<subcomponent> {} of {} has no <SwitchCriteria>: those behind it "
+                            "would never run",
+                            n + 1, parts.size()),
+                "write <SwitchCriteria type=\"Timestep\"><timestep>N</timestep></SwitchCriteria>");
+    if (last || criterion == nullptr) continue;
+    const std::optional<int> step = integer_of(criterion, "timestep");
+    if (!step) continue;
+    if (n > 0 && *step <= before)
+      add_error(
+          faults, criterion->child("timestep")->where,
+          fmt::format("<timestep> {} of <SwitchCriteria>, but this component takes over after "
+                      "step {} of the run",
+                      *step, before),
+          fmt::format("steps are counted from the start of the run: {} or more", before + 1));
+    before = *step;
+  }
+}
+
+// A missing file is told once, however many components name it.
+void check_files(const std::vector<const DeckNode*>& parts, std::vector<Fault>& faults) {
+  std::set<std::string> told;
+  for (const DeckNode* part : parts) {
+    const DeckNode* file = part->child("input_file");
+    if (file == nullptr || !find_subdeck(*file).empty() || !told.insert(file->text).second)
+      continue;
+    add_error(
+        faults, file->where, fmt::format("<input_file>: the deck '{}' does not exist", file->text),
+        "looked beside this deck, in the working directory and in the folders above the deck");
+  }
+}
+
+}  // namespace
+
+bool runs_switcher(const DeckNode& root) {
+  const DeckNode* component = root.child("SimulationComponent");
+  return component != nullptr && component->attribute("type") == "switcher";
+}
+
+std::vector<TagSpec> switcher_tags() {
+  return {tag("carry_over",
+              "a variable that goes on from one component to the next; here that are all that both "
+              "have")
+              .multiple()
+              .only_for("type", {"switcher"})
+              .with_attributes({attribute("var", "label").once().text(),
+                                attribute("matls", "of which materials").index_set(),
+                                attribute("level", "of which level").words({"finest"})}),
+          component_in_turn()};
+}
+
+std::string find_subdeck(const DeckNode& input_file) {
+  std::error_code failed;
+  const fs::path name = input_file.text, folder = fs::path(input_file.where.file).parent_path();
+  for (const fs::path& path : {folder / name, name})
+    if (fs::is_regular_file(path, failed)) return path.lexically_normal().string();
+  fs::path above = fs::absolute(folder, failed).lexically_normal();
+  while (above.has_relative_path()) {
+    above = above.parent_path();
+    if (fs::is_regular_file(above / name, failed)) return (above / name).string();
+  }
+  return {};
+}
+
+void check_switcher(const DeckNode& root, std::vector<Fault>& faults) {
+  if (!runs_switcher(root)) return;
+  const DeckNode* component = root.child("SimulationComponent");
+  const std::vector<const DeckNode*> parts = component->all("subcomponent");
+  if (parts.empty())
+    add_error(faults, component->where,
+              "<SimulationComponent type=\"switcher\"> has no <subcomponent>: nothing to run",
+              "name the deck of each component in a <subcomponent><input_file>");
+  check_files(parts, faults);
+  check_criteria(parts, faults);
+  if (const DeckNode* analysis = root.child("DataAnalysis"))
+    add_not_built(faults, analysis->where, "<DataAnalysis> of a switcher");
+  for (const auto& block : root.children)
+    for (const char* name : {"MPM", "MaterialProperties", "PhysicalBC", "PhysicalConstants"})
+      if (block->name == name && !block->defaulted)
+        add_warning(faults, block->where,
+                    fmt::format("<{}> has no effect: it stands in the decks of the components that "
+                                "the switcher names",
+                                name),
+                    "remove it");
+}
+
+}  // namespace sluice
