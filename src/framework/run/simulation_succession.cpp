@@ -68,7 +68,7 @@ void Simulation::hand_over() {
   turn_to(running_ + 1);
   hierarchy_->succeed(*earlier);
   if (output_ != nullptr) output_->follow(*scene_, *component_, *hierarchy_, analysis_.get());
-  // Its own totals may be the same sums of other numbers; what has been booked stays.
+  // Totals are of the same particles: what has been booked until now stays.
   set_totals(false);
   limit_ = hierarchy_->step_limit();
   time_.remember_physics_dt(limit_.dt);
