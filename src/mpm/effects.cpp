@@ -63,6 +63,15 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
                 ? fmt::format("{} points in {} <cohesive_zone>", points, s.cohesive_zones.size())
                 : "no <cohesive_zone> acts (use_cohesive_zones)",
             s.cohesive_zones.empty() ? Location{} : s.cohesive_zones.front().where});
+  const auto diffuses = [](const SolidMaterial& m) { return m.diffusion.has_value(); };
+  const auto through = std::find_if(s.materials.begin(), s.materials.end(), diffuses);
+  const bool any = through != s.materials.end();
+  const auto count = std::count_if(s.materials.begin(), s.materials.end(), diffuses);
+  list.add({"scalar diffusion", s.scalar_diffusion && any,
+            !s.scalar_diffusion
+                ? "do_scalar_diffusion is false"
+                : fmt::format("<diffusion_model> in {} of {} materials", count, s.materials.size()),
+            any ? through->where : Location{}});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});

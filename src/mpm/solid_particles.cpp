@@ -135,6 +135,7 @@ void SolidParticles::put_seeded(int kind, const Level& level, const SeededPartic
   put(c.volume, seeded.volume[p]);
   for (int d = 0; d < 3; ++d) put(c.F + 4 * d, 1);
   put(c.temperature, seeded.temperature[p]);
+  put(c.concentration, seeded.concentration[p]);
   put(c.colour, seeded.colour[p]);
   for (int d = 0; d < 3 && c.half >= 0; ++d)
     put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));

@@ -81,6 +81,17 @@ TagSpec contact_tag() {
       .with_children(specified_tags());
 }
 
+// Through contacts nothing diffuses.
+TagSpec diffusion_interface_tag() {
+  return tag("diffusion_interface", "what diffuses from material to material")
+      .with_children(
+          {tag("type", "null: nothing")
+               .words({"null"})
+               .not_built({"common", "paired"})
+               .by_default("null"),
+           tag("materials", "accepted without effect: nothing passes between any").text()});
+}
+
 TagSpec thermal_contact_tag() {
   return tag("thermal_contact", "materials that meet at a node take one temperature");
 }

@@ -160,9 +160,8 @@ std::vector<TagSpec> idle_tags() {
           "functions stay those of the start, as total_lagrangian says")
           .boolean()
           .by_default("true"),
-      tag("do_scalar_diffusion", "a concentration diffuses; false alone is supported")
-          .boolean()
-          .by_default("false"),
+      flag("do_scalar_diffusion", "a concentration diffuses through what has a <diffusion_model>",
+           "false"),
       tag("DoGranularMPM", "grains join and part; false alone is supported")
           .boolean()
           .by_default("false"),

@@ -47,7 +47,11 @@ TagSpec geom_object() {
                "inside; false: those whose centre is inside are whole")
                .boolean()
                .by_default("false"),
-           tag("color", "colour of the particles").real().by_default("0")})
+           tag("color", "colour of the particles").real().by_default("0"),
+           tag("concentration", "of what diffuses, where do_scalar_diffusion is true")
+               .real()
+               .at_least(0)
+               .by_default("0")})
       .with_children(affine_tags());
 }
 
@@ -80,6 +84,17 @@ std::vector<TagSpec> constants_tags() {
           .above(0)
           .by_default("295e10")
           .unit("temperature")};
+}
+
+TagSpec diffusion_model() {
+  return tag("diffusion_model", "how a concentration spreads, where do_scalar_diffusion is true")
+      .attribute(attribute("type", "jg: J = -D grad C")
+                     .once()
+                     .words({"jg"})
+                     .not_built({"rf1", "non_linear1", "non_linear2", "constant_rate"}))
+      .with_children({tag("diffusivity", "D").once().real().at_least(0).unit("length^2/time"),
+                      tag("min_concentration", "no particle has less").real().by_default("0"),
+                      tag("max_concentration", "no particle has more; absent: no bound").real()});
 }
 
 std::vector<TagSpec> role_tags() {
@@ -124,6 +139,7 @@ TagSpec material_tag() {
                             .at_least(0)})
       .with_children(constants_tags())
       .with_children(law_tags())
+      .child(diffusion_model())
       .with_children(role_tags())
       .with_children(grain_tags())
       .child(geom_object());

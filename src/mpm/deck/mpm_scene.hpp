@@ -1,6 +1,7 @@
 // What a deck says of solids, as plain data.
 #pragma once
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,13 +28,19 @@ struct SeedObject {
   std::array<double, 9> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vec3 shift{};
   bool mapped = false;
-  double temperature = 0;
+  double temperature = 0, concentration = 0;
   Vec3 velocity{};
   std::optional<double> volume_fraction;  // share of the mass that a particle has
   int filling_levels = 1;                 // numLevelsParticleFilling
   bool cut_cells = false;  // particles that the surface cuts have volume and centroid of their part
   double colour = 0;
   Location where;
+};
+
+// What diffuses through a material, as a concentration per mass.
+struct Diffusion {
+  double diffusivity = 0;                                            // D, m^2/s
+  double least = 0, most = std::numeric_limits<double>::infinity();  // its bounds
 };
 
 struct SolidMaterial {
@@ -46,6 +53,7 @@ struct SolidMaterial {
   bool rigid = false;            // is_rigid, or a rigid law
   bool may_give_normals = true;  // possible_alpha_material
   double specific_heat_p = 0;    // C_p
+  std::optional<Diffusion> diffusion;
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
   // Others rest as they are: no part of them reaches a node, no force reaches them.
@@ -128,7 +136,14 @@ struct SplitCriterion {
 
 // A condition of a face of the domain, of one material or of all (-1).
 struct SolidBoundary {
-  enum class Kind { symmetric, velocity, temperature, temperature_gradient } kind = Kind::symmetric;
+  enum class Kind {
+    symmetric,
+    velocity,
+    temperature,
+    temperature_gradient,
+    concentration,
+    concentration_gradient
+  } kind = Kind::symmetric;
   Side side;
   int material = -1;  // local number
   int region = -1;    // of scene.boundary, where the condition covers a part of the face; -1: all
@@ -173,7 +188,8 @@ struct MpmScene {
   bool artificial_viscosity = false, viscosity_heats = false;
   double viscosity_1 = 0.2, viscosity_2 = 2.0;
   bool use_loads = false, normal_to_surface = false, loads_on_corners = false;
-  bool heat_conduction = true;  // DoExplicitHeatConduction
+  bool heat_conduction = true;    // DoExplicitHeatConduction
+  bool scalar_diffusion = false;  // do_scalar_diffusion
   bool thermal_contact = false, friction_heats = false;
   bool pressure_stabilised = false;
   int subcycles_of_F = 1;  // minimum_subcycles_for_F; negative: terms of the exponential series

@@ -45,6 +45,14 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
     b.kind = Kind::temperature_gradient;
     return !c.zero_gradient();  // that is what a face without a condition has
   }
+  if (c.variable == "SD-Type" && c.kind == ConditionKind::dirichlet) {
+    b.kind = Kind::concentration;
+    return true;
+  }
+  if (c.variable == "SD-Type" && c.kind == ConditionKind::neumann) {
+    b.kind = Kind::concentration_gradient;
+    return !c.zero_gradient();
+  }
   // Neumann of the velocity is the free face; pressure and density are a fluid's.
   if (c.variable == "Velocity" && c.kind != ConditionKind::neumann)
     add_error(faults, c.where,

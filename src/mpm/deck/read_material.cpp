@@ -62,6 +62,7 @@ SeedObject read_seed_object(const DeckNode& node, const GeometryReader& geometry
   if (g.has("volumeFraction")) o.volume_fraction = g.value("volumeFraction");
   o.filling_levels = integer_or(node, "numLevelsParticleFilling", 1);
   o.cut_cells = boolean_or(node, "cut_cells", false);
+  o.concentration = real_or(node, "concentration", 0);
   o.colour = g.has("color") ? g.value("color") : 0;
   read_map(node, o, faults);
   return o;
@@ -76,6 +77,11 @@ SolidMaterial read_material(const DeckNode& node, int index, double reference_pr
   m.constants = read_constants(node, reference_pressure);
   m.specific_heat_p = real_or(node, "C_p", m.constants.specific_heat);
   m.law = read_law(node, m.constants, faults);
+  if (const DeckNode* model = node.child("diffusion_model")) {
+    m.diffusion = Diffusion{model->real("diffusivity")};
+    m.diffusion->least = real_or(*model, "min_concentration", m.diffusion->least);
+    m.diffusion->most = real_or(*model, "max_concentration", m.diffusion->most);
+  }
   m.rigid = boolean_or(node, "is_rigid", false) || has_rigid_law(node);
   m.force_transmitting = boolean_or(node, "is_force_transmitting_material", false);
   m.may_give_normals = boolean_or(node, "possible_alpha_material", true);

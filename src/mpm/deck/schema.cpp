@@ -61,7 +61,7 @@ void add_mpm_tags(Schema& schema) {
   schema.add(tag("MaterialProperties", "the materials and how they act on each other")
                  .child(tag("MPM", "materials of solids")
                             .with_children({material_tag(), contact_tag(), thermal_contact_tag(),
-                                            cohesive_zone_tag()})));
+                                            diffusion_interface_tag(), cohesive_zone_tag()})));
   schema.add(loads_tag());
   schema.add(tag("InitialConditions", "accepted without effect: empty blocks of old decks")
                  .child(tag("MPM", "accepted without effect")));

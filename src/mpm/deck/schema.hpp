@@ -24,6 +24,7 @@ TagSpec refinement_tag();  // <AMR><MPM>
 TagSpec material_tag();
 TagSpec contact_tag();
 TagSpec thermal_contact_tag();
+TagSpec diffusion_interface_tag();
 TagSpec cohesive_zone_tag();
 TagSpec loads_tag();  // <PhysicalBC>
 

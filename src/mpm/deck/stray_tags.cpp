@@ -68,6 +68,10 @@ constexpr Stray stray_state[] = {
 constexpr Stray stray_concentration[] = {
     {"concentration", "do_scalar_diffusion alone reads it"},
 };
+constexpr Stray stray_diffusion[] = {
+    {"diffusion_model", "do_scalar_diffusion alone reads it"},
+    {"diffusion_interface", "do_scalar_diffusion alone reads it"},
+};
 
 template <class Table>
 void drop(DeckNode& parent, const Table& table, std::vector<Fault>& faults) {
@@ -129,14 +133,17 @@ void drop_stray_state(DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_solids(root)) return;
   const DeckNode* flags = root.child("MPM");
   const DeckNode* diffuses = flags == nullptr ? nullptr : flags->child("do_scalar_diffusion");
+  const bool spreads = diffuses != nullptr && diffuses->text != "false";
   for_blocks_of_materials(root, [&](DeckNode& mpm) {
-    for (const auto& material : mpm.children)
+    if (!spreads) drop(mpm, stray_diffusion, faults);
+    for (const auto& material : mpm.children) {
+      if (!spreads) drop(*material, stray_diffusion, faults);
       for (const auto& object : material->children)
         if (object->name == "geom_object") {
           drop(*object, stray_state, faults);
-          if (diffuses == nullptr || diffuses->text == "false")
-            drop(*object, stray_concentration, faults);
+          if (!spreads) drop(*object, stray_concentration, faults);
         }
+    }
   });
 }
 

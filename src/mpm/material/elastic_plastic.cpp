@@ -1,5 +1,6 @@
-// elastic_plastic, elastic_plastic_hp: metals that yield by von Mises (or Gurson) with a strength
-// that depends on strain, rate, temperature and pressure. One step of a particle:
+// elastic_plastic, elastic_plastic_hp, rf_elastic_plastic: metals that yield by von Mises (or
+// Gurson) with a strength that depends on strain, rate, temperature and pressure. One step of a
+// particle:
 //
 //   Sigma = R_0^T sigma R_0, strain = strain_between(U_0, U_1)     in the body's own axes
 //   S_tr  = S + 2 mu strain' (or relaxed by <deviatoric_stress_model>, metal_deviator.hpp),
@@ -405,6 +406,14 @@ MaterialModel elastic_plastic_model() {
 }
 MaterialModel elastic_plastic_hp_model() {
   return {"elastic_plastic_hp", {}, "the same metal under its other name", tags(), make};
+}
+MaterialModel rf_elastic_plastic_model() {
+  Tags list = tags();
+  list.push_back(
+      number("volume_expansion_coeff", "strain by what diffuses; 0 alone is supported", 0)
+          .at_least(0)
+          .at_most(0));
+  return {"rf_elastic_plastic", {}, "the same metal, in axes that turn with it", list, make};
 }
 
 }  // namespace sluice::mpm

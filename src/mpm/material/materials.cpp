@@ -16,10 +16,10 @@ namespace sluice::mpm {
 using Describe = MaterialModel();
 Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_model, cnh_mms_model,
     comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model,
-    visco_scram_model, trans_iso_hyper_model, visco_trans_iso_hyper_model, ideal_gas_model,
-    water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model, Arenisca_model,
-    Arenisca3_model, Arenisca4_model, program_burn_model, mw_visco_elastic_model, p_alpha_model,
-    ArrudaBoyce8_model, TH_water_model;
+    rf_elastic_plastic_model, visco_scram_model, trans_iso_hyper_model, visco_trans_iso_hyper_model,
+    ideal_gas_model, water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model,
+    Arenisca_model, Arenisca3_model, Arenisca4_model, program_burn_model, mw_visco_elastic_model,
+    p_alpha_model, ArrudaBoyce8_model, TH_water_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
@@ -32,6 +32,7 @@ const std::vector<MaterialModel>& material_models() {
       hypo_elastic_model(),
       elastic_plastic_model(),
       elastic_plastic_hp_model(),
+      rf_elastic_plastic_model(),
       visco_scram_model(),
       trans_iso_hyper_model(),
       visco_trans_iso_hyper_model(),
@@ -73,7 +74,6 @@ const std::vector<std::string> models_not_supported = {"ArenaSoil",
                                                        "kayenta",
                                                        "membrane",
                                                        "nonlocal_drucker_prager",
-                                                       "rf_elastic_plastic",
                                                        "shell_CNH",
                                                        "soil_foam",
                                                        "tabular_plasticity",

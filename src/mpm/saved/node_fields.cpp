@@ -11,7 +11,7 @@ namespace {
 
 struct NodeLabels {
   Label mass, volume, velocity, velocity_star, acceleration, internal_force, external_force, stress,
-      temperature, heating, displacement;
+      temperature, heating, displacement, concentration;
 };
 
 const NodeLabels& labels() {
@@ -40,6 +40,8 @@ const NodeLabels& labels() {
               "Mean rate of temperature of a material around a node in the last step, by mass."),
       declare("g.displacement", vector, "m",
               "Mean displacement of a material around a node, by mass."),
+      declare("g.concentration", real, "1",
+              "Mean concentration of a material around a node, by mass."),
   };
   return l;
 }
@@ -115,6 +117,9 @@ class BodyFields {
     if (has(l.temperature))
       mean(c.mass, c.temperature, 1,
            [&](IntVec3 at, double, const double* T) { set(l.temperature, at, T[0]); });
+    if (has(l.concentration) && c.concentration >= 0)
+      mean(c.mass, c.concentration, 1,
+           [&](IntVec3 at, double, const double* C) { set(l.concentration, at, C[0]); });
     if (has(l.heating) && c.heating >= 0)
       mean(c.mass, c.heating, 1,
            [&](IntVec3 at, double, const double* rate) { set(l.heating, at, rate[0]); });
@@ -145,7 +150,7 @@ std::vector<Label> node_labels() {
   const NodeLabels& l = labels();
   return {l.mass,         l.volume,         l.velocity,       l.velocity_star,
           l.acceleration, l.internal_force, l.external_force, l.stress,
-          l.temperature,  l.heating,        l.displacement};
+          l.temperature,  l.heating,        l.displacement,   l.concentration};
 }
 
 void store_node_fields(const Scene& scene, const MpmScene& /*solids*/, SolidStep& step,

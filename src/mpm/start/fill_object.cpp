@@ -206,6 +206,7 @@ class Filler {
     }
     row.mass = what_.density * row.volume;
     row.temperature = object_.temperature;
+    row.concentration = object_.concentration;
     row.colour = object_.colour;
     row.id = id_of(cell, part, size, res);
     row.surface = surface;

@@ -71,6 +71,7 @@ void seed_list(const ObjectOnLevel& what, const PointList& list, std::int64_t ba
     row.mass = what.density * row.volume;
     row.velocity = value(list.velocity, n, o.velocity);
     row.temperature = value(list.temperature, n, o.temperature);
+    row.concentration = o.concentration;
     row.colour = value(list.colour, n, o.colour);
     row.id = base + static_cast<std::int64_t>(n);
     row.surface = true;  // nothing says where the body ends: loads ask for the place

@@ -23,6 +23,7 @@ void append(SeededParticles& particles, const SeededParticle& row, const Optiona
   particles.volume.push_back(row.volume);
   for (std::size_t n = 0; n < 9; ++n) particles.edges[n].push_back(row.edges[n]);
   particles.temperature.push_back(row.temperature);
+  particles.concentration.push_back(row.concentration);
   particles.colour.push_back(row.colour);
   particles.id.push_back(row.id);
   particles.surface.push_back(row.surface ? 1 : 0);

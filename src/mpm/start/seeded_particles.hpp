@@ -28,7 +28,7 @@ struct SeededParticles {
   // Edge vectors in cells, row after row: edge c has the components edges[c], edges[3 + c],
   // edges[6 + c] times the spacing of their direction.
   std::array<Column, 9> edges;
-  Column temperature, colour;  // K, -
+  Column temperature, concentration, colour;  // K, -, -
   std::vector<std::int64_t> id;
   std::vector<unsigned char> surface;  // 1: a neighbouring place lies outside of the piece
 
@@ -46,7 +46,7 @@ struct SeededParticle {
   Vec3 x{}, velocity{};
   double mass = 0, volume = 0;
   Map edges{};
-  double temperature = 0, colour = 0;
+  double temperature = 0, concentration = 0, colour = 0;
   std::int64_t id = 0;
   bool surface = false;
   Vec3 external_force{}, fibre{}, normal{}, load_curve{};

@@ -81,6 +81,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   c.columns.stress = add(l.stress, true, true);
   c.columns.energy = add(l.energy, true);
   c.columns.temperature = add(l.temperature, true);
+  if (solids.scalar_diffusion) c.columns.concentration = add(l.concentration, true);
   if (solids.transfer == Transfer::apic || solids.transfer == Transfer::affine ||
       solids.gradient_enhanced)
     c.columns.affine = add(l.affine, true);

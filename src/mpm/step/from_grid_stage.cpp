@@ -344,6 +344,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
+    if (concentration_ != nullptr) diffuse(w, at, n, dt);
     if (warms) warm_by_friction(w, at, n, report.friction, report.read);
     if (c.heating >= 0) {
       double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;
@@ -359,6 +360,20 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   }
 }
 
+// C <- C + dt dC/dt within the bounds of the material.
+void SolidStep::diffuse(const BlockWork& w, std::size_t at, int n, double dt) const {
+  const double* rate = concentration_->rates(w.kind, w.box);
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  if (rate == nullptr || !body.material->diffusion) return;
+  const Diffusion& bounds = *body.material->diffusion;
+  const auto column = static_cast<std::size_t>(body.carried->columns.concentration);
+  const double* before = w.set->column(column) + at;
+  double* C = w.next->column(column) + at;
+  for (int q = 0; q < n; ++q)
+    C[q] = std::clamp(before[q] + dt * rate[at + static_cast<std::size_t>(q)], bounds.least,
+                      bounds.most);
+}
+
 std::vector<SolidStep::ThreadReport> SolidStep::new_reports(const StageScope& scope) const {
   std::vector<ThreadReport> reports;
   for (int t = 0; t < scope.levels.front()->team()->size(); ++t)
@@ -367,8 +382,10 @@ std::vector<SolidStep::ThreadReport> SolidStep::new_reports(const StageScope& sc
 }
 
 Verdict SolidStep::from_grid(const StageScope& scope) {
-  if (heat_ != nullptr)
-    heat_->conduct({&scope, &bodies_, &work_, exchange_.get(), boundary_.get(), outside_.get()});
+  for (Heat* spreads : {heat_.get(), concentration_.get()})
+    if (spreads != nullptr)
+      spreads->conduct(
+          {&scope, &bodies_, &work_, exchange_.get(), boundary_.get(), outside_.get()});
   std::vector<ThreadReport> reports = new_reports(scope);
   if (solids_->maps_back()) {
     reports.front().travel = travel_;

@@ -13,10 +13,6 @@ namespace {
 // Lanes of a node while heat moves.
 constexpr int temperature_lane = 0, mass_lane = 3, rate_lane = 4, first_lane = 5, met_lane = 6;
 
-bool conducts(const SolidMaterial& m) {
-  return m.constants.conductivity > 0 && m.constants.specific_heat > 0;
-}
-
 // act(block, number of the node in it, its index, its lanes) for nodes with mass.
 template <class Act>
 void for_each_full_node(const Body& body, NodeLanes& nodes, Act&& act) {
@@ -37,16 +33,36 @@ bool on_side(const Level& level, Side side, IntVec3 node) {
 
 }  // namespace
 
-bool Heat::possible(const MpmScene& solids) {
-  if (!solids.heat_conduction) return false;
+const Spreading heat_spreads = {&Columns::temperature,
+                                &Columns::volume,
+                                [](const SolidMaterial& m) {
+                                  return m.constants.specific_heat > 0 ? m.constants.conductivity
+                                                                       : 0.0;
+                                },
+                                [](const SolidMaterial& m) { return m.constants.specific_heat; },
+                                SolidBoundary::Kind::temperature,
+                                SolidBoundary::Kind::temperature_gradient,
+                                true};
+const Spreading concentration_spreads = {
+    &Columns::concentration,
+    &Columns::mass,
+    [](const SolidMaterial& m) { return m.diffusion ? m.diffusion->diffusivity : 0.0; },
+    [](const SolidMaterial& m) { return m.diffusion ? 1.0 : 0.0; },
+    SolidBoundary::Kind::concentration,
+    SolidBoundary::Kind::concentration_gradient,
+    false};
+
+bool Heat::possible(const MpmScene& solids, const Spreading& what) {
+  if (what.heat ? !solids.heat_conduction : !solids.scalar_diffusion) return false;
   return std::any_of(solids.materials.begin(), solids.materials.end(), [&](const SolidMaterial& m) {
-    return m.constants.specific_heat > 0 &&
-           (conducts(m) || solids.thermal_contact || solids.use_loads);
+    const bool driven = what.heat && (solids.thermal_contact || solids.use_loads);
+    return what.capacity(m) > 0 && (what.conductivity(m) > 0 || driven);
   });
 }
 
-Heat::Heat(const Scene& scene, const MpmScene& solids, const Level& level)
-    : scene_(&scene),
+Heat::Heat(const Scene& scene, const MpmScene& solids, const Level& level, const Spreading& what)
+    : what_(&what),
+      scene_(&scene),
       solids_(&solids),
       level_(level),
       nodes_(solids.materials.size()),
@@ -68,7 +84,7 @@ const double* Heat::sources(int kind, int box) const {
 bool Heat::side_value(IntVec3 node, int material, double& value) const {
   bool any = false;
   for (const SolidBoundary& b : solids_->boundaries) {
-    if (b.kind != SolidBoundary::Kind::temperature || (b.material >= 0 && b.material != material) ||
+    if (b.kind != what_->prescribed || (b.material >= 0 && b.material != material) ||
         !on_side(level_, b.side, node))
       continue;
     if (b.region > 0) {
@@ -104,22 +120,23 @@ void Heat::make_room(const HeatLoan& loan, bool conducts) {
   }
 }
 
-bool Heat::is_heated(const HeatLoan& loan, const BlockWork& w) {
+bool Heat::is_heated(const HeatLoan& loan, const BlockWork& w) const {
+  if (!what_->heat) return false;
   const Columns& c = (*loan.bodies)[static_cast<std::size_t>(w.kind)].carried->columns;
   return c.marks >= 0 && loan.outside->loads().heats(w.kind);
 }
 
 Heat::Ranges Heat::find_ranges(const HeatLoan& loan) {
   Ranges r;
-  r.specific_volume.resize(nodes_.size());
+  r.specific_weight.resize(nodes_.size());
   r.source.resize(nodes_.size());
   const double time = loan.scope->step.time;
   for (const BlockWork& w : *loan.work) {
     const Columns& c = (*loan.bodies)[static_cast<std::size_t>(w.kind)].carried->columns;
     const auto k = static_cast<std::size_t>(w.kind);
-    const double* T = w.set->column(static_cast<std::size_t>(c.temperature));
+    const double* T = w.set->column(static_cast<std::size_t>(c.*what_->value));
     const double* m = w.set->column(static_cast<std::size_t>(c.mass));
-    const double* V = w.set->column(static_cast<std::size_t>(c.volume));
+    const double* V = w.set->column(static_cast<std::size_t>(c.*what_->weight));
     double* q = is_heated(loan, w) ? scratch(w.kind, w.box).source.data() : nullptr;
     if (q != nullptr)
       loan.outside->loads().add_heat(time, loan.outside->counts(),
@@ -128,7 +145,7 @@ Heat::Ranges Heat::find_ranges(const HeatLoan& loan) {
     for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
       r.low = std::min(r.low, T[p]);
       r.high = std::max(r.high, T[p]);
-      r.specific_volume[k] = std::max(r.specific_volume[k], V[p] / m[p]);
+      r.specific_weight[k] = std::max(r.specific_weight[k], V[p] / m[p]);
       if (q != nullptr) r.source[k] = std::max(r.source[k], std::fabs(q[p]));
     }
   }
@@ -136,22 +153,22 @@ Heat::Ranges Heat::find_ranges(const HeatLoan& loan) {
   const auto low = all.add_minimum(r.low);
   const auto high = all.add_maximum(r.high);
   std::vector<Reduction::Maximum> slots;
-  for (const double v : r.specific_volume) slots.push_back(all.add_maximum(v));
+  for (const double v : r.specific_weight) slots.push_back(all.add_maximum(v));
   for (const double q : r.source) slots.push_back(all.add_maximum(q));
   loan.scope->ranks->reduce(all);
   r.low = all.minimum(low);
   r.high = all.maximum(high);
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    r.specific_volume[k] = all.maximum(slots[k]);
+    r.specific_weight[k] = all.maximum(slots[k]);
     r.source[k] = all.maximum(slots[nodes_.size() + k]);
     r.driven |= r.source[k] > 0;
   }
   for (const SolidBoundary& b : solids_->boundaries) {
-    if (b.kind == SolidBoundary::Kind::temperature) {
+    if (b.kind == what_->prescribed) {
       r.low = std::min(r.low, b.value.x);
       r.high = std::max(r.high, b.value.x);
     }
-    r.driven |= b.kind == SolidBoundary::Kind::temperature_gradient;
+    r.driven |= b.kind == what_->gradient_of_sides;
   }
   return r;
 }
@@ -182,7 +199,7 @@ void Heat::to_nodes(const HeatLoan& loan, const Ranges& ranges) {
     ParticlesToGrid p;
     p.x = places_of(*w.set, body.carried->columns);
     p.shape = shape_of(*w.set, body.carried->columns);
-    p.v = {w.set->column(static_cast<std::size_t>(c.temperature)), zero, zero};
+    p.v = {w.set->column(static_cast<std::size_t>(c.*what_->value)), zero, zero};
     p.mass = w.set->column(static_cast<std::size_t>(c.mass));
     p.volume = zero;
     p.stress.fill(zero);
@@ -217,7 +234,7 @@ void Heat::set_sides(const HeatLoan& loan) {
     const Body& body = (*loan.bodies)[k];
     for_each_full_node(body, nodes_[k], [&](int, int, IntVec3 at, std::int64_t* node) {
       for (const SolidBoundary& b : solids_->boundaries)
-        if (b.kind == SolidBoundary::Kind::temperature_gradient && on_side(level_, b.side, at) &&
+        if (b.kind == what_->gradient_of_sides && on_side(level_, b.side, at) &&
             (b.material < 0 || b.material == static_cast<int>(k)))
           node[temperature_lane] = as_bits(inner_temperature(body, at, b));
       double value = 0;
@@ -260,9 +277,9 @@ std::vector<double> Heat::find_gradients(const HeatLoan& loan) {
     const BlockWork& w = (*loan.work)[n];
     const auto k = static_cast<std::size_t>(w.kind), t = static_cast<std::size_t>(thread);
     const Body& body = (*loan.bodies)[k];
-    const double conductivity = body.material->constants.conductivity;
-    if (!conducts(*body.material)) return;
-    const double* V = w.set->column(static_cast<std::size_t>(body.carried->columns.volume));
+    const double conductivity = what_->conductivity(*body.material);
+    if (!(conductivity > 0)) return;
+    const double* V = w.set->column(static_cast<std::size_t>(body.carried->columns.*what_->weight));
     Scratch& s = scratch(w.kind, w.box);
     windows[t].load(w.lowest, w.highest, body.table, nodes_[k]);
     const std::array<const double*, 3> x = places_of(*w.set, body.carried->columns);
@@ -316,7 +333,7 @@ void Heat::find_fluxes(const HeatLoan& loan, const Ranges& ranges,
     p.shape = shape_of(*w.set, body.carried->columns);
     p.v = {zero, zero, zero};
     p.mass = zero;
-    p.volume = w.set->column(static_cast<std::size_t>(body.carried->columns.volume));
+    p.volume = w.set->column(static_cast<std::size_t>(body.carried->columns.*what_->weight));
     p.stress = {s.gradient[0].data(), zero, zero, zero, s.gradient[2].data(), s.gradient[1].data()};
     p.load = {s.source.data(), zero, zero};
     Window& window = windows[static_cast<std::size_t>(thread)];
@@ -339,7 +356,7 @@ void Heat::find_fluxes(const HeatLoan& loan, const Ranges& ranges,
 void Heat::take_part(const HeatLoan& loan, double dt) {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Body& body = (*loan.bodies)[k];
-    const double c = body.material->constants.specific_heat;
+    const double c = what_->capacity(*body.material);
     if (!(c > 0)) continue;
     for_each_full_node(body, nodes_[k], [&](int b, int n, IntVec3, std::int64_t* node) {
       const double Q = sum_in(flux_[k].sums(b) + n * lanes, 4) / flux_units_[k].force;
@@ -412,20 +429,20 @@ void Heat::conduct(const HeatLoan& loan) {
   double rate = 0;  // of explicit conduction, 1/s
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const SolidMaterial& m = solids_->materials[k];
-    if (!conducts(m)) continue;
+    if (!(what_->conductivity(m) > 0)) continue;
     double slopes = 0;
     for (int d = 0; d < 3; ++d)
       if (level_.active[static_cast<std::size_t>(d)])
         slopes += 2 / (level_.spacing[d] * level_.spacing[d]);
-    rate = std::max(rate, m.constants.conductivity / m.constants.specific_heat *
-                              ranges.specific_volume[k] * slopes);
+    rate = std::max(
+        rate, what_->conductivity(m) / what_->capacity(m) * ranges.specific_weight[k] * slopes);
   }
   const double dt = loan.scope->step.dt;
   const int parts = static_cast<int>(std::min(1e4, std::max(1.0, std::ceil(dt * rate))));
   for (int part = 0; part < parts; ++part) {
     find_fluxes(loan, ranges, find_gradients(loan));
     take_part(loan, dt / parts);
-    if (solids_->thermal_contact) meet(loan);
+    if (what_->heat && solids_->thermal_contact) meet(loan);
     set_sides(loan);
   }
   to_particles(loan, dt);

@@ -1,5 +1,5 @@
-// Heat in solids on the nodes of a level: conduction, heat through surfaces, thermal contact,
-// temperatures of sides.
+// What spreads in solids, on the nodes of a level: heat by conduction, with heat through surfaces,
+// thermal contact and temperatures of sides; a concentration by diffusion, with those of sides.
 //
 //   M = sum m S,  T_i = T_ref + (sum m (T - T_ref) S)/M           from the particles
 //   Q_i = sum (q_p S - V k grad T . grad S),  grad T = sum T_i grad S   with the T_i of now
@@ -10,10 +10,12 @@
 // part,
 // so that conduction never limits the step of the waves. Nothing happens while all temperatures are
 // equal. The transfers are those of the momentum: -V k grad T stands for a row of the stress.
+// Of a concentration C per mass the same with C for T, m D for V k and 1 for c_v.
 #pragma once
 #include "framework/run/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/nodes/node_exchange.hpp"
+#include "mpm/step/columns.hpp"
 #include "mpm/step/outside_forces.hpp"
 
 namespace sluice::mpm {
@@ -31,11 +33,23 @@ struct HeatLoan {
   const OutsideForces* outside;
 };
 
+// What spreads.
+struct Spreading {
+  int Columns::*value;                                // of particles: T
+  int Columns::*weight;                               // V, or m: of what passes by a gradient
+  double (*conductivity)(const SolidMaterial&);       // k of that; 0: it does not spread there
+  double (*capacity)(const SolidMaterial&);           // c_v; 0: nothing is stored there
+  SolidBoundary::Kind prescribed, gradient_of_sides;  // conditions of sides
+  bool heat;                                          // loads bring some, thermal contact passes it
+};
+extern const Spreading heat_spreads, concentration_spreads;
+
 class Heat {
  public:
-  // Can heat move in this scene.
-  static bool possible(const MpmScene& solids);
-  Heat(const Scene& scene, const MpmScene& solids, const Level& level);
+  // Can it move in this scene.
+  static bool possible(const MpmScene& solids, const Spreading& what = heat_spreads);
+  Heat(const Scene& scene, const MpmScene& solids, const Level& level,
+       const Spreading& what = heat_spreads);
 
   // Finds the rates of this step; collective.
   void conduct(const HeatLoan& loan);
@@ -51,7 +65,7 @@ class Heat {
   };
   struct Ranges {
     double low = 1e300, high = -1e300;    // temperatures, those of sides too
-    std::vector<double> specific_volume;  // by kind, largest V/m
+    std::vector<double> specific_weight;  // by kind, largest V/m
     std::vector<double> source;           // by kind, largest |q_p|
     bool driven = false;                  // a source or a gradient at a side
   };
@@ -60,7 +74,7 @@ class Heat {
   }
   void make_room(const HeatLoan& loan, bool conducts);
   // Do loads bring heat into the particles.
-  static bool is_heated(const HeatLoan& loan, const BlockWork& work);
+  bool is_heated(const HeatLoan& loan, const BlockWork& work) const;
   Ranges find_ranges(const HeatLoan& loan);
   void to_nodes(const HeatLoan& loan, const Ranges& ranges);
   // The largest |V k dT/dx_d| of each kind.
@@ -73,6 +87,7 @@ class Heat {
   bool side_value(IntVec3 node, int material, double& value) const;
   double inner_temperature(const Body& body, IntVec3 node, const SolidBoundary& side) const;
 
+  const Spreading* what_;
   const Scene* scene_;
   const MpmScene* solids_;
   Level level_;

@@ -26,6 +26,8 @@ SolidLabels declare_all() {
   l.energy = declare("p.deformationEnergy", real, "J",
                      "Work that deforming a particle has taken: stored, and turned into heat.");
   l.temperature = declare("p.temperature", real, "K", "Temperature of a particle.");
+  l.concentration =
+      declare("p.concentration", real, "1", "Concentration in a particle, of what diffuses.");
   l.affine = declare("p.affineVelocity", tensor, "1/s",
                      "Velocity gradient that an affine transfer carries.");
   l.half = declare("p.halfWidths", vector, "1", "Half widths of a particle, in cells.");

@@ -64,6 +64,8 @@ Verdict SolidStep::begin(const StageScope& scope) {
           std::make_unique<PrescribedMotion>(PrescribedMotion::read(solids_->prescribed_file));
     if (!solids_->insert_file.empty()) insertions_ = read_insertions(solids_->insert_file);
     if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
+    if (Heat::possible(*solids_, concentration_spreads))
+      concentration_ = std::make_unique<Heat>(*scene_, *solids_, level_, concentration_spreads);
     if (!solids_->cohesive_zones.empty())
       cohesive_ = std::make_unique<CohesiveZones>(*solids_, level_, shape_);
   }

@@ -251,6 +251,7 @@ class SolidStep {
   void prescribe(const Matrix3& rate, int body, int block);
   // Heat of friction (step/friction_heat.cpp).
   void keep_friction_heat(std::span<const BlockMember> members, const MeetingScratch& scratch);
+  void diffuse(const BlockWork& work, std::size_t at, int n, double dt) const;
   void warm_by_friction(const BlockWork& work, std::size_t at, int n, const Window& window,
                         GridAtParticles& read) const;
   // Rigid bodies that transmit forces (step/transmitted_forces.cpp).
@@ -286,6 +287,7 @@ class SolidStep {
   std::unique_ptr<PrescribedMotion> prescribed_;  // null: the particles are free
   std::vector<Insertion> insertions_, jumps_;     // of the run, of this step
   std::unique_ptr<Heat> heat_;                    // null: heat cannot move
+  std::unique_ptr<Heat> concentration_;           // null: nothing diffuses
   std::unique_ptr<CohesiveZones> cohesive_;       // null: the deck has none
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
