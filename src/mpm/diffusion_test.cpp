@@ -113,5 +113,23 @@ TEST(ScalarDiffusion, StaysWithinTheBoundsOfTheMaterial) {
   EXPECT_GE(*std::min_element(C[0].begin(), C[0].end()), 0);
 }
 
+// Laws and interfaces that are not supported are refused by name.
+TEST(ScalarDiffusion, OtherLawsAndInterfacesAreRefused) {
+  SolidDeck deck = bar(20);
+  deck.material = "<diffusion_model type='rf1'><diffusivity>0.1</diffusivity></diffusion_model>";
+  deck.contacts = "<diffusion_interface><type>common</type></diffusion_interface>";
+  deck.objects = part(0, 1, 0);
+  std::string told;
+  try {
+    run_until(0.1, deck, "refused");
+  } catch (const std::exception& e) {
+    told = e.what();
+  }
+  for (const char* name : {"'rf1'", "'common'"})
+    EXPECT_NE(told.find(std::string(name) + " is known to the format, but not supported yet"),
+              told.npos)
+        << told;
+}
+
 }  // namespace
 }  // namespace sluice::mpm::diffusion_test

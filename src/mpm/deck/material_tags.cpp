@@ -48,10 +48,9 @@ TagSpec geom_object() {
                .boolean()
                .by_default("false"),
            tag("color", "colour of the particles").real().by_default("0"),
-           tag("concentration", "of what diffuses, where do_scalar_diffusion is true")
+           tag("concentration", "of what diffuses, where do_scalar_diffusion is true; absent: 0")
                .real()
-               .at_least(0)
-               .by_default("0")})
+               .at_least(0)})
       .with_children(affine_tags());
 }
 
