@@ -81,6 +81,15 @@ TEST_F(RunEnding, ASignalIsStatus4) {
   EXPECT_THAT(last_line(outcome.text), HasSubstr("sluice run --restart /"));
 }
 
+// Nothing of solids alone is swept over cells: they are asked for clock and signals all the same.
+TEST_F(RunEnding, SolidsToo) {
+  const std::string solids = std::string(SLUICE_COMMAND) +
+                             " run " SLUICE_SOURCE_DIR
+                             "/inputs/mpm/free_bar.ups --no-output --set Time/maxTime=1e9 ";
+  EXPECT_EQ(run_in_shell(solids + "--wall-limit 1e-9").status, 4);
+  EXPECT_EQ(signalled(solids + "--progress plain", "TERM", "$p").status, 4);
+}
+
 TEST_F(RunEnding, StepsThatWereAskedForAreAGoodEndWithACheckpoint) {
   const Outcome outcome = run_in_shell(run("--max-steps 3"));
   EXPECT_EQ(outcome.status, 0) << outcome.text;

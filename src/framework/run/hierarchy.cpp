@@ -88,6 +88,7 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   dt_ = dt;
   pass_ = 0;
   stopped_ = false;
+  asked_ = false;
   wanted_ = &wanted;
   control_ = &control;
   ledger_ = &ledger;
@@ -103,7 +104,16 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
   advancing_ = true;
   result_.good = run(cycle_, scope, journal_) == Verdict::good;
   advancing_ = false;
+  if (!asked_) ask_control();
   return result_;
+}
+
+// Clock and signals, where no sweep of cells has asked for them on the way.
+void Hierarchy::ask_control() {
+  Reduction reduction;
+  const RunControl::Question question = control_->ask(reduction);
+  communicator_->reduce(reduction);
+  result_.control = control_->read(reduction, question);
 }
 
 std::vector<LevelSolver*> Hierarchy::existing_levels() {

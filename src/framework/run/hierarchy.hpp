@@ -123,6 +123,7 @@ class Hierarchy {
   StageScope stage_scope(const StepScope& scope, StepJournal& journal);
   void fill(int level, double time);
   static bool ends_coarse_step(const StepScope& scope);
+  void ask_control();
   Verdict sweep(int level, const StepScope& scope, const std::vector<Label>& stored);
   void take_over(int level, const StepScope& scope);
   Verdict match(int level, const StepScope& scope);
@@ -166,6 +167,7 @@ class Hierarchy {
   int step_ = 0;
   int pass_ = 0;          // of an iteration within the step
   bool stopped_ = false;  // that iteration has no hope
+  bool asked_ = false;    // this attempt: were clock and signals asked for
   double previous_dt_ = 0, dt_ = 0;
   double time_ = 0, end_ = 0;  // of the coarse step; time_ also of the states between steps
   bool advancing_ = false;

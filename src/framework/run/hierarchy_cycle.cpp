@@ -200,7 +200,10 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope, const std::vector<Label>
   solver.set_previous_dt(previous_dt_);
   for (int masked = 0;; ++masked) {
     const StepAttempt& a = solver.attempt(scope.time, scope.dt, wanted, control, last);
-    if (l == 0) result_.control = a.control;
+    if (l == 0) {
+      result_.control = a.control;
+      asked_ = true;
+    }
     if (a.faults == 0) break;
     if (masked == 0) result_.unsound = solver.unsound_start();
     if (result_.unsound || masked == masked_attempts || solver.mask_faults() == 0) {

@@ -166,7 +166,8 @@ struct MpmScene {
   int xpic_order = 2;
   double affine_damping = 1;  // kappa
   bool musl = true;           // of the linear basis
-  bool maps_back() const { return basis == Basis::linear && musl; }
+  // Where the deformation is prescribed nodes have it, and velocities of particles do not.
+  bool maps_back() const { return basis == Basis::linear && musl && prescribed_file.empty(); }
   bool carries_corners() const { return basis == Basis::carried; }
   // For those who need corners whatever the deck's basis is. Before the scene is used; what
   // corners have no form of gives way. Along directions of one cell a particle has no corners: it

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/material/duvaut_lions.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/plastic_root.hpp"
 #include "mpm/material/tensor.hpp"
@@ -96,7 +97,11 @@ class Arenisca final : public Material {
     const Symmetric quiet_0 = now.sigma;
     const Symmetric elastic = advance(now, strain);
     Symmetric sigma = now.sigma;
-    if (c_.T1 > 0) sigma = trailed(old, quiet_0, now.sigma, elastic, strain, b.dt);
+    if (c_.T1 > 0) {
+      const double rate = std::sqrt(double_dot(strain, strain)) / b.dt;
+      const double tau = c_.T1 * std::pow(rate, c_.T2);
+      sigma = trailed(old, quiet_0, now.sigma, elastic, b.dt, tau);
+    }
 
     b.history[volume_column][i] = now.e_v;
     b.history[elastic_column][i] = std::log(J_1) - now.e_v;
@@ -199,32 +204,6 @@ class Arenisca final : public Material {
     for (std::size_t k = 0; k < 3; ++k) s.sigma[k] += (m.at.I + m.zeta) / 3;
     s.e_v += y;
     s.e_q += std::sqrt(2.0 / 3) * m.shear;
-  }
-
-  // y = volume(y): a cap that hardens, a fluid that is pressed make |volume| less; one that
-  // softens can make it more.
-  template <class Settled>
-  static double settled_volume(const Settled& settled, double first) {
-    if (first == 0) return 0;
-    const double sign = first < 0 ? -1 : 1;
-    const auto over = [&](double x) { return sign * settled(sign * x).volume - x; };
-    double high = std::abs(first);
-    for (int k = 0; k < 60 && over(high) > 0; ++k) high *= 2;
-    return sign * falling_root(over, std::abs(first), high, 0, 1e-14 * std::abs(first));
-  }
-
-  // Duvaut and Lions over a step whose rest stress and elastic change are linear in time.
-  Symmetric trailed(const Symmetric& old, const Symmetric& quiet_0, const Symmetric& quiet,
-                    const Symmetric& elastic, const Symmetric& strain, double dt) const {
-    const double rate = std::sqrt(double_dot(strain, strain)) / dt;
-    const double tau = c_.T1 * std::pow(rate, c_.T2);
-    const double kept = tau > 0 ? std::exp(-dt / tau) : 0;
-    const double mean = tau > 0 ? -std::expm1(-dt / tau) * tau / dt : 0;
-    Symmetric sigma;
-    for (std::size_t k = 0; k < 6; ++k)
-      sigma[k] =
-          quiet[k] + (elastic[k] - (quiet[k] - quiet_0[k])) * mean + (old[k] - quiet_0[k]) * kept;
-    return sigma;
   }
 
   AreniscaConstants c_;

@@ -129,6 +129,16 @@ const LawCase cases[] = {
      "<p1_crush_curve>5e-9</p1_crush_curve><p3_crush_curve>.2</p3_crush_curve>"
      "<T1_rate_dependence>1e-3</T1_rate_dependence>",
      Kind::rate, 6e9, 3e9, 0.1, 1e-9, 2e-3},
+    {"ArenaSoil",
+     "<initial_porosity>.4</initial_porosity><initial_saturation>.3</initial_saturation>"
+     "<initial_fluid_pressure>0</initial_fluid_pressure><p0>1e7</p0><p1>482.68e6</p1>"
+     "<p1_sat>1</p1_sat><p2>.719</p2><p3>.5108256</p3><elastic_moduli_model type='arena'>"
+     "<b0>.0029</b0><b1>.4731</b1><b2>1.5057</b2><b3>2.5728</b3><b4>2.0799</b4><G0>1e8</G0>"
+     "<nu1>0</nu1><nu2>0</nu2></elastic_moduli_model><plastic_yield_condition type='arena'>"
+     "<PEAKI1>1e6</PEAKI1><FSLOPE>.453</FSLOPE><STREN>1e7</STREN><YSLOPE>.31</YSLOPE>"
+     "<BETA>1</BETA><CR>.5</CR><T1>1e-3</T1><T2>.5</T2></plastic_yield_condition>"
+     "<do_damage>true</do_damage><fspeed>15</fspeed><time_at_failure>5</time_at_failure>",
+     Kind::rate, 116e6, 1e8, 0.1, 1e-9, 2e-3},
 };
 
 class EveryLaw : public testing::TestWithParam<LawCase> {

@@ -10,17 +10,25 @@ namespace sluice::mpm {
 
 struct HistoryInfo {
   const char *name, *unit, *definition;
+  ValueType type = ValueType::real;
 };
 inline constexpr HistoryInfo history_table[] = {
     {"p.alpha", "1", "Distension: volume over that of the solid."},
     {"p.alphaUnloaded", "1", "Distension without pressure."},
+    {"p.ArenaFSLOPE", "1", "Slope of the limit curve at p.ArenaPEAKI1."},
+    {"p.ArenaPEAKI1", "Pa", "Greatest trace of the stress that grains bear, in tension."},
+    {"p.ArenaSTREN", "Pa", "Greatest root of J2."},
+    {"p.ArenaYSLOPE", "1", "Slope of the limit curve far in compression."},
     {"p.BackStress", "Pa", "Centre of the yield surface."},
     {"p.bElBar", "1", "Isochoric elastic left Cauchy-Green tensor."},
+    {"p.capX", "Pa", "Trace of the stress where the cap ends, with the pressure in the pores."},
+    {"p.COHER", "1", "Share of stiffness and strength that damage has left."},
     {"p.crackRad", "m", "Radius of the cracks."},
     {"p.damage", "1", "Damage, 0 for a sound particle."},
     {"p.damageForce", "Pa^0.5", "Greatest tension so far, of brittle damage."},
     {"p.elasticDeviator", "Pa",
      "Deviator of the second Piola-Kirchhoff stress without relaxation."},
+    {"p.elasticVolStrain", "1", "Elastic change of volume, logarithmic."},
     {"p.epsf", "1", "Threshold of failure of the particle."},
     {"p.eve", "1", "Elastic change of volume, logarithmic."},
     {"p.evp", "1", "Plastic change of volume, logarithmic."},
@@ -31,24 +39,29 @@ inline constexpr HistoryInfo history_table[] = {
     {"p.maxwellDeviators", "Pa", "Deviators of the Maxwell elements, in the axes of the body."},
     {"p.maxwellElement", "Pa", "Stress of the Maxwell element."},
     {"p.maxwellStress", "Pa", "Deviators of the five Maxwell elements."},
+    {"p.plasticCumEqStrain", "1", "Equivalent plastic strain."},
     {"p.plasticStrain", "1", "Equivalent plastic strain."},
     {"p.plasticStrainRate", "1/s", "Rate of the equivalent plastic strain."},
+    {"p.plasticVolStrain", "1", "Plastic change of volume, logarithmic."},
+    {"p.porePressure", "Pa", "Pressure of water and air in the pores."},
     {"p.porosity", "1", "Share of pores."},
     {"p.progressdelF", "1", "Share of the explosive that burnt in the step."},
     {"p.progressF", "1", "Burnt share of the explosive."},
     {"p.relaxingStress", "Pa", "Six relaxing shares of p.elasticDeviator."},
+    {"p.saturation", "1", "Share of water in the pores."},
     {"p.strainRate", "1/s", "(2/3 D : D)^(1/2) of the step."},
     {"p.strainTemperature", "K",
      "Temperature to which the thermal strain of a rate-form law has been taken."},
-    {"p.stressQS", "Pa", "Stress without rate dependence."},
+    {"p.stressQS", "Pa", "Stress without rate dependence.", ValueType::tensor},
     {"p.stretch", "1", "Isochoric stretch of the fibres."},
+    {"p.TGROW", "s", "Time of plastic flow."},
     {"p.thermalPressure", "Pa", "Pressure of the solid by its temperature at the start."},
     {"p.timeofloc", "s", "When the particle failed."},
     {"p.yieldStress", "Pa", "Yield stress drawn for the particle."},
 };
 
 inline Label declare_history(const HistoryInfo& h) {
-  return declare_label({h.name, ValueType::real, Centring::particle, h.unit, h.definition});
+  return declare_label({h.name, h.type, Centring::particle, h.unit, h.definition});
 }
 // std::logic_error for a name that the table does not have.
 inline Label history_label(std::string_view name) {

@@ -18,8 +18,8 @@ Describe rigid_model, comp_neo_hook_model, comp_neo_hook_plastic_model, UCNH_mod
     comp_mooney_rivlin_model, hypo_elastic_model, elastic_plastic_model, elastic_plastic_hp_model,
     rf_elastic_plastic_model, visco_scram_model, trans_iso_hyper_model, visco_trans_iso_hyper_model,
     ideal_gas_model, water_model, murnaghanMPM_model, jwlpp_mpm_model, MohrCoulomb_model,
-    Arenisca_model, Arenisca3_model, Arenisca4_model, program_burn_model, mw_visco_elastic_model,
-    p_alpha_model, ArrudaBoyce8_model, TH_water_model;
+    Arenisca_model, Arenisca3_model, Arenisca4_model, ArenaSoil_model, program_burn_model,
+    mw_visco_elastic_model, p_alpha_model, ArrudaBoyce8_model, TH_water_model;
 
 const std::vector<MaterialModel>& material_models() {
   static const std::vector<MaterialModel> table = {
@@ -44,6 +44,7 @@ const std::vector<MaterialModel>& material_models() {
       Arenisca_model(),
       Arenisca3_model(),
       Arenisca4_model(),
+      ArenaSoil_model(),
       program_burn_model(),
       mw_visco_elastic_model(),
       p_alpha_model(),
@@ -56,8 +57,7 @@ const std::vector<MaterialModel>& material_models() {
 namespace {
 
 // Known to the format.
-const std::vector<std::string> models_not_supported = {"ArenaSoil",
-                                                       "HypoplasticB",
+const std::vector<std::string> models_not_supported = {"HypoplasticB",
                                                        "Kelvin_Voigt",
                                                        "Maxwell_Weichert",
                                                        "QADamage",

@@ -58,4 +58,17 @@ double secant_root(const Function& f, double f_0, double high, double guess, dou
   return -1;
 }
 
+// The plastic change of volume y of a step, y = settle(y).volume, where `first` = settle(0).volume:
+// a cap that hardens, a fluid that is pressed make |volume| less; one that softens can make it
+// more.
+template <class Settle>
+double settled_volume(const Settle& settle, double first) {
+  if (first == 0) return 0;
+  const double sign = first < 0 ? -1 : 1;
+  const auto over = [&](double x) { return sign * settle(sign * x).volume - x; };
+  double high = std::abs(first);
+  for (int k = 0; k < 60 && over(high) > 0; ++k) high *= 2;
+  return sign * falling_root(over, std::abs(first), high, 0, 1e-14 * std::abs(first));
+}
+
 }  // namespace sluice::mpm

@@ -92,33 +92,14 @@ SolidLabels declare_all() {
 }  // namespace
 
 bool is_label_of_laws(const std::string& name) {
-  constexpr std::string_view names[] = {"p.damage",
-                                        "p.localizedMPM",
-                                        "p.porosity",
-                                        "p.plasticStrain",
-                                        "p.plasticStrainRate",
-                                        "p.plasticStrainVol",
-                                        "p.elasticStrainVol",
-                                        "p.ep",
-                                        "p.evp",
-                                        "p.eve",
-                                        "p.kappa",
-                                        "p.Kappa",
-                                        "p.arenisca_kappa",
-                                        "p.yieldStress",
-                                        "p.velGrad",
-                                        "p.progressF",
-                                        "p.strainRate",
-                                        "p.epsf",
-                                        "p.timeofloc",
-                                        "p.plasticTemp",
-                                        "p.plasticTempInc",
-                                        "p.xx",
-                                        "p.q",
-                                        "p.JThermal",
-                                        "p.lastlevel",
-                                        "p.refinedMPM",
-                                        "refineFlag"};
+  constexpr std::string_view names[] = {
+      "p.damage", "p.localizedMPM", "p.porosity", "p.plasticStrain", "p.plasticStrainRate",
+      "p.plasticStrainVol", "p.elasticStrainVol", "p.ep", "p.evp", "p.eve", "p.kappa", "p.Kappa",
+      "p.arenisca_kappa", "p.yieldStress", "p.velGrad", "p.progressF", "p.strainRate", "p.epsf",
+      "p.timeofloc", "p.plasticTemp", "p.plasticTempInc", "p.xx", "p.q", "p.JThermal",
+      "p.lastlevel", "p.refinedMPM",
+      // Constants of ArenaSoil, which the deck tells.
+      "p.p3", "p.ArenaBETA", "p.ArenaCR", "p.ArenaT1", "p.ArenaT2", "refineFlag"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
