@@ -38,7 +38,8 @@ class Runner:
         return subprocess.Popen(self.command(name, restart), stdout=log, stderr=log)
 
     def archives(self, name):
-        return sorted((self.folder / name).glob("*.uda.[0-9]*"))
+        # Not the links under temporary names that a kill may leave.
+        return sorted((self.folder / name).glob("*.uda.[0-9][0-9][0-9]"))
 
     def told(self, *words):
         return subprocess.run([self.sluice, *map(str, words)], capture_output=True, text=True)
