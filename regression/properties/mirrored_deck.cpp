@@ -10,6 +10,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "framework/deck/load_deck.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice::properties {
@@ -232,17 +233,6 @@ void mirror_grid(DeckNode& grid, int axis) {
   });
 }
 
-std::unique_ptr<DeckNode> copy(const DeckNode& node) {
-  auto twin = std::make_unique<DeckNode>();
-  twin->name = node.name;
-  twin->text = node.text;
-  twin->where = node.where;
-  twin->defaulted = node.defaulted;
-  twin->attributes = node.attributes;
-  for (const auto& child : node.children) twin->children.push_back(copy(*child));
-  return twin;
-}
-
 void drop_children(DeckNode& node, std::initializer_list<const char*> list) {
   std::erase_if(node.children, [&](const auto& child) { return among(child->name, list); });
 }
@@ -267,7 +257,7 @@ void save_few(DeckNode& archiver) {
 }  // namespace
 
 std::string centred_deck(const Deck& deck) {
-  const std::unique_ptr<DeckNode> root = copy(*deck.root);
+  const std::unique_ptr<DeckNode> root = copy_of(*deck.root);
   drop_children(*root, {"DataAnalysis"});
   if (DeckNode* meta = root->child("Meta")) drop_children(*meta, {"exact_solution"});
   save_few(*root->child("DataArchiver"));
@@ -280,7 +270,7 @@ std::string centred_deck(const Deck& deck) {
 }
 
 std::string mirrored_deck(const Deck& centred, int axis) {
-  const std::unique_ptr<DeckNode> root = copy(*centred.root);
+  const std::unique_ptr<DeckNode> root = copy_of(*centred.root);
   mirror_grid(*root->child("Grid"), axis);
   move(*root, {.middle = {}, .axis = axis});
   return to_xml(*root);

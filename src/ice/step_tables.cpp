@@ -155,7 +155,7 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   SchemeVariables& v = m.common;
   walls::declare_variables(list, o, v);
   if (o.implicit) pressure::declare_variables(list, o, v);
-  walls::MaterialVariables x = walls::declare_materials(list, o, m);
+  const walls::MaterialVariables x = walls::declare_materials(list, o, m);
   scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   walls::declare_scalar_walls(list, o, v);
   const bool apart = o.own_velocities;

@@ -35,6 +35,17 @@ void apply(const DeckRule& rule, Deck& deck) {
 
 }  // namespace
 
+std::unique_ptr<DeckNode> copy_of(const DeckNode& node) {
+  auto copy = std::make_unique<DeckNode>();
+  copy->name = node.name;
+  copy->text = node.text;
+  copy->where = node.where;
+  copy->defaulted = node.defaulted;
+  copy->attributes = node.attributes;
+  for (const auto& child : node.children) copy->children.push_back(copy_of(*child));
+  return copy;
+}
+
 Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
   drop_obsolete(*deck.root, deck.faults);

@@ -26,6 +26,9 @@ Deck load_deck(const std::string& file, const std::vector<std::string>& override
 Deck load_deck_text(std::string_view xml, const std::string& shown_name,
                     const std::vector<std::string>& overrides, const Schema& schema);
 
+// A node with all that is below it.
+std::unique_ptr<DeckNode> copy_of(const DeckNode& node);
+
 // The same of a deck that has been read, or put together, without being checked.
 Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema);
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
@@ -23,17 +22,6 @@ constexpr const char* times_of_run[] = {"initTime",
                                         "end_on_max_time_exactly",
                                         "clamp_time_to_output",
                                         "clamp_timesteps_to_output"};
-
-std::unique_ptr<DeckNode> copy_of(const DeckNode& node) {
-  auto copy = std::make_unique<DeckNode>();
-  copy->name = node.name;
-  copy->text = node.text;
-  copy->where = node.where;
-  copy->defaulted = node.defaulted;
-  copy->attributes = node.attributes;
-  for (const auto& child : node.children) copy->children.push_back(copy_of(*child));
-  return copy;
-}
 
 // Children of these names become those that the deck of the run has.
 template <std::size_t n>
@@ -101,12 +89,9 @@ Deck read_subdeck(const DeckNode& part, const DeckNode& run, const Schema& schem
 
 std::vector<SubDeck> read_subdecks(const DeckNode& root, const Schema& schema) {
   std::vector<SubDeck> parts;
-  std::set<std::string> told;  // what the decks share is told once
   int after = 0;
   for (const DeckNode* part : root.need("SimulationComponent").all("subcomponent")) {
     SubDeck sub{read_subdeck(*part, root, schema), part->need("input_file").where, after};
-    std::erase_if(sub.deck.faults,
-                  [&](const Fault& fault) { return !told.insert(to_string(fault)).second; });
     if (const DeckNode* criterion = part->child("SwitchCriteria"))
       after = criterion->integer("timestep");
     parts.push_back(std::move(sub));
