@@ -14,8 +14,8 @@ import re
 import report
 
 # Lowest rank first; the houses of one line do not know each other.
-HOUSES = [["framework"], ["eos", "exact"], ["models"], ["ice", "mpm", "examples"], ["mpmice"],
-          ["app"]]
+HOUSES = [["framework"], ["eos", "exact"], ["kinetics"], ["models"], ["ice", "mpm", "examples"],
+          ["mpmice"], ["app"]]
 # The rooms of a house, lowest first; the rooms of one line do not know each other.
 FLOORS = {
     "framework": [
