@@ -66,7 +66,7 @@ Effect conduction(const IceScene& ice) {
     e.reason += fmt::format(", convective exchange of materials {} and {}", x->fluid, x->solid);
   }
   for (const models::TransportedScalar& s : ice.models.scalars) {
-    if (!ice.models.mixed || s.name != ice.models.mixed->fraction || s.diffusivity == 0) continue;
+    if (!ice.models.mixed || !ice.models.mixed->is_fraction(s.name) || s.diffusivity == 0) continue;
     if (!e.on) e.line = s.diffusivity_where;
     e.on = true;
     e.reason += fmt::format(", enthalpy carried by what spreads of {}", s.name);
@@ -167,6 +167,10 @@ Effect sources(const IceScene& ice) {
   if (ice.models.mixed && !ice.models.mixed->released.empty())
     name(fmt::format("{} gives heat where it mixes", material(ice.models.mixed->material)), true,
          ice.models.mixed->where);
+  if (ice.models.mixed && ice.models.mixed->species)
+    name(fmt::format("{} reactions of {} species", ice.models.mixed->species->gas->mechanism().reactions.size(),
+                     ice.models.mixed->species->gas->count()),
+         ice.models.mixed->species->reacts, ice.models.mixed->where);
   if (reason.empty())
     reason = ice.models.where.line > 0 ? "no <Model> adds anything" : "no <Models>, no <ADD_HEAT>";
   else if (on)

@@ -6,6 +6,7 @@
 #include "ice/pressure/variables.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/scalars/heat_release.hpp"
+#include "ice/scalars/reactions.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/effect_ids.hpp"
@@ -77,6 +78,7 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
   scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
   scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
+  scalars::add_reactions(list, v, o, effect_sources);     // Y, remap            new state, rates
   if (o.implicit)
     pressure::add_end_of_one(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
   add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables

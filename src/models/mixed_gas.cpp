@@ -34,12 +34,14 @@ std::size_t MixedGas::interval(double f) const {
 
 // Of a ratio of linear functions an end is the largest.
 double MixedGas::highest_gamma() const {
+  if (species) return species->gas->highest_gamma();
   double most = 0;
   for (const Node& node : nodes_) most = std::max(most, 1.0 + node.R / node.cv);
   return most;
 }
 
 double MixedGas::lowest_specific_heat() const {
+  if (species) return species->gas->lowest_specific_heat();
   double least = nodes_.front().cv;
   for (const Node& node : nodes_) least = std::min(least, node.cv);
   return least;

@@ -1,5 +1,6 @@
-// An ideal gas whose properties follow from a transported mixture fraction f.
+// An ideal gas whose properties follow from transported fractions: of two streams, or of species.
 //
+// Two streams, one mixture fraction f:
 //   e = cv(f) T,  p = rho R(f) T = (gamma - 1) rho e,  gamma = 1 + R/cv,  mu(f),  k(f)
 // f is the mass fraction of one of two streams; cv, R, mu, k and the heat of mixing Q are given at
 // nodes of f, linear between two of them and constant beyond the last. Linear cv and R are those of
@@ -8,15 +9,20 @@
 // Q(f), J/kg: heat that a mass of the mixture has released since its streams were apart. What has
 // been released so far, q, is carried with the mass; where f has become another by mixing, Q(f) - q
 // is released. Without Q the gas has no such scalar.
+//
+// Species, one mass fraction Y_k for each but one: kinetics/species_gas.hpp. What reactions release
+// is a source at the end of a step.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
+#include "models/combustion.hpp"
 
 namespace sluice::models {
 
@@ -42,9 +48,10 @@ class MixedGas {
     double cp() const { return (*this)(&Node::R) + (*this)(&Node::cv); }
   };
 
-  std::string type;      // of the model
-  std::string fraction;  // name of the scalar f
-  std::string released;  // of the scalar q; empty: no heat of mixing
+  std::string type;                    // of the model
+  std::vector<std::string> fractions;  // names of the scalars: f, or Y_k in the order of species
+  std::string released;                // of the scalar q; empty: no heat of mixing
+  std::optional<Combustion> species;   // in place of the nodes below
   int material = 0;
   // Whether the model says them; otherwise they are those of the material.
   bool own_heat_capacity = false, own_viscosity = false, own_conductivity = false;
@@ -68,6 +75,11 @@ class MixedGas {
   double specific_heat(double f) const { return at(f)(&Node::cv); }
   double gamma(double f) const { return 1.0 + at(f).ratio(); }
   double heat(double f) const { return at(f)(&Node::heat); }
+  // Whether the end of a step releases heat, by mixing or by reactions.
+  bool releases_heat() const { return !released.empty() || (species && species->reacts); }
+  bool is_fraction(const std::string& scalar) const {
+    return std::find(fractions.begin(), fractions.end(), scalar) != fractions.end();
+  }
   double highest_gamma() const;
   double lowest_specific_heat() const;
   double most(double Node::*property) const;

@@ -53,7 +53,7 @@ void check_alone(const DeckNode& parameters, const std::vector<std::string>& mat
 MixedGas read_mixture(const DeckNode& parameters, const std::vector<std::string>& materials) {
   MixedGas gas;
   gas.type = parameters.name;
-  gas.fraction = parameters.child("scalar")->attribute("name").value_or("");
+  gas.fractions = {parameters.child("scalar")->attribute("name").value_or("")};
   gas.material = read_material(parameters, "material", materials);
   gas.where = parameters.where;
   return gas;

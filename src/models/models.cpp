@@ -8,11 +8,13 @@
 
 #include "framework/base/infinity.hpp"
 #include "framework/deck/nearest_name.hpp"
+#include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "models/adiabatic_table.hpp"
 #include "models/binary_properties.hpp"
 #include "models/flame_sheet.hpp"
+#include "models/gas_combustion.hpp"
 #include "models/jwlpp.hpp"
 #include "models/light_time.hpp"
 #include "models/material_name.hpp"
@@ -49,6 +51,18 @@ void add_gas(const DeckNode& parameters, const char* constants, MixedGas gas, co
        read_mixture_scalars(gas, *parameters.child("scalar"), constants, to.geometry, to.faults))
     to.list.scalars.push_back(std::move(s));
   to.list.mixed = std::move(gas);
+}
+
+void add_species(const DeckNode& parameters, const Reading& to) {
+  MixedGas gas = read_gas_combustion(parameters, to.materials, to.faults);
+  for (TransportedScalar& s : read_species(gas, parameters, to.geometry, to.faults))
+    to.list.scalars.push_back(std::move(s));
+  to.list.mixed = std::move(gas);
+}
+
+std::optional<double> species_coefficient(const DeckNode& parameters, Coefficient) {
+  if (is_true(&parameters, "doDiffusion")) return infinity;
+  return std::nullopt;
 }
 
 // Rules of models that know fluids alone.
@@ -128,6 +142,10 @@ const std::vector<Entry>& table() {
          add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials), to);
        },
        mixing_labels, true},
+      {"gasCombustion", gas_combustion_tag(), of_fluids<check_gas_combustion>, add_species,
+       species_labels, true, species_coefficient},
+      {"hydrogenBurke", hydrogen_burke_tag(), of_fluids<check_gas_combustion>, add_species,
+       species_labels, true, species_coefficient},
       {"TracerParticles", tracer_particles_tag(), of_fluids<check_tracer_particles>,
        [](const DeckNode& parameters, const Reading& to) {
          to.list.tracers.push_back(

@@ -47,9 +47,10 @@ double ScalarRegion::at(Vec3 point) const {
 }
 
 double TransportedScalar::at_start(Vec3 point) const {
+  if (line) return line->at(point);
   const auto last = std::find_if(start.rbegin(), start.rend(),
                                  [&](const ScalarRegion& r) { return r.piece->inside(point); });
-  return last == start.rend() ? 0.0 : last->at(point);
+  return last == start.rend() ? everywhere : last->at(point);
 }
 
 void TransportedScalar::declare_labels() const {
@@ -59,13 +60,15 @@ void TransportedScalar::declare_labels() const {
   if (plain_name) return;
   source();
   if (decay.any) coefficient();
+  if (spreads_by_law) diffusion();
 }
 
 std::vector<std::string> labels_of(const TransportedScalar& s) {
   const std::string name = s.variable();
   std::vector<std::string> labels = {name, "mag_grad_" + name, "totalSum_" + name};
-  if (!s.plain_name) labels.push_back(name + "_src");
+  if (!s.plain_name) labels.push_back((s.of_species ? "scalar_" + s.name : name) + "_src");
   if (s.decay.any) labels.push_back(name + "_expDecayCoef");
+  if (s.spreads_by_law) labels.push_back("diffCoef-" + s.name);
   return labels;
 }
 
@@ -90,9 +93,17 @@ Label TransportedScalar::gradient() const {
 }
 
 Label TransportedScalar::source() const {
+  if (of_species)
+    return declare_label({"scalar_" + name + "_src", ValueType::real, Centring::cell, "1",
+                          "What reactions add to the mass fraction " + name + " in a step."});
   return declare_label({variable() + "_src", ValueType::real, Centring::cell, "1",
                         "What diffusion, growth, decay and sources add to the scalar " + name +
                             " of a cell's mass in a step."});
+}
+
+Label TransportedScalar::diffusion() const {
+  return declare_label({"diffCoef-" + name, ValueType::real, Centring::cell, "m^2/s",
+                        "Diffusivity of the mass fraction " + name + " in the mixture."});
 }
 
 Label TransportedScalar::coefficient() const {

@@ -4,6 +4,7 @@
 //   d(rho q)/dt + div(rho u q) = div(rho D grad q) + rho (r0 + r1 q - (c1 c2 + c3) q) + sources
 #pragma once
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "framework/field/label.hpp"
 #include "framework/scene/geometry_reader.hpp"
 #include "models/exponential_decay.hpp"
+#include "models/start_line.hpp"
 
 namespace sluice::models {
 
@@ -52,8 +54,12 @@ struct TransportedScalar {
   double constant_rate = 0, own_rate = 0;  // r0, r1: 1/s
   Decay decay;                             // c1 c2 + c3: 1/s
   std::vector<ScalarRegion> start;         // later ones overwrite earlier ones
+  std::shared_ptr<const StartLine> line;   // in place of them
+  double everywhere = 0;                   // where no region is
   std::vector<ScalarSource> sources;
   bool totalled = false;     // test_conservation
+  bool of_species = false;   // a mass fraction that reactions change at the end of a step
+  bool spreads_by_law = false;  // with a diffusivity of each cell, in place of the number above
   bool by_volume = false;    // carried so that mixing at one pressure and temperature keeps both
   double refine_above = -1;  // gradient that asks for refinement; below 0: none
   Location where, diffusivity_where;
@@ -61,7 +67,7 @@ struct TransportedScalar {
   bool grows() const {
     return constant_rate != 0 || own_rate != 0 || decay.any || !sources.empty();
   }
-  // The value of the last region that holds the point; 0 without any.
+  // The value of the last region that holds the point; `everywhere` without any.
   double at_start(Vec3 point) const;
   // Labels; those of outputs must be declared before anybody looks for them by name.
   void declare_labels() const;
@@ -71,7 +77,8 @@ struct TransportedScalar {
   Label gradient() const;  // mag_grad_scalar-NAME
   Label total() const;     // totalSum_scalar-NAME
   // In a step, by all but transport with the mass; c2 of the decay, where there is one.
-  Label source() const;       // scalar-NAME_src
+  Label diffusion() const;    // diffCoef-NAME, of a species that spreads
+  Label source() const;       // scalar-NAME_src, of a species scalar_NAME_src
   Label coefficient() const;  // scalar-NAME_expDecayCoef
 };
 

@@ -37,7 +37,9 @@ class CellStates {
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
       if (own_velocities) slip_.push_back(state.find(labels().slip, o.place(m)));
     }
-    if (!laws_.all_plain()) laws_.fraction = view(fraction_of(o).state(), laws_.gas->material);
+    if (!laws_.all_plain())
+      for (const models::TransportedScalar* f : fractions_of(o))
+        laws_.fractions.push_back(view(f->state(), laws_.gas->material));
   }
 
   struct State {

@@ -108,9 +108,9 @@ BoundaryViews BoundaryFill::views(const Warehouse& state, int box) const {
   for (int c = 0; c < state.info(momentum).components; ++c)
     v.momentum.push_back(state.view(momentum, c, box));
   for (const models::TransportedScalar& s : scalars_)
-    if (setting_.mixed != nullptr && s.name == setting_.mixed->fraction)
-      v.composition =
-          state.view(state.find(s.state(), slots_.places.material_of(s.material)), 0, box);
+    if (setting_.mixed != nullptr && setting_.mixed->is_fraction(s.name))
+      v.composition.push_back(
+          state.view(state.find(s.state(), slots_.places.material_of(s.material)), 0, box));
   return v;
 }
 

@@ -16,7 +16,7 @@ namespace sluice::ice {
 // by material and component, where each material has a velocity of its own.
 struct BoundaryViews {
   std::vector<RealView> mass, energy, volume, momentum, slip;
-  RealView composition;  // of a gas that is a mixture of two
+  std::vector<RealView> composition;  // of a gas that is a mixture: its fractions
 
   double density(IntVec3 c) const {
     double rho = mass.front()(c);

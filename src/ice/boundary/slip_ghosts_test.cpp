@@ -70,7 +70,7 @@ class Channel {
     state_->add({l.energy, 0, 1, 4});
     if (mixed == nullptr) return;
     scalars_.resize(1);
-    scalars_[0].name = mixed->fraction;
+    scalars_[0].name = mixed->fractions.front();
     state_->add({scalars_[0].state(), 0, 1, 4});
   }
   void fill(const std::function<State(double, double)>& f) {
@@ -201,7 +201,7 @@ TEST(SlipGhosts, GasCreepsTowardsWhereItIsWarmer) {
 // cell: in a channel where f rises along the wall it slips, is pulled and creeps by them.
 TEST(SlipGhosts, OfAMixtureKnowWhatTheCellHolds) {
   models::MixedGas gas;
-  gas.fraction = "f";
+  gas.fractions = {"f"};
   gas.set_nodes({{0, 1, .4, viscosity, 0, 0}, {1, 3, 1.5, .02, 0, 0}});
   SlipSettings slip = settings(Model::deissler);
   slip.creep = true;

@@ -167,6 +167,7 @@ void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
 void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   if (!s.models.mixed) return;
   models::MixedGas& gas = *s.models.mixed;
+  if (gas.species) return;
   IceMaterial& m = s.materials[static_cast<std::size_t>(gas.material)];
   gas.change_nodes([&](models::MixedGas::Node& node) {
     if (!gas.own_heat_capacity) {

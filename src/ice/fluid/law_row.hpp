@@ -1,16 +1,20 @@
 // The law of one material along a row of cells; which kind of law it is, is asked once a row.
 //
 // A plain law is the same in every cell and goes to closure_rows.hpp; a gas whose properties follow
-// from a scalar has one in each, by its fraction there, and goes to mixed_gas.hpp. Who computes
-// with a law asks here and need not know which it is.
+// from scalars has one in each, by its fractions there, and goes to mixed_gas.hpp (two streams) or
+// species_rows.hpp. Who computes with a law asks here and need not know which it is.
 //
 // Rows of n cells from the first cell of the row on: rho (kg/m^3), rho_e: internal energy per
 // volume (J/m^3), p (Pa). They must not overlap; cells without the material may hold anything.
 #pragma once
 #include "ice/fluid/fluid.hpp"
+#include "ice/fluid/fractions.hpp"
 
 namespace sluice::models {
 class MixedGas;
+}
+namespace sluice::kinetics {
+class SpeciesGas;
 }
 
 namespace sluice::ice {
@@ -18,8 +22,8 @@ namespace sluice::ice {
 class LawRow {
  public:
   explicit LawRow(const Fluid& plain) : plain_(&plain) {}
-  // `fraction`: from the first cell of the row on.
-  LawRow(const models::MixedGas& gas, const double* fraction) : gas_(&gas), fraction_(fraction) {}
+  // `fractions`: from the first cell of the row on.
+  LawRow(const models::MixedGas& gas, const FractionRows& fractions);
 
   // Whether rows may run past their cells, on any numbers: no law searches for a root there.
   bool takes_any_number() const { return plain_ != nullptr && plain_->ideal() != nullptr; }
@@ -37,7 +41,8 @@ class LawRow {
   // T (K), and cv (J/(kg K)).
   void temperature(int n, const double* rho, const double* rho_e, double* T) const;
   void heat_capacity(int n, const double* rho, const double* rho_e, double* cv) const;
-  // Of the molecules; `given`: what the deck gives a material with a plain law.
+  // Of the molecules; `given`: what the deck gives a material with a plain law, or species that do
+  // not spread. Those of species that do: transport/species_transport.hpp.
   void viscosity(int n, double given, double* mu) const;
   void conductivity(int n, double given, double* k) const;
   double conductivity(int i, double given) const;
@@ -50,8 +55,9 @@ class LawRow {
 
  private:
   const Fluid* plain_ = nullptr;
-  const models::MixedGas* gas_ = nullptr;
-  const double* fraction_ = nullptr;
+  const models::MixedGas* gas_ = nullptr;              // two streams
+  const kinetics::SpeciesGas* species_ = nullptr;      // in place of those
+  FractionRows rows_;
 };
 
 // cp/cv as far as the law says; 1 for liquids and solids.

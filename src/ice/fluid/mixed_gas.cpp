@@ -2,9 +2,17 @@
 
 #include <cmath>
 
+#include "ice/fluid/species_rows.hpp"
+
 namespace sluice::ice {
 
 using models::MixedGas;
+
+Fluid fluid_of(const MixedGas& gas, const FractionRows& rows, int i) {
+  if (gas.species) return fluid_of_species(*gas.species->gas, rows, i);
+  const double f = rows.alone()[i];
+  return ideal_gas(gas.gamma(f), gas.specific_heat(f));
+}
 
 void mixed_primitive_row(const MixedGas& gas, int n, const double* __restrict f,
                          const double* __restrict rho, const double* __restrict E,

@@ -1,26 +1,26 @@
-// One gas whose properties follow from a scalar (models/mixed_gas.hpp): rows of its law.
+// One gas whose properties follow from scalars (models/mixed_gas.hpp): rows of its law.
 //
-// The step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each cell; bounds and
-// rates take the largest gamma and the lowest specific heat of all. What is carried is bounded
+// Two streams: the step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each cell.
+// Species: p = rho R(Y) T with T from e(T, Y), in species_rows.hpp. Bounds and rates take the largest gamma and the lowest specific heat of all. What is carried is bounded
 // alike, so that where pressure, temperature and velocity are uniform, density, energy and rho f
 // are linear in each other on every face and stay so: no waves start where the gases meet.
 #pragma once
 #include <cstddef>
 
 #include "ice/fluid/fluid.hpp"
+#include "ice/fluid/fractions.hpp"
 #include "models/mixed_gas.hpp"
 
 namespace sluice::ice {
 
-inline Fluid fluid_of(const models::MixedGas& gas, double f) {
-  return ideal_gas(gas.gamma(f), gas.specific_heat(f));
-}
+// The law in cell i of a row.
+Fluid fluid_of(const models::MixedGas& gas, const FractionRows& rows, int i = 0);
 
 // Whether material m of a scene is a mixture itself.
 inline bool is_mixed(const models::MixedGas* gas, std::size_t m) {
   return gas != nullptr && static_cast<std::size_t>(gas->material) == m;
 }
-// p and c of the old state.
+// Of two streams: p and c of the old state.
 void mixed_primitive_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
                          const double* E, double* w, double* p, double* c);
 void mixed_pressure_row(const models::MixedGas& gas, int n, const double* f, const double* E,

@@ -257,7 +257,7 @@ class MixtureCorrector {
 void MixtureTransfer::correct(const StateViews& state, const ConservedChange& change,
                               std::span<double> share) const {
   LawsInBox laws{fluids_, mixed_.gas};
-  if (!laws.all_plain()) laws.fraction = state[mixed_.fraction];
+  if (!laws.all_plain()) laws.fractions = {state[mixed_.fraction]};
   MixtureCorrector corrector(layout_, laws);
   for (std::size_t n = 0; n < change.cells.size(); ++n) share[n] = corrector.run(state, change, n);
 }

@@ -3,7 +3,8 @@
 //   base_d = q - sum_{t != d} h_t u_t L3_t(q) + (dt/2) S        h = dt/(2 dx)
 //   half   = q - sum_t h_t u_t L3_t(q) + (dt/2) S               for the diffusive flux
 //   S      = sum_t D (M_t+ (q_t+ - q) - M_t- (q - q_t-))/(M dx_t^2),  M_f = 2 M_a M_b/(M_a + M_b)
-//   lowest, highest: of the cell and its neighbours across faces
+// with the cell's own D, where species spread; lowest, highest: of the cell and its neighbours
+// across faces
 // One that is carried by volume offers the amount A = rho q, as density and energy are offered:
 //   base_d = rho_L q - sum_{t != d} h_t (u_t L3_t(A) - A su_t)
 // A scalar is nowhere but where its material is: neighbours without mass do not count.
@@ -19,7 +20,8 @@ constexpr int most_cells = 64;  // of a part of a row
 struct Handles {
   std::vector<In> q, mass;  // by scalar
   In velocity, mask, rho_L, velocity_slope;
-  std::vector<char> by_volume;  // by scalar
+  In diffusivity;  // of species
+  std::vector<char> by_volume, law;  // by scalar; law: of its diffusivity
   std::vector<int> moves;       // by scalar: first component of its velocity
   Out base, half;
 };
@@ -29,6 +31,7 @@ struct Constants {
   double diffusion[3];  // dt/(2 dx^2), times D
   const double* velocity[3];
   const double* mask = nullptr;  // may be null
+  const double* diffusivity = nullptr;  // of cells, times the number above; may be null
 };
 
 template <int D>
@@ -90,6 +93,8 @@ void change_rows(const Around<D>& a, const Constants& x, int n, bool diffusive,
     }
     spread[i] = sum / larger(a.M[i], least_mass);
   }
+  if (x.diffusivity == nullptr) return;
+  for (int i = 0; i < n; ++i) spread[i] *= x.diffusivity[i];
 }
 
 // The amounts that are offered along each axis.
@@ -161,15 +166,18 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     h.q.push_back(task.read(e.old, Stencil::box(1)));
     h.mass.push_back(task.read(e.mass, Stencil::box(1)));
     const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
-    diffusivity.push_back(scalar.diffusivity);
+    diffusivity.push_back(scalar.spreads_by_law ? 1.0 : scalar.diffusivity);
     h.moves.push_back(o.mixture && o.own_velocities ? scalar.material * o.components : 0);
   }
-  for (const ScalarVariables::Each& e : v.scalars.each)
+  for (const ScalarVariables::Each& e : v.scalars.each) {
     h.by_volume.push_back(o.scalars[static_cast<std::size_t>(e.index)].by_volume ? 1 : 0);
+    h.law.push_back(o.scalars[static_cast<std::size_t>(e.index)].spreads_by_law ? 1 : 0);
+  }
   if (o.mixed != nullptr) {
     h.rho_L = task.read(v.rho_L);
     h.velocity_slope = task.read(v.velocity_slope);
   }
+  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
   h.velocity = task.read(v.velocity);
   const bool masked = o.masked || v.scalars.walled;
   if (masked) h.mask = task.read(v.scalars.walled ? v.scalars.slopes : v.mask);
@@ -189,6 +197,7 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
             x.diffusion[t] = x.h[t] / dx * diffusivity[k];
             x.velocity[t] = part(h.velocity, h.moves[k] + t);
           }
+          x.diffusivity = h.law[k] != 0 ? part(h.diffusivity, static_cast<int>(k)) : nullptr;
           base_rows<D>(part, h, x, k, diffusivity[k] > 0);
         }
       }

@@ -23,6 +23,7 @@ struct Each {
   int carrier = 0, place = 0;
   int motion = 0;  // component of face velocity and outflow
   double diffusivity = 0;
+  bool law = false;  // of species: times the mean of the two cells' own
   bool by_volume = false;
 };
 
@@ -31,6 +32,7 @@ struct Handles {
   In carrier, face_velocity, inverse_J, courant, base, half, mask;
   In pure;  // of a mixture with a mixed gas
   In open;  // share of the face; beside solids
+  In diffusivity;  // of species
   Out face, spread;
 };
 
@@ -182,6 +184,13 @@ void spread_row(const Row& row, const Handles& h, const Each& e, int axis, doubl
   }
 }
 
+void law_row(const Row& row, const Handles& h, const Each& e, int axis) {
+  const double* __restrict Da = row(h.diffusivity, e.place, axis, -1);
+  const double* __restrict Db = row(h.diffusivity, e.place);
+  double* __restrict to = row(h.spread, e.place);
+  for (int i = 0; i < row.count(); ++i) to[i] *= 0.5 * (Da[i] + Db[i]);
+}
+
 void open_row(const Row& row, const Handles& h, const Each& e) {
   const double* __restrict share = row(h.open);
   double* __restrict to = row(h.spread, e.place);
@@ -204,10 +213,13 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     each.carrier = e.carrier;
     each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
-    each.diffusivity = o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
+    each.law = o.scalars[static_cast<std::size_t>(e.index)].spreads_by_law;
+    each.diffusivity =
+        each.law ? 1.0 : o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
     each.by_volume = o.scalars[static_cast<std::size_t>(e.index)].by_volume;
     h.each.push_back(each);
   }
+  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity, both);
   h.face_velocity = task.read(v.face_velocity[a]);
   if (o.second_order || v.scalars.diffusive) h.courant = task.read(v.courant, both);
   if (o.second_order) {
@@ -253,6 +265,7 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
           face_row<false>(row, h, e, axis, axes, l);
         if (e.by_volume && second && mixture) donors_beside_others(row, h, e, axis);
         if (diffusive) spread_row(row, h, e, axis, l / dx, second);
+        if (e.law) law_row(row, h, e, axis);
         if (diffusive && walled) open_row(row, h, e);
       }
     });

@@ -45,6 +45,7 @@ struct Handles {
   std::vector<Each> each;
   std::array<In, 3> carrier, face, spread;
   In base, touched;
+  In diffusivity;  // of species
 };
 
 // Between which values the new one must lie, so far as the cell's own mass is concerned.
@@ -185,6 +186,17 @@ void touched_row(const Row& row, const Handles& h, const Each& e, const double* 
   }
 }
 
+// Rates of the species' own diffusivities, with the margin of diffusion_rate().
+void law_rates(const Row& row, const Handles& h, const SchemeOptions& o) {
+  const double of_one = diffusion_rate_of(1.0, o, row.step().spacing);
+  double most = 0;
+  for (const Each& e : h.each) {
+    const double* D = row(h.diffusivity, e.place);
+    for (int i = 0; i < row.count(); ++i) most = larger(most, D[i]);
+  }
+  row.reductions().maximum(StepSlots::diffusion_rate, ordered_bits(of_one * most));
+}
+
 Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const SchemeOptions& o,
                   int place, bool saved = false) {
   const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
@@ -217,6 +229,7 @@ void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
   }
   if (o.second_order) h.base = task.read(v.scalars.base);
   if (v.scalars.walled) h.touched = task.read(v.scalars.touched);
+  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
 }
 
 // scalar-NAME_src: the new value less that of transport alone.
@@ -276,9 +289,10 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
           if (walled) touched_row(part, h, e, amount, mass, before);
         }
       }
-      if (diffusive)
-        row.reductions().maximum(StepSlots::diffusion_rate,
-                                 ordered_bits(diffusion_rate(options, row.step().spacing)));
+      if (!diffusive) return;
+      row.reductions().maximum(StepSlots::diffusion_rate,
+                               ordered_bits(diffusion_rate(options, row.step().spacing)));
+      if (h.diffusivity.index >= 0) law_rates(row, h, options);
     });
   });
   for (std::size_t n = 0; n < v.scalars.each.size(); ++n) save_source(list, v, o, n);

@@ -20,10 +20,14 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
     e.index = static_cast<int>(n);
     e.old = list.old_state(scalar.state(), scalar.material, 1);
     e.now = list.new_state(scalar.state(), scalar.material, 1);
-    if (o.mixed != nullptr && scalar.name == o.mixed->fraction) s.fraction = e.now;
+    if (o.mixed != nullptr && scalar.name == o.mixed->fractions.front()) s.fraction = e.now;
     if (o.releases_heat && scalar.plain_name) {
       s.released_new = e.now;
       s.released = e.now = list.temporary("heat of mixing before this step's");
+    }
+    if (o.releases_heat && scalar.of_species) {
+      e.after_reactions = e.now;
+      e.now = list.temporary(scalar.name + " before reactions");
     }
     e.mass = masses.old[m];
     e.mass_new = masses.now[m];
@@ -31,13 +35,14 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
     auto found = std::find(carriers.begin(), carriers.end(), scalar.material);
     e.carrier = static_cast<int>(found - carriers.begin());
     if (found == carriers.end()) carriers.push_back(scalar.material);
-    s.diffusive = s.diffusive || scalar.diffusivity > 0;
+    s.diffusive = s.diffusive || scalar.diffusivity > 0 || scalar.spreads_by_law;
     s.each.push_back(e);
   }
   if (s.each.empty()) return;
   const int count = static_cast<int>(s.each.size());
   s.materials = carriers;
   if (o.second_order) s.base = list.temporary("scalar bases", count * (offered + o.axes.count));
+  if (o.spreads_species) s.diffusivity = list.temporary("diffusivity of species", count);
   if (o.second_order && s.diffusive) s.half = list.temporary("scalars at half the step", count);
   for (int a = 0; a < o.axes.count; ++a) {
     const auto axis = static_cast<std::size_t>(a);
@@ -52,14 +57,19 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
 }
 
 double diffusion_rate(const SchemeOptions& o, Vec3 spacing) {
-  double most = 0, inverse_dx2 = 0;
+  double most = 0;
   for (const models::TransportedScalar& s : o.scalars) most = std::max(most, s.diffusivity);
+  return diffusion_rate_of(most, o, spacing);
+}
+
+double diffusion_rate_of(double D, const SchemeOptions& o, Vec3 spacing) {
+  double inverse_dx2 = 0;
   for (int a = 0; a < o.axes.count; ++a) {
     const double dx = spacing[o.axes.direction[a]];
     inverse_dx2 += 1.0 / (dx * dx);
   }
   constexpr double margin = 1.4;  // 0.5 in place of 0.7, see Ice::step_limit
-  return margin * 2.0 * most * inverse_dx2;
+  return margin * 2.0 * D * inverse_dx2;
 }
 
 }  // namespace sluice::ice::scalars

@@ -51,5 +51,6 @@ inline void add_tasks(TaskList& list, const SchemeVariables& v, const SchemeOpti
 // 2 D sum 1/dx^2 of the most diffusive scalar of the scene, with a margin: a cell between two
 // heavier ones, through whose faces twice as much spreads, bears the step too.
 double diffusion_rate(const SchemeOptions& o, Vec3 spacing);
+double diffusion_rate_of(double D, const SchemeOptions& o, Vec3 spacing);  // D: m^2/s
 
 }  // namespace sluice::ice::scalars

@@ -259,12 +259,28 @@ PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
   return fill;
 }
 
+void apply_flame(const models::FlameStart& start, const Level& level, PrimitiveFill& fill) {
+  const auto along = static_cast<std::size_t>(start.velocity.axis);
+  for_each_cell(fill.cells, [&](IntVec3 c) {
+    const std::size_t n = fill.offset(c);
+    const Vec3 x = level.centre(c);
+    fill.density[n] = start.density.at(x);
+    fill.temperature[n] = start.temperature.at(x);
+    fill.pressure[n] = start.pressure.at(x);
+    for (std::size_t d = 0; d < 3; ++d)
+      fill.velocity[d][n] = d == along ? start.velocity.at(x) : 0.0;
+  });
+}
+
 void apply_mixture(const models::ModelList& models, int material, const Level& level,
                    PrimitiveFill& fill) {
-  if (!models.mixed || models.mixed->material != material || !models.mixed->start_density) return;
+  if (!models.mixed || models.mixed->material != material) return;
+  if (models.mixed->species && models.mixed->species->start)
+    return apply_flame(*models.mixed->species->start, level, fill);
+  if (!models.mixed->start_density) return;
   const auto fraction =
       std::find_if(models.scalars.begin(), models.scalars.end(),
-                   [&](const auto& s) { return s.name == models.mixed->fraction; });
+                   [&](const auto& s) { return s.name == models.mixed->fractions.front(); });
   for_each_cell(fill.cells, [&](IntVec3 c) {
     fill.density[fill.offset(c)] =
         models.mixed->density_at_start(fraction->at_start(level.centre(c)));

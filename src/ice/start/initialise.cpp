@@ -80,7 +80,15 @@ void Start::one_material(Warehouse& state) const {
 
 const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
   if (!is_mixed(options_, m)) return options_.fluids[m];
-  return room = fluid_of(*options_.mixed, fraction_of(options_).at_start(centre));
+  double values[models::most_species];
+  FractionRows rows;
+  std::size_t k = 0;
+  for (const models::TransportedScalar* f : fractions_of(options_)) {
+    values[k] = f->at_start(centre);
+    rows.of[k] = &values[k];
+    ++k;
+  }
+  return room = fluid_of(*options_.mixed, rows);
 }
 
 // What holds beside the density is the pressure. That of a law which differs from cell to cell

@@ -12,13 +12,23 @@ LawsOfCells::LawsOfCells(TaskBuilder& task, TaskList& list, const SchemeOptions&
       first_(o.mixture ? 0 : static_cast<std::size_t>(o.material)),
       gas_(o.mixed) {
   if (gas_ == nullptr) return;
-  fraction_ =
-      task.read(when == When::old_state ? old_fraction(list, o) : new_fraction(list, o), stencil);
+  for (const models::TransportedScalar* f : fractions_of(o))
+    fractions_.push_back(task.read(when == When::old_state
+                                       ? list.old_state(f->state(), f->material, 1)
+                                       : list.new_state(f->state(), f->material, 1),
+                                   stencil));
+}
+
+std::vector<const models::TransportedScalar*> fractions_of(const SchemeOptions& o) {
+  std::vector<const models::TransportedScalar*> all;
+  for (const std::string& name : o.mixed->fractions)
+    all.push_back(&*std::find_if(o.scalars.begin(), o.scalars.end(),
+                                 [&](const auto& s) { return s.name == name; }));
+  return all;
 }
 
 const models::TransportedScalar& fraction_of(const SchemeOptions& o) {
-  return *std::find_if(o.scalars.begin(), o.scalars.end(),
-                       [&](const auto& s) { return s.name == o.mixed->fraction; });
+  return *fractions_of(o).front();
 }
 
 VariableId old_fraction(TaskList& list, const SchemeOptions& o) {

@@ -32,7 +32,7 @@ class LawsOfCells {
   // Shifted by `shift` cells along `axis`.
   LawRow of(const Row& row, std::size_t m, int axis = 0, int shift = 0) const {
     if (plain(m)) return LawRow(fluids_[m - first_]);
-    return {*gas_, row(fraction_, 0, axis, shift)};
+    return {*gas_, rows(row, axis, shift)};
   }
   // Of the one material of a graph.
   LawRow of_one(const Row& row, int axis = 0, int shift = 0) const {
@@ -45,19 +45,28 @@ class LawsOfCells {
   // Gives a closure of one cell (closure/cell_closure.hpp) those laws that are not plain.
   template <class Closure>
   void set(Closure& closure, const Row& row, int i) const {
-    if (gas_ != nullptr) closure.set_law(gas_->material, fluid_of(*gas_, row(fraction_)[i]));
+    if (gas_ != nullptr) closure.set_law(gas_->material, fluid_of(*gas_, rows(row), i));
   }
 
  private:
+  FractionRows rows(const Row& row, int axis = 0, int shift = 0) const {
+    FractionRows rows;
+    for (std::size_t k = 0; k < fractions_.size(); ++k)
+      rows.of[k] = row(fractions_[k], 0, axis, shift);
+    return rows;
+  }
+
   std::vector<Fluid> fluids_;
   std::size_t first_ = 0;  // the material of the first of them
   const models::MixedGas* gas_ = nullptr;
-  In fraction_;  // of the gas
+  std::vector<In> fractions_;  // of the gas
 };
 
-// The scalar f among those of the scene, and its old and new state.
+// The scalar f of two streams among those of the scene, and its old and new state.
 const models::TransportedScalar& fraction_of(const SchemeOptions& o);
 VariableId old_fraction(TaskList& list, const SchemeOptions& o);
 VariableId new_fraction(TaskList& list, const SchemeOptions& o);
+// Of all fractions of the gas, in its order.
+std::vector<const models::TransportedScalar*> fractions_of(const SchemeOptions& o);
 
 }  // namespace sluice::ice

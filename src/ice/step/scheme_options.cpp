@@ -62,13 +62,15 @@ void take_friction_and_conduction(const IceScene& ice, const Level& level, Schem
 // Sets what the gas changes; `o` has the scalars and coefficients of the deck.
 void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
   o.mixed = &gas;
-  o.releases_heat = !gas.released.empty();
+  o.releases_heat = gas.releases_heat();
   o.density_bound = DensityBound::as_energy;
   Fluid& fluid = o.fluids[static_cast<std::size_t>(gas.material)];
   fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
   if (o.fluids.size() == 1) o.fluid = fluid;
-  // What spreads of the fraction carries enthalpy.
-  o.conducting = o.conducting || fraction_of(o).diffusivity > 0;
+  // What spreads of the fractions carries enthalpy.
+  o.spreads_species = gas.species && gas.species->diffuses;
+  if (o.spreads_species) o.viscous = o.viscosity_varies = true;
+  o.conducting = o.conducting || o.spreads_species || fraction_of(o).diffusivity > 0;
   const bool several = o.fluids.size() > 1;
   const bool conducts =
       several ? o.conductivities[static_cast<std::size_t>(gas.material)] > 0 : o.conducting;

@@ -79,7 +79,8 @@ struct SchemeOptions {
   // Of the one gas, where its properties follow from a scalar: fluid/mixed_gas.hpp. `fluid` then
   // has its highest gamma and lowest specific heat.
   const models::MixedGas* mixed = nullptr;
-  bool releases_heat = false;  // by mixing
+  bool releases_heat = false;    // by mixing or reactions
+  bool spreads_species = false;  // mu, k and D of each cell from its species
   DensityBound density_bound = DensityBound::sharp;
   const Level* level = nullptr;  // that this graph is for
   IndexBox domain;               // cells of the physical domain
@@ -124,6 +125,7 @@ struct ScalarVariables {
     VariableId old, now, mass, mass_new;
     VariableId volume;  // of the material; in a mixture
     VariableId density;  // beside solids: `mass` per volume of fluid
+    VariableId after_reactions;  // of a species that reacts: the new state; `now` is before that
     int carrier = 0;    // component of `carrier`
   };
   std::vector<Each> each;
@@ -131,6 +133,7 @@ struct ScalarVariables {
   VariableId fraction;                // of a mixed gas: the new f
   VariableId released, released_new;  // what it had released before this step's end, and after it
   bool diffusive = false;
+  VariableId diffusivity;  // of each species that spreads, in cells
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
   std::array<VariableId, 3> carrier, face, spread;

@@ -1,0 +1,195 @@
+#include "ice/scalars/reactions.hpp"
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "ice/fluid/labels.hpp"
+#include "ice/scalars/release_rows.hpp"
+#include "ice/step/effect_ids.hpp"
+#include "kinetics/reactor.hpp"
+
+namespace sluice::ice::scalars {
+namespace {
+
+// Reactors that no thread uses just now: one is lent for a row.
+class ReactorPool {
+ public:
+  explicit ReactorPool(const models::Combustion& model)
+      : gas_(model.gas),
+        tolerances_{model.relative_tolerance, model.temperature_tolerance,
+                    model.fraction_tolerance} {}
+
+  std::unique_ptr<kinetics::Reactor> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        std::unique_ptr<kinetics::Reactor> one = std::move(idle_.back());
+        idle_.pop_back();
+        return one;
+      }
+    }
+    return std::make_unique<kinetics::Reactor>(*gas_, tolerances_);
+  }
+  void give_back(std::unique_ptr<kinetics::Reactor> one) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(one));
+  }
+
+ private:
+  std::shared_ptr<const kinetics::SpeciesGas> gas_;
+  kinetics::Tolerances tolerances_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<kinetics::Reactor>> idle_;
+};
+
+struct Handles {
+  ReleaseHandles release;
+  std::vector<In> before;  // fractions after their transport
+  std::vector<Out> now;
+  Out last_step;
+};
+
+void react_row(const Row& row, const Handles& h, const SchemeOptions& o, ReactorPool& pool) {
+  const double* rho = row(h.release.end.next.rho);
+  double* E = row(h.release.end.next.energy);
+  const HeatBooks books(row, h.release, o);
+  double* last_step = row(h.last_step);
+  const double dt = row.step().dt;
+  const std::size_t count = h.before.size();
+  std::unique_ptr<kinetics::Reactor> reactor = pool.take();
+  double Y[models::most_species];
+  for (int i = 0; i < row.count(); ++i) {
+    for (std::size_t k = 0; k < count; ++k) Y[k] = row(h.before[k])[i];
+    const kinetics::Reactor::Result done = reactor->advance(rho[i], E[i] / rho[i], Y, dt);
+    for (std::size_t k = 0; k < count; ++k) row(h.now[k])[i] = Y[k];
+    E[i] += done.heat;
+    last_step[i] = done.last_step;
+    books.add(i, done.heat);
+  }
+  pool.give_back(std::move(reactor));
+}
+
+// The reacting species of a graph: what of their variables tasks need.
+struct Carried {
+  std::vector<const ScalarVariables::Each*> each;
+
+  Carried(const SchemeVariables& v, const SchemeOptions& o) {
+    for (const ScalarVariables::Each& e : v.scalars.each)
+      if (o.scalars[static_cast<std::size_t>(e.index)].of_species) each.push_back(&e);
+  }
+};
+
+void save_change(TaskList& list, const ScalarVariables::Each& e, const SchemeOptions& o) {
+  const models::TransportedScalar& s = o.scalars[static_cast<std::size_t>(e.index)];
+  TaskBuilder task = list.task("save " + s.source().name(), effect_saved_intermediates);
+  const In before = task.read(e.now), after = task.read(e.after_reactions);
+  const Out out = task.write(list.output(s.source(), s.material));
+  task.kernel([=](const Row& row) {
+    const double *a = row(before), *b = row(after);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = b[i] - a[i];
+  });
+}
+
+struct ChangeHandles {
+  std::vector<In> before, after;
+};
+
+ChangeHandles read_changes(TaskBuilder& task, const Carried& carried) {
+  ChangeHandles h;
+  for (const ScalarVariables::Each* e : carried.each) {
+    h.before.push_back(task.read(e->now));
+    h.after.push_back(task.read(e->after_reactions));
+  }
+  return h;
+}
+
+// -rho sum dY_k (e0_k - e0_N)/dt, N the closure.
+void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                       const Carried& carried) {
+  TaskBuilder task =
+      list.task("save " + labels().heat_release_rate.name(), effect_saved_intermediates);
+  const ChangeHandles h = read_changes(task, carried);
+  const In rho = task.read(v.rho_new);
+  const Out out = task.write(list.output(labels().heat_release_rate, o.material));
+  task.kernel([=, gas = o.mixed->species->gas](const Row& row) {
+    double* to = row(out);
+    const double* r = row(rho);
+    for (int i = 0; i < row.count(); ++i) to[i] = 0;
+    for (std::size_t k = 0; k < h.before.size(); ++k) {
+      const double weight = (gas->formation_energy(gas->species_of(k)) -
+                             gas->formation_energy(gas->closure())) /
+                            row.step().dt;
+      const double *a = row(h.before[k]), *b = row(h.after[k]);
+      for (int i = 0; i < row.count(); ++i) to[i] -= r[i] * weight * (b[i] - a[i]);
+    }
+  });
+}
+
+// Whose fraction changes most against its tolerance, from 1; 0 where none changes.
+void save_limiter(TaskList& list, const SchemeOptions& o, const Carried& carried) {
+  TaskBuilder task =
+      list.task("save " + labels().chemistry_limiter.name(), effect_saved_intermediates);
+  const ChangeHandles h = read_changes(task, carried);
+  const Out out = task.write(list.output(labels().chemistry_limiter, o.material));
+  task.kernel([=, relative = o.mixed->species->relative_tolerance,
+               fraction = o.mixed->species->fraction_tolerance](const Row& row) {
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) {
+      double most = 0;
+      to[i] = 0;
+      for (std::size_t k = 0; k < h.before.size(); ++k) {
+        const double a = row(h.before[k])[i], b = row(h.after[k])[i];
+        const double change = std::fabs(b - a) / (relative * std::fabs(b) + fraction);
+        if (!(change > most)) continue;
+        most = change;
+        to[i] = static_cast<double>(k + 1);
+      }
+    }
+  });
+}
+
+void save_last_step(TaskList& list, const SchemeOptions& o, VariableId last_step) {
+  TaskBuilder task =
+      list.task("save " + labels().chemistry_step.name(), effect_saved_intermediates);
+  const In in = task.read(last_step);
+  const Out out = task.write(list.output(labels().chemistry_step, o.material));
+  task.kernel([=](const Row& row) {
+    const double* from = row(in);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = from[i];
+  });
+}
+
+}  // namespace
+
+void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+  if (!o.releases_heat || !o.mixed->species) return;
+  const Carried carried(v, o);
+  const VariableId last_step = list.temporary("last step of reactions");
+  TaskBuilder task = list.task("reactions", effect);
+  Handles h;
+  h.release = declare_release(task, v, o);
+  for (const ScalarVariables::Each* e : carried.each) {
+    h.before.push_back(task.read(e->now));
+    h.now.push_back(task.write(e->after_reactions));
+  }
+  h.last_step = task.write(last_step);
+  const auto pool = std::make_shared<ReactorPool>(*o.mixed->species);
+  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    task.kernel([=](const Row& row) {
+      begin_release(row, h.release, o);
+      react_row(row, h, o, *pool);
+      end_release<D>(row, h.release, o);
+    });
+  });
+  for (const ScalarVariables::Each* e : carried.each) save_change(list, *e, o);
+  save_heat_release(list, v, o, carried);
+  save_limiter(list, o, carried);
+  save_last_step(list, o, last_step);
+}
+
+}  // namespace sluice::ice::scalars

@@ -1,0 +1,61 @@
+// What the tasks that end a step with released heat have in common: the state after the remap is
+// copied, other sources act, heat is added by the caller, the new state is checked.
+#pragma once
+#include "ice/one_material/update_rows.hpp"
+#include "ice/sources/source_tasks.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice::scalars {
+
+struct ReleaseHandles {
+  UpdateHandles end;  // end.next: the new state
+  SourceHandles sources;
+  In rho, momentum, energy;  // after the remap
+};
+
+inline ReleaseHandles declare_release(TaskBuilder& task, const SchemeVariables& v,
+                                      const SchemeOptions& o) {
+  ReleaseHandles h;
+  h.end = read_end_of_step(task, v, o);
+  h.end.next.rho = task.write(v.rho_new);
+  h.end.next.momentum = task.write(v.momentum_new);
+  h.end.next.energy = task.write(v.energy_new);
+  h.sources = declare_sources(task, v, o);
+  h.rho = task.read(v.rho_remap);
+  h.momentum = task.read(v.momentum_remap);
+  h.energy = task.read(v.energy_remap);
+  return h;
+}
+
+// The new state but for the heat.
+inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
+  const auto copy = [n = row.count()](const double* from, double* to) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
+  };
+  copy(row(h.rho), row(h.end.next.rho));
+  copy(row(h.energy), row(h.end.next.energy));
+  for (int c = 0; c < o.components; ++c)
+    copy(row(h.momentum, c), row(h.end.next.momentum, c));
+  add_sources_of_one(row, h.sources, o, h.end.next.rho, h.end.next.momentum, h.end.next.energy);
+}
+
+// Where heat is booked: of the gas, and of all.
+struct HeatBooks {
+  double *of_gas, *of_all;
+
+  HeatBooks(const Row& row, const ReleaseHandles& h, const SchemeOptions& o)
+      : of_gas(row(h.sources.change, source_change(o).of(0, SourceChange::energy))),
+        of_all(row(h.sources.change, source_change(o).of(SourceChange::total_energy))) {}
+  void add(int i, double heat) const {
+    of_gas[i] += heat;
+    of_all[i] += heat;
+  }
+};
+
+template <int D>
+void end_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
+  check_row(row, h.end, o, o.material);
+  rates_of_row<D>(row, h.end.next, o);
+}
+
+}  // namespace sluice::ice::scalars

@@ -1,0 +1,114 @@
+#include "models/flame_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "framework/base/error.hpp"
+
+namespace sluice::models {
+namespace {
+
+constexpr std::size_t state_columns = 5;  // x T u rho p
+
+class FlameReader {
+ public:
+  FlameReader(const std::string& file, int axis, const kinetics::SpeciesGas& gas)
+      : file_(file), gas_(gas) {
+    for (std::size_t s = 0; s < gas.count(); ++s) species_.push_back(s);
+    FlameStart& state = flame_.state;
+    for (StartLine* line : {&state.temperature, &state.velocity, &state.density, &state.pressure})
+      line->axis = axis;
+    flame_.fractions.resize(gas.carried());
+    for (StartLine& line : flame_.fractions) line.axis = axis;
+  }
+
+  FlameProfile read() {
+    std::ifstream in(file_);
+    if (!in) throw InputError(fmt::format("'{}' cannot be opened", file_));
+    for (std::string text; std::getline(in, text);) {
+      ++line_;
+      const std::size_t first = text.find_first_not_of(" \t\r");
+      if (first == std::string::npos) continue;
+      if (text[first] == '#')
+        take_names(text.substr(first + 1));
+      else
+        take_numbers(text);
+    }
+    if (flame_.state.density.x.empty()) throw InputError(fmt::format("'{}' has no lines", file_));
+    return std::move(flame_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", file_, line_, what));
+  }
+
+  // A comment that names columns has as many words as there are columns.
+  void take_names(const std::string& comment) {
+    std::istringstream words(comment);
+    std::vector<std::string> names;
+    for (std::string word; words >> word;) names.push_back(word);
+    if (names.size() <= state_columns || !names[state_columns].starts_with("Y_")) return;
+    species_.clear();
+    for (std::size_t n = state_columns; n < names.size(); ++n) {
+      const std::string name = names[n].substr(std::min<std::size_t>(2, names[n].size()));
+      const auto& all = gas_.mechanism().species;
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+      if (found == all.end())
+        refuse(fmt::format("the mechanism has no species '{}' (column '{}')", name, names[n]));
+      species_.push_back(static_cast<std::size_t>(found - all.begin()));
+    }
+  }
+
+  void take_numbers(const std::string& text) {
+    std::istringstream words(text);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      numbers.push_back(std::strtod(word.c_str(), &end));
+      if (*end != 0) refuse(fmt::format("'{}' is not a number", word));
+    }
+    const std::size_t expected = state_columns + species_.size();
+    if (numbers.size() != expected)
+      refuse(fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}",
+                         numbers.size(), species_.size(), expected));
+    FlameStart& state = flame_.state;
+    if (!state.density.x.empty() && !(numbers[0] > state.density.x.back()))
+      refuse(fmt::format("x = {:g} does not lie above the x before it, {:g}", numbers[0],
+                         state.density.x.back()));
+    if (!(numbers[1] > 0 && numbers[3] > 0 && numbers[4] > 0))
+      refuse("temperature, density and pressure must be above 0");
+    const auto add = [&](StartLine& line, double value) {
+      line.x.push_back(numbers[0]);
+      line.values.push_back(value);
+    };
+    add(state.temperature, numbers[1]);
+    add(state.velocity, numbers[2]);
+    add(state.density, numbers[3]);
+    add(state.pressure, numbers[4]);
+    for (std::size_t k = 0; k < gas_.carried(); ++k) {
+      const auto column = std::find(species_.begin(), species_.end(), gas_.species_of(k));
+      const std::size_t n =
+          state_columns + static_cast<std::size_t>(column - species_.begin());
+      add(flame_.fractions[k], column == species_.end() ? 0.0 : numbers[n]);
+    }
+  }
+
+  std::string file_;
+  const kinetics::SpeciesGas& gas_;
+  FlameProfile flame_;
+  std::vector<std::size_t> species_;  // of the columns of fractions
+  int line_ = 0;
+};
+
+}  // namespace
+
+FlameProfile read_flame(const std::string& file, int axis, const kinetics::SpeciesGas& gas) {
+  return FlameReader(file, axis, gas).read();
+}
+
+}  // namespace sluice::models
