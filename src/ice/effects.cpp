@@ -168,7 +168,8 @@ Effect sources(const IceScene& ice) {
     name(fmt::format("{} gives heat where it mixes", material(ice.models.mixed->material)), true,
          ice.models.mixed->where);
   if (ice.models.mixed && ice.models.mixed->species)
-    name(fmt::format("{} reactions of {} species", ice.models.mixed->species->gas->mechanism().reactions.size(),
+    name(fmt::format("{} reactions of {} species",
+                     ice.models.mixed->species->gas->mechanism().reactions.size(),
                      ice.models.mixed->species->gas->count()),
          ice.models.mixed->species->reacts, ice.models.mixed->where);
   if (reason.empty())

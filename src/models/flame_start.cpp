@@ -74,8 +74,8 @@ class FlameReader {
     }
     const std::size_t expected = state_columns + species_.size();
     if (numbers.size() != expected)
-      refuse(fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}",
-                         numbers.size(), species_.size(), expected));
+      refuse(fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}", numbers.size(),
+                         species_.size(), expected));
     FlameStart& state = flame_.state;
     if (!state.density.x.empty() && !(numbers[0] > state.density.x.back()))
       refuse(fmt::format("x = {:g} does not lie above the x before it, {:g}", numbers[0],
@@ -92,8 +92,7 @@ class FlameReader {
     add(state.pressure, numbers[4]);
     for (std::size_t k = 0; k < gas_.carried(); ++k) {
       const auto column = std::find(species_.begin(), species_.end(), gas_.species_of(k));
-      const std::size_t n =
-          state_columns + static_cast<std::size_t>(column - species_.begin());
+      const std::size_t n = state_columns + static_cast<std::size_t>(column - species_.begin());
       add(flame_.fractions[k], column == species_.end() ? 0.0 : numbers[n]);
     }
   }

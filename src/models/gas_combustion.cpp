@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
@@ -51,16 +52,16 @@ std::vector<TagSpec> common_tags() {
       without_effect("max_grow"),
       without_effect("max_shrink"),
       tag("initProfile", "a state along an axis to start from, in place of the material's regions")
-          .with_children({tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().text(),
-                          tag("axis", "along which")
-                              .once()
-                              .words({"x", "X", "y", "Y", "z", "Z"})})};
+          .with_children(
+              {tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().text(),
+               tag("axis", "along which").once().words({"x", "X", "y", "Y", "z", "Z"})})};
 }
 
 // The gas of a model; null where it cannot be had, with a fault if there is a list of them.
 std::shared_ptr<const kinetics::SpeciesGas> find_gas(const DeckNode& parameters,
                                                      std::vector<Fault>* faults) {
-  const auto fault = [&](const DeckNode& where, const std::string& text, const std::string& advice) {
+  const auto fault = [&](const DeckNode& where, const std::string& text,
+                         const std::string& advice) {
     if (faults != nullptr) add_error(*faults, where.where, text, advice);
     return nullptr;
   };
@@ -75,19 +76,20 @@ std::shared_ptr<const kinetics::SpeciesGas> find_gas(const DeckNode& parameters,
     for (const kinetics::Species& s : mechanism.species) names.push_back(s.name);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-      return fault(*closure, fmt::format("<closureSpecies>: the mechanism has no species '{}'", name),
+      return fault(*closure,
+                   fmt::format("<closureSpecies>: the mechanism has no species '{}'", name),
                    suggest_name(name, names));
     if (names.size() < 2 || names.size() > most_species + 1)
-      return fault(*file, fmt::format("<mechanismFile>: {} species; 2 to {} are supported",
-                                      names.size(), most_species + 1),
+      return fault(*file,
+                   fmt::format("<mechanismFile>: {} species; 2 to {} are supported", names.size(),
+                               most_species + 1),
                    "a reduced mechanism");
     return std::make_shared<const kinetics::SpeciesGas>(
         std::move(mechanism), static_cast<std::size_t>(found - names.begin()));
   } catch (const Error& e) {
-    return fault(file != nullptr ? *file : parameters,
-                 fmt::format("<{}>: {}", file != nullptr ? "mechanismFile" : "hydrogenBurke",
-                             e.what()),
-                 "");
+    return fault(
+        file != nullptr ? *file : parameters,
+        fmt::format("<{}>: {}", file != nullptr ? "mechanismFile" : "hydrogenBurke", e.what()), "");
   }
 }
 
@@ -97,8 +99,7 @@ void check_fractions(const DeckNode& list, const kinetics::SpeciesGas& gas,
   const std::vector<double> Y = list.as_reals();
   if (Y.size() != gas.carried()) {
     std::string names;
-    for (std::size_t k = 0; k < gas.carried(); ++k)
-      names += (k == 0 ? "" : ", ") + gas.name_of(k);
+    for (std::size_t k = 0; k < gas.carried(); ++k) names += (k == 0 ? "" : ", ") + gas.name_of(k);
     return add_error(faults, list.where,
                      fmt::format("<{}> has {} mass fractions; the species without the closure are "
                                  "{}: {}",
@@ -163,8 +164,9 @@ TagSpec gas_combustion_tag() {
                .once()
                .text(),
            tag("closureSpecies", "the species that fills up to 1").once().text(),
-           tag("Y_init", "mass fractions of the other species at the start, in the mechanism's "
-                         "order")
+           tag("Y_init",
+               "mass fractions of the other species at the start, in the mechanism's "
+               "order")
                .once()
                .reals(),
            tag("geom_object", "a region and the mass fractions in it")
@@ -265,9 +267,8 @@ MixedGas read_gas_combustion(const DeckNode& parameters, const std::vector<std::
     gas.fractions.push_back(species(*model.gas, k).name);
   if (const DeckNode* profile = parameters.child("initProfile")) {
     const DeckNode& file = *profile->child("filename");
-    collect(faults, file.where, [&] {
-      model.start = read_flame(file.text, axis_of(*profile), *model.gas).state;
-    });
+    collect(faults, file.where,
+            [&] { model.start = read_flame(file.text, axis_of(*profile), *model.gas).state; });
   }
   gas.species = std::move(model);
   return gas;

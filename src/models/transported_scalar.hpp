@@ -57,11 +57,11 @@ struct TransportedScalar {
   std::shared_ptr<const StartLine> line;   // in place of them
   double everywhere = 0;                   // where no region is
   std::vector<ScalarSource> sources;
-  bool totalled = false;     // test_conservation
-  bool of_species = false;   // a mass fraction that reactions change at the end of a step
+  bool totalled = false;        // test_conservation
+  bool of_species = false;      // a mass fraction that reactions change at the end of a step
   bool spreads_by_law = false;  // with a diffusivity of each cell, in place of the number above
-  bool by_volume = false;    // carried so that mixing at one pressure and temperature keeps both
-  double refine_above = -1;  // gradient that asks for refinement; below 0: none
+  bool by_volume = false;       // carried so that mixing at one pressure and temperature keeps both
+  double refine_above = -1;     // gradient that asks for refinement; below 0: none
   Location where, diffusivity_where;
 
   bool grows() const {

@@ -224,8 +224,9 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   for (models::AddedHeat& heat : s.added_heat) {
     heat.material -= s.solids;
     if (heat.material < 0)
-      add_error(faults, heat.where, "ADD_HEAT heats fluids: material " +
-                                        std::to_string(heat.material + s.solids) + " is a solid");
+      add_error(faults, heat.where,
+                "ADD_HEAT heats fluids: material " + std::to_string(heat.material + s.solids) +
+                    " is a solid");
   }
   s.exchange = read_exchange(root, s.solids + count);
   s.momentum_of_all = s.exchange.momentum;

@@ -121,7 +121,8 @@ void LawRow::viscosity(int n, double given, double* mu) const {
 }
 
 void LawRow::conductivity(int n, double given, double* k) const {
-  if (gas_ != nullptr) return property_row(*gas_, &MixedGas::Node::conductivity, n, rows_.alone(), k);
+  if (gas_ != nullptr)
+    return property_row(*gas_, &MixedGas::Node::conductivity, n, rows_.alone(), k);
   std::fill_n(k, n, given);
 }
 

@@ -55,8 +55,8 @@ class LawRow {
 
  private:
   const Fluid* plain_ = nullptr;
-  const models::MixedGas* gas_ = nullptr;              // two streams
-  const kinetics::SpeciesGas* species_ = nullptr;      // in place of those
+  const models::MixedGas* gas_ = nullptr;          // two streams
+  const kinetics::SpeciesGas* species_ = nullptr;  // in place of those
   FractionRows rows_;
 };
 

@@ -50,8 +50,8 @@ void species_modulus_row(const SpeciesGas& gas, int n, const FractionRows& Y, co
   }
 }
 
-void species_temperature_row(const SpeciesGas& gas, int n, const FractionRows& Y,
-                             const double* rho, const double* E, double* T) {
+void species_temperature_row(const SpeciesGas& gas, int n, const FractionRows& Y, const double* rho,
+                             const double* E, double* T) {
   for_temperatures(gas, n, Y, rho, E,
                    [=](int i, const eos::Nasa7Heat&, double found) { T[i] = found; });
 }

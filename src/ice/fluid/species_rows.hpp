@@ -19,9 +19,8 @@ Fluid fluid_of_species(const kinetics::SpeciesGas& gas, const FractionRows& Y, i
 void species_pressure_row(const kinetics::SpeciesGas& gas, int n, const FractionRows& Y,
                           const double* rho, const double* E, double* p);
 // p and K = rho c^2.
-void species_pressure_and_modulus_row(const kinetics::SpeciesGas& gas, int n,
-                                      const FractionRows& Y, const double* rho, const double* E,
-                                      double* p, double* K);
+void species_pressure_and_modulus_row(const kinetics::SpeciesGas& gas, int n, const FractionRows& Y,
+                                      const double* rho, const double* E, double* p, double* K);
 void species_modulus_row(const kinetics::SpeciesGas& gas, int n, const FractionRows& Y,
                          const double* rho, const double* p, double* K);
 void species_temperature_row(const kinetics::SpeciesGas& gas, int n, const FractionRows& Y,

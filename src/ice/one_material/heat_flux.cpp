@@ -13,6 +13,7 @@
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/mixed_heat.hpp"
+#include "ice/transport/species_transport.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -21,6 +22,7 @@ struct Handles {
   In temperature, conductivity;
   In rho, energy, pressure, velocity, viscosity;  // slip alone
   scalars::SpreadingHandles spreading;            // a mixed gas alone
+  SpeciesFluxHandles species;                     // of species that spread
   LawsOfCells laws;                               // with eddies or slip
   Out flux;
 };
@@ -110,7 +112,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
   if (!o.conducting) return;
   add_temperature(list, v, o, effect);
   const bool mixes = o.mixed != nullptr, turbulent = o.transport.turbulence.has_value();
-  if (mixes && !turbulent) scalars::add_conductivity(list, v, o, effect);
+  if (mixes && !turbulent && !o.spreads_species) scalars::add_conductivity(list, v, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
@@ -129,6 +131,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
         h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
     if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
+    h.species = read_species_flux(task, list, v, o, axis);
     if (turbulent || slips) h.laws = LawsOfCells(task, list, o, LawsOfCells::When::old_state, both);
     h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
     task.kernel([=](const Row& row) {
@@ -137,6 +140,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
       else
         flux_row<false>(row, h, o, axis);
       scalars::add_carried_enthalpy(row, h.spreading, h.temperature, o, axis, row(h.flux));
+      add_species_enthalpy(row, h.species, h.temperature, o, axis, row(h.flux));
     });
   }
 }

@@ -20,9 +20,9 @@ constexpr int most_cells = 64;  // of a part of a row
 struct Handles {
   std::vector<In> q, mass;  // by scalar
   In velocity, mask, rho_L, velocity_slope;
-  In diffusivity;  // of species
+  In diffusivity;                    // of species
   std::vector<char> by_volume, law;  // by scalar; law: of its diffusivity
-  std::vector<int> moves;       // by scalar: first component of its velocity
+  std::vector<int> moves;            // by scalar: first component of its velocity
   Out base, half;
 };
 
@@ -30,7 +30,7 @@ struct Constants {
   double h[3];          // dt/(2 dx)
   double diffusion[3];  // dt/(2 dx^2), times D
   const double* velocity[3];
-  const double* mask = nullptr;  // may be null
+  const double* mask = nullptr;         // may be null
   const double* diffusivity = nullptr;  // of cells, times the number above; may be null
 };
 

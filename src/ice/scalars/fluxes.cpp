@@ -30,8 +30,8 @@ struct Each {
 struct Handles {
   std::vector<Each> each;
   In carrier, face_velocity, inverse_J, courant, base, half, mask;
-  In pure;  // of a mixture with a mixed gas
-  In open;  // share of the face; beside solids
+  In pure;         // of a mixture with a mixed gas
+  In open;         // share of the face; beside solids
   In diffusivity;  // of species
   Out face, spread;
 };
@@ -214,8 +214,7 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
     each.law = o.scalars[static_cast<std::size_t>(e.index)].spreads_by_law;
-    each.diffusivity =
-        each.law ? 1.0 : o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
+    each.diffusivity = each.law ? 1.0 : o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
     each.by_volume = o.scalars[static_cast<std::size_t>(e.index)].by_volume;
     h.each.push_back(each);
   }

@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <memory>
-#include <mutex>
-#include <utility>
 #include <vector>
 
+#include "framework/base/lending_pool.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/scalars/release_rows.hpp"
 #include "ice/step/effect_ids.hpp"
@@ -14,36 +13,15 @@
 namespace sluice::ice::scalars {
 namespace {
 
-// Reactors that no thread uses just now: one is lent for a row.
-class ReactorPool {
- public:
-  explicit ReactorPool(const models::Combustion& model)
-      : gas_(model.gas),
-        tolerances_{model.relative_tolerance, model.temperature_tolerance,
-                    model.fraction_tolerance} {}
+using Reactors = LendingPool<kinetics::Reactor>;
 
-  std::unique_ptr<kinetics::Reactor> take() {
-    {
-      const std::lock_guard lock(mutex_);
-      if (!idle_.empty()) {
-        std::unique_ptr<kinetics::Reactor> one = std::move(idle_.back());
-        idle_.pop_back();
-        return one;
-      }
-    }
-    return std::make_unique<kinetics::Reactor>(*gas_, tolerances_);
-  }
-  void give_back(std::unique_ptr<kinetics::Reactor> one) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(one));
-  }
-
- private:
-  std::shared_ptr<const kinetics::SpeciesGas> gas_;
-  kinetics::Tolerances tolerances_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<kinetics::Reactor>> idle_;
-};
+std::shared_ptr<Reactors> make_reactors(const models::Combustion& model) {
+  const kinetics::Tolerances tolerances{model.relative_tolerance, model.temperature_tolerance,
+                                        model.fraction_tolerance};
+  return std::make_shared<Reactors>([gas = model.gas, tolerances] {
+    return std::make_unique<kinetics::Reactor>(*gas, tolerances);
+  });
+}
 
 struct Handles {
   ReleaseHandles release;
@@ -52,24 +30,23 @@ struct Handles {
   Out last_step;
 };
 
-void react_row(const Row& row, const Handles& h, const SchemeOptions& o, ReactorPool& pool) {
+void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
+               kinetics::Reactor& reactor) {
   const double* rho = row(h.release.end.next.rho);
   double* E = row(h.release.end.next.energy);
-  const HeatBooks books(row, h.release, o);
   double* last_step = row(h.last_step);
+  const HeatBooks books(row, h.release, o);
   const double dt = row.step().dt;
   const std::size_t count = h.before.size();
-  std::unique_ptr<kinetics::Reactor> reactor = pool.take();
   double Y[models::most_species];
   for (int i = 0; i < row.count(); ++i) {
     for (std::size_t k = 0; k < count; ++k) Y[k] = row(h.before[k])[i];
-    const kinetics::Reactor::Result done = reactor->advance(rho[i], E[i] / rho[i], Y, dt);
+    const kinetics::Reactor::Result done = reactor.advance(rho[i], E[i] / rho[i], Y, dt);
     for (std::size_t k = 0; k < count; ++k) row(h.now[k])[i] = Y[k];
     E[i] += done.heat;
     last_step[i] = done.last_step;
     books.add(i, done.heat);
   }
-  pool.give_back(std::move(reactor));
 }
 
 // The reacting species of a graph: what of their variables tasks need.
@@ -120,9 +97,9 @@ void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOpt
     const double* r = row(rho);
     for (int i = 0; i < row.count(); ++i) to[i] = 0;
     for (std::size_t k = 0; k < h.before.size(); ++k) {
-      const double weight = (gas->formation_energy(gas->species_of(k)) -
-                             gas->formation_energy(gas->closure())) /
-                            row.step().dt;
+      const double weight =
+          (gas->formation_energy(gas->species_of(k)) - gas->formation_energy(gas->closure())) /
+          row.step().dt;
       const double *a = row(h.before[k]), *b = row(h.after[k]);
       for (int i = 0; i < row.count(); ++i) to[i] -= r[i] * weight * (b[i] - a[i]);
     }
@@ -178,11 +155,11 @@ void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions
     h.now.push_back(task.write(e->after_reactions));
   }
   h.last_step = task.write(last_step);
-  const auto pool = std::make_shared<ReactorPool>(*o.mixed->species);
+  const std::shared_ptr<Reactors> reactors = make_reactors(*o.mixed->species);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       begin_release(row, h.release, o);
-      react_row(row, h, o, *pool);
+      reactors->lend([&](kinetics::Reactor& reactor) { react_row(row, h, o, reactor); });
       end_release<D>(row, h.release, o);
     });
   });

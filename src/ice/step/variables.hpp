@@ -123,10 +123,10 @@ struct ScalarVariables {
   struct Each {
     int index = 0;  // among the scalars of the scene
     VariableId old, now, mass, mass_new;
-    VariableId volume;  // of the material; in a mixture
-    VariableId density;  // beside solids: `mass` per volume of fluid
+    VariableId volume;           // of the material; in a mixture
+    VariableId density;          // beside solids: `mass` per volume of fluid
     VariableId after_reactions;  // of a species that reacts: the new state; `now` is before that
-    int carrier = 0;    // component of `carrier`
+    int carrier = 0;             // component of `carrier`
   };
   std::vector<Each> each;
   std::vector<int> materials;         // of the components of `carrier`

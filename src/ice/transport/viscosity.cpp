@@ -6,6 +6,7 @@
 
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/laws_of_cells.hpp"
+#include "ice/transport/species_transport.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -75,6 +76,7 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
 
 void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                    int viscosity_effect, int turbulence_effect) {
+  if (o.spreads_species) return add_species_transport(list, v, o, viscosity_effect);
   const bool turbulent = o.transport.turbulence.has_value();
   const StateVariables state{v.rho, v.energy, v.velocity};
   if (o.molecular_varies())
