@@ -103,13 +103,14 @@ double Transport::conductivity() const {
 void Transport::diffusion(double p, double* D) const {
   for (std::size_t k = 0; k < count_; ++k) {
     const double* resistance = &resistance_[k * count_];
-    double others = 0, sum = 0;
+    double others = 0, by_mole = 0, by_mass = 0;
     for (std::size_t j = 0; j < count_; ++j) {
       if (j == k) continue;
       others += Y_[j];  // 1 - Y_k, without its round-off
-      sum += X_[j] * resistance[j];
+      by_mole += X_[j] * resistance[j];
+      by_mass += Y_[j] * resistance[j];
     }
-    D[k] = others / (sum * p);
+    D[k] = 1.0 / (p * (by_mole + X_[k] / others * by_mass));
   }
 }
 

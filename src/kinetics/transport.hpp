@@ -3,13 +3,14 @@
 //   viscosity (Wilke):  mu = sum_k X_k mu_k/sum_j X_j P_kj,
 //     P_kj = (1 + (mu_k/mu_j)^(1/2) (W_j/W_k)^(1/4))^2/(8 (1 + W_k/W_j))^(1/2)
 //   conductivity (Mathur et al.):  lambda = (sum_k X_k lambda_k + 1/sum_k (X_k/lambda_k))/2
-//   diffusion of k into the rest:  D_km = (1 - Y_k)/sum_{j != k} X_j/D_jk
+//   diffusion of k into the rest, along the gradient of Y_k:
+//     1/D_km = sum_{j != k} X_j/D_jk + X_k/(1 - Y_k) sum_{j != k} Y_j/D_jk
 // with the fits of mechanism.hpp in ln T. Beyond the temperatures of the gas the polynomials keep
 // their value at the end, and the powers of T beside them go on. Mole fractions below 0 count as
 // 0, and to each a trifle is added: so D_km of a pure species is a number, that for traces of all
 // others in equal parts.
 // References: Wilke, J. Chem. Phys. 18 (1950) 517; Mathur, Tondon, Saxena, Mol. Phys. 12 (1967)
-// 569; Hirschfelder, Curtiss, Bird, Molecular Theory of Gases and Liquids (1954).
+// 569; Kee, Coltrin, Glarborg, Chemically Reacting Flow (2003), section 12.7.
 #pragma once
 #include <cstddef>
 #include <vector>

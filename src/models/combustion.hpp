@@ -26,7 +26,7 @@ struct FlameStart {
 struct Combustion {
   std::shared_ptr<const kinetics::SpeciesGas> gas;
   bool reacts = true, diffuses = false;
-  double relative_tolerance = 1e-8, temperature_tolerance = 1e-6, fraction_tolerance = 1e-12;
+  double relative_tolerance = 1e-8, temperature_tolerance = 1e-6, fraction_tolerance = 1e-14;
   std::optional<FlameStart> start;
 };
 

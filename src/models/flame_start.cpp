@@ -73,7 +73,9 @@ class FlameReader {
       if (*end != 0) refuse(fmt::format("'{}' is not a number", word));
     }
     const std::size_t expected = state_columns + species_.size();
-    if (numbers.size() != expected)
+    // The closure, named last, may be left out.
+    const bool short_by_one = numbers.size() + 1 == expected && species_.back() == gas_.closure();
+    if (numbers.size() != expected && !short_by_one)
       refuse(fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}", numbers.size(),
                          species_.size(), expected));
     FlameStart& state = flame_.state;

@@ -1,7 +1,8 @@
 // The file of <initProfile>: a flame along an axis.
 //
 // Lines of numbers x T u rho p Y_1 ... Y_N in SI units with x increasing, N mass fractions in the
-// order of the mechanism or as a comment line "# x T u rho p Y_A Y_B ..." above them names them.
+// order of the mechanism or as a comment line "# x T u rho p Y_A Y_B ..." above them names them. The
+// closure may be left out where it is the last.
 #pragma once
 #include <string>
 #include <vector>

@@ -47,7 +47,7 @@ std::vector<TagSpec> common_tags() {
       tag("debug", "accepted without effect").boolean().by_default("false"),
       tolerance("rtol", "relative tolerance of the integration of reactions", "1e-8"),
       tolerance("atol_T", "its absolute tolerance of temperature", "1e-6").unit("temperature"),
-      tolerance("atol_Y", "its absolute tolerance of mass fractions", "1e-12"),
+      tolerance("atol_Y", "its absolute tolerance of mass fractions", "1e-14"),
       without_effect("safety"),
       without_effect("max_grow"),
       without_effect("max_shrink"),

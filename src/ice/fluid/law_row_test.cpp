@@ -88,7 +88,7 @@ TEST(LawRow, OfPlainLawsIsThatOfEachCell) {
 TEST(LawRow, OfAGasByFractionIsThatOfEachCell) {
   const State s;
   const models::MixedGas gas = three_gases();
-  const LawRow law(gas, s.f.data());
+  const LawRow law(gas, FractionRows(s.f.data()));
   expect_cell_by_cell(law, s);
   EXPECT_FALSE(law.takes_any_number());
   Fluid room;
@@ -104,7 +104,7 @@ TEST(LawRow, HasCoefficientsOfTheDeckOrOfTheFraction) {
   const State s;
   const models::MixedGas gas = three_gases();
   const Fluid air = ideal_gas(1.4, 717.5);
-  const LawRow plain(air), composed(gas, s.f.data());
+  const LawRow plain(air), composed(gas, FractionRows(s.f.data()));
   Values mu, k;
   plain.viscosity(n, 4e-5, mu.data());
   plain.conductivity(n, .3, k.data());
@@ -129,7 +129,7 @@ TEST(LawRow, AddsWhatEddiesConduct) {
   const Fluid air = ideal_gas(1.4, 717.5);
   Values mu_t, k;
   mu_t.fill(1e-3);
-  for (const LawRow& law : {LawRow(air), LawRow(gas, s.f.data())}) {
+  for (const LawRow& law : {LawRow(air), LawRow(gas, FractionRows(s.f.data()))}) {
     law.conductivity_with_eddies(n, .3, .9, s.rho.data(), s.E.data(), mu_t.data(), k.data());
     Fluid room;
     for (int i = 0; i < n; ++i) {
@@ -148,7 +148,7 @@ TEST(LawsInBox, AreThoseOfTheFractionInTheCell) {
   RealView fraction;
   fraction.data = f.data();
   fraction.box = {{4, 0, 0}, {4 + n, 1, 1}};
-  const LawsInBox laws{fluids, &gas, fraction}, plain{fluids};
+  const LawsInBox laws{fluids, &gas, {fraction}}, plain{fluids};
   Fluid room;
   EXPECT_TRUE(plain.all_plain());
   EXPECT_FALSE(laws.all_plain());

@@ -5,6 +5,7 @@
 #include "framework/base/lending_pool.hpp"
 #include "ice/fluid/shared_mass.hpp"
 #include "ice/fluid/species_rows.hpp"
+#include "ice/step/effect_ids.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "kinetics/transport.hpp"
 #include "models/transported_scalar.hpp"
