@@ -1,8 +1,8 @@
 // The file of <initProfile>: a flame along an axis.
 //
 // Lines of numbers x T u rho p Y_1 ... Y_N in SI units with x increasing, N mass fractions in the
-// order of the mechanism or as a comment line "# x T u rho p Y_A Y_B ..." above them names them. The
-// closure may be left out where it is the last.
+// order of the mechanism or as a comment line "# x T u rho p Y_A Y_B ..." above names them.
+// The closure may be left out where it is the last.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,8 +17,9 @@ struct FlameProfile {
   std::vector<StartLine> fractions;  // those carried
 };
 
-// InputError with file and line: no such file, a number that is none, too few or too many of them,
-// x that does not increase, density, temperature or pressure not above 0, a name that is no species.
+// InputError with file and line: no such file, a number that is none, too few or too many of
+// them, x that does not increase, density, temperature or pressure not above 0, a name that is no
+// species.
 FlameProfile read_flame(const std::string& file, int axis, const kinetics::SpeciesGas& gas);
 
 }  // namespace sluice::models

@@ -51,6 +51,15 @@ std::vector<TagSpec> common_tags() {
       without_effect("safety"),
       without_effect("max_grow"),
       without_effect("max_shrink"),
+      tag("geom_object", "a region and the mass fractions in it; later ones overwrite earlier ones")
+          .multiple()
+          .attribute(attribute("name", "name of the region").text())
+          .group("geometry_piece")
+          .with_children({tag("Y",
+                              "mass fractions of all species but the closure, in the mechanism's "
+                              "order")
+                              .once()
+                              .reals()}),
       tag("initProfile", "a state along an axis to start from, in place of the material's regions")
           .with_children(
               {tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().text(),
@@ -169,11 +178,6 @@ TagSpec gas_combustion_tag() {
                "order")
                .once()
                .reals(),
-           tag("geom_object", "a region and the mass fractions in it")
-               .multiple()
-               .attribute(attribute("name", "name of the region").text())
-               .group("geometry_piece")
-               .with_children({tag("Y", "mass fractions as in <Y_init>").once().reals()}),
            tag("units", "units of the deck")
                .with_children({unit("length", {"m", "cm", "mm", "ft", "in"}),
                                unit("mass", {"kg", "g", "lbm", "slug"}),

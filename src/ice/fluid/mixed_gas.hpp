@@ -1,9 +1,10 @@
 // One gas whose properties follow from scalars (models/mixed_gas.hpp): rows of its law.
 //
-// Two streams: the step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each cell.
-// Species: p = rho R(Y) T with T from e(T, Y), in species_rows.hpp. Bounds and rates take the largest gamma and the lowest specific heat of all. What is carried is bounded
-// alike, so that where pressure, temperature and velocity are uniform, density, energy and rho f
-// are linear in each other on every face and stay so: no waves start where the gases meet.
+// Two streams: the step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each
+// cell. Species: p = rho R(Y) T with T from e(T, Y), in species_rows.hpp. Bounds and rates take the
+// largest gamma and the lowest specific heat of all. What is carried is bounded alike, so that
+// where pressure, temperature and velocity are uniform, density, energy and rho f are linear in
+// each other on every face and stay so: no waves start where the gases meet.
 #pragma once
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // Rows of the law of a gas of species (kinetics/species_gas.hpp): p = rho R(Y) T, T from e(T, Y).
 //
-// Each cell has a caloric law of its own, the blend of its species; its temperature is searched once
-// a cell and call. Units and shapes as in law_row.hpp.
+// Each cell has a caloric law of its own, the blend of its species; its temperature is searched
+// once a cell and call. Units and shapes as in law_row.hpp.
 #pragma once
 #include "ice/fluid/fluid.hpp"
 #include "ice/fluid/fractions.hpp"
