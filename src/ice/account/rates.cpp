@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "ice/closure/drag.hpp"
 #include "ice/closure/equilibrate.hpp"
@@ -12,7 +13,9 @@
 #include "ice/scalars/variables.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/step_bounds.hpp"
+#include "ice/transport/species_transport.hpp"
 #include "ice/transport/viscosity.hpp"
+#include "kinetics/transport.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -79,6 +82,11 @@ class CellStates {
     const auto m = static_cast<std::size_t>(present.index[n]);
     return state_.view(slip_[m], c, box_)(cell) / present.M[n];
   }
+  // rho times the largest diffusivity of species that spread.
+  double of_species(IntVec3 cell, kinetics::Transport& transport) const {
+    return species_coefficient(*laws_.gas->species->gas, transport, mass_[0](cell),
+                               energy_[0](cell), laws_.rows(cell));
+  }
   double temperature(IntVec3 cell) const {
     return fluids_.front().temperature(mass_[0](cell), energy_[0](cell));
   }
@@ -127,9 +135,12 @@ class Diffusion {
       mass_.push_back(state.view(state.find(labels().mass, o_.place(m)), 0, box));
     for (int c = 0; c < o_.components; ++c) momentum_.push_back(state.view(momentum, c, box));
     with_eddies_ = o_.transport.turbulence.has_value() && state.info(mass).ghosts > 0;
+    if (o_.spreads_species)
+      species_ = std::make_unique<kinetics::Transport>(*o_.mixed->species->gas);
   }
 
   double coefficient(const CellStates& states, IntVec3 cell) const {
+    if (species_ != nullptr) return states.of_species(cell, *species_);
     const double mu = molecular(0, cell, [&] { return states.temperature(cell); });
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0;
     if (!o_.conducting) return mu;
@@ -199,6 +210,7 @@ class Diffusion {
   Vec3 spacing_;
   std::vector<RealView> mass_, momentum_;
   bool with_eddies_ = false;
+  std::unique_ptr<kinetics::Transport> species_;  // of species that spread
 };
 
 // Adds what a velocity along each axis and sound make of the rates of one cell.

@@ -87,6 +87,16 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
     for (const char* source : {"mass_momentum_energy_src", "Test"})
       if (other->attribute("type") == source)
         refuse(other, fmt::format("<Model type=\"{}\">", source), "remove one of the two");
+  const DeckNode* parameters = model.child(name);
+  if (is_true(parameters, "doDiffusion")) {
+    const std::string spreading = fmt::format("<doDiffusion> true of <{}> with ", name);
+    const auto refuse_spreading = [&](const DeckNode* node, const char* what) {
+      if (node != nullptr)
+        add_not_built(faults, node->where, spreading + what, "write <doDiffusion> false");
+    };
+    refuse_spreading(root.find("CFD/ICE/turbulence"), "<turbulence>");
+    refuse_spreading(viscosities, "<dynamicViscosityModels>");
+  }
   if (materials.size() > 1) check_gas_beside_others(root, model, faults);
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
   const DeckNode* ice = root.find("CFD/ICE");

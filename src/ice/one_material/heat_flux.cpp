@@ -112,7 +112,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
   if (!o.conducting) return;
   add_temperature(list, v, o, effect);
   const bool mixes = o.mixed != nullptr, turbulent = o.transport.turbulence.has_value();
-  if (mixes && !turbulent && !o.spreads_species) scalars::add_conductivity(list, v, o, effect);
+  if (mixes && !turbulent && !o.mixed->species) scalars::add_conductivity(list, v, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {

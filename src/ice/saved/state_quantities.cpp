@@ -8,6 +8,7 @@
 #include "ice/saved/quantity_list.hpp"
 #include "ice/saved/wave_labels.hpp"
 #include "ice/step/laws_of_cells.hpp"
+#include "ice/transport/species_transport.hpp"
 #include "ice/transport/subgrid_stress.hpp"
 
 namespace sluice::ice {
@@ -24,7 +25,12 @@ void declare_viscosities(QuantityList& q, const StateVariables& state) {
     return TransportTask{q.list(), o, effect_diagnostics, "compute " + label.name() + ": "};
   };
   VariableId molecular, eddy;
-  if (o.transport.molecular_varies()) {
+  if (o.spreads_species) {
+    molecular = q.fresh(l.viscosity, 0);
+    add_species_coefficients(
+        q.task(l.viscosity, 0), q.list(), o,
+        {state.rho, state.energy, molecular, q.fresh(l.thermal_conductivity, 0), std::nullopt});
+  } else if (o.transport.molecular_varies()) {
     molecular = q.fresh(l.viscosity, 0);
     add_molecular_viscosity(task(l.viscosity), state, molecular);
   } else {
@@ -69,6 +75,37 @@ void of_law(QuantityList& q, VariableId any, Label label, F f) {
   });
 }
 
+// Ratio of specific heats and cv as the law has them.
+void declare_heats(QuantityList& q, VariableId rho) {
+  const Labels& l = labels();
+  of_law(q, rho, l.gamma, [](const LawRow& law, int i) {
+    Fluid room;
+    return law.at(i, room).gamma;
+  });
+  of_law(q, rho, l.specific_heat, [](const LawRow& law, int i) {
+    Fluid room;
+    return law.at(i, room).specific_heat;
+  });
+}
+
+struct ThermalState {
+  VariableId rho, E, p, T;
+};
+
+// cv at the temperature of each cell; gamma = 1 + p/(rho T cv).
+void declare_heats_of_species(QuantityList& q, const ThermalState& s) {
+  const VariableId cv = of_law(q, s.rho, s.E, labels().specific_heat, &LawRow::heat_capacity);
+  const VariableId gamma = q.fresh(labels().gamma, 0);
+  TaskBuilder t = q.task(labels().gamma, 0);
+  const In rho = t.read(s.rho), p = t.read(s.p), T = t.read(s.T), heat = t.read(cv);
+  const Out out = t.write(gamma);
+  t.kernel([=](const Row& row) {
+    const double *r = row(rho), *pr = row(p), *te = row(T), *c = row(heat);
+    double* to = row(out);
+    for (int i = 0; i < row.count(); ++i) to[i] = 1.0 + pr[i] / (r[i] * te[i] * c[i]);
+  });
+}
+
 // What one material makes of its state.
 void declare_of_one(QuantityList& q) {
   const Labels& l = labels();
@@ -90,16 +127,13 @@ void declare_of_one(QuantityList& q) {
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
-  of_law(q, rho, l.thermal_conductivity,
-         [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
-  of_law(q, rho, l.gamma, [](const LawRow& law, int i) {
-    Fluid room;
-    return law.at(i, room).gamma;
-  });
-  of_law(q, rho, l.specific_heat, [](const LawRow& law, int i) {
-    Fluid room;
-    return law.at(i, room).specific_heat;
-  });
+  if (!o.spreads_species)
+    of_law(q, rho, l.thermal_conductivity,
+           [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
+  if (o.mixed != nullptr && o.mixed->species)
+    declare_heats_of_species(q, {rho, E, p, T});
+  else
+    declare_heats(q, rho);
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);
   q.slopes(T, l.gradient_temperature, 0);

@@ -74,7 +74,7 @@ void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
   const bool several = o.fluids.size() > 1;
   const bool conducts =
       several ? o.conductivities[static_cast<std::size_t>(gas.material)] > 0 : o.conducting;
-  o.conductivity_varies = o.conductivity_varies || conducts;
+  o.conductivity_varies = o.conductivity_varies || (gas.species ? o.spreads_species : conducts);
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
   for (const IceMaterial& m : ice.materials)
     all.push_back({m.viscosity_models.sutherland, sponge_cells(m.viscosity_models, level),
                    ice.turbulence, ice.wall_shear,
-                   ice.models.mixed && ice.models.mixed->material == m.index && m.viscosity > 0});
+                   ice.models.mixed && !ice.models.mixed->species &&
+                       ice.models.mixed->material == m.index && m.viscosity > 0});
   return all;
 }
 

@@ -1,5 +1,6 @@
 #include "ice/transport/species_transport.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "framework/base/lending_pool.hpp"
@@ -32,9 +33,10 @@ void transport_row(const Row& row, const Handles& h, const SpeciesGas& gas, Tran
     const eos::Nasa7Heat heat = gas.heat([&](std::size_t k) { return carried[k]; });
     const double T = heat.temperature(E[i] / rho[i]);
     transport.set(T, Y);
-    transport.diffusion(rho[i] * heat.gas_constant * T, D);
     mu[i] = transport.viscosity();
     lambda[i] = transport.conductivity();
+    if (h.diffusivity.index < 0) continue;
+    transport.diffusion(rho[i] * heat.gas_constant * T, D);
     for (std::size_t k = 0; k < gas.carried(); ++k)
       row(h.diffusivity, static_cast<int>(k))[i] = D[gas.species_of(k)];
   }
@@ -57,10 +59,8 @@ void save_diffusivities(TaskList& list, const SchemeVariables& v, const SchemeOp
 
 }  // namespace
 
-void add_species_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                           int effect) {
-  if (!o.spreads_species) return;
-  TaskBuilder task = list.task("transport of species", effect);
+void add_species_coefficients(TaskBuilder task, TaskList& list, const SchemeOptions& o,
+                              const SpeciesCoefficients& v) {
   Handles h;
   for (const models::TransportedScalar* f : fractions_of(o))
     h.fractions.push_back(task.read(list.old_state(f->state(), f->material, 1)));
@@ -68,14 +68,35 @@ void add_species_transport(TaskList& list, const SchemeVariables& v, const Schem
   h.energy = task.read(v.energy);
   h.viscosity = task.write(v.viscosity);
   h.conductivity = task.write(v.conductivity);
-  h.diffusivity = task.write(v.scalars.diffusivity);
+  if (v.diffusivity.has_value()) h.diffusivity = task.write(*v.diffusivity);
   const std::shared_ptr<const SpeciesGas> gas = o.mixed->species->gas;
   const auto pool =
       std::make_shared<LendingPool<Transport>>([gas] { return std::make_unique<Transport>(*gas); });
   task.kernel([=](const Row& row) {
     pool->lend([&](Transport& transport) { transport_row(row, h, *gas, transport); });
   });
+}
+
+void add_species_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                           int effect) {
+  if (!o.spreads_species) return;
+  add_species_coefficients(list.task("transport of species", effect), list, o,
+                           {v.rho, v.energy, v.viscosity, v.conductivity, v.scalars.diffusivity});
   save_diffusivities(list, v, o);
+}
+
+double species_coefficient(const SpeciesGas& gas, Transport& transport, double rho, double rho_e,
+                           const FractionRows& rows) {
+  double carried[models::most_species], Y[models::most_species + 1], D[models::most_species + 1];
+  for (std::size_t k = 0; k < gas.carried(); ++k) carried[k] = *rows.of[k];
+  gas.all_fractions(carried, Y);
+  const eos::Nasa7Heat heat = blend(gas, rows, 0);
+  const double T = heat.temperature(rho_e / rho);
+  transport.set(T, Y);
+  transport.diffusion(rho * heat.gas_constant * T, D);
+  double most = std::max(transport.viscosity(), transport.conductivity() / heat.specific_heat(T));
+  for (std::size_t k = 0; k < gas.carried(); ++k) most = std::max(most, rho * D[gas.species_of(k)]);
+  return most;
 }
 
 SpeciesFluxHandles read_species_flux(TaskBuilder& task, TaskList& list, const SchemeVariables& v,

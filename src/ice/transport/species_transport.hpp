@@ -7,12 +7,31 @@
 // released by forming a species stands in its mass fraction. Absent unless the model's
 // <doDiffusion> asks for it.
 #pragma once
+#include <optional>
+#include <vector>
+
+#include "ice/fluid/fractions.hpp"
 #include "ice/step/variables.hpp"
+
+namespace sluice::kinetics {
+class Transport;
+}
 
 namespace sluice::ice {
 
-// Into v.viscosity, v.conductivity and v.scalars.diffusivity.
+struct SpeciesCoefficients {
+  VariableId rho, energy, viscosity, conductivity;
+  std::optional<VariableId> diffusivity;  // by carried species; none: not asked for
+};
+// A task that fills them.
+void add_species_coefficients(TaskBuilder task, TaskList& list, const SchemeOptions& o,
+                              const SpeciesCoefficients& v);
+// Those of a step: into v.viscosity, v.conductivity and v.scalars.diffusivity.
 void add_species_transport(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// The largest of mu, lambda/cv and rho D_k of one state, Pa s: what bounds the first step.
+double species_coefficient(const kinetics::SpeciesGas& gas, kinetics::Transport& transport,
+                           double rho, double rho_e, const FractionRows& Y);
 
 struct SpeciesFluxHandles {
   std::vector<In> fractions;
