@@ -1,0 +1,25 @@
+// Clusters of grains: which boxes overlap, directly or by others between.
+//
+// A cluster is named by the smallest id in it: neither the order of particles nor boxes, blocks or
+// ranks have a part in it.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "framework/base/communicator.hpp"
+#include "mpm/grains/grain_box.hpp"
+
+namespace sluice::mpm {
+
+// Do two boxes overlap or touch; through periodic sides too.
+bool overlap(const GrainBox& a, const GrainBox& b, const Level& level);
+
+// Sets the labels of boxes that are all known here: boxes with one label are of one cluster
+// already.
+void label_clusters(std::vector<GrainBox>& boxes, const Level& level);
+
+// The same over all ranks. `near_others`: may a box of this rank overlap one of another. Collective.
+void label_clusters(std::vector<GrainBox>& boxes, const Level& level,
+                    const std::function<bool(const GrainBox&)>& near_others, Communicator& ranks);
+
+}  // namespace sluice::mpm
