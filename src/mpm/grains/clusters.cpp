@@ -99,19 +99,24 @@ void label_clusters(std::vector<GrainBox>& boxes, const Level& level) {
   for (std::size_t n = 0; n < boxes.size(); ++n) boxes[n].label = least[sets.find(n)];
 }
 
-// Each rank joins its own; then all do the same with what lies near others. What has one label here
-// is one cluster there too, so that clusters may pass through several ranks.
+// What has one label is one cluster here too, so that clusters may pass through several ranks.
+std::unordered_map<std::int64_t, std::int64_t> join_rims(const std::vector<GrainBox>& rims,
+                                                         const Level& level) {
+  std::vector<GrainBox> joined = rims;
+  label_clusters(joined, level);
+  std::unordered_map<std::int64_t, std::int64_t> renamed;
+  for (std::size_t n = 0; n < rims.size(); ++n) renamed[rims[n].label] = joined[n].label;
+  return renamed;
+}
+
+// Each rank joins its own; then all do the same with what lies near others.
 void label_clusters(std::vector<GrainBox>& boxes, const Level& level,
                     const std::function<bool(const GrainBox&)>& near_others, Communicator& ranks) {
   label_clusters(boxes, level);
   if (ranks.size() == 1) return;
   std::vector<GrainBox> rim;
   std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(rim), near_others);
-  rim = gather_all(rim, ranks);
-  std::vector<GrainBox> joined = rim;
-  label_clusters(joined, level);
-  std::unordered_map<std::int64_t, std::int64_t> renamed;
-  for (std::size_t n = 0; n < rim.size(); ++n) renamed[rim[n].label] = joined[n].label;
+  const auto renamed = join_rims(gather_all(rim, ranks), level);
   for (GrainBox& box : boxes)
     if (const auto to = renamed.find(box.label); to != renamed.end()) box.label = to->second;
 }

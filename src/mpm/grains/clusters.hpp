@@ -4,6 +4,7 @@
 // ranks have a part in it.
 #pragma once
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 #include "framework/base/communicator.hpp"
@@ -17,6 +18,11 @@ bool overlap(const GrainBox& a, const GrainBox& b, const Level& level);
 // Sets the labels of boxes that are all known here: boxes with one label are of one cluster
 // already.
 void label_clusters(std::vector<GrainBox>& boxes, const Level& level);
+
+// Boxes near others as each rank has labelled its own: what their clusters are called when all are
+// known, by the labels that they had.
+std::unordered_map<std::int64_t, std::int64_t> join_rims(const std::vector<GrainBox>& rims,
+                                                         const Level& level);
 
 // The same over all ranks. `near_others`: may a box of this rank overlap one of another. Collective.
 void label_clusters(std::vector<GrainBox>& boxes, const Level& level,
