@@ -141,7 +141,7 @@ struct SplitCriterion {
   Location where{};
 };
 
-// Materials whose particles go from one to the other: one velocity field for each cluster of grains.
+// Materials whose particles go from one to the other: a velocity field for each cluster of grains.
 struct GrainFamily {
   std::vector<int> members;    // local numbers: those that some contact takes first, then by number
   std::size_t in_contact = 0;  // how many of them

@@ -24,7 +24,7 @@ void label_clusters(std::vector<GrainBox>& boxes, const Level& level);
 std::unordered_map<std::int64_t, std::int64_t> join_rims(const std::vector<GrainBox>& rims,
                                                          const Level& level);
 
-// The same over all ranks. `near_others`: may a box of this rank overlap one of another. Collective.
+// The same over all ranks. `near_others`: may a box overlap one of another rank. Collective.
 void label_clusters(std::vector<GrainBox>& boxes, const Level& level,
                     const std::function<bool(const GrainBox&)>& near_others, Communicator& ranks);
 
