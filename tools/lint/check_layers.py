@@ -48,6 +48,7 @@ FLOORS = {
         ["contact"],
         ["start"],
         ["step"],
+        ["grains"],
         ["levels", "account"],
         ["saved", "implicit"],
     ],

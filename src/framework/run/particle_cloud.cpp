@@ -201,6 +201,27 @@ void ParticleCloud::add_copy(int kind, int level, int box, std::size_t n, Vec3 p
   ++of.made;
 }
 
+// All arrive before any leaves: numbers of particles stay what they were.
+void ParticleCloud::change_kinds(int level, int box, const std::vector<std::vector<int>>& to) {
+  for (std::size_t k = 0; k < to.size(); ++k)
+    for (std::size_t n = 0; n < to[k].size(); ++n) {
+      if (to[k][n] == static_cast<int>(k)) continue;
+      Kind& other = kinds_[static_cast<std::size_t>(to[k][n])];
+      other.store.set(level, box).add_from(kinds_[k].store.set(level, box), n);
+      ++other.made;
+      --kinds_[k].made;
+    }
+  std::vector<std::uint32_t> kept;
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    ParticleSet& set = kinds_[k].store.set(level, box);
+    kept.clear();
+    for (std::size_t n = 0; n < set.size(); ++n)
+      if (n >= to[k].size() || to[k][n] == static_cast<int>(k))
+        kept.push_back(static_cast<std::uint32_t>(n));
+    if (kept.size() < set.size()) set.select(kept);
+  }
+}
+
 void ParticleCloud::relocate() {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     ParticleStore& store = kinds_[k].store;

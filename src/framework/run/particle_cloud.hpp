@@ -47,6 +47,9 @@ class ParticleCloud {
   void keep_only(int kind, int level, int box, const std::vector<std::uint32_t>& kept);
   // A copy of particle n of a box at another place, with a number of its own; relocate() is next.
   void add_copy(int kind, int level, int box, std::size_t n, Vec3 place, std::int64_t id);
+  // Particles of a box to other kinds that carry the same: to[k][n], of particle n of kind k, none
+  // of a kind where to[k] is empty. They count as made of the new kind. relocate() is next.
+  void change_kinds(int level, int box, const std::vector<std::vector<int>>& to);
   // Collective.
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.

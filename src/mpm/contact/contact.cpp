@@ -22,7 +22,7 @@ bool slides(const ContactRule& rule) {
 // The largest among a material's objects, at most half a cell.
 std::array<double, 3> half_widths(const SolidMaterial& material) {
   std::array<double, 3> half{};
-  for (const SeedObject& o : material.objects)
+  for (const SeedObject& o : material.forms())
     for (std::size_t d = 0; d < 3; ++d)
       half[d] = std::max(half[d], 0.5 * std::fabs(o.map[4 * d]) / o.per_cell[static_cast<int>(d)]);
   for (double& h : half) h = h > 0 ? std::min(h, 0.5) : 0.25;

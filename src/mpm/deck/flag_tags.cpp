@@ -1,4 +1,6 @@
 // <MPM>: the method's flags; <AMR><MPM>.
+#include <fmt/format.h>
+
 #include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
@@ -141,6 +143,26 @@ std::vector<TagSpec> file_tags() {
   };
 }
 
+// Clusters of grains.
+std::vector<TagSpec> grain_tags() {
+  const auto stretch = [](const char* name, const char* axis, const char* by_default) {
+    return tag(name,
+               fmt::format("DoGranularMPM: the product of x, y and z is the largest J at which "
+                           "grains touch, where a material has no critical_density: along {}",
+                           axis))
+        .real()
+        .at_least(1)
+        .by_default(by_default);
+  };
+  return {
+      flag("DoGranularMPM",
+           "particles that have lost touch get a material of their own: clusters of grains meet "
+           "by contact",
+           "false"),
+      stretch("GranularMPMVcrix", "x", "1.04"), stretch("GranularMPMVcriy", "y", "1.04"),
+      stretch("GranularMPMVcriz", "z", "1.0")};
+}
+
 // Flags of the format that change nothing here, or may only have one value.
 std::vector<TagSpec> idle_tags() {
   return {
@@ -162,9 +184,6 @@ std::vector<TagSpec> idle_tags() {
           .by_default("true"),
       flag("do_scalar_diffusion", "a concentration diffuses through what has a <diffusion_model>",
            "false"),
-      tag("DoGranularMPM", "grains join and part; false alone is supported")
-          .boolean()
-          .by_default("false"),
       tag("coupled_flow_analysis", "water flows through pores; false alone is supported")
           .boolean()
           .by_default("false"),
@@ -179,6 +198,7 @@ TagSpec flags_tag() {
       .with_children(implicit_tags())
       .with_children(physics_tags())
       .with_children(file_tags())
+      .with_children(grain_tags())
       .with_children(idle_tags());
 }
 

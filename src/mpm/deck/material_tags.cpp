@@ -5,10 +5,6 @@
 namespace sluice::mpm {
 namespace {
 
-TagSpec ignored_tag(const std::string& name, const std::string& reason) {
-  return tag(name, "accepted without effect: " + reason);
-}
-
 // x -> A x + b of the seeded places.
 std::vector<TagSpec> affine_tags() {
   return {
@@ -118,13 +114,30 @@ std::vector<TagSpec> role_tags() {
               .by_default("true")};
 }
 
-// Of a method of grains that is not built; without it they say nothing.
+// Read where <DoGranularMPM> is true.
 std::vector<TagSpec> grain_tags() {
-  const std::string reason = "read by DoGranularMPM alone";
-  return {ignored_tag("critical_density", reason).real().at_least(0),
-          ignored_tag("stress_free", reason).boolean(), ignored_tag("MatTypeIdx", reason).integer(),
-          ignored_tag("allow_DWIndex_correction", reason).boolean(),
-          ignored_tag("applied_contact_model", reason).boolean()};
+  return {
+      tag("critical_density",
+          "DoGranularMPM: grains at less have lost touch; absent: density over GranularMPMVcrix, "
+          "y and z")
+          .real()
+          .above(0)
+          .unit("mass/length^3"),
+      tag("stress_free", "DoGranularMPM: grains that have lost touch have no stress")
+          .boolean()
+          .by_default("false"),
+      tag("MatTypeIdx",
+          "DoGranularMPM: materials with the same number and type of law exchange particles")
+          .integer(),
+      tag("allow_DWIndex_correction",
+          "DoGranularMPM: its particles may go to other materials, and others come")
+          .boolean()
+          .by_default("true"),
+      tag("applied_contact_model",
+          "DoGranularMPM: rules of contact act on it; false: a cluster comes here at last, and "
+          "meets nothing")
+          .boolean()
+          .by_default("true")};
 }
 
 }  // namespace

@@ -63,6 +63,13 @@ struct SolidMaterial {
   bool burns = false;              // its particles lose mass in place
   bool surface_remembers = false;  // at a rate that depends on what has burned before
   bool awaits_flames = false;      // that take time to come along
+  // With DoGranularMPM: J beyond which grains have lost touch (0: without), and whether they then
+  // have no stress.
+  double loosest = 0;
+  bool loose_have_no_stress = false;
+  // The objects of all materials whose particles may come to this one; empty: its own alone.
+  std::vector<SeedObject> guests;
+  const std::vector<SeedObject>& forms() const { return guests.empty() ? objects : guests; }
   Location where;
 };
 
@@ -132,6 +139,12 @@ struct SplitCriterion {
   double value = 0;
   int material = -1;  // -1: all
   Location where{};
+};
+
+// Materials whose particles go from one to the other: a velocity field for each cluster of grains.
+struct GrainFamily {
+  std::vector<int> members;    // local numbers: those that some contact takes first, then by number
+  std::size_t in_contact = 0;  // how many of them
 };
 
 // A condition of a face of the domain, of one material or of all (-1).
@@ -213,6 +226,8 @@ struct MpmScene {
   std::vector<SolidBoundary> boundaries;
   std::vector<CohesiveZone> cohesive_zones;  // empty where use_cohesive_zones is not true
   std::vector<SplitCriterion> splits;
+  bool granular = false;            // DoGranularMPM
+  std::vector<GrainFamily> grains;  // of two materials or more
   bool colinear_normals = true;
   std::optional<ImplicitSettings> implicit;  // none: explicit steps
   bool xpic2_of_format = false;  // tag XPIC2: places move with the filtered velocity too

@@ -81,6 +81,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
       read_contacts(*block, s, faults);
       if (zones) read_cohesive_zones(*block, s, faults);
     }
+  read_grains(root, s, faults);
   if (runs_single_field(root)) share_velocities(s, faults);
   // All that deforms has one velocity at a node: what is left are rigid bodies.
   if (s.implicit) {

@@ -104,9 +104,49 @@ TEST(Flags, OfOtherMethodsAreRefusedByName) {
               HasSubstr("<XPIC2> true with implicit steps is known to the format"));
   EXPECT_THAT(flag_faults("<coupled_flow_analysis>true</coupled_flow_analysis>"),
               HasSubstr("<coupled_flow_analysis> true is known to the format"));
-  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"),
-              HasSubstr("<DoGranularMPM> true"));
+  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM><use_cohesive_zones>true"
+                          "</use_cohesive_zones>"),
+              HasSubstr("<DoGranularMPM> true with <use_cohesive_zones> is known to the format"));
   EXPECT_EQ(flag_faults("<DoGranularMPM>false</DoGranularMPM>"), "");
+}
+
+// Materials of one law and one MatTypeIdx are a family; those that contacts act on come first.
+TEST(Grains, MaterialsThatExchangeThem) {
+  SolidDeck deck = with_flags("<DoGranularMPM>true</DoGranularMPM>");
+  const std::string lone = "<MatTypeIdx>2</MatTypeIdx>";
+  deck.further = solid_material("wall",
+                                "<allow_DWIndex_correction>false"
+                                "</allow_DWIndex_correction>") +
+                 solid_material("other", lone) +
+                 solid_material("apart", "<applied_contact_model>false</applied_contact_model>") +
+                 solid_material("slot", "<critical_density>800</critical_density>");
+  deck.contacts = "<contact><type>friction</type><mu>0.3</mu></contact>";
+  const ReadDeck read = read_solids(deck);
+  EXPECT_FALSE(any_error(read.faults)) << read.text;
+  EXPECT_THAT(read.text,
+              HasSubstr("materials 0 and 4 exchange particles (DoGranularMPM) and differ "
+                        "in <critical_density>"));
+  ASSERT_EQ(read.solids.grains.size(), 1U);
+  EXPECT_EQ(read.solids.grains[0].members, (std::vector<int>{0, 4, 3}));
+  EXPECT_EQ(read.solids.grains[0].in_contact, 2U);
+  ASSERT_EQ(read.solids.contacts.size(), 1U);
+  EXPECT_EQ(read.solids.contacts[0].materials, (std::vector<int>{0, 1, 2, 4}));
+  EXPECT_EQ(read.solids.materials[4].loosest, 1.25);
+  EXPECT_DOUBLE_EQ(read.solids.materials[0].loosest, 1.0816);
+  // An empty material makes particles of the form of those that may come.
+  EXPECT_EQ(read.solids.materials[4].forms().size(), read.solids.materials[0].objects.size());
+  EXPECT_TRUE(read.solids.materials[1].forms().empty());
+}
+
+TEST(Grains, WithoutSlotsOrTouchAreTold) {
+  EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM>"),
+              HasSubstr("<DoGranularMPM> has no effect: no two materials can exchange particles"));
+  EXPECT_THAT(flag_faults("<GranularMPMVcriz>1.1</GranularMPMVcriz>"),
+              HasSubstr("<GranularMPMVcriz> has no effect without <DoGranularMPM> true"));
+  SolidDeck deck = with_flags("<DoGranularMPM>true</DoGranularMPM>");
+  deck.material = "<critical_density>1000</critical_density>";
+  EXPECT_THAT(read_solids(deck).text,
+              HasSubstr("<critical_density> 1000 is not below <density> 1000"));
 }
 
 TEST(Contacts, OfASingleFieldShareOneVelocity) {
@@ -197,9 +237,9 @@ TEST(Materials, StrayStateAndConstantsAreToldAndDropped) {
                       "<density>5</density><pressure>1</pressure><concentration>0</concentration>");
   const ReadDeck read = read_solids(deck);
   EXPECT_FALSE(any_error(read.faults)) << read.text;
-  for (const char* told : {"<D1> is obsolete", "<gamma> is obsolete",
-                           "<density> in <geom_object> has no effect", "<pressure> in",
-                           "<concentration> in <geom_object> has no effect"})
+  for (const char* told :
+       {"<D1> is obsolete", "<gamma> is obsolete", "<density> in <geom_object> has no effect",
+        "<pressure> in", "<concentration> in <geom_object> has no effect"})
     EXPECT_THAT(read.text, HasSubstr(told));
 }
 

@@ -16,6 +16,8 @@ SeedObject read_seed_object(const DeckNode& node, const GeometryReader& geometry
                             std::vector<Fault>& faults);
 // `block`: <MaterialProperties><MPM>. Materials are there already.
 void read_contacts(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
+// Materials and contacts are there already.
+void read_grains(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
 void read_loads(const DeckNode& root, const GeometryReader& geometry, MpmScene& s,
                 std::vector<Fault>& faults);

@@ -77,6 +77,7 @@ void add_mpm_tags(Schema& schema) {
   schema.rules.emplace_back(check_solid_materials);
   schema.rules.emplace_back(check_contacts);
   schema.rules.emplace_back(check_cohesive_zones);
+  schema.rules.emplace_back(check_grains);
   schema.rules.emplace_back(check_loads);
   schema.rules.emplace_back(check_solid_faces);
 }

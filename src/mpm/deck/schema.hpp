@@ -42,6 +42,7 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults);
 void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults);
 void check_contacts(const DeckNode& root, std::vector<Fault>& faults);
 void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults);
+void check_grains(const DeckNode& root, std::vector<Fault>& faults);
 void check_loads(const DeckNode& root, std::vector<Fault>& faults);
 void check_solid_faces(const DeckNode& root, std::vector<Fault>& faults);
 

@@ -40,8 +40,6 @@ constexpr Stray stray_flags[] = {
     {"maximum_particle_velocity", no_limit},
     {"do_thermal_expansion", "each material has its linear_thermal_expansion_coef"},
     {"erosion", "each material has its own <erosion>"},
-    {"GranularMPMVcriy", "no method uses it"},
-    {"GranularMPMVcriz", "no method uses it"},
     {"DoCapDensity", "no method uses it"},
     {"DoDefGradAveraging", "no method uses it"},
     {"computeNodalHeatFlux", "save g.HeatFlux: it is computed where it is saved"},

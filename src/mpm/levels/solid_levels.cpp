@@ -181,7 +181,7 @@ Verdict SolidLevels::from_grid(const StageScope& scope) {
 
 Verdict SolidLevels::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                ranks = scope.ranks, sums = scope.sums,
+                                ranks = scope.ranks, sums = scope.sums, events = scope.events,
                                 end = scope.step.time + scope.step.dt] {
     cloud->take_over(end);
     double travel = 0;
@@ -200,12 +200,20 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
         solids_->refine_particles && split_particles(*solids_, *carried_, *cloud, *ranks);
     if (left) book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
     if (strayed_ >= most_stray || left || split) relocate(*cloud);
-    for (int l = 0; l < count() && split; ++l) {  // the bounds of what there is now
+    const bool regrouped = solids_->granular && regroup(*cloud, *ranks, {end, sums, events});
+    for (int l = 0; l < count() && (split || regrouped); ++l) {  // the bounds of what there is now
       const std::vector<double> rates = cloud->rates(l);
       std::copy(rates.begin(), rates.end(), (*maxima)[static_cast<std::size_t>(l)].begin());
     }
   });
   return Verdict::good;
+}
+
+bool SolidLevels::regroup(ParticleCloud& cloud, Communicator& ranks, const StepEnd& end) {
+  const bool freed = free_loose_grains(*solids_, *carried_, cloud, ranks);
+  const bool moved = regroup_grains(*solids_, *carried_, cloud, ranks, end);
+  if (moved) relocate(cloud);
+  return freed || moved;
 }
 
 void SolidLevels::relocate(ParticleCloud& cloud) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "mpm/grains/regroup.hpp"
 #include "mpm/levels/composite_nodes.hpp"
 #include "mpm/step/solid_step.hpp"
 
@@ -52,6 +53,8 @@ class SolidLevels {
   void join_sums(const StageScope& scope, NodeLanes Body::*group);
   void spread_velocities(NodeLanes Body::*group);
   void spread(NodeLanes Body::*group);
+  // Clusters of grains into materials of their own; whether any particle has changed.
+  bool regroup(ParticleCloud& cloud, Communicator& ranks, const StepEnd& end);
   // Rigid bodies that transmit forces move by what all levels gave them.
   void push_transmitting(const StageScope& scope);
 

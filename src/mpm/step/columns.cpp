@@ -22,7 +22,7 @@ bool is_wanted(const Scene& scene, const char* name) {
 
 // Do the point files of a material have a column.
 bool file_gives(const SolidMaterial& material, const char* name) {
-  return std::any_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
+  return std::any_of(material.forms().begin(), material.forms().end(), [&](const SeedObject& o) {
     const auto* points = dynamic_cast<const PointFilePiece*>(o.piece.get());
     return points != nullptr && points->file().vectors.contains(name);
   });
@@ -54,9 +54,9 @@ std::vector<Label> labels_of(const HistoryColumn& h) {
 
 // Do all particles have the widths of the first object's.
 bool alike(const SolidMaterial& material) {
-  return std::all_of(material.objects.begin(), material.objects.end(), [&](const SeedObject& o) {
+  return std::all_of(material.forms().begin(), material.forms().end(), [&](const SeedObject& o) {
     return o.filling_levels == 1 && !o.cut_cells && o.piece->points() == nullptr &&
-           half_of(o) == half_of(material.objects.front());
+           half_of(o) == half_of(material.forms().front());
   });
 }
 
@@ -85,14 +85,14 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (solids.transfer == Transfer::apic || solids.transfer == Transfer::affine ||
       solids.gradient_enhanced)
     c.columns.affine = add(l.affine, true);
-  if (!material.objects.empty()) c.half = c.half_at_rest = half_of(material.objects.front());
+  if (!material.forms().empty()) c.half = c.half_at_rest = half_of(material.forms().front());
   const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
   if (by_width && (solids.refine_particles || !alike(material)))
     c.columns.half = add(l.half, false);
   if (solids.basis == Basis::quadratic) c.half = {0.5, 0.5, 0.5};
   for (double& half : c.half) half = std::min(half, 0.5);
   if (by_corners(solids.basis) || is_wanted(scene, "p.size") || is_wanted(scene, "p.scalefactor") ||
-      solids.refine_particles)
+      solids.refine_particles || solids.granular)
     c.columns.size = add(l.size, false);
   if (solids.refine_particles) c.columns.split = add(l.split, false);
   if (solids.carries_corners()) {
