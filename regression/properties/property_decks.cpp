@@ -163,6 +163,7 @@ std::vector<Entry> of_materials() {
       {"products_into_solid", "products_into_solid", {cells("[100,1,1]")}},
       {"rate_stick", "rate_stick", {cells("[80,1,1]")}},
       {"light_time", "light_time", {cells("[80,1,1]")}},
+      {"hydrogen_detonation", "hydrogen_detonation", {cells("[50,1,1]"), "Time/maxTime=4e-6"}},
       {"three_in_a_row", "three_in_a_row", {cells("[50,1,1]")}},
       {"three_in_a_row_heat",
        "three_in_a_row",
