@@ -26,6 +26,8 @@ class Products {
     const eos::Nasa7Heat heat = gas_.heat([&](std::size_t k) { return fresh_[k]; });
     e_0_ = heat.energy(T_0);
     p_0_ = rho_0 * heat.gas_constant * T_0;
+    std::copy_n(fresh_, 8, burnt_);
+    released_ = reactor_.advance(rho_0, e_0_ + hot, burnt_, 1.0).heat / rho_0;
   }
 
   // Speed of a wave to the density rho by mass and momentum, where the energy is that of Hugoniot:
@@ -38,9 +40,11 @@ class Products {
   }
 
  private:
-  // `e`: what the fresh gas would have of sensible energy.
+  // In equilibrium. `e`: what the fresh gas would have of sensible energy. From burnt gas on: fresh
+  // gas of this energy might be too cold to burn in the time.
   double pressure(double rho, double e) {
-    std::vector<double> Y(fresh_, fresh_ + 8);
+    std::vector<double> Y(burnt_, burnt_ + 8);
+    e += released_;
     e += reactor_.advance(rho, e, Y.data(), 1.0).heat / rho;
     const eos::Nasa7Heat heat = gas_.heat([&](std::size_t k) { return Y[k]; });
     return rho * heat.gas_constant * heat.temperature(e);
@@ -48,7 +52,9 @@ class Products {
 
   kinetics::SpeciesGas gas_;
   kinetics::Reactor reactor_;
-  double fresh_[8] = {};
+  static constexpr double hot = 2e6;  // J/kg
+  double fresh_[8] = {}, burnt_[8] = {};
+  double released_ = 0;  // J/kg, from fresh to burnt
   double e_0_ = 0, p_0_ = 0;
 };
 
@@ -61,6 +67,7 @@ double front(const CellValues& p) {
 
 // The least speed along the curve of the products is that of Chapman and Jouguet, which the wave
 // has whatever its structure: cells are wider than the zone of induction.
+// Measured: -0.6 %.
 TEST(FullHydrogenDetonation, RunsAsConservationAndEquilibriumHaveIt) {
   Products products;
   double least = 1e300;
