@@ -416,6 +416,9 @@ std::string FluidPart::describe_fault(int kind) const {
       return "relative volume after the Lagrangian phase (must be above 0)";
     case fault_outflow:
       return "share of a cell's volume that flows out in the step (must be below 1)";
+    case fault_reactions:
+      return "temperature (K) at which the reactions of the cell could not be integrated (to the "
+             "tolerances <rtol>, <atol_Y> and <atol_T>)";
     default:
       return "value";
   }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "framework/base/error.hpp"
 #include "framework/base/lending_pool.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/scalars/release_rows.hpp"
@@ -30,6 +31,14 @@ struct Handles {
   Out last_step;
 };
 
+// Whether there is anything to integrate: the checks that follow find other states.
+bool is_state(double rho, double E, const double* Y, std::size_t count) {
+  double sum = rho + E;
+  for (std::size_t k = 0; k < count; ++k) sum += Y[k];
+  return rho > 0 && E > 0 && std::isfinite(sum);
+}
+
+// A cell whose reactions cannot be integrated is left as it is, a fault of the step.
 void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
                kinetics::Reactor& reactor) {
   const double* rho = row(h.release.end.next.rho);
@@ -41,12 +50,22 @@ void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
   double Y[models::most_species];
   for (int i = 0; i < row.count(); ++i) {
     for (std::size_t k = 0; k < count; ++k) Y[k] = row(h.before[k])[i];
-    const kinetics::Reactor::Result done = reactor.advance(rho[i], E[i] / rho[i], Y, dt);
+    kinetics::Reactor::Result done{0, dt, 0};
+    if (is_state(rho[i], E[i], Y, count)) {
+      try {
+        done = reactor.advance(rho[i], E[i] / rho[i], Y, dt);
+      } catch (const PhysicsError&) {
+        const auto heat = o.mixed->species->gas->heat([&](std::size_t k) { return Y[k]; });
+        done.last_step = -heat.temperature(E[i] / rho[i]);
+      }
+    }
     for (std::size_t k = 0; k < count; ++k) row(h.now[k])[i] = Y[k];
     E[i] += done.heat;
     last_step[i] = done.last_step;
     books.add(i, done.heat);
   }
+  admissible_row<1>(row, o.axes, {{{last_step, fault_reactions, [](double x) { return -x; }}}},
+                    o.material);
 }
 
 // The reacting species of a graph: what of their variables tasks need.

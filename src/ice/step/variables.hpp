@@ -255,6 +255,7 @@ enum FaultKind {
   fault_energy = 1,
   fault_volume = 2,
   fault_outflow = 3,
+  fault_reactions = 4,
   fault_of_material = 16  // times the material + 1
 };
 
