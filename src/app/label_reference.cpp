@@ -9,6 +9,7 @@
 #include "framework/field/label.hpp"
 #include "framework/run/particle_method.hpp"
 #include "ice/fluid/labels.hpp"
+#include "models/combustion.hpp"
 #include "models/light_time.hpp"
 #include "models/tracer_particles.hpp"
 #include "models/transported_scalar.hpp"
@@ -67,6 +68,7 @@ std::string label_reference() {
   scalar.declare_labels();
   particle_labels();
   models::front_gradient_label();
+  models::reaction_labels();
   mpm::solid_labels();
   mpm::declare_history_labels();
   mpm::mean_pressure_of({}, 0);

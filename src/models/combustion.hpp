@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "framework/field/label.hpp"
 #include "kinetics/species_gas.hpp"
 #include "models/start_line.hpp"
 
@@ -29,5 +30,13 @@ struct Combustion {
   double relative_tolerance = 1e-8, temperature_tolerance = 1e-6, fraction_tolerance = 1e-14;
   std::optional<FlameStart> start;
 };
+
+// What can be saved of reactions.
+struct ReactionLabels {
+  Label heat_release;  // HeatReleaseRate, W/m^3
+  Label last_step;     // dt_chemistry, s
+  Label limiter;       // dt_chemistry_limiter
+};
+ReactionLabels reaction_labels();
 
 }  // namespace sluice::models

@@ -102,6 +102,11 @@ std::shared_ptr<const kinetics::SpeciesGas> find_gas(const DeckNode& parameters,
   }
 }
 
+// x or X.
+int axis_of(const DeckNode& profile) {
+  return std::clamp((profile.string("axis").front() | 0x20) - 'x', 0, 2);
+}
+
 // Mass fractions of the carried species that a list of the deck gives.
 void check_fractions(const DeckNode& list, const kinetics::SpeciesGas& gas,
                      std::vector<Fault>& faults) {
@@ -137,10 +142,6 @@ void check_units(const DeckNode& parameters, std::vector<Fault>& faults) {
       add_not_built(faults, node->where, fmt::format("<{}> '{}' of <units>", quantity, node->text),
                     fmt::format("write the deck in SI units, here {}", unit));
   }
-}
-
-int axis_of(const DeckNode& profile) {
-  return (profile.string("axis").front() | 0x20) - 'x';  // x or X
 }
 
 std::vector<double> start_fractions(const DeckNode& parameters, const kinetics::SpeciesGas& gas) {
@@ -238,6 +239,11 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
               "<doDiffusion> true: the mechanism has no fits of transport",
               "write false, or take a mechanism with <binaryDiffusionFits>");
   if (const DeckNode* start = parameters.child("Y_init")) check_fractions(*start, *gas, faults);
+  if (const DeckNode* profile = parameters.child("initProfile")) {
+    const DeckNode *file = profile->child("filename"), *axis = profile->child("axis");
+    if (file != nullptr && axis != nullptr)
+      collect(faults, file->where, [&] { read_flame(file->text, axis_of(*profile), *gas); });
+  }
   if (built_in(parameters)) {
     const double H2 = real_of(&parameters, "YH2_init").value_or(0);
     const double O2 = real_of(&parameters, "YO2_init").value_or(0);
@@ -250,8 +256,8 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
     if (const DeckNode* Y = object->child("Y")) check_fractions(*Y, *gas, faults);
 }
 
-MixedGas read_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,
-                             std::vector<Fault>& faults) {
+MixedGas read_gas_combustion(const DeckNode& parameters,
+                             const std::vector<std::string>& materials) {
   MixedGas gas;
   gas.type = parameters.name;
   gas.material = read_material(parameters, "material", materials);
@@ -270,8 +276,10 @@ MixedGas read_gas_combustion(const DeckNode& parameters, const std::vector<std::
   for (std::size_t k = 0; k < model.gas->carried(); ++k)
     gas.fractions.push_back(species(*model.gas, k).name);
   if (const DeckNode* profile = parameters.child("initProfile")) {
+    // A file that cannot be read has been told.
+    std::vector<Fault> known;
     const DeckNode& file = *profile->child("filename");
-    collect(faults, file.where,
+    collect(known, file.where,
             [&] { model.start = read_flame(file.text, axis_of(*profile), *model.gas).state; });
   }
   gas.species = std::move(model);
@@ -316,9 +324,11 @@ std::vector<std::string> species_labels(const DeckNode& parameters) {
     for (std::string& label : labels_of(s)) labels.push_back(std::move(label));
   }
   const DeckNode* reacts = parameters.child("doChemistry");
-  if (reacts == nullptr || reacts->text != "false")
-    for (const char* label : {"HeatReleaseRate", "dt_chemistry", "dt_chemistry_limiter"})
-      labels.emplace_back(label);
+  if (reacts != nullptr && reacts->text == "false") return labels;
+  const ReactionLabels of_reactions = reaction_labels();
+  for (const Label label :
+       {of_reactions.heat_release, of_reactions.last_step, of_reactions.limiter})
+    labels.push_back(label.name());
   return labels;
 }
 

@@ -22,8 +22,7 @@ void locate_mechanisms(DeckNode& root);
 void check_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,
                           std::vector<Fault>& faults);
 
-MixedGas read_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,
-                             std::vector<Fault>& faults);
+MixedGas read_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials);
 // The mass fractions of that gas, in its order.
 std::vector<TransportedScalar> read_species(const MixedGas& gas, const DeckNode& parameters,
                                             const GeometryReader& geometry,

@@ -54,7 +54,7 @@ void add_gas(const DeckNode& parameters, const char* constants, MixedGas gas, co
 }
 
 void add_species(const DeckNode& parameters, const Reading& to) {
-  MixedGas gas = read_gas_combustion(parameters, to.materials, to.faults);
+  MixedGas gas = read_gas_combustion(parameters, to.materials);
   for (TransportedScalar& s : read_species(gas, parameters, to.geometry, to.faults))
     to.list.scalars.push_back(std::move(s));
   to.list.mixed = std::move(gas);

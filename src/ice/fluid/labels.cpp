@@ -186,13 +186,6 @@ void declare_primitives(Labels& l) {
   l.thermal_conductivity = cell("thermalCond", "W/(m K)", "Thermal conductivity.");
   l.specific_heat = cell("specific_heat", "J/(kg K)", "Specific heat at constant volume.");
   l.gamma = cell("gamma", "1", "Ratio of specific heats.");
-  l.heat_release_rate =
-      cell("HeatReleaseRate", "W/m^3", "Heat that reactions of species release, per time.");
-  l.chemistry_step =
-      cell("dt_chemistry", "s", "Last step of the integration of reactions in the cell.");
-  l.chemistry_limiter = cell("dt_chemistry_limiter", "1",
-                             "Place, from 1, of the species whose mass fraction reactions change "
-                             "most against its tolerance in the step; 0: none changes.");
 }
 
 void declare_waves(Labels& l) {

@@ -37,7 +37,6 @@ struct Labels {
   Label kept_burned_share, kept_burned_in_step, kept_model_mass;
 
   // From a state alone.
-  Label heat_release_rate, chemistry_step, chemistry_limiter;  // of species
   Label rho, velocity, temperature, pressure, specific_volume, sound_speed, mach, volume_fraction;
   Label rho_micro, gradient_rho, gradient_temperature, gradient_pressure, gradient_volume_fraction;
   Label divergence_velocity, refine_flag, vorticity, sum_rho, viscosity, eddy_viscosity,

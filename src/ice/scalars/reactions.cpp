@@ -6,7 +6,6 @@
 
 #include "framework/base/error.hpp"
 #include "framework/base/lending_pool.hpp"
-#include "ice/fluid/labels.hpp"
 #include "ice/scalars/release_rows.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "kinetics/reactor.hpp"
@@ -106,11 +105,11 @@ ChangeHandles read_changes(TaskBuilder& task, const Carried& carried) {
 // -rho sum dY_k (e0_k - e0_N)/dt, N the closure.
 void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                        const Carried& carried) {
-  TaskBuilder task =
-      list.task("save " + labels().heat_release_rate.name(), effect_saved_intermediates);
+  TaskBuilder task = list.task("save " + models::reaction_labels().heat_release.name(),
+                               effect_saved_intermediates);
   const ChangeHandles h = read_changes(task, carried);
   const In rho = task.read(v.rho_new);
-  const Out out = task.write(list.output(labels().heat_release_rate, o.material));
+  const Out out = task.write(list.output(models::reaction_labels().heat_release, o.material));
   task.kernel([=, gas = o.mixed->species->gas](const Row& row) {
     double* to = row(out);
     const double* r = row(rho);
@@ -128,9 +127,9 @@ void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOpt
 // Whose fraction changes most against its tolerance, from 1; 0 where none changes.
 void save_limiter(TaskList& list, const SchemeOptions& o, const Carried& carried) {
   TaskBuilder task =
-      list.task("save " + labels().chemistry_limiter.name(), effect_saved_intermediates);
+      list.task("save " + models::reaction_labels().limiter.name(), effect_saved_intermediates);
   const ChangeHandles h = read_changes(task, carried);
-  const Out out = task.write(list.output(labels().chemistry_limiter, o.material));
+  const Out out = task.write(list.output(models::reaction_labels().limiter, o.material));
   task.kernel([=, relative = o.mixed->species->relative_tolerance,
                fraction = o.mixed->species->fraction_tolerance](const Row& row) {
     double* to = row(out);
@@ -150,9 +149,9 @@ void save_limiter(TaskList& list, const SchemeOptions& o, const Carried& carried
 
 void save_last_step(TaskList& list, const SchemeOptions& o, VariableId last_step) {
   TaskBuilder task =
-      list.task("save " + labels().chemistry_step.name(), effect_saved_intermediates);
+      list.task("save " + models::reaction_labels().last_step.name(), effect_saved_intermediates);
   const In in = task.read(last_step);
-  const Out out = task.write(list.output(labels().chemistry_step, o.material));
+  const Out out = task.write(list.output(models::reaction_labels().last_step, o.material));
   task.kernel([=](const Row& row) {
     const double* from = row(in);
     double* to = row(out);
