@@ -242,5 +242,23 @@ TEST(SpeciesFlow, ATraceSpreadsWithItsDiffusivity) {
   EXPECT_GT(recorded_order(coarse, fine), 1.8);
 }
 
+// Gas far beyond all fits cannot be integrated: the step fails with the cell and its temperature,
+// and the run ends with them rather than with numbers that mean nothing.
+TEST(SpeciesFlow, TellsWhereReactionsCannotBeIntegrated) {
+  const double T = 1e6, rho = 1;
+  GasBox box;
+  box.cells = {4, 1, 1};
+  box.density = "1";
+  box.pressure =
+      fmt::format("x > 0.5 ? {:.17g} : 1e5", rho * heat_of(stoichiometric).gas_constant * T);
+  box.models = model(stoichiometric, stoichiometric, "[0,0,0]", "[1,1,1]", "");
+  SpeciesRun run(box);
+  const StepAttempt& attempt = run.attempt(1e-9);
+  EXPECT_EQ(attempt.faults, 2);
+  EXPECT_EQ(attempt.first_fault.kind, fault_reactions);
+  EXPECT_EQ(attempt.first_fault.cell, (IntVec3{2, 0, 0}));
+  EXPECT_NEAR(attempt.first_fault.value, T, 1e-4 * T);
+}
+
 }  // namespace
 }  // namespace sluice::ice::species_flow_test
