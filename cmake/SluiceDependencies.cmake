@@ -30,10 +30,10 @@ add_library(sluice_hypre INTERFACE)
 target_include_directories(sluice_hypre SYSTEM INTERFACE ${HYPRE_INCLUDE_DIR})
 target_link_libraries(sluice_hypre INTERFACE ${HYPRE_LIBRARY} sluice_mpi)
 
-# CVODE of SUNDIALS (libsundials-dev): its dense direct solver in serial.
-find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunmatrixdense sunlinsoldense)
+# CVODE and ARKODE of SUNDIALS (libsundials-dev): explicit steps, dense direct solver, in serial.
+find_package(SUNDIALS REQUIRED COMPONENTS arkode cvode nvecserial sunmatrixdense sunlinsoldense)
 add_library(sluice_cvode INTERFACE)
-target_link_libraries(sluice_cvode INTERFACE SUNDIALS::cvode SUNDIALS::nvecserial
+target_link_libraries(sluice_cvode INTERFACE SUNDIALS::arkode SUNDIALS::cvode SUNDIALS::nvecserial
   SUNDIALS::sunmatrixdense SUNDIALS::sunlinsoldense)
 
 if(SLUICE_TESTS)

@@ -1,7 +1,13 @@
-// Stiff systems dy/dt = f(y) of few unknowns, by CVODE of SUNDIALS: backward differentiation of
-// orders 1 to 5 with Newton's method and a dense direct solver.
+// Systems dy/dt = f(y) of few unknowns that may be stiff, by SUNDIALS.
 //
-// Reference: Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363.
+// First ARKODE takes the whole time in one explicit step, by the pair of orders 5 and 4 of Dormand
+// and Prince: where y hardly changes within the time, as in a flow whose sound is faster than its
+// chemistry, that is all. Where its estimate of the error is beyond the tolerances, CVODE begins
+// anew: backward differentiation of orders 1 to 5, Newton's method, a dense direct solver. An
+// explicit step that is unstable enlarges what its two orders differ by, and is refused.
+//
+// References: Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363; Dormand and Prince, J.
+// Comput. Appl. Math. 6 (1980) 19; Reynolds et al., ACM Trans. Math. Softw. 49 (2023) 19.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -39,6 +45,8 @@ class StiffSolver {
   Outcome advance(double dt, double relative);
 
  private:
+  bool one_explicit_step(double dt, double relative);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
