@@ -47,6 +47,7 @@ constexpr ComponentKind kinds[] = {
     {"amrmpm", nullptr, make_mpm},
     {"impm", nullptr, make_mpm},
     {"sfmpm", nullptr, make_mpm},
+    {"shmpm", nullptr, make_mpm},
     {"mpmice", nullptr, make_mpmice},
     {"rmpmice", nullptr, make_mpmice},
     {"rigidmpmice", nullptr, make_mpmice},

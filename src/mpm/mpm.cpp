@@ -126,6 +126,21 @@ void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage
   totals.amounts.resize(std::max(totals.amounts.size(), amount_count()));
 }
 
+// Of the water in pores, which counts as its material.
+static void add_water(const ParticleSet& set, const Columns& c, ConservedTotal& mass,
+                      Totals& totals) {
+  const double* m = set.column(static_cast<std::size_t>(c.water_mass));
+  const auto v = read_columns<3>(set, c.water_velocity);
+  for (std::size_t p = 0; p < set.size(); ++p) {
+    mass.add(m[p]);
+    for (int d = 0; d < 3; ++d) {
+      const double vd = v[static_cast<std::size_t>(d)][p];
+      totals.momentum[d].add(m[p] * vd);
+      totals.kinetic_energy.add(0.5 * m[p] * vd * vd);
+    }
+  }
+}
+
 void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const {
   totals.mass.resize(std::max(totals.mass.size(), solids_.materials.size()));
   for (int k = 0; k < static_cast<int>(particles_.kinds().size()); ++k) {
@@ -152,6 +167,7 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
           totals.kinetic_energy.add(0.5 * m[p] * v2);
           totals.internal_energy.add(energy[p]);
         }
+        if (c.water_mass >= 0) add_water(set, c, totals.mass[static_cast<std::size_t>(k)], totals);
       }
   }
   if (history_sums_.any()) history_sums_.add(cloud, particles_.carried(), totals);

@@ -14,6 +14,7 @@
 #include "mpm/step/labels.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
+#include "mpm/step/pore_water.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/step/solid_step.hpp"
 
@@ -141,6 +142,13 @@ void SolidParticles::put_seeded(int kind, const Level& level, const SeededPartic
     put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
   for (int e = 0; e < 9 && c.size >= 0; ++e)
     put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
+  if (const auto& water = solids_->materials[static_cast<std::size_t>(kind)].water) {
+    put(c.water_mass, water->porosity * water->density * seeded.volume[p]);
+    put(c.pore_pressure, water->initial_pressure);
+    put(c.filtered_pressure, water->initial_pressure);
+    for (int d = 0; d < 3; ++d)
+      put(c.water_velocity + d, set.attribute(static_cast<std::size_t>(c.velocity + d), n));
+  }
   if (c.marks >= 0) mark(kind, level, seeded, p, set);
   for (int d = 0; d < 3 && c.given_force >= 0; ++d)
     put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
@@ -298,6 +306,7 @@ double SolidParticles::rate_of_step(int kind, const Level& level, const Particle
     b.dt = 1e-300;
     std::fill_n(heating, n, 0.0);
     material.law->update(b);
+    add_water_to_waves(material, carried.columns, set, set, at, n, wave_speed);
     rate = std::max(rate, step_rate(level, set, carried.columns, *material.law, at, n, wave_speed));
     wave = std::max(wave, wave_rate(level, n, wave_speed));
   }

@@ -76,7 +76,7 @@ TagSpec component() {
       .once()
       .attribute(attribute("type", "the component")
                      .once()
-                     .words({"ice", "mpm", "amrmpm", "impm", "sfmpm", "mpmice", "rmpmice",
+                     .words({"ice", "mpm", "amrmpm", "impm", "sfmpm", "shmpm", "mpmice", "rmpmice",
                              "rigidmpmice", "poisson1", "poisson2", "poisson3", "solvertest",
                              "burger", "wave", "benchmark", "switcher"})
                      .spelling("ICE", "ice")
@@ -85,6 +85,7 @@ TagSpec component() {
                      .spelling("AMRmpm", "amrmpm")
                      .spelling("IMPM", "impm")
                      .spelling("SFMPM", "sfmpm")
+                     .spelling("SHMPM", "shmpm")
                      .spelling("SFmpm", "sfmpm")
                      .spelling("MPMICE", "mpmice")
                      .spelling("RIGIDMPMICE", "rigidmpmice")
@@ -123,7 +124,6 @@ TagSpec component() {
                                  "rmpm",
                                  "rigidmpm",
                                  "RIGIDMPM",
-                                 "shmpm",
                                  "smpmice",
                                  "shellmpmice",
                                  "SHELLMPMICE",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "mpm/deck/implicit.hpp"
+#include "mpm/deck/pore_water.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -184,9 +185,6 @@ std::vector<TagSpec> idle_tags() {
           .by_default("true"),
       flag("do_scalar_diffusion", "a concentration diffuses through what has a <diffusion_model>",
            "false"),
-      tag("coupled_flow_analysis", "water flows through pores; false alone is supported")
-          .boolean()
-          .by_default("false"),
   };
 }
 
@@ -196,6 +194,7 @@ TagSpec flags_tag() {
   return tag("MPM", "the material point method for solids")
       .with_children(scheme_tags())
       .with_children(implicit_tags())
+      .with_children(pore_water_flags())
       .with_children(physics_tags())
       .with_children(file_tags())
       .with_children(grain_tags())

@@ -1,5 +1,6 @@
 // The <material> of solids with its geometry objects.
 #include "mpm/deck/material_law.hpp"
+#include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/schema.hpp"
 
 namespace sluice::mpm {
@@ -152,6 +153,7 @@ TagSpec material_tag() {
       .with_children(constants_tags())
       .with_children(law_tags())
       .child(diffusion_model())
+      .with_children(pore_water_tags())
       .with_children(role_tags())
       .with_children(grain_tags())
       .child(geom_object());

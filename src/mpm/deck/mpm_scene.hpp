@@ -43,6 +43,16 @@ struct Diffusion {
   double least = 0, most = std::numeric_limits<double>::infinity();  // its bounds
 };
 
+// Water that fills the pores of a material, see mpm/step/pore_water.hpp.
+struct PoreWaterConstants {
+  double density = 1000;        // rho_w, kg/m^3
+  double porosity = 0;          // n at the start
+  double conductivity = 0;      // k, hydraulic, m/s
+  double bulk_modulus = 2.2e9;  // K_w, Pa
+  double initial_pressure = 0;  // p, Pa
+  double drag_of_velocity = 0;  // g/k: of the drag over n rho_w, 1/s
+};
+
 struct SolidMaterial {
   std::string name;
   int index = 0;  // of the scene's materials
@@ -54,6 +64,7 @@ struct SolidMaterial {
   bool may_give_normals = true;  // possible_alpha_material
   double specific_heat_p = 0;    // C_p
   std::optional<Diffusion> diffusion;
+  std::optional<PoreWaterConstants> water;  // none: it is dry, or what it holds moves with it
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
   // Others rest as they are: no part of them reaches a node, no force reaches them.
@@ -202,8 +213,13 @@ struct MpmScene {
   bool artificial_viscosity = false, viscosity_heats = false;
   double viscosity_1 = 0.2, viscosity_2 = 2.0;
   bool use_loads = false, normal_to_surface = false, loads_on_corners = false;
-  bool heat_conduction = true;    // DoExplicitHeatConduction
-  bool scalar_diffusion = false;  // do_scalar_diffusion
+  bool heat_conduction = true;         // DoExplicitHeatConduction
+  bool scalar_diffusion = false;       // do_scalar_diffusion
+  bool filters_pore_pressure = false;  // PorePressureFilter
+  bool any_water() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const SolidMaterial& m) { return m.water.has_value(); });
+  }
   bool thermal_contact = false, friction_heats = false;
   bool pressure_stabilised = false;
   int subcycles_of_F = 1;  // minimum_subcycles_for_F; negative: terms of the exponential series

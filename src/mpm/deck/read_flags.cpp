@@ -73,6 +73,7 @@ void read_physics(const DeckNode& flags, MpmScene& s) {
   s.viscosity_2 = real_or(flags, "artificial_viscosity_coeff2", s.viscosity_2);
   s.heat_conduction = boolean_or(flags, "DoExplicitHeatConduction", true);
   s.scalar_diffusion = boolean_or(flags, "do_scalar_diffusion", false);
+  s.filters_pore_pressure = boolean_or(flags, "PorePressureFilter", false);
   s.friction_heats = boolean_or(flags, "do_contact_friction_heating", false);
   s.colinear_normals = boolean_or(flags, "computeColinearNormals", true);
   s.use_loads = boolean_or(flags, "use_load_curves", false);

@@ -5,6 +5,7 @@
 
 #include "framework/scene/deck_values.hpp"
 #include "mpm/deck/material_law.hpp"
+#include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
@@ -68,13 +69,16 @@ SeedObject read_seed_object(const DeckNode& node, const GeometryReader& geometry
   return o;
 }
 
-SolidMaterial read_material(const DeckNode& node, int index, double reference_pressure,
-                            const GeometryReader& geometry, std::vector<Fault>& faults) {
+SolidMaterial read_material(const DeckNode& node, int index, const PhysicalConstants& physical,
+                            bool holds_water, const GeometryReader& geometry,
+                            std::vector<Fault>& faults) {
   SolidMaterial m;
   m.name = node.attribute("name").value_or("");
   m.index = index;
   m.where = node.where;
-  m.constants = read_constants(node, reference_pressure);
+  m.constants = read_constants(node, physical.reference_pressure);
+  if (holds_water) m.water = read_pore_water(node, physical.gravity);
+  if (m.water) m.constants.density *= 1 - m.water->porosity;  // what is there without water
   m.specific_heat_p = real_or(node, "C_p", m.constants.specific_heat);
   m.law = read_law(node, m.constants, faults);
   if (const DeckNode* model = node.child("diffusion_model")) {

@@ -8,6 +8,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/scene/geometry_reader.hpp"
+#include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/readers.hpp"
 #include "mpm/deck/schema.hpp"
 #include "mpm/material/rigid.hpp"
@@ -70,7 +71,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   // Materials of solids come first among those of the scene.
   for (const DeckNode* node : mpm_materials(root))
     s.materials.push_back(read_material(*node, static_cast<int>(s.materials.size()),
-                                        scene.constants.reference_pressure, geometry, faults));
+                                        scene.constants, runs_pore_water(root), geometry, faults));
   make_all_rigid(root, s);
   read_flags(root, s, faults);
   check_carried_corners(s, faults);

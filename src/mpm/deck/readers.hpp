@@ -10,8 +10,10 @@
 namespace sluice::mpm {
 
 void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
-SolidMaterial read_material(const DeckNode& node, int index, double reference_pressure,
-                            const GeometryReader& geometry, std::vector<Fault>& faults);
+// `holds_water`: its pores may.
+SolidMaterial read_material(const DeckNode& node, int index, const PhysicalConstants& physical,
+                            bool holds_water, const GeometryReader& geometry,
+                            std::vector<Fault>& faults);
 SeedObject read_seed_object(const DeckNode& node, const GeometryReader& geometry,
                             std::vector<Fault>& faults);
 // `block`: <MaterialProperties><MPM>. Materials are there already.

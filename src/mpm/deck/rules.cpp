@@ -34,11 +34,8 @@ void warn_of_idle(const DeckNode& flags, const char* name, const std::string& ne
 
 // Flags that turn on what is not built.
 void check_not_built(const DeckNode& flags, bool implicit, std::vector<Fault>& faults) {
-  constexpr std::pair<const char*, const char*> refused[] = {{"coupled_flow_analysis", "true"},
-                                                             {"do_grid_reset", "false"}};
-  for (const auto& [name, value] : refused)
-    if (text_of(flags, name) == value && !(implicit && std::string_view(name) == "do_grid_reset"))
-      add_not_built(faults, flags.child(name)->where, fmt::format("<{}> {}", name, value));
+  if (!implicit && text_of(flags, "do_grid_reset") == "false")
+    add_not_built(faults, flags.child("do_grid_reset")->where, "<do_grid_reset> false");
   if (implicit && is_true(&flags, "do_scalar_diffusion"))
     add_not_built(faults, flags.child("do_scalar_diffusion")->where,
                   "<do_scalar_diffusion> in implicit steps");

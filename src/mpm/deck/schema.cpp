@@ -8,6 +8,7 @@
 #include "mpm/deck/data_file.hpp"
 #include "mpm/deck/implicit.hpp"
 #include "mpm/deck/material_law.hpp"
+#include "mpm/deck/pore_water.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -74,6 +75,7 @@ void add_mpm_tags(Schema& schema) {
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);
   schema.rules.emplace_back(check_implicit);
+  schema.rules.emplace_back(check_pore_water);
   schema.rules.emplace_back(check_solid_materials);
   schema.rules.emplace_back(check_contacts);
   schema.rules.emplace_back(check_cohesive_zones);

@@ -28,6 +28,16 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
     to(StepSums::left_reference).add(-reference_pressure * volume[p]);
     to(StepSums::count + material).add(mass[p]);
   }
+  if (c.water_mass < 0) return;
+  const double* water = set.column(static_cast<std::size_t>(c.water_mass));
+  const auto v_w = read_columns<3>(set, c.water_velocity);
+  for (const std::uint32_t p : leaving) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      to(StepSums::left_x + d).add(water[p] * v_w[d][p]);
+      to(StepSums::left_kinetic).add(0.5 * water[p] * v_w[d][p] * v_w[d][p]);
+    }
+    to(StepSums::count + material).add(water[p]);
+  }
 }
 
 }  // namespace

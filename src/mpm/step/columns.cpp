@@ -126,6 +126,13 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (is_wanted(scene, "p.dTdt") || is_wanted(scene, "p.dTdt+") || is_wanted(scene, "g.dTdt"))
     c.columns.heating = add(l.heating, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
+  if (material.water) {
+    c.columns.water_mass = add(l.water_mass, false);
+    c.columns.water_velocity = add(l.water_velocity, true);
+    c.columns.pore_pressure = add(l.pore_pressure, true);
+    if (is_wanted(scene, "p.porepressureFilter"))
+      c.columns.filtered_pressure = add(l.filtered_pressure, true);
+  }
   c.columns.history = next;
   for (const HistoryColumn& h : material.law->history())
     for (const Label label : labels_of(h)) add(label, true, h.components == 6 && label == h.label);

@@ -38,7 +38,9 @@ struct Columns {
   int viscous = -1;        // artificial pressure, Pa
   int heat_source = -1;    // of the last step, where it is saved, W
   int heating = -1;        // of the last step, where it is saved, K/s
-  int history = -1;        // of the constitutive model
+  // Of water in pores; mass of it, velocity (3), pressure, and the filtered one, where it is saved.
+  int water_mass = -1, water_velocity = -1, pore_pressure = -1, filtered_pressure = -1;
+  int history = -1;  // of the constitutive model
 };
 
 struct Carried {

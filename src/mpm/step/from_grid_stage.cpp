@@ -22,6 +22,7 @@ struct SolidStep::ThreadReport {
       : window(shape, 1), friction(shape, 1), rates(kinds) {}
 
   Window window, friction;
+  std::unique_ptr<PoreWater::Reads> water;  // null until a material has some
   GridAtParticles read;
   alignas(64) double wave_speed[chunk_size], heating[chunk_size];
   double rate = 0;    // of the time step, 1/s
@@ -281,6 +282,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
                        solids_->maps_back() ? body.mapped : body.nodes);
   const bool warms = solids_->friction_heats && !body.material->rigid && prescribed_ == nullptr;
   if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
+  const bool wet = c.pore_pressure >= 0;
+  if (wet && report.water == nullptr) report.water = std::make_unique<PoreWater::Reads>(shape_);
+  if (wet) water_->load(w, body, *report.water);
   const bool shares = solids_->pressure_stabilised && !body.material->rigid;
   if (shares)
     find_dilatations(w, dt, report.window, report.read, report.columns, report.dilatation);
@@ -340,6 +344,10 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     if (c.viscous >= 0)
       add_viscosity(*solids_, body, w, at, n, dt, level_.spacing, report.read, report.heating,
                     report.wave_speed);
+    if (wet) {
+      water_->advance(w, body, at, n, dt, report.read, *report.water);
+      add_water_to_waves(*body.material, c, *w.set, *w.next, at, n, report.wave_speed);
+    }
     double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
     for (int q = 0; q < n; ++q) T[q] = b.temperature[q] + dt * report.heating[q];
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)

@@ -86,6 +86,18 @@ SolidLabels declare_all() {
   l.flame_time = declare("DDT1.PartFlameTime", real, "s", "How long ago it set out.");
   l.flame_way =
       declare("DDT1.PartFlameWay", real, "m", "Its way, as it would go along the surface.");
+  l.water_mass =
+      declare("p.fluidmass", real, "kg", "Mass of the water in the pores of a particle.");
+  l.water_velocity = declare("p.fluidvelocity", vector, "m/s",
+                             "Velocity of that water, half a step before the particle's place.");
+  l.pore_pressure =
+      declare("p.porepressure", real, "Pa",
+              "Pressure of that water; p.stress is the stress between grains, without "
+              "it.");
+  l.filtered_pressure = declare(
+      "p.porepressureFilter", real, "Pa",
+      "That pressure as it acted in the step just taken: with PorePressureFilter, taken from "
+      "the nodes.");
   return l;
 }
 
@@ -98,6 +110,8 @@ bool is_label_of_laws(const std::string& name) {
       "p.arenisca_kappa", "p.yieldStress", "p.velGrad", "p.progressF", "p.strainRate", "p.epsf",
       "p.timeofloc", "p.plasticTemp", "p.plasticTempInc", "p.xx", "p.q", "p.JThermal",
       "p.lastlevel", "p.refinedMPM",
+      // Of water in pores.
+      "p.porepressure", "p.porepressureFilter", "p.fluidvelocity", "p.fluidmass",
       // Constants of ArenaSoil, which the deck tells.
       "p.p3", "p.ArenaBETA", "p.ArenaCR", "p.ArenaT1", "p.ArenaT2", "refineFlag"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names);

@@ -16,6 +16,7 @@ struct SolidLabels {
   Label filled;
   Label surface_temperature, surface_gradient;
   Label flame_kind, flame_come, flame_time, flame_way;
+  Label water_mass, water_velocity, pore_pressure, filtered_pressure;
 };
 const SolidLabels& solid_labels();
 // Does a constitutive model, damage, heating or another method of the format give particles this

@@ -47,24 +47,29 @@ void SolidStep::book_mirrored_forces(const NodeStep& step, int m, int block,
 void SolidStep::book_mirrored_changes(NodeBooks& books) const {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const int m = static_cast<int>(k);
-    const Body& body = bodies_[k];
-    if (!has_mirror(*boundary_, m) || body.material->rigid) continue;
-    for (int b = 0; b < body.table.count(); ++b) {
-      const IntVec3 low = shape_.lower(body.table.block(b));
-      if (!boundary_->meets(low, shape_.edge) || !exchange_->is_home(body.table, b)) continue;
-      const std::int64_t* nodes = body.nodes.sums(b);
-      for_each_image(
-          *boundary_, shape_, low, m, nodes, [&](int n, const NodeBoundary::Image& image) {
-            const int block = body.table.find(shape_.block_of(image.of));
-            if (block < 0) return;
-            const std::int64_t* node = body.nodes.sums(block) + shape_.place(image.of) * lanes;
-            const double mass = as_real(nodes[n * lanes + 3]);
-            for (int d = 0; d < 3; ++d)
-              if (image.flipped[static_cast<std::size_t>(d)])
-                books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(
-                    -2 * mass * as_real(node[4 + d]));
-          });
-    }
+    if (!has_mirror(*boundary_, m) || bodies_[k].material->rigid) continue;
+    book_mirrored_changes(m, bodies_[k].nodes, books);
+    if (water_ != nullptr && water_->in(m)) book_mirrored_changes(m, water_->lanes_of(m), books);
+  }
+}
+
+// Of the velocity that these lanes hold.
+void SolidStep::book_mirrored_changes(int m, const NodeLanes& of, NodeBooks& books) const {
+  const Body& body = bodies_[static_cast<std::size_t>(m)];
+  for (int b = 0; b < body.table.count(); ++b) {
+    const IntVec3 low = shape_.lower(body.table.block(b));
+    if (!boundary_->meets(low, shape_.edge) || !exchange_->is_home(body.table, b)) continue;
+    const std::int64_t* nodes = of.sums(b);
+    for_each_image(*boundary_, shape_, low, m, nodes, [&](int n, const NodeBoundary::Image& image) {
+      const int block = body.table.find(shape_.block_of(image.of));
+      if (block < 0) return;
+      const std::int64_t* node = of.sums(block) + shape_.place(image.of) * lanes;
+      const double mass = as_real(nodes[n * lanes + 3]);
+      for (int d = 0; d < 3; ++d)
+        if (image.flipped[static_cast<std::size_t>(d)])
+          books.sums[static_cast<std::size_t>(StepSums::impulse_x + d)].add(-2 * mass *
+                                                                            as_real(node[4 + d]));
+    });
   }
 }
 

@@ -43,7 +43,11 @@ void SolidStep::start_block(const NodeStep& step, int m, int block, NodeBooks& b
   for (int n = 0; n < block_nodes; ++n) {
     const std::array<bool, 3> on = boundary_->on_mirror(node_of(shape_, low, n), m);
     for (int d = 0; d < 3; ++d)
-      if (on[static_cast<std::size_t>(d)]) node[n * lanes + 1 + d] = as_bits(0.0);
+      if (on[static_cast<std::size_t>(d)]) {
+        node[n * lanes + 1 + d] = as_bits(0.0);
+        if (water_ != nullptr && water_->in(m))
+          water_->lanes_of(m).sums(block)[n * lanes + 1 + d] = as_bits(0.0);
+      }
   }
   book_mirrored_forces(step, m, block, books);
 }
@@ -51,9 +55,14 @@ void SolidStep::start_block(const NodeStep& step, int m, int block, NodeBooks& b
 // v* = v + a + dk (f/M - alpha (v + a) + g), a: change by contact A.
 void SolidStep::kick_block(const NodeStep& step, int m, int block, BlockImpulses& impulses) {
   std::int64_t* node = bodies_[static_cast<std::size_t>(m)].nodes.sums(block);
+  const bool wet = water_ != nullptr && water_->in(m);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
     if (node[count_lane] == 0) continue;
     NodeImpulses& of = impulses[static_cast<std::size_t>(n)];
+    if (wet) {
+      water_->kick(step, m, block, n, of, node);
+      continue;
+    }
     const double mass = as_real(node[0]);
     for (int d = 0; d < 3; ++d) {
       const double v = as_real(node[1 + d]) + of.change[d], f = as_real(node[4 + d]);
@@ -77,6 +86,7 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
   const IntVec3 low = shape_.lower(body.table.block(block));
   const bool side = boundary_->meets(low, shape_.edge) && !body.material->rigid;
   const bool booked = exchange_->is_home(body.table, block);
+  const bool wet = water_ != nullptr && water_->in(m);
   const bool forced = booked && (step.damping != 0 || step.gravity != Vec3{});
   std::int64_t* node = body.nodes.sums(block);
   for (int n = 0; n < block_nodes; ++n, node += lanes) {
@@ -109,6 +119,8 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
       node[4 + d] = as_bits(after[d] - v[d]);
     }
     node[3] = as_bits(mass);
+    if (wet)
+      water_->finish(step, *boundary_, m, block, n, node_of(shape_, low, n), side, booked, books);
   }
 }
 
@@ -160,6 +172,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
       if (!bodies_[m].material->rigid)
         for (int b = 0; b < bodies_[m].table.count(); ++b) prescribe(rate, static_cast<int>(m), b);
   } else {
+    if (water_ != nullptr) water_->to_nodes(lend_to_water(scope));
     list_groups();
     for (Body& body : bodies_) {
       body.friction.clear();
@@ -183,6 +196,8 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   sum_transmitted(step, books[0]);
   if (prescribed_ == nullptr) {
     unfold();
+    for (int m = 0; m < static_cast<int>(bodies_.size()) && water_ != nullptr; ++m)
+      if (water_->in(m)) boundary_->unfold(m, body(m).table, water_->lanes_of(m));
     if (solids_->friction_heats) unfold_friction();
   }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);

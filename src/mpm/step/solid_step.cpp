@@ -68,6 +68,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
       concentration_ = std::make_unique<Heat>(*scene_, *solids_, level_, concentration_spreads);
     if (!solids_->cohesive_zones.empty())
       cohesive_ = std::make_unique<CohesiveZones>(*solids_, level_, shape_);
+    if (solids_->any_water()) water_ = std::make_unique<PoreWater>(*solids_, level_);
   }
   if (contact_ != nullptr) contact_->begin_step(scope.step.time, scope.step.dt);
   const std::vector<double>& maxima = scope.maxima->front();
@@ -89,6 +90,7 @@ Verdict SolidStep::begin(const StageScope& scope) {
   jumps_ = insertions_in(insertions_, scope.step.time, scope.step.dt);
   find_outside_forces(scope);
   for (Body& body : bodies_) body.corner_loads = body.corners.size();
+  if (water_ != nullptr) water_->begin(lend_to_water(scope));
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     bodies_[k].units = units_of(bodies_[k], static_cast<int>(k), bodies_[k].rates);
   return Verdict::good;
@@ -176,7 +178,7 @@ SumUnits SolidStep::units_of(const Body& body, int kind, const KindRates& r) con
     if (u.reference[d] == 0) spread = std::max({spread, std::fabs(r.up[d]), std::fabs(r.down[d])});
   u.mass = scale_for(r.mass);
   u.momentum = scale_for(r.mass * (spread + r.affine * reach));
-  u.force = scale_for(r.tension * slopes + body.most_force);
+  u.force = scale_for((r.tension + body.pore_pull) * slopes + body.most_force);
   return u;
 }
 
@@ -191,6 +193,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     add_blocks(bodies_[static_cast<std::size_t>(w.kind)].table, w.lowest, w.highest);
   }
   if (cohesive_ != nullptr) cohesive_->add_nodes(*boundary_, bodies_);
+  if (water_ != nullptr) water_->filter(lend_to_water(scope));
   const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
   for (Body& body : bodies_) {
     body.nodes.fit(body.table);
@@ -213,6 +216,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.affine = read_columns<9>(*w.set, c.affine);
     p.load = outside_->middle_forces(w.kind, w.box);
     if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
+    if (c.pore_pressure >= 0) p.pore_pressure = water_->acting(w, c);
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.lowest, w.highest);
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),

@@ -24,6 +24,7 @@
 #include "mpm/step/heat.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
+#include "mpm/step/pore_water.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
 #include "mpm/transfer/to_grid.hpp"
@@ -54,6 +55,7 @@ struct Body {
   KindRates rates;
   SumUnits units;
   double most_force = 0;       // from outside on one particle, any component, N
+  double pore_pull = 0;        // bound of V p of one particle, J
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
   SumUnits mapped_units;
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles, then the fluid's
@@ -219,6 +221,9 @@ class SolidStep {
   void keep(int kind, ParticleStore& store) const;
   double keep_resting(const StepScope& step, std::vector<KindRates>& rates) const;
   void find_outside_forces(const StageScope& scope);
+  WaterLoan lend_to_water(const StageScope& scope) {
+    return {&scope, &bodies_, &work_, exchange_.get(), boundary_.get()};
+  }
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
   // Nodes of a block, one after the other (step/move_nodes.cpp).
@@ -240,6 +245,7 @@ class SolidStep {
   // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.
   void book_mirrored_forces(const NodeStep& step, int body, int block, NodeBooks& books) const;
   void book_mirrored_changes(NodeBooks& books) const;
+  void book_mirrored_changes(int body, const NodeLanes& lanes, NodeBooks& books) const;
   // Bodies that share blocks (step/meet_nodes.cpp).
   void list_groups();
   void move_group(const NodeStep& step, std::span<const BlockMember> members,
@@ -289,6 +295,7 @@ class SolidStep {
   std::unique_ptr<Heat> heat_;                    // null: heat cannot move
   std::unique_ptr<Heat> concentration_;           // null: nothing diffuses
   std::unique_ptr<CohesiveZones> cohesive_;       // null: the deck has none
+  std::unique_ptr<PoreWater> water_;              // null: no water moves through pores
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
   SurfaceUnits surface_units_;

@@ -19,9 +19,9 @@ void stress_row(const ParticlesToGrid& p, int d, int at, int n, double scale, Ro
     const double* s = p.stress[static_cast<std::size_t>(rows_of_six[d][e])] + at;
     for (int q = 0; q < n; ++q) to[e][q] = V[q] * scale * s[q];
   }
-  if (p.extra_pressure == nullptr) return;
-  const double* extra = p.extra_pressure + at;
-  for (int q = 0; q < n; ++q) to[d][q] -= V[q] * scale * extra[q];
+  for (const double* pressure : {p.extra_pressure, p.pore_pressure})
+    if (pressure != nullptr)
+      for (int q = 0; q < n; ++q) to[d][q] -= V[q] * scale * pressure[at + q];
 }
 
 // Row d of F^-1 = cof(F)^T/J, with V = J V_0.

@@ -21,6 +21,7 @@ struct ParticlesToGrid {
   const double* volume = nullptr;  // null: mass and momentum alone are given
   Six<const double> stress{};
   const double* extra_pressure = nullptr;  // of the artificial viscosity; may be null
+  const double* pore_pressure = nullptr;   // may be null
   Nine<const double> affine{};             // C, 1/s; null unless the transfer is affine
   std::array<const double*, 3> load{};     // f_p, N; null: none
   bool reference_gradients = false;        // total Lagrangian: V sigma F^-T in place of V sigma
