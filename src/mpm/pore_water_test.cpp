@@ -188,8 +188,10 @@ TEST(PoreWater, TheFilterActsOnWhatActsAlone) {
       "<initial_pore_pressure>500</initial_pore_pressure>");
   deck.flags += "<PorePressureFilter>true</PorePressureFilter>";
   const TextRun run(deck, until(1e-3), "filter");
-  for (const char* label : {"p.porepressure", "p.porepressureFilter"})
-    for (const double p : run.particles(label)[0]) EXPECT_NEAR(p, 500, 1e-9) << label;
+  for (const char* label : {"p.porepressure", "p.porepressureFilter"}) {
+    const auto values = run.particles(label);
+    for (const double p : values[0]) EXPECT_NEAR(p, 500, 1e-9) << label;
+  }
 }
 
 std::string told_of(const SolidDeck& deck, const TextRun::Rewrites& rewrites) {
