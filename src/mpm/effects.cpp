@@ -72,6 +72,15 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
                 ? "do_scalar_diffusion is false"
                 : fmt::format("<diffusion_model> in {} of {} materials", count, s.materials.size()),
             any ? through->where : Location{}});
+  const auto holds_water = [](const SolidMaterial& m) { return m.water.has_value(); };
+  const auto wet = std::find_if(s.materials.begin(), s.materials.end(), holds_water);
+  list.add({"water in pores", s.any_water(),
+            s.any_water()
+                ? fmt::format("coupled_flow_analysis, <porosity> in {} of {} materials",
+                              std::count_if(s.materials.begin(), s.materials.end(), holds_water),
+                              s.materials.size())
+                : "no material of component shmpm gives water",
+            s.any_water() ? wet->where : Location{}});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "framework/base/temporary_folder.hpp"
 #include "mpm/step/pore_water.hpp"
 #include "mpm/test_support/solid_run.hpp"
 #include "mpm/test_support/text_run.hpp"
@@ -178,6 +180,49 @@ TEST(PoreWater, BoxesAndThreadsChangeNoBit) {
     for (const char* label : {"p.porepressure", "p.fluidvelocity", "p.velocity", "p.stress", "p.x"})
       EXPECT_EQ(a.find(label)->components, b.find(label)->components) << label;
   }
+}
+
+// Both phases and the pressure, in the order of ids.
+std::vector<std::vector<double>> states_of(const std::filesystem::path& archive) {
+  const Archive read = Archive::open(archive);
+  const ArchiveStep step = read.read_output(read.select_output("last"));
+  std::vector<std::vector<double>> columns;
+  for (const char* label : {"p.particleID", "p.x", "p.velocity", "p.stress", "p.porepressure",
+                            "p.porepressureFilter", "p.fluidvelocity"})
+    for (const auto& column : step.read_particles(*step.find_particles(label, 0, 0)))
+      columns.push_back(column);
+  return columns;
+}
+
+// A wave in a column under gravity, stopped half way and gone on from there.
+TEST(PoreWater, RestartsGoOnWithTheSameBits) {
+  SolidDeck deck = column(
+      "<porosity>0.4</porosity><permeability>1e-3</permeability>"
+      "<water_bulk_modulus>1e7</water_bulk_modulus>",
+      1);
+  deck.flags += "<PorePressureFilter>true</PorePressureFilter>";
+  TextRun::Rewrites settings =
+      until(5e-3, {{"<gravity>[0,0,0]", "<gravity>[-1,0,0]"},
+                   {"<save label='p.x'/>", "<save label='p.x'/><save label='p.particleID'/>"}});
+  const TextRun whole(deck, settings, "whole");
+  std::string text = text_of(deck);
+  for (const auto& [from, to] : settings) text.replace(text.find(from), from.size(), to);
+  ReadDeck read;
+  read.deck = load_deck_text(text, "cut.ups", {}, solid_schema());
+  finish_reading(read);
+  const TemporaryFolder folder;
+  const Mpm solids(read.scene, read.solids);
+  RunOptions options;
+  options.parent = folder.path();
+  options.progress = ProgressMode::none;
+  options.deck_xml = text;
+  options.limits.max_steps = whole.report().steps / 2;
+  const RunReport first = Simulation(read.scene, solids, world(), options).run();
+  options.limits.max_steps = {};
+  options.restart = *first.archive;
+  const RunReport second = Simulation(read.scene, solids, world(), options).run();
+  EXPECT_EQ(second.status, RunStatus::done) << second.message;
+  EXPECT_EQ(states_of(*second.archive), states_of(*whole.report().archive));
 }
 
 // Mean by mass on nodes and back: what alternates from particle to particle does not act.

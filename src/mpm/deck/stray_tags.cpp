@@ -48,9 +48,6 @@ constexpr Stray stray_flags[] = {
 };
 // Of fluids with solids, and of methods that are refused by the flag that turns them on.
 constexpr Stray stray_flags_alone[] = {
-    {"solid_damping_coef", "coupled_flow_analysis alone reads it"},
-    {"water_damping_coef", "coupled_flow_analysis alone reads it"},
-    {"PorePressureFilter", "coupled_flow_analysis alone reads it"},
     {"do_auto_cycle_bc", "do_scalar_diffusion alone reads it"},
     {"auto_cycle_use_minmax", "do_scalar_diffusion alone reads it"},
     {"auto_cycle_max", "do_scalar_diffusion alone reads it"},
