@@ -103,7 +103,7 @@ TEST(Flags, OfOtherMethodsAreRefusedByName) {
   EXPECT_THAT(flag_faults("<time_integrator>implicit</time_integrator><XPIC2>true</XPIC2>"),
               HasSubstr("<XPIC2> true with implicit steps is known to the format"));
   EXPECT_THAT(flag_faults("<coupled_flow_analysis>true</coupled_flow_analysis>"),
-              HasSubstr("<coupled_flow_analysis> true is known to the format"));
+              HasSubstr("water moves through pores in the component shmpm alone"));
   EXPECT_THAT(flag_faults("<DoGranularMPM>true</DoGranularMPM><use_cohesive_zones>true"
                           "</use_cohesive_zones>"),
               HasSubstr("<DoGranularMPM> true with <use_cohesive_zones> is known to the format"));
