@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "models/located_file.hpp"
 #include "models/mixture_scalar.hpp"
 #include "models/transported_scalar.hpp"
 
@@ -53,20 +53,13 @@ PropertyTable::Additions read_additions(const DeckNode& table) {
 }  // namespace
 
 void locate_tables(DeckNode& root, std::vector<Fault>&) {
-  namespace fs = std::filesystem;
   DeckNode* models = root.child("Models");
   if (models == nullptr) return;
   for (const auto& model : models->children) {
     DeckNode* node = model.get();
     for (const char* name : {"AdiabaticTable", "table", "filename"})
       node = node == nullptr ? nullptr : node->child(name);
-    if (node == nullptr || node->text.empty()) continue;
-    const fs::path beside = fs::path(node->where.file).parent_path() / node->text;
-    std::error_code ignored;
-    if (fs::exists(node->text, ignored))
-      node->text = fs::absolute(node->text).string();
-    else if (fs::exists(beside, ignored))
-      node->text = fs::absolute(beside).string();
+    locate_file(node);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -15,6 +14,7 @@
 #include "kinetics/hydrogen_burke.hpp"
 #include "kinetics/read_mechanism.hpp"
 #include "models/flame_start.hpp"
+#include "models/located_file.hpp"
 #include "models/material_name.hpp"
 
 namespace sluice::models {
@@ -196,24 +196,14 @@ TagSpec hydrogen_burke_tag() {
 }
 
 void locate_mechanisms(DeckNode& root) {
-  namespace fs = std::filesystem;
   DeckNode* models = root.child("Models");
   if (models == nullptr) return;
-  const auto locate = [](DeckNode* node) {
-    if (node == nullptr || node->text.empty()) return;
-    const fs::path beside = fs::path(node->where.file).parent_path() / node->text;
-    std::error_code ignored;
-    if (fs::exists(node->text, ignored))
-      node->text = fs::absolute(node->text).string();
-    else if (fs::exists(beside, ignored))
-      node->text = fs::absolute(beside).string();
-  };
   for (const auto& model : models->children)
     for (const char* name : {"gasCombustion", "hydrogenBurke"})
       if (DeckNode* parameters = model->child(name)) {
-        locate(parameters->child("mechanismFile"));
+        locate_file(parameters->child("mechanismFile"));
         if (DeckNode* profile = parameters->child("initProfile"))
-          locate(profile->child("filename"));
+          locate_file(profile->child("filename"));
       }
 }
 

@@ -237,7 +237,7 @@ void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
                  std::size_t scalar) {
   const ScalarVariables::Each& e = v.scalars.each[scalar];
   const models::TransportedScalar& of = o.scalars[static_cast<std::size_t>(e.index)];
-  if (of.plain_name) return;
+  if (of.plain_name || (o.releases_heat && of.of_species)) return;  // reactions.cpp
   TaskBuilder task = list.task("save " + of.source().name(), effect_saved_intermediates);
   Handles h;
   h.each.push_back(declare_each(task, e, o, static_cast<int>(scalar), true));
