@@ -10,6 +10,10 @@ class ImplicitMpm final : public Mpm {
 
   std::string name() const override { return "impm"; }
   void shape_step(StepShape& shape) const override;
+  // Implicit steps have books of their own; their scheme takes energy, it gives none.
+  std::vector<BodyEnergy> body_energies(const std::vector<double>& /*sums*/) const override {
+    return {};
+  }
   StepLimit step_limit(const std::vector<double>& maxima) const override;
   std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
 };

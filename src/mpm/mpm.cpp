@@ -1,5 +1,7 @@
 #include "mpm/mpm.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,12 +15,27 @@
 
 namespace sluice::mpm {
 
+namespace {
+
+// The share by which a step of h/(c + |v|) is to be multiplied before the deck's multiplier is.
+StepLimit stable_limit(const Scene& scene, const MpmScene& solids) {
+  const double multiplier = scene.time.timestep_multiplier;
+  const StableShare stable = stable_share(solids, scene.grid.levels.front().active);
+  if (multiplier <= stable.share) return {1, "waves in particles"};
+  return {stable.share / multiplier,
+          fmt::format("waves in particles: {:g} of h/(c + |v|) is stable with {}", stable.share,
+                      stable.reason)};
+}
+
+}  // namespace
+
 Mpm::Mpm(const Scene& scene, MpmScene solids)
     : scene_(scene),
       solids_(std::move(solids)),
       particles_(scene_, solids_),
       effects_(effects_of(scene_, solids_)),
-      history_sums_(solids_) {
+      history_sums_(solids_),
+      stable_(stable_limit(scene_, solids_)) {
   declare_histories();
   need_sums(scene_, history_sums_);
   for (const ContactRule& rule : solids_.contacts) friction_of(rule, solids_);  // or InputError
@@ -61,14 +78,15 @@ int Mpm::reduction_maxima() const {
 }
 
 int Mpm::reduction_sums() const {
-  return StepSums::count + static_cast<int>(solids_.materials.size());
+  return static_cast<int>(StepSums::all(solids_.materials.size()));
 }
 
-// dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier.
+// dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier or the share of it
+// that is stable, whichever is less.
 StepLimit Mpm::step_limit(const std::vector<double>& maxima) const {
   const double rate = maxima.empty() ? 0 : maxima.front();
   if (!(rate > 0)) return {1e300, "nothing moves"};
-  return {1 / rate, "waves in particles"};
+  return {stable_.dt / rate, stable_.reason};
 }
 
 StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*start*/,

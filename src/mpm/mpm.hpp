@@ -3,10 +3,12 @@
 #include <memory>
 
 #include "framework/run/component.hpp"
+#include "framework/run/energy_guard.hpp"
 #include "framework/run/no_transfer.hpp"
 #include "mpm/account/history_sums.hpp"
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/solid_particles.hpp"
+#include "mpm/step/stable_step.hpp"
 
 namespace sluice::mpm {
 
@@ -40,6 +42,9 @@ class Mpm : public Component {
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
+  std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const override;
+  std::string place_of_gain(const ParticleCloud& cloud, int material,
+                            Communicator& ranks) const override;
   std::vector<std::string> tally_names() const override;
   std::vector<double> tallies(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
@@ -76,6 +81,7 @@ class Mpm : public Component {
   SolidParticles particles_;
   EffectList effects_;
   HistorySums history_sums_;
+  StepLimit stable_;  // share of h/(c + |v|), by the deck's multiplier
   NoTransfer no_transfer_;
 };
 

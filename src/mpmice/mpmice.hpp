@@ -92,6 +92,13 @@ class MpmIce final : public Component {
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
+  std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const override {
+    return solids_.body_energies(sums);
+  }
+  std::string place_of_gain(const ParticleCloud& cloud, int material,
+                            Communicator& ranks) const override {
+    return solids_.place_of_gain(cloud, material, ranks);
+  }
   std::vector<std::string> tally_names() const override;
   std::vector<double> tallies(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;

@@ -35,6 +35,9 @@ class ParticleStore {
   ParticleSet& next(int level, int local) {
     return at(level)[static_cast<std::size_t>(local)].next;
   }
+  const ParticleSet& next(int level, int local) const {
+    return at(level)[static_cast<std::size_t>(local)].next;
+  }
   const std::vector<BlockRun>& runs(int level, int local) const {
     return at(level)[static_cast<std::size_t>(local)].runs;
   }

@@ -89,6 +89,8 @@ struct FlagSeeds {
 class LevelSolver;
 class ParticleCloud;
 class ParticleMethod;
+class Communicator;
+struct BodyEnergy;  // framework/run/energy_guard.hpp
 
 class Component {
  public:
@@ -202,6 +204,13 @@ class Component {
   virtual std::vector<std::pair<std::string, double>> account(
       const Conservation& /*tallies*/) const {
     return {};
+  }
+  // Bodies whose energy is watched, from the sums of a step, always in the same order; none: nothing
+  // is. Where in an attempted step a body has gained most, for a message (collective).
+  virtual std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const;
+  virtual std::string place_of_gain(const ParticleCloud& /*cloud*/, int /*material*/,
+                                    Communicator& /*ranks*/) const {
+    return "";
   }
   // New intervals of outputs that the scene may come to, and whether a step with these sums has
   // come to the n-th.

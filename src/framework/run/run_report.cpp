@@ -85,6 +85,7 @@ Json to_json(const RunReport& r) {
           {"effects", effects},
           {"events", Json::parse(r.events_json)},
           {"energy_account", account},
+          {"solids_energy", Json::parse(r.solids_json)},
           {"conservation", Json::parse(r.conservation_json)}};
 }
 
@@ -167,6 +168,7 @@ std::string summary(const RunReport& r) {
                             static_cast<double>(r.blocks_asleep + r.blocks_run));
   text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);
   if (!r.account.empty()) text += account_text(r);
+  text += r.solids_text;
   if (r.archive) text += fmt::format("archive: {}\n", *r.archive);
   return text;
 }

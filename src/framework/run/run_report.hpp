@@ -68,6 +68,8 @@ struct RunReport {
   double worst_drift = 0;
   std::vector<std::pair<std::string, double>> account;  // Component::account
   double energy_scale = 0;                              // J
+  std::string solids_json = "{}";                       // EnergyGuard::to_json
+  std::string solids_text;                              // what it has to tell
 
   double ns_per_cell_step() const;
   double ns_per_particle_step() const;

@@ -71,6 +71,8 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
     tallies_.restore(Json::parse(counted->second));
   ledger_ = EventLedger::from_json(Json::parse(kept.at("events")));
+  if (const auto energies = kept.find("energies"); energies != kept.end())
+    energies_.restore(Json::parse(energies->second));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
     analysis_->restore(sampled->second, &checkpoint);
   limit_ = limit_at_restart(kept);
@@ -151,6 +153,7 @@ StepInfo Simulation::step_info() const {
   info.state["time"] = to_json_text(t);
   info.state["conservation"] = conservation_.checkpoint().dump();
   if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
+  if (energies_.any()) info.state["energies"] = energies_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
   if (all_finite(hierarchy_->rates())) info.state["rates"] = Json(hierarchy_->rates()).dump();
   if (analysis_->any()) info.state["analysis"] = analysis_->state();
@@ -209,10 +212,13 @@ std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
 // Attempts the step until it is admissible, each time with a smaller one. Nothing of the old state
 // is touched.
 StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
+  double gain = 0;  // of energy, in the attempt before
   for (int smaller = 0;; ++smaller) {
     result = hierarchy_->attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
                                  ledger_);
-    if (result.good) {
+    const EnergyVerdict energies =
+        result.good ? judge_energies(plan, gain, result) : EnergyVerdict::sound;
+    if (result.good && energies == EnergyVerdict::sound) {
       hierarchy_->accept();
       ledger_.accept_step();
       result.sums = hierarchy_->step_sums();  // with what was booked at acceptance
@@ -221,11 +227,13 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
     hierarchy_->reject();
     ledger_.reject_step();
     if (result.unsound) fail_unsound(plan, result);
-    if (smaller == smaller_attempts) fail(plan, result);
+    if (smaller == smaller_attempts || energies == EnergyVerdict::hopeless) fail(plan, result);
     EventPlace place;
     place.step = plan.step;
     place.value = plan.dt;
-    ledger_.keep("step redone with a smaller one", place);
+    ledger_.keep(result.good ? "step redone: a solid gained energy by numerical error"
+                             : "step redone with a smaller one",
+                 place);
     try {
       plan = time_.retry(plan, 0.5 * plan.dt);
     } catch (const PhysicsError&) {
@@ -297,7 +305,7 @@ void Simulation::act_on_switches(const std::vector<double>& sums) {
 }
 
 void Simulation::step() {
-  StepPlan plan = time_.plan(limit_.dt);
+  StepPlan plan = time_.plan(limit_.dt * energies_.factor());
   if (!plan.message.empty() && communicator_->is_root()) progress_->note(plan.message);
   const auto start = std::chrono::steady_clock::now();
   if (options_.plant_nan && options_.plant_nan->first == plan.step)
@@ -305,6 +313,7 @@ void Simulation::step() {
   CycleResult result;
   plan = advance(plan, result);
   book(plan, result.sums);
+  book_energies(plan, result.sums);
   analysis_->account(plan.dt, result.sums);
   limit_ = hierarchy_->step_limit();
   stepping_seconds_ +=
@@ -347,6 +356,7 @@ RunReport Simulation::run() {
     for (const std::string& warning : output_->warnings()) progress_->note("warning: " + warning);
   progress_->end();
   if (status_ != RunStatus::failed) set_totals(false);
+  tell_energies();
   RunReport r = report();
   if (output_ != nullptr) {
     analysis_->flush();

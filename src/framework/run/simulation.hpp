@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/run/analysis_recorder.hpp"
+#include "framework/run/energy_guard.hpp"
 #include "framework/run/event_ledger.hpp"
 #include "framework/run/level_history.hpp"
 #include "framework/run/output_writer.hpp"
@@ -66,6 +67,11 @@ class Simulation {
   std::unique_ptr<Hierarchy> empty_hierarchy(const Scene& scene, const Component& component) const;
   std::vector<Label> labels_to_store(const StepPlan& plan) const;
   StepPlan advance(StepPlan plan, CycleResult& result);
+  enum class EnergyVerdict { sound, redo, hopeless };
+  EnergyVerdict judge_energies(const StepPlan& plan, double& gain_before, CycleResult& result);
+  void tell_energies();
+  void book_energies(const StepPlan& plan, const std::vector<double>& sums);
+  double least_spacing() const;
   void book(const StepPlan& plan, const std::vector<double>& sums);
   void keep(const StepPlan& plan, const StepEnd& end);
   void prepare_next(const StepPlan& plan, const StepEnd& end);
@@ -97,6 +103,7 @@ class Simulation {
   std::unique_ptr<Progress> progress_;
   EventLedger ledger_;
   Conservation conservation_;
+  EnergyGuard energies_;
   Conservation tallies_;  // beside what is conserved: its "sources" alone
   StepStart step_start_;
   StepLimit limit_;

@@ -19,7 +19,9 @@ namespace sluice::mpm {
 // What the particles of one thread came to.
 struct SolidStep::ThreadReport {
   ThreadReport(const BlockShape& shape, std::size_t kinds)
-      : window(shape, 1), friction(shape, 1), rates(kinds) {}
+      : window(shape, 1), friction(shape, 1), rates(kinds) {
+    books.bodies.resize(kinds);
+  }
 
   Window window, friction;
   std::unique_ptr<PoreWater::Reads> water;  // null until a material has some
@@ -49,10 +51,6 @@ double least_spacing(const Level& level) {
   for (int d = 0; d < 3; ++d)
     if (level.active[static_cast<std::size_t>(d)]) least = std::min(least, level.spacing[d]);
   return least;
-}
-
-double second_moment_factor(Basis basis) {
-  return basis == Basis::cubic ? 3.0 : 4.0;
 }
 
 // Positions and velocities after the step. FLIP: v + dv; PIC and APIC: u; XPIC: the filtered
@@ -267,7 +265,7 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
     travel_ = std::max(travel_, r.travel);
     left_ |= r.left;
     for (std::size_t k = 0; k < rates.size(); ++k) rates[k].add(r.rates[k]);
-    for (std::size_t s = 0; s < r.books.sums.size(); ++s) books_.sums[s].merge(r.books.sums[s]);
+    books_.merge(r.books);
   }
   return rates;
 }
@@ -358,6 +356,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
       double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;
       for (int q = 0; q < n; ++q) rate[q] = (T[q] - b.temperature[q]) / dt;
     }
+    if (!rigid)
+      add_energies(*w.set, *w.next, c, at, n, body.energy_units,
+                   report.books.bodies[static_cast<std::size_t>(w.kind)]);
     if (!jumps_.empty()) jump(w, at, n, report.left);
     report.rate =
         std::max(report.rate, step_rate(level_, *w.next, c, law, at, n, report.wave_speed));
@@ -417,6 +418,24 @@ void SolidStep::include_velocities(int body, Vec3 up, Vec3 down) {
   rates.to(own);
 }
 
+// The books of the run take the sums of all bodies. Where the deformation is prescribed, what it
+// changes of energy is work from outside, done against the stress.
+void SolidStep::book_bodies() {
+  using Of = BodyEnergySums;
+  for (BodyEnergySums& body : books_.bodies) {
+    if (prescribed_ != nullptr) {
+      body[Of::node_work].merge(body[Of::stored_before]);
+      body[Of::node_work].subtract(body[Of::stored_after]);
+      books_.sums[StepSums::force_work].merge(body[Of::stored_after]);
+      books_.sums[StepSums::force_work].subtract(body[Of::stored_before]);
+    }
+    books_.sums[StepSums::node_gain].merge(body[Of::node_gain]);
+    books_.sums[StepSums::node_work].merge(body[Of::node_work]);
+    books_.sums[StepSums::load_work].merge(body[Of::load_work]);
+    books_.sums[StepSums::corner_work].merge(body[Of::corner_work]);
+  }
+}
+
 // What all ranks agree upon: maxima of the next step, faults, sums.
 Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& reports) {
   ThreadReport& all = reports.front();
@@ -426,7 +445,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     all.travel = std::max(all.travel, r.travel);
     all.left |= r.left;
     for (std::size_t k = 0; k < r.rates.size(); ++k) all.rates[k].add(r.rates[k]);
-    for (std::size_t s = 0; s < r.books.sums.size(); ++s) all.books.sums[s].merge(r.books.sums[s]);
+    all.books.merge(r.books);
     if (!r.fault.empty()) all.keep_fault(r.fault_id, r.fault);
   }
   if (cohesive_ != nullptr) {
@@ -452,10 +471,11 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   const auto left = reduction.add_any(all.left);
   const auto fault = reduction.add_any(!all.fault.empty());
   std::vector<Reduction::Sum> sums;
-  for (std::size_t s = 0; s < books_.sums.size(); ++s) {
-    books_.sums[s].merge(all.books.sums[s]);
-    sums.push_back(reduction.add_sum(books_.sums[s]));
-  }
+  books_.merge(all.books);
+  book_bodies();
+  for (const ExactSum& sum : books_.sums) sums.push_back(reduction.add_sum(sum));
+  for (const BodyEnergySums& of : books_.bodies)
+    for (const ExactSum& sum : of.sums) sums.push_back(reduction.add_sum(sum));
   scope.ranks->reduce(reduction);
   if (reduction.any(fault)) {
     *scope.reason = all.fault;
@@ -467,7 +487,11 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
   new_rates_ = std::move(maxima);
   travel_ = reduction.maximum(travel);
   left_ = reduction.any(left);
-  for (std::size_t s = 0; s < sums.size(); ++s) (*scope.sums)[s] += reduction.sum(sums[s]).value();
+  for (std::size_t s = 0; s < sums.size(); ++s) {
+    const std::size_t to =
+        s < StepSums::count ? s : StepSums::of_body(bodies_.size(), 0) + (s - StepSums::count);
+    (*scope.sums)[to] += reduction.sum(sums[s]).value();
+  }
   return Verdict::good;
 }
 

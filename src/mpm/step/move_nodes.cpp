@@ -73,11 +73,15 @@ void SolidStep::kick_block(const NodeStep& step, int m, int block, BlockImpulses
 }
 
 // K* - K of a node, the work of its forces, and what contact took: each by vb = (v + v*)/2.
-static void book_energy(const NodeImpulses& of, double mass, Vec3 v, Vec3 after, NodeBooks& books) {
+static void book_energy(const NodeImpulses& of, double mass, Vec3 v, Vec3 after, bool kicked,
+                        BodyEnergySums& body, NodeBooks& books) {
   const Vec3 middle = 0.5 * (v + after);
-  books.sums[StepSums::node_gain].add(0.5 * mass * (dot(after, after) - dot(v, v)));
-  books.sums[StepSums::node_work].add(dot(of.push, middle));
+  body[BodyEnergySums::node_gain].add(0.5 * mass * (dot(after, after) - dot(v, v)));
+  body[BodyEnergySums::node_work].add(dot(of.push, middle));
   if (of.met != Vec3{}) books.sums[StepSums::contact_loss].add(-dot(of.met, middle));
+  if (!kicked && of.met == Vec3{}) return;
+  const Vec3 change = after - v;
+  body[BodyEnergySums::kick].add(dot(mass * change - of.push, change));
 }
 
 void SolidStep::finish_block(const NodeStep& step, int m, int block, const BlockImpulses& impulses,
@@ -94,7 +98,7 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
     const double mass = as_real(node[0]);
     const Vec3 v{as_real(node[1]), as_real(node[2]), as_real(node[3])};
     Vec3 after{as_real(node[4]), as_real(node[5]), as_real(node[6])};
-    bool image = false;
+    bool image = false, held = false;
     if (side) {
       const IntVec3 at = node_of(shape_, low, n);
       const GivenVelocity given = boundary_->at(at, m);
@@ -108,12 +112,15 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
             books.sums[StepSums::work].add(impulse * 0.5 * (v[d] + given.value[d]));
           }
           after[d] = given.value[d];
+          held = true;
         }
       }
     }
     const NodeImpulses& of = impulses[static_cast<std::size_t>(n)];
     if (forced && !image) book_body_force(step, mass, v, v + of.change, after, books);
-    if (booked && !image) book_energy(of, mass, v, after, books);
+    if (booked && !image)
+      book_energy(of, mass, v, after, held || forced, books.bodies[static_cast<std::size_t>(m)],
+                  books);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);
@@ -137,6 +144,7 @@ void SolidStep::move_block(const NodeStep& step, int m, int block, MeetingScratc
 // leaves them.
 void SolidStep::prescribe(const Matrix3& G, int m, int block) {
   NodeBooks unused;  // what is prescribed is no balance of forces
+  unused.bodies.resize(bodies_.size());
   start_block({}, m, block, unused);
   Body& body = bodies_[static_cast<std::size_t>(m)];
   const IntVec3 low = shape_.lower(body.table.block(block));
@@ -155,6 +163,13 @@ void SolidStep::prescribe(const Matrix3& G, int m, int block) {
   }
 }
 
+void NodeBooks::merge(const NodeBooks& other) {
+  for (std::size_t s = 0; s < sums.size(); ++s) sums[s].merge(other.sums[s]);
+  for (std::size_t k = 0; k < other.given.size(); ++k)
+    for (std::size_t d = 0; d < 3; ++d) given[k][d].merge(other.given[k][d]);
+  for (std::size_t k = 0; k < other.bodies.size(); ++k) bodies[k].merge(other.bodies[k]);
+}
+
 Verdict SolidStep::move_nodes(const StageScope& scope) {
   NodeStep step;
   step.dt = scope.step.dt;
@@ -165,7 +180,10 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   step.damping = solids_->damping;
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<NodeBooks> books(static_cast<std::size_t>(team.size()));
-  for (NodeBooks& of : books) of.given.resize(bodies_.size());
+  for (NodeBooks& of : books) {
+    of.given.resize(bodies_.size());
+    of.bodies.resize(bodies_.size());
+  }
   if (prescribed_ != nullptr) {
     const Matrix3 rate = prescribed_->rate(scope.step.time, scope.step.dt);
     for (std::size_t m = 0; m < bodies_.size(); ++m)
@@ -186,11 +204,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     });
     book_mirrored_changes(books[0]);
   }
-  for (std::size_t n = 1; n < books.size(); ++n) {
-    for (std::size_t s = 0; s < books[0].sums.size(); ++s) books[0].sums[s].merge(books[n].sums[s]);
-    for (std::size_t k = 0; k < bodies_.size(); ++k)
-      for (std::size_t d = 0; d < 3; ++d) books[0].given[k][d].merge(books[n].given[k][d]);
-  }
+  for (std::size_t n = 1; n < books.size(); ++n) books[0].merge(books[n]);
   kick_ = step.kick;
   fall_ = step.kick * step.gravity;
   sum_transmitted(step, books[0]);

@@ -73,11 +73,21 @@ void KindRates::add(const KindRates& o) {
   extent = o.extent > extent || o.extent != o.extent ? o.extent : extent;
   slope = std::max(slope, o.slope);
   wave = std::max(wave, o.wave);
+  energy = std::max(energy, o.energy);
+}
+
+double KindRates::most_kinetic() const {
+  double square = 0;
+  for (int d = 0; d < 3 && any(); ++d) {
+    const double most = std::max(std::fabs(up[d]), std::fabs(down[d]));
+    square += most * most;
+  }
+  return 0.5 * mass * square;
 }
 
 void KindRates::to(std::span<double> kept) const {
-  const double all[count] = {mass,   up.x,    up.y,   up.z,   down.x, down.y,
-                             down.z, tension, affine, extent, slope,  wave};
+  const double all[count] = {mass,    up.x,   up.y,   up.z,  down.x, down.y, down.z,
+                             tension, affine, extent, slope, wave,   energy};
   std::copy_n(all, count, kept.begin());
 }
 
@@ -91,6 +101,7 @@ KindRates KindRates::from(std::span<const double> k) {
   r.extent = k[9];
   r.slope = k[10];
   r.wave = k[11];
+  r.energy = k[12];
   return r;
 }
 
@@ -117,6 +128,8 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
     const double* q = column(c.viscous, 0);
     r.tension += largest(begin, end, 0, [&](std::size_t i) { return volume[i] * q[i]; });
   }
+  const double* energy = column(c.energy, 0);
+  r.energy = largest(begin, end, 0, [&](std::size_t i) { return std::fabs(energy[i]); });
   for (int n = 0; n < 9 && c.affine >= 0; ++n) {
     const double* a = column(c.affine, n);
     r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(a[i]); });

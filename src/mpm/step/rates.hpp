@@ -12,7 +12,7 @@ namespace sluice::mpm {
 
 // The maxima of one kind of particles, in the order in which they are kept.
 struct KindRates {
-  static constexpr int count = 12;
+  static constexpr int count = 13;
   double mass = 0;                  // kg
   Vec3 up = none(), down = none();  // of v and of -v
   double tension = 0;               // of |V sigma|, any component, and V q, J
@@ -20,13 +20,15 @@ struct KindRates {
   double extent = 0;                // of a corner from its particle along a direction, cells
   // Of sum_d |al_c,d| of corners; total Lagrangian: of sum_d,k |(F^-1)_dk|/h_d. 1/m
   double slope = 0;
-  double wave = 0;  // of c_p/h_d, 1/s: of affine transfers
+  double wave = 0;    // of c_p/h_d, 1/s: of affine transfers
+  double energy = 0;  // of the size of what a particle stores, J
 
   static constexpr Vec3 none() { return {-1e300, -1e300, -1e300}; }
   bool any() const { return mass > 0; }
   // v_ref: the middle of all velocities; and how far any lies from it.
   Vec3 middle() const { return 0.5 * (up - down); }
   double spread() const;
+  double most_kinetic() const;  // a bound of m v^2/2, J
   void add(const KindRates& other);
   void to(std::span<double> kept) const;
   static KindRates from(std::span<const double> kept);

@@ -26,6 +26,13 @@ TransferGrid transfer_grid(const MpmScene& solids, const Level& level,
   return g;
 }
 
+// Of a hat averaged over a particle of half width l cells, in the mean over its places, h^2; with
+// l = 1/2 that of the quadratic spline wherever it is.
+static double second_moment(Basis basis, double l) {
+  if (basis == Basis::quadratic || basis == Basis::cubic) return 1 / second_moment_factor(basis);
+  return 1.0 / 6 + l * l / 3;
+}
+
 SolidStep::SolidStep(const Scene& scene, const MpmScene& solids,
                      const std::vector<Carried>& carried, const std::vector<ParticleKind>& kinds)
     : scene_(&scene), solids_(&solids), carried_(&carried), kinds_(&kinds) {}
@@ -91,8 +98,20 @@ Verdict SolidStep::begin(const StageScope& scope) {
   find_outside_forces(scope);
   for (Body& body : bodies_) body.corner_loads = body.corners.size();
   if (water_ != nullptr) water_->begin(lend_to_water(scope));
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    bodies_[k].units = units_of(bodies_[k], static_cast<int>(k), bodies_[k].rates);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    Body& body = bodies_[k];
+    body.units = units_of(body, static_cast<int>(k), body.rates);
+    const double energy = std::max(body.rates.most_kinetic(), body.rates.energy);
+    const double capacity = heat_ != nullptr ? body.material->constants.specific_heat : 0;
+    constexpr double usual_change = 1;  // of a temperature in a step, K
+    body.energy_units = {energy_unit(body.rates.mass), energy_unit(energy),
+                         energy_unit(body.rates.mass * capacity * usual_change), capacity};
+    for (int d = 0; d < 3; ++d)
+      if (level_.active[static_cast<std::size_t>(d)])
+        body.energy_units.moment[d] =
+            level_.spacing[d] * level_.spacing[d] *
+            second_moment(solids_->basis, body.grid.half[static_cast<std::size_t>(d)]);
+  }
   return Verdict::good;
 }
 

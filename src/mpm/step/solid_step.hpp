@@ -19,6 +19,7 @@
 #include "mpm/loads/prescribed_motion.hpp"
 #include "mpm/nodes/node_blocks.hpp"
 #include "mpm/nodes/node_exchange.hpp"
+#include "mpm/step/body_energy.hpp"
 #include "mpm/step/cohesive_zones.hpp"
 #include "mpm/step/columns.hpp"
 #include "mpm/step/heat.hpp"
@@ -54,6 +55,7 @@ struct Body {
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
+  EnergyUnits energy_units;
   double most_force = 0;       // from outside on one particle, any component, N
   double pore_pull = 0;        // bound of V p of one particle, J
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
@@ -97,7 +99,8 @@ struct StepSums {
     exchange_gain,
     surface_work,
     // What particles that leave the domain take along: momentum, kinetic and internal energy, the
-    // work of the reference pressure on their volume. Behind `count` their mass, by material.
+    // work of the reference pressure on their volume. Behind `count` their mass, by material; then
+    // the sums of BodyEnergySums, material by material.
     left_x,
     left_y,
     left_z,
@@ -106,6 +109,10 @@ struct StepSums {
     left_reference,
     count
   };
+  static std::size_t of_body(std::size_t materials, std::size_t body) {
+    return count + materials + body * BodyEnergySums::count;
+  }
+  static std::size_t all(std::size_t materials) { return of_body(materials, materials); }
 };
 
 // A step as nodes take it.
@@ -121,6 +128,9 @@ using MassAndImpulse = std::array<ExactSum, 4>;
 struct NodeBooks {
   std::array<ExactSum, StepSums::count> sums;
   std::vector<Impulse> given;
+  std::vector<BodyEnergySums> bodies;
+
+  void merge(const NodeBooks& other);
 };
 
 // The same block of nodes of a body, among all bodies that have it.
@@ -280,6 +290,7 @@ class SolidStep {
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
   std::vector<ThreadReport> new_reports(const StageScope& scope) const;
   Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
+  void book_bodies();
 
   const Scene* scene_;
   const MpmScene* solids_;
@@ -311,6 +322,11 @@ class SolidStep {
   Vec3 fall_{};                              // kick by gravity, m/s
   std::vector<MassAndImpulse> transmitted_;  // by body
 };
+
+// h^2 over the second moment of the shape functions of a basis.
+constexpr double second_moment_factor(Basis basis) {
+  return basis == Basis::cubic ? 3.0 : 4.0;
+}
 
 // Axes and active directions of a level, widths of particles.
 TransferGrid transfer_grid(const MpmScene& solids, const Level& level,

@@ -9,7 +9,7 @@
 namespace sluice::mpm {
 
 // Impulse dk f and work dk f . (v + v*)/2 at the places of the particles: with the weights of the
-// particle sum to the same over nodes.
+// particle sum to the same over nodes. The work of loads on corners is booked with these.
 void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
                                     const GridAtParticles& read, NodeBooks& books) const {
   const Columns& c = (*carried_)[static_cast<std::size_t>(w.kind)].columns;
@@ -29,19 +29,21 @@ void SolidStep::take_outside_forces(const BlockWork& w, std::size_t at, int n,
     for (int q = 0; q < n; ++q) to[q] = q_p != nullptr ? q_p[at + static_cast<std::size_t>(q)] : 0;
   }
   if (f[0] == nullptr) return;
+  const OutsideForces::Columns3 middle = outside_->middle_forces(w.kind, w.box);
   const Vec3 reference = bodies_[static_cast<std::size_t>(w.kind)].units.reference;
   for (int q = 0; q < n; ++q) {
     const std::size_t p = at + static_cast<std::size_t>(q);
-    Vec3 force{f[0][p], f[1][p], f[2][p]};
-    if (force == Vec3{}) continue;
+    const Vec3 whole{f[0][p], f[1][p], f[2][p]};
+    if (whole == Vec3{}) continue;
     for (int d = 0; d < 3; ++d)
-      books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(kick_ * force[d]);
+      books.sums[static_cast<std::size_t>(StepSums::force_x + d)].add(kick_ * whole[d]);
+    Vec3 force = middle[0] == nullptr ? Vec3{} : Vec3{middle[0][p], middle[1][p], middle[2][p]};
     force.x -= outside_->hoop(w.kind, *w.set, p);
     double power = 0;
     for (int d = 0; d < 3; ++d)
       power += force[d] * (reference[d] + read.u[d][q] - 0.5 * read.dv[d][q]);
     books.sums[StepSums::force_work].add(kick_ * power);
-    books.sums[StepSums::load_work].add(kick_ * power);
+    books.bodies[static_cast<std::size_t>(w.kind)][BodyEnergySums::load_work].add(kick_ * power);
   }
 }
 
@@ -102,10 +104,11 @@ void SolidStep::corners_to_grid() {
           });
 }
 
-// dk f . (v + v*)/2 of what a fluid gives to corners.
+// dk f . (v + v*)/2 of loads on corners, and of what a fluid gives to corners.
 void SolidStep::book_corner_work(NodeBooks& books) const {
-  for (const Body& body : bodies_)
-    for (std::size_t n = body.corner_loads; n < body.corners.size(); ++n) {
+  for (std::size_t m = 0; m < bodies_.size(); ++m) {
+    const Body& body = bodies_[m];
+    for (std::size_t n = 0; n < body.corners.size(); ++n) {
       const CornerForce& corner = body.corners[n];
       double power = 0;
       for_each_node_around(body.grid, level_.domain.lower, corner.place, [&](IntVec3 at, double w) {
@@ -116,8 +119,12 @@ void SolidStep::book_corner_work(NodeBooks& books) const {
           power += w * corner.force[d] *
                    (body.units.reference[d] + as_real(node[d]) - 0.5 * as_real(node[4 + d]));
       });
-      books.sums[StepSums::corner_work].add(kick_ * power);
+      const bool load = n < body.corner_loads;
+      books.bodies[m][load ? BodyEnergySums::load_work : BodyEnergySums::corner_work].add(kick_ *
+                                                                                          power);
+      if (load) books.sums[StepSums::force_work].add(kick_ * power);
     }
+  }
 }
 
 // InsertParticles: particles of a colour are elsewhere at the end of the step.

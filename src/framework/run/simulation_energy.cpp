@@ -1,0 +1,69 @@
+// The guard of energies in the step loop.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/run/simulation.hpp"
+
+namespace sluice {
+
+std::vector<BodyEnergy> Component::body_energies(const std::vector<double>& /*sums*/) const {
+  return {};
+}
+
+double Simulation::least_spacing() const {
+  const Level& finest = hierarchy_->level(hierarchy_->level_count() - 1).level();
+  double least = 0;
+  for (int d = 0; d < 3; ++d)
+    if (finest.active[static_cast<std::size_t>(d)] && (least == 0 || finest.spacing[d] < least))
+      least = finest.spacing[d];
+  return least;
+}
+
+// Whether the attempted step may be accepted: no body gained more than an honest scheme may make, or
+// a shorter step has not made it less or is not allowed. Else the reason is the result's.
+Simulation::EnergyVerdict Simulation::judge_energies(const StepPlan& plan, double& gain_before,
+                                                     CycleResult& result) {
+  const std::vector<BodyEnergy> bodies = component_->body_energies(result.sums);
+  if (bodies.empty()) return EnergyVerdict::sound;
+  const std::optional<EnergyGuard::Excess> excess =
+      energies_.judge(bodies, plan.dt, least_spacing());
+  if (!excess) return EnergyVerdict::sound;
+  constexpr double no_less = 0.7;  // of what twice the step gained
+  const bool inherited = gain_before > 0 && excess->gain > no_less * gain_before;
+  gain_before = excess->gain;
+  if (inherited || 0.5 * plan.dt < scene_->time.delt_min) return EnergyVerdict::sound;
+  const BodyEnergy& body = bodies[static_cast<std::size_t>(excess->body)];
+  const std::string where =
+      component_->place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
+  result.reason = fmt::format(
+      "solid '{}' gains {:.3g} J by numerical error of transfer and integration, {:.2g} of its "
+      "energy ({:.3g} J; a step may gain {:g} of it){}. The physics allowed a step of {:g}, set by "
+      "{}. Try a smaller <timestep_multiplier>, another <interpolator>, or look at the state "
+      "before "
+      "this step in the last checkpoint",
+      body.name, excess->gain, excess->gain / excess->scale, excess->scale, EnergyGuard::step_gain,
+      where, limit_.dt, limit_.reason);
+  return energies_.shorten() ? EnergyVerdict::redo : EnergyVerdict::hopeless;
+}
+
+void Simulation::book_energies(const StepPlan& plan, const std::vector<double>& sums) {
+  const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
+  if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, least_spacing());
+}
+
+// At the end of a run: bodies that are beyond a limit become events of the step since which they are.
+void Simulation::tell_energies() {
+  for (const EnergyGuard::Crossing& crossed : energies_.crossings()) {
+    EventPlace place;
+    place.step = crossed.since;
+    place.material = crossed.material;
+    place.value = crossed.share;
+    ledger_.keep(crossed.gains ? "a solid has gained energy by numerical error"
+                               : "a solid has lost energy to transfer and integration",
+                 place);
+  }
+  ledger_.accept_step();
+}
+
+}  // namespace sluice

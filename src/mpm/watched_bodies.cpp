@@ -1,0 +1,72 @@
+// The bodies whose energy a run watches: solids that deform and are free.
+#include <fmt/format.h>
+
+#include "framework/base/communicator.hpp"
+#include "framework/run/particle_cloud.hpp"
+#include "mpm/mpm.hpp"
+#include "mpm/step/solid_step.hpp"
+
+namespace sluice::mpm {
+
+std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) const {
+  std::vector<BodyEnergy> bodies;
+  // Prescribed deformation has its work by definition; cohesive zones keep energy between bodies.
+  if (!solids_.prescribed_file.empty() || !solids_.cohesive_zones.empty()) return bodies;
+  for (std::size_t m = 0; m < solids_.materials.size(); ++m) {
+    const SolidMaterial& material = solids_.materials[m];
+    // Water in pores has a velocity and an energy of its own.
+    if (material.rigid || material.water) continue;
+    using Of = BodyEnergySums;
+    const std::size_t first = StepSums::of_body(solids_.materials.size(), m);
+    const auto of = [&](Of::Index n) { return sums[first + n]; };
+    BodyEnergy b;
+    b.name = material.name;
+    b.material = static_cast<int>(m);
+    b.mass = of(Of::mass);
+    b.kinetic_before = of(Of::kinetic_before);
+    b.kinetic_middle = of(Of::kinetic_middle);
+    b.kinetic_after = of(Of::kinetic_after);
+    b.stored_before = of(Of::stored_before);
+    b.stored_after = of(Of::stored_after);
+    b.work = of(Of::node_gain) - of(Of::node_work) + of(Of::load_work) + of(Of::corner_work);
+    b.kick = of(Of::kick);
+    b.heat = of(Of::heat);
+    bodies.push_back(b);
+  }
+  return bodies;
+}
+
+// The particle of a material whose energy has grown most in an attempted step, on all ranks.
+std::string Mpm::place_of_gain(const ParticleCloud& cloud, int material,
+                               Communicator& ranks) const {
+  const Columns& c = particles_.carried()[static_cast<std::size_t>(material)].columns;
+  const ParticleStore& store = cloud.store(material);
+  double most = 0;
+  std::string text;
+  for (int l = 0; l < store.level_count(); ++l)
+    for (int b = 0; b < store.box_count(l); ++b) {
+      const ParticleSet &set = store.set(l, b), &next = store.next(l, b);
+      const double* mass = set.column(static_cast<std::size_t>(c.mass));
+      const auto energy = static_cast<std::size_t>(c.energy);
+      const auto v = read_columns<3>(set, c.velocity), w = read_columns<3>(next, c.velocity);
+      for (std::size_t p = 0; p < set.size(); ++p) {
+        double gain = next.column(energy)[p] - set.column(energy)[p];
+        for (std::size_t d = 0; d < 3; ++d)
+          gain += 0.5 * mass[p] * (w[d][p] * w[d][p] - v[d][p] * v[d][p]);
+        if (!(gain > most)) continue;
+        most = gain;
+        const Vec3 x = set.position(p);
+        text = fmt::format("; most of it at [{:g}, {:g}, {:g}]", x.x, x.y, x.z);
+      }
+    }
+  Reduction all;
+  const auto largest = all.add_maximum(most);
+  ranks.reduce(all);
+  if (most < all.maximum(largest)) text.clear();
+  std::string first;
+  for (const std::string& own : ranks.gather_to_all(text))
+    if (!own.empty() && (first.empty() || own < first)) first = own;
+  return first;
+}
+
+}  // namespace sluice::mpm
