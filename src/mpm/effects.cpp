@@ -35,6 +35,26 @@ void add_of_implicit(const ImplicitSettings& s, EffectList& list) {
             {}});
 }
 
+// Linear and smooth bases alike lock, and pressures alternate, from about this ratio on.
+constexpr double nearly_incompressible = 0.48;
+
+void add_pressure_stabilisation(const MpmScene& s, EffectList& list) {
+  std::string reason = s.pressure_stabilised ? "DoPressureStabilization is true"
+                                             : "DoPressureStabilization is not true";
+  for (const SolidMaterial& m : s.materials) {
+    if (s.pressure_stabilised || m.rigid) continue;
+    const double K = m.law->bulk_modulus(), G = m.law->shear_modulus();
+    const double ratio = G > 0 ? (3 * K - 2 * G) / (2 * (3 * K + G)) : 0;  // Poisson's
+    if (!(ratio > nearly_incompressible)) continue;
+    reason += fmt::format(
+        "; '{}' is nearly incompressible (Poisson's ratio {:.5g}): without it pressures alternate "
+        "from cell to cell, <DoPressureStabilization>true</DoPressureStabilization> cures them",
+        m.name, ratio);
+    break;
+  }
+  list.add({"pressure stabilisation", s.pressure_stabilised, reason, {}});
+}
+
 }  // namespace
 
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
@@ -84,6 +104,7 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});
+  if (!s.implicit) add_pressure_stabilisation(s, list);
   list.add(
       {"damping", s.damping > 0, fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
   const auto sleeps = [](const SolidMaterial& m) {

@@ -69,6 +69,7 @@ void Mpm::shape_step(StepShape& shape) const {
   if (solids_.maps_back())
     stage("particles move; velocities to grid (MUSL)", &SolidLevels::map_back);
   stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
+  shape.stage("energies of solids", judge_step);
   stage("take over", &SolidLevels::take_over);
 }
 

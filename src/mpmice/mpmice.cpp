@@ -153,6 +153,7 @@ void MpmIce::shape_step(StepShape& shape) const {
   of_both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
   if (implicit)
     of_both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
+  shape.stage("energies of solids", judge_step);
   shape.take_over();
   of_both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
   of_solids(shape, "take over", &SolidLevels::take_over);

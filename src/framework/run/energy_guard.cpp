@@ -40,8 +40,9 @@ EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy
     c.growth = inner / 3 + (c.rise - account.rise * ratio) / 12;
     const double unequal = std::min(ratio, 1 / ratio);
     const double swing = std::max(std::fabs(c.growth), std::fabs(account.growth));
-    const double explained = 6 * swing * (account.steps == 1 ? 1 : 1 - unequal * unequal);
-    c.unjust = -explained - driven * (std::fabs(b.work) + std::fabs(account.work));
+    c.swing = 6 * swing * (account.steps == 1 ? 1 : 1 - unequal * unequal);
+    c.unjust =
+        -std::max(c.swing, account.swing) - driven * (std::fabs(b.work) + std::fabs(account.work));
   }
   c.gain = account.carried + own - own_work;
   c.unjust += c.gain;
@@ -89,6 +90,7 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
     a.streak = c.more > 0 ? a.streak + 1 : 0;
     a.record = std::max(0.98 * a.record, c.of_scale(c.growth));
     a.work = step[n].work;
+    a.swing = c.swing;
     a.dt = dt;
     a.steps = std::min(a.steps + 1, 2);
     const auto since = [&](bool beyond, int& first) {
@@ -146,7 +148,8 @@ std::string EnergyGuard::summary() const {
     if (a.gained_since > 0)
       text += fmt::format(
           "warning: solid '{}' has gained energy by numerical error, more than {:g} % of its scale "
-          "since step {}; {:+.2g} % at the end. Take a smaller <timestep_multiplier>\n",
+          "since step {}; {:+.2g} % at the end. Take a smaller <timestep_multiplier> or another "
+          "<interpolator>\n",
           a.name, 100 * run_gain, a.gained_since, 100 * a.gain / scale);
     if (a.lost_since > 0)
       text += fmt::format(
@@ -170,6 +173,7 @@ Json EnergyGuard::checkpoint() const {
                       {"streak", a.streak},
                       {"dt", a.dt},
                       {"work", a.work},
+                      {"swing", a.swing},
                       {"most", a.most},
                       {"work_in", a.work_in},
                       {"gain", a.gain},
@@ -195,6 +199,7 @@ void EnergyGuard::restore(const Json& json) {
     a.streak = whole("streak");
     a.dt = real("dt");
     a.work = real("work");
+    a.swing = real("swing");
     a.most = real("most");
     a.work_in = real("work_in");
     a.gain = real("gain");

@@ -99,6 +99,7 @@ class EnergyGuard {
     int streak = 0;      // steps in which D was large and grew
     double dt = 0;       // of the step before
     double work = 0;     // likewise
+    double swing = 0;    // by what a change of its length changed H at most
     double most = 0;     // largest energy
     double work_in = 0;  // positive work and heat so far
     double gain = 0;     // sum of g
@@ -107,6 +108,7 @@ class EnergyGuard {
   };
   struct Change {
     double gain = 0, carried = 0, rise = 0, growth = 0, scale = 0;
+    double swing = 0;   // by what a change of the length of the step changes H at most
     double unjust = 0;  // of the gain, what no change of the step's length explains
     double more = 0;    // of D, where it is large and grows
     double of_scale(double x) const { return scale > 0 ? x / scale : 0; }

@@ -64,6 +64,8 @@ class Hierarchy {
                              const RunControl& control, EventLedger& ledger);
   void accept();
   void reject();
+  // Asked in each attempt by components that have a stage for it (judge_step).
+  void set_judge(StepJudge judge) { judge_ = std::move(judge); }
   // The step that the physics allows next, as a step of the coarsest level.
   StepLimit step_limit() const;
   // What it rests on, by level; a restart sets those of its checkpoint.
@@ -161,6 +163,7 @@ class Hierarchy {
   Schedule cycle_;
   StepShape::Link link_;
   int levels_in_cycle_ = 0;
+  StepJudge judge_;
   StepJournal journal_;  // of the last attempt, until it is accepted or rejected
   CycleResult result_;
   // Of the attempt under way.

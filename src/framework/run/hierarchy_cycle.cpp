@@ -51,6 +51,7 @@ StageScope Hierarchy::stage_scope(const StepScope& scope, StepJournal& journal) 
   s.particles = particles_.get();
   s.sums = &result_.sums;
   s.maxima = &maxima_;
+  s.judge = &judge_;
   return s;
 }
 

@@ -212,13 +212,16 @@ std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
 // Attempts the step until it is admissible, each time with a smaller one. Nothing of the old state
 // is touched.
 StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
-  double gain = 0;  // of energy, in the attempt before
+  EnergyAttempts energies;
+  hierarchy_->set_judge([&](const std::vector<double>& sums, std::string& reason) {
+    return judge_energies(plan, sums, energies, reason);
+  });
   for (int smaller = 0;; ++smaller) {
+    energies.refused = false;
     result = hierarchy_->attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
                                  ledger_);
-    const EnergyVerdict energies =
-        result.good ? judge_energies(plan, gain, result) : EnergyVerdict::sound;
-    if (result.good && energies == EnergyVerdict::sound) {
+    if (result.good) {
+      hierarchy_->set_judge({});
       hierarchy_->accept();
       ledger_.accept_step();
       result.sums = hierarchy_->step_sums();  // with what was booked at acceptance
@@ -227,12 +230,12 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
     hierarchy_->reject();
     ledger_.reject_step();
     if (result.unsound) fail_unsound(plan, result);
-    if (smaller == smaller_attempts || energies == EnergyVerdict::hopeless) fail(plan, result);
+    if (smaller == smaller_attempts || energies.hopeless) fail(plan, result);
     EventPlace place;
     place.step = plan.step;
     place.value = plan.dt;
-    ledger_.keep(result.good ? "step redone: a solid gained energy by numerical error"
-                             : "step redone with a smaller one",
+    ledger_.keep(energies.refused ? "step redone: a solid gained energy by numerical error"
+                                  : "step redone with a smaller one",
                  place);
     try {
       plan = time_.retry(plan, 0.5 * plan.dt);

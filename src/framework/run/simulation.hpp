@@ -67,8 +67,13 @@ class Simulation {
   std::unique_ptr<Hierarchy> empty_hierarchy(const Scene& scene, const Component& component) const;
   std::vector<Label> labels_to_store(const StepPlan& plan) const;
   StepPlan advance(StepPlan plan, CycleResult& result);
-  enum class EnergyVerdict { sound, redo, hopeless };
-  EnergyVerdict judge_energies(const StepPlan& plan, double& gain_before, CycleResult& result);
+  // What the energies of the attempts at a step have come to.
+  struct EnergyAttempts {
+    double gain = 0;                         // of the attempt before; 0: none was refused
+    bool refused = false, hopeless = false;  // the last one; and so would be any other
+  };
+  bool judge_energies(const StepPlan& plan, const std::vector<double>& sums,
+                      EnergyAttempts& attempts, std::string& reason);
   void tell_energies();
   void book_energies(const StepPlan& plan, const std::vector<double>& sums);
   double least_spacing() const;

@@ -21,22 +21,23 @@ double Simulation::least_spacing() const {
 }
 
 // Whether the attempted step may be accepted: no body gained more than an honest scheme may make, or
-// a shorter step has not made it less or is not allowed. Else the reason is the result's.
-Simulation::EnergyVerdict Simulation::judge_energies(const StepPlan& plan, double& gain_before,
-                                                     CycleResult& result) {
-  const std::vector<BodyEnergy> bodies = component_->body_energies(result.sums);
-  if (bodies.empty()) return EnergyVerdict::sound;
+// a shorter step has not made it less or is not allowed.
+bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>& sums,
+                                EnergyAttempts& attempts, std::string& reason) {
+  attempts.refused = false;
+  const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
+  if (bodies.empty()) return true;
   const std::optional<EnergyGuard::Excess> excess =
       energies_.judge(bodies, plan.dt, least_spacing());
-  if (!excess) return EnergyVerdict::sound;
+  if (!excess) return true;
   constexpr double no_less = 0.7;  // of what twice the step gained
-  const bool inherited = gain_before > 0 && excess->gain > no_less * gain_before;
-  gain_before = excess->gain;
-  if (inherited || 0.5 * plan.dt < scene_->time.delt_min) return EnergyVerdict::sound;
+  const bool inherited = attempts.gain > 0 && excess->gain > no_less * attempts.gain;
+  attempts.gain = excess->gain;
+  if (inherited || 0.5 * plan.dt < scene_->time.delt_min) return true;
   const BodyEnergy& body = bodies[static_cast<std::size_t>(excess->body)];
   const std::string where =
       component_->place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
-  result.reason = fmt::format(
+  reason = fmt::format(
       "solid '{}' gains {:.3g} J by numerical error of transfer and integration, {:.2g} of its "
       "energy ({:.3g} J; a step may gain {:g} of it){}. The physics allowed a step of {:g}, set by "
       "{}. Try a smaller <timestep_multiplier>, another <interpolator>, or look at the state "
@@ -44,7 +45,9 @@ Simulation::EnergyVerdict Simulation::judge_energies(const StepPlan& plan, doubl
       "this step in the last checkpoint",
       body.name, excess->gain, excess->gain / excess->scale, excess->scale, EnergyGuard::step_gain,
       where, limit_.dt, limit_.reason);
-  return energies_.shorten() ? EnergyVerdict::redo : EnergyVerdict::hopeless;
+  attempts.refused = true;
+  attempts.hopeless = !energies_.shorten();
+  return false;
 }
 
 void Simulation::book_energies(const StepPlan& plan, const std::vector<double>& sums) {

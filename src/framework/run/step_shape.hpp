@@ -31,6 +31,9 @@ class Communicator;
 class EventLedger;
 class ParticleCloud;
 
+// Whether a step with these sums may be taken; else the reason.
+using StepJudge = std::function<bool(const std::vector<double>& sums, std::string& reason)>;
+
 // What a stage between sweeps sees.
 struct StageScope {
   std::vector<LevelSolver*> levels;  // coarse to fine
@@ -46,7 +49,14 @@ struct StageScope {
   // by level the maxima on which the next step's length rests.
   std::vector<double>* sums = nullptr;
   std::vector<std::vector<double>>* maxima = nullptr;
+  const StepJudge* judge = nullptr;  // of the run; null: none
 };
+
+// A stage behind which the new state becomes the present one: the run's say on the step's sums.
+inline Verdict judge_step(const StageScope& scope) {
+  if (scope.judge == nullptr || !*scope.judge) return Verdict::good;
+  return (*scope.judge)(*scope.sums, *scope.reason) ? Verdict::good : Verdict::reject;
+}
 
 // All ranks must return the same.
 using StageAction = std::function<Verdict(const StageScope&)>;

@@ -288,11 +288,11 @@ void ImplicitStep::find_rates(const StageScope& scope) {
 
 Verdict ImplicitStep::take_over(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
-                                ranks = scope.ranks, sums = scope.sums,
+                                ranks = scope.ranks, sums = scope.sums, events = scope.events,
                                 end = scope.step.time + scope.step.dt] {
     retried_ = false;
     cloud->take_over(end);
-    book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
+    book_leaving(*solids_, *carried_, {level_}, *cloud, *ranks, *sums, *events);
     std::vector<double>& all = maxima->front();
     all.resize(std::max(all.size(), new_rates_.size()));
     std::copy(new_rates_.begin(), new_rates_.end(), all.begin());

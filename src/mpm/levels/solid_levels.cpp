@@ -198,7 +198,7 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     strayed_ += travel;
     const bool split =
         solids_->refine_particles && split_particles(*solids_, *carried_, *cloud, *ranks);
-    if (left) book_leaving(*solids_, *carried_, *cloud, *ranks, *sums);
+    if (left) book_leaving(*solids_, *carried_, present_, *cloud, *ranks, *sums, *events);
     if (strayed_ >= most_stray || left || split) relocate(*cloud);
     const bool regrouped = solids_->granular && regroup(*cloud, *ranks, {end, sums, events});
     for (int l = 0; l < count() && (split || regrouped); ++l) {  // the bounds of what there is now

@@ -1,6 +1,10 @@
 #include "mpm/step/book_leaving.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "framework/base/reduction.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -40,17 +44,42 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
   }
 }
 
+// The side through which it goes stands in place of a task.
+void tell(const Level& level, const ParticleSet& set, const std::vector<std::uint32_t>& leaving,
+          int material, EventLedger& events) {
+  for (const std::uint32_t p : leaving) {
+    const Vec3 x = set.position(p);
+    EventPlace place;
+    place.level = level.index;
+    place.material = material;
+    place.value = static_cast<double>(set.id(p));
+    IntVec3 cell{};
+    for (int d = 0; d < 3; ++d) {
+      const int at = static_cast<int>(std::floor((x[d] - level.anchor[d]) / level.spacing[d]));
+      cell[d] = std::clamp(at, level.domain.lower[d], level.domain.upper[d] - 1);
+      if (at != cell[d] && level.active[static_cast<std::size_t>(d)])
+        place.task = fmt::format("through side {}{}", "xyz"[d], at < cell[d] ? '-' : '+');
+    }
+    place.cell = cell;
+    events.record("particle left the domain", place);
+  }
+}
+
 }  // namespace
 
 void book_leaving(const MpmScene& solids, const std::vector<Carried>& carried,
-                  const ParticleCloud& cloud, Communicator& ranks, std::vector<double>& sums) {
+                  const std::vector<Level>& levels, const ParticleCloud& cloud, Communicator& ranks,
+                  std::vector<double>& sums, EventLedger& events) {
   LeftSums left(StepSums::count - StepSums::left_x + solids.materials.size());
   for (std::size_t m = 0; m < solids.materials.size(); ++m) {
     const int kind = static_cast<int>(m);
     for (int l = 0; l < cloud.store(kind).level_count(); ++l)
-      for (int b = 0; b < cloud.store(kind).box_count(l); ++b)
+      for (int b = 0; b < cloud.store(kind).box_count(l); ++b) {
+        tell(levels[static_cast<std::size_t>(l)], cloud.store(kind).set(l, b),
+             cloud.leaving(kind, l, b), kind, events);
         add(cloud.store(kind).set(l, b), carried[m].columns,
             solids.materials[m].constants.reference_pressure, cloud.leaving(kind, l, b), m, left);
+      }
   }
   Reduction reduction;
   std::vector<Reduction::Sum> slots;

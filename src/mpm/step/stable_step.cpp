@@ -40,9 +40,12 @@ BasisLimit limit_of(const MpmScene& solids) {
 
 StableShare stable_share(const MpmScene& solids, const std::array<bool, 3>& active) {
   const BasisLimit limit = limit_of(solids);
+  // A fluid beside them adds its stiffness to nodes of little mass (MPMICE).
+  constexpr double beside_fluid = 0.55;
   StableShare least;
   const auto consider = [&](int count) {
-    const double share = limit.shares[static_cast<std::size_t>(std::clamp(count, 1, 3)) - 1];
+    double share = limit.shares[static_cast<std::size_t>(std::clamp(count, 1, 3)) - 1];
+    if (solids.whole_kicks) share = std::min(share, beside_fluid);
     if (share < least.share)
       least = {share, fmt::format("{} with {} particle{} per cell and direction", limit.name, count,
                                   count == 1 ? "" : "s")};
