@@ -14,8 +14,10 @@
 // Under gravity p_L and p_R are hydrostatic extensions of the cell values, p_b - p_a the deviation
 // from hydrostatic balance (of g rho + f with a driving force f); what P took for the flow along
 // the hydrostatic part is given back. On a wall the cell inside meets its own mirror image: u_f = 0
-// to the bit, whatever the ghosts hold.
+// to the bit, whatever the ghosts hold. Where the velocity through a side is given, so is u_f, and
+// the cell inside meets its image about that: a wall that moves.
 #include "ice/fluid/limiters.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/runs.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
@@ -152,17 +154,17 @@ struct FaceRows {
     return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], law.slope_a(i),
                       law.slope_b(i), ub[i] - ua[i], p_jump);
   }
-  // A wall on the face: the cell inside meets its own mirror image, and nothing passes.
+  // A wall on the face that moves with u: the cell inside meets its own mirror image.
   template <class Law>
-  FaceState at_wall(int i, bool plus, const Law& law) const {
+  FaceState at_wall(int i, bool plus, double u, const Law& law) const {
     const FaceState in = plus ? left(i, law) : right(i, law);
-    const double towards = plus ? in.u : -in.u;
-    const double cell = plus ? ua[i] : -ub[i];
+    const double towards = plus ? in.u - u : u - in.u;
+    const double cell = plus ? ua[i] - u : u - ub[i];
     const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
     const double A = plus ? law.slope_a(i) : law.slope_b(i);
     const FaceState f =
         solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell, 0.0);
-    return {0.0, f.p};
+    return {u, f.p};
   }
 };
 
@@ -188,7 +190,16 @@ class FaceRow {
   template <class Law>
   void walls(const Row& row, const SchemeOptions& o, int axis, const Law& law) const {
     for_each_wall_face(row, o, axis, [&](int i, bool plus) {
-      const FaceState f = rows_.at_wall(i, plus, law);
+      const FaceState f = rows_.at_wall(i, plus, 0.0, law);
+      uf_[i] = f.u;
+      pf_[i] = f.p;
+    });
+  }
+  template <class Law>
+  void held(const Row& row, const SchemeOptions& o, const Handles& h, int axis,
+            const Law& law) const {
+    for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double u) {
+      const FaceState f = rows_.at_wall(i, plus, u, law);
       uf_[i] = f.u;
       pf_[i] = f.p;
     });
@@ -210,6 +221,7 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
   if (!o.mixture) {
     faces.run(0, row.whole_vectors(), law_of(o.fluid));
     faces.walls(row, o, axis, law_of(o.fluid));
+    faces.held(row, o, h, axis, law_of(o.fluid));
     return;
   }
   const LawOfCells of_cells{{row(h.shock_slope, 0, axis, -1), row(h.shock_slope)},
@@ -225,6 +237,7 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
                         faces.run(first, end, law_of(o.fluids[static_cast<std::size_t>(pure)]));
                     });
   faces.walls(row, o, axis, of_cells);
+  faces.held(row, o, h, axis, of_cells);
 }
 
 template <int D>
