@@ -11,6 +11,9 @@
 //   p_f = (z_R p_L + z_L p_R)/(z_L + z_R) + phi z_L z_R du/(z_L + z_R)
 // phi takes the dissipation away where the jump of velocity is neither acoustic nor a shock:
 //   phi = min(1, (2|p_b-p_a| + rbar D^2)/(rcbar D)),  D = max(|du|, |u_b-u_a|).
+// Sides that part faster than .6 of what opens a vacuum between them, (c_a + c_b)/(A - 1), leave
+// next to no pressure (two fans: below .2 % of it): p_f then rises to the lowest pressure of the
+// law from below, where a straight line would pull and heat what it should let go.
 // Under gravity p_L and p_R are hydrostatic extensions of the cell values, p_b - p_a the deviation
 // from hydrostatic balance (of g rho + f with a driving force f); what P took for the flow along
 // the hydrostatic part is given back. On a wall the cell inside meets its own mirror image: u_f = 0
@@ -41,7 +44,7 @@ struct FaceState {
 [[gnu::always_inline]] inline FaceState solve_face(double uL, double pL, double uR, double pR,
                                                    double ra, double rb, double ca, double cb,
                                                    double slope_a, double slope_b, double u_jump,
-                                                   double p_jump) {
+                                                   double p_jump, double pi) {
   const double du = uL - uR;
   const double squeeze = larger(0.0, du);
   double zL = ra * (ca + 0.5 * slope_a * squeeze);
@@ -57,8 +60,10 @@ struct FaceState {
   const double wanted = 2.0 * std::fabs(p_jump) + rbar * (D * D);
   const double full = rcbar * D;
   const double phi = wanted < full ? wanted / full : 1.0;
-  return {((zL * uL + zR * uR) + (pL - pR)) * w,
-          (zR * pL + zL * pR) * w + phi * (zL * zR * du * w)};
+  const double p = (zR * pL + zL * pR) * w + phi * (zL * zR * du * w);
+  const double parting = -du * (0.5 * (slope_a + slope_b) - 1.0) - 0.6 * (ca + cb);
+  const double vacuum = smaller(-pi, p + 30.0 * (zL * zR * w) * larger(0.0, parting));
+  return {((zL * uL + zR * uR) + (pL - pR)) * w, larger(p, vacuum)};
 }
 
 struct FaceConstants {
@@ -152,7 +157,7 @@ struct FaceRows {
     double p_jump = pb[i] - pa[i];
     if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]) + k.f_dx;
     return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], law.slope_a(i),
-                      law.slope_b(i), ub[i] - ua[i], p_jump);
+                      law.slope_b(i), ub[i] - ua[i], p_jump, smaller(law.pi_a(i), law.pi_b(i)));
   }
   // A wall on the face that moves with u: the cell inside meets its own mirror image.
   template <class Law>
@@ -162,8 +167,8 @@ struct FaceRows {
     const double cell = plus ? ua[i] - u : u - ub[i];
     const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
     const double A = plus ? law.slope_a(i) : law.slope_b(i);
-    const FaceState f =
-        solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell, 0.0);
+    const FaceState f = solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell,
+                                   0.0, plus ? law.pi_a(i) : law.pi_b(i));
     return {u, f.p};
   }
 };
