@@ -23,6 +23,7 @@ struct FaceState {
   const DeckNode* pressure = nullptr;
   const DeckNode* density = nullptr;
   const DeckNode* temperature = nullptr;
+  const DeckNode* volume = nullptr;
   const DeckNode* velocity = nullptr;
 
   FaceState(const DeckNode& face, int material) {
@@ -34,6 +35,7 @@ struct FaceState {
       if (label == "Pressure") pressure = condition;
       if (label == "Density") density = condition;
       if (label == "Temperature") temperature = condition;
+      if (label == "SpecificVol") volume = condition;
     }
   }
 };
@@ -92,19 +94,27 @@ bool is_near_a_start(const DeckNode& root, const DeckNode& material, double pres
   return false;
 }
 
-void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& material,
-                std::vector<Fault>& faults) {
-  const FaceState s(face, solids_beside_ice(root));
+// The density of a material itself: of several that of the sides is mass per volume of the cell, and
+// the specific volume says it, if anything does.
+std::optional<double> own_density(const FaceState& s, bool several) {
+  if (!several) return number_of(s.density);
+  const auto volume = number_of(s.volume);
+  return volume && *volume > 0 ? std::optional(1.0 / *volume) : std::nullopt;
+}
+
+// `number`: of the material in conditions; `several`: it is one of several.
+void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& material, int number,
+                bool several, std::vector<Fault>& faults) {
+  const FaceState s(face, number);
   const std::string side = side_of_face(face);
-  const auto rho = number_of(s.density), T = number_of(s.temperature), p = number_of(s.pressure);
+  const auto rho = own_density(s, several), T = number_of(s.temperature), p = number_of(s.pressure);
   const std::optional<ice::Fluid> fluid = ice::readable_fluid(material);
   const Through flow = through(s, side);
   if (!fluid || !rho || !T || !(*rho > 0) || !(*T > 0) || flow == Through::wall) return;
   const double made = fluid->pressure(*rho, fluid->energy_from_temperature(*rho, *T));
-  const std::string given = fmt::format(
-      "Density {:.6g} and Temperature {:.6g} on side {} make a "
-      "pressure of {:.6g}",
-      *rho, *T, side, made);
+  const std::string given =
+      fmt::format("{} {:.6g} and Temperature {:.6g} on side {} make a pressure of {:.6g}",
+                  several ? "SpecificVol" : "Density", several ? 1.0 / *rho : *rho, *T, side, made);
   const char* of_inlet =
       "where the flow is slower than sound the pressure comes from inside, what enters has this "
       "density and temperature";
@@ -112,13 +122,14 @@ void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& mate
   const double unsure = 1e-6 * std::fabs(fluid->bulk_modulus(*rho, made));
   if (p) {
     if (!differ(made, *p, in_one_state) || std::fabs(made - *p) <= unsure) return;
+    const bool enters = flow == Through::given && !several;
     add_warning(faults, s.pressure->where,
                 fmt::format("{}, but Pressure is {:.6g}: {}", given, *p,
-                            flow == Through::given ? of_inlet : "the temperature is not used"),
+                            enters ? of_inlet : "the temperature is not used"),
                 fluid->ideal() == nullptr
                     ? "give two of the three"
                     : fmt::format("for {:.6g} write Temperature {:.6g}", *p, *T * *p / made));
-  } else if (flow == Through::given && std::fabs(made) > unsure &&
+  } else if (flow == Through::given && !several && std::fabs(made) > unsure &&
              !is_near_a_start(root, material, made)) {
     add_warning(faults, s.density->where,
                 fmt::format("{}, which no start of the deck has: {}", given, of_inlet),
@@ -159,12 +170,17 @@ void check_ice_states(const DeckNode& root, std::vector<Fault>& faults) {
   check_weight(root, faults);
   const auto materials = ice_materials(root);
   const DeckNode* conditions = root.find("Grid/BoundaryConditions");
-  // Of several materials densities are per volume of the cell: boundary/mixture_rule.cpp.
-  if (conditions == nullptr || materials.size() != 1) return;
+  if (conditions == nullptr) return;
+  std::vector<std::string> names;
+  for (const DeckNode* material : materials)
+    names.push_back(material->attribute("name").value_or(""));
   // Of a gas that is a mixture the pressure follows from a scalar too.
-  if (mixed_material(root, {materials.front()->attribute("name").value_or("")})) return;
+  const auto mixed = mixed_material(root, names);
   for (const DeckNode* face : conditions->all("Face"))
-    check_face(root, *face, *materials.front(), faults);
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      if (mixed != m)
+        check_face(root, *face, *materials[m], solids_beside_ice(root) + static_cast<int>(m),
+                   materials.size() > 1, faults);
 }
 
 }  // namespace sluice

@@ -241,7 +241,20 @@ TEST(HeldVelocity, HoldsOnLevels) {
   EXPECT_NEAR((run.mass() - at_start) / (density * 10 * width * width * 0.002), 1, 1e-9);
 }
 
-// Faster than sound nothing inside knows of the face.
+// Faster than sound nothing inside knows of the face: the whole state enters. What it rams throws
+// back a shock, which the flow carries in with 127 m/s.
+TEST(HeldVelocity, LetsAWholeStateInBeyondTheSpeedOfSound) {
+  Pipe pipe;
+  pipe.inlet = inflow(700);
+  PipeRun run(pipe);
+  run.run_to(1e-3);
+  const std::vector<double> rho = run.values(labels().mass), m = run.values(labels().momentum);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(rho[i], density, 1e-3 * density);
+    EXPECT_NEAR(m[i], density * 700, 1e-3 * density * 700);
+  }
+}
+
 TEST(HeldVelocity, IsLeftToTheFlowBeyondTheSpeedOfSound) {
   EXPECT_TRUE(is_subsonic(300, false, 340, 340));
   EXPECT_FALSE(is_subsonic(350, false, 400, 340));   // enters
