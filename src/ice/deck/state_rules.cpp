@@ -94,8 +94,8 @@ bool is_near_a_start(const DeckNode& root, const DeckNode& material, double pres
   return false;
 }
 
-// The density of a material itself: of several that of the sides is mass per volume of the cell, and
-// the specific volume says it, if anything does.
+// The density of a material itself: of several, that of the sides is mass per volume of the cell,
+// and the specific volume says it, if anything does.
 std::optional<double> own_density(const FaceState& s, bool several) {
   if (!several) return number_of(s.density);
   const auto volume = number_of(s.volume);
