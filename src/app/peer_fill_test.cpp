@@ -51,7 +51,8 @@ TEST_P(PeerFill, FillsEveryCell) {
   ASSERT_FALSE(scene.grid.levels.empty());
   const Level& level = scene.grid.levels.front();
   const ice::MixtureFill fill =
-      ice::fill_materials(ice, scene.constants, level, level, level.domain);
+      ice::fill_materials(ice, scene.constants, level, level, level.domain,
+                          ice::weight_profile(ice, scene.constants, level, level));
   std::vector<std::size_t> cells(ice.materials.size(), 0);
   for (std::size_t n = 0; n < fill.materials[0].volume_fraction.size(); ++n) {
     double sum = 0;

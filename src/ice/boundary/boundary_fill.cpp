@@ -2,6 +2,7 @@
 #include "ice/boundary/boundary_fill.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -42,6 +43,8 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
                                 [](const GhostRule& r) { return r.mirrored(); });
     has_waves_[n] =
         std::any_of(rules_[n].begin(), rules_[n].end(), [](const GhostRule& r) { return r.waves; });
+    holds_[n] = std::any_of(rules_[n].begin(), rules_[n].end(),
+                            [](const GhostRule& r) { return r.holds_velocity(); });
     has_heat_slip_ = has_heat_slip_ || std::any_of(rules_[n].begin(), rules_[n].end(),
                                                    [](const GhostRule& r) { return r.heat.slip; });
     regions_[n] = std::make_unique<RegionMap>(scene.boundary.side(side), side, *level_);
@@ -76,6 +79,17 @@ int BoundaryFill::wave_directions() const {
 Vec3 BoundaryFill::wall_velocity(Side side, IntVec3 cell) const {
   const GhostRule& here = rule(side, cell);
   return here.velocity_kind == GhostRule::Velocity::wall ? here.velocity : Vec3{};
+}
+
+bool BoundaryFill::holds_velocities() const {
+  return std::any_of(holds_.begin(), holds_.end(), [](bool holds) { return holds; });
+}
+
+double BoundaryFill::held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const {
+  if (rule(side, cell).velocity_kind != GhostRule::Velocity::sine) return in_ghost;
+  const SineSettings& sine = *setting_.conditions.sine;
+  const double mean = sine.reference_velocity[direction_of(side)];
+  return mean == 0 ? 0.0 : mean + sine.amplitude * std::sin(sine.omega * time);
 }
 
 const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {

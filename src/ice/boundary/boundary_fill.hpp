@@ -90,6 +90,12 @@ class BoundaryFill {
     return setting_.viscous && rule(side, cell).velocity_kind == GhostRule::Velocity::wall;
   }
   SideKind side_kind(Side side, IntVec3 cell) const { return rule(side, cell).side_kind(); }
+  // Faces through which the velocity is given (step/held_faces.hpp).
+  bool holds_velocities() const;
+  bool holds_velocities(Side side) const { return holds_[static_cast<std::size_t>(side)]; }
+  bool holds_velocity(Side side, IntVec3 cell) const { return rule(side, cell).holds_velocity(); }
+  // On the face at a time; `in_ghost`: what the ghost cell has, of conditions that do not swing.
+  double held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const;
   // Of an open face: what its pressure is drawn to, how strongly, over which length.
   struct FarPressure {
     double pressure, sigma, length;
@@ -141,7 +147,7 @@ class BoundaryFill {
   std::span<const models::TransportedScalar> scalars_;
   std::array<std::vector<std::vector<scalars::GhostRule>>, 6> scalar_rules_;  // by region, scalar
   std::array<std::unique_ptr<RegionMap>, 6> regions_;
-  std::array<bool, 6> has_walls_{}, has_waves_{};
+  std::array<bool, 6> has_walls_{}, has_waves_{}, holds_{};
   bool has_heat_slip_ = false;
   std::vector<int> open_faces_;  // their directions
 };

@@ -43,6 +43,12 @@ struct GhostRule {
            velocity_kind == Velocity::slip;
   }
   SideKind side_kind() const;
+  // The velocity through the face is as given, whatever is inside. A swing of pressure and velocity
+  // is a wave that runs in, the exact flow of vortices a state on both sides.
+  bool holds_velocity() const {
+    return side_kind() == SideKind::velocity && !sine_pressure &&
+           velocity_kind != Velocity::vortices;
+  }
   // The conserved state is copied (or mirrored) as it is.
   bool plain() const;
 };

@@ -127,6 +127,16 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
   return u;
 }
 
+// What enters slower than sound has the density and the temperature that are given, whatever
+// pressure is given beside them: that comes from inside.
+bool GhostStates::enters_by_temperature(const GhostRule& rule, const Fluid& fluid, double rho,
+                                        Vec3 given) const {
+  if (!rule.fixed_pressure || !rule.fixed_density || !rule.fixed_temperature) return false;
+  if (!rule.holds_velocity()) return false;
+  const double inward = plus_ ? -given[d_] : given[d_];
+  return inward < fluid.sound_speed(rho, rule.pressure);
+}
+
 void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
   Fluid room, source_room;
   const Fluid& fluid = laws_.at(ghost, 0, room);
@@ -142,7 +152,9 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
                                                 rule.temperature_gradient * distance;
   Vec3 given = given_velocity(rule, ghost, source);
   double p;
-  if (rule.fixed_pressure || rule.sine_pressure) {
+  if (enters_by_temperature(rule, fluid, rho, given)) {
+    p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
+  } else if (rule.fixed_pressure || rule.sine_pressure) {
     p = given_pressure(rule, ghost, source);
   } else if (rule.vortex_pressure) {
     p = vortices(ghost, rho).p;

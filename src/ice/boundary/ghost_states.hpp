@@ -80,6 +80,8 @@ class GhostStates {
   // `given`: that of the rule at this ghost.
   double velocity(const GhostRule& rule, Vec3 given, double source_u, int direction,
                   double distance) const;
+  bool enters_by_temperature(const GhostRule& rule, const Fluid& fluid, double rho,
+                             Vec3 given) const;
   Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
   // Of the velocity given, what a profile leaves at the height of a ghost.
   double profile(const GhostRule& rule, IntVec3 ghost) const;

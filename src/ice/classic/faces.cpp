@@ -4,15 +4,18 @@
 //         with g' = g + 2 f/(rho_a + rho_b) under a driving force f
 //   p_f = (rho_a p_b + rho_b p_a)/(rho_a + rho_b)          with p the pressure after its change
 // Both means are written as the plain mean plus half the difference times a weight, so that equal
-// values give their own bits and mirrored states mirrored ones. On a wall u_f = 0.
+// values give their own bits and mirrored states mirrored ones. On a wall u_f = 0; where the
+// velocity through a side is given, u_f is that, and p_f the pressure of the cell inside, carried
+// to the face by its weight.
 #include "ice/classic/variables.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/wall_faces.hpp"
 
 namespace sluice::ice::classic {
 namespace {
 
 struct VelocityHandles {
-  In rho, velocity, pressure;
+  In rho, velocity, pressure, sound;
   Out face_velocity;
 };
 
@@ -35,9 +38,20 @@ void velocity_row(const Row& row, const VelocityHandles& h, int axis, double l, 
 }
 
 struct PressureHandles {
-  In rho, pressure;
+  In rho, pressure, velocity, sound;
   Out face_pressure;
 };
+
+// `per_rho`, `push`: weight over half a cell of a unit of density, and of a driving force.
+void held_pressures(const Row& row, const PressureHandles& h, const SchemeOptions& o, int axis,
+                    double per_rho, double push) {
+  double* pf = row(h.face_pressure);
+  for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
+    const int inside = plus ? -1 : 0;
+    const double weight = per_rho * row(h.rho, 0, axis, inside)[i] + push;
+    pf[i] = row(h.pressure, 0, axis, inside)[i] + (plus ? weight : -weight);
+  });
+}
 
 void pressure_row(const Row& row, const PressureHandles& h, int axis) {
   const int n = row.count();
@@ -64,6 +78,7 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     h.rho = task.read(v.common.rho, both);
     h.velocity = task.read(v.common.velocity, both);
     h.pressure = task.read(v.common.pressure, both);
+    if (holds_velocities(o)) h.sound = task.read(v.common.sound, both);
     h.face_velocity = task.write(v.common.face_velocity[static_cast<std::size_t>(axis)]);
     const double gravity = o.gravity[direction], force = o.force[direction];
     task.kernel([=](const Row& row) {
@@ -71,6 +86,8 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
       velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity, dt * force);
       double* uf = row(h.face_velocity);
       for_each_wall_face(row, o, axis, [&](int i, bool) { uf[i] = 0.0; });
+      for_each_held_face(row, o, axis, h.velocity, h.sound,
+                         [&](int i, bool, double u) { uf[i] = u; });
     });
   }
 }
@@ -84,8 +101,17 @@ void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& 
     PressureHandles h;
     h.rho = task.read(v.common.rho, both);
     h.pressure = task.read(v.pressure, both);
+    if (holds_velocities(o)) {
+      h.velocity = task.read(v.common.velocity, both);
+      h.sound = task.read(v.common.sound, both);
+    }
     h.face_pressure = task.write(v.common.face_pressure[static_cast<std::size_t>(axis)]);
-    task.kernel([=](const Row& row) { pressure_row(row, h, axis); });
+    const int direction = o.axes.direction[axis];
+    task.kernel([=](const Row& row) {
+      pressure_row(row, h, axis);
+      const double half = 0.5 * row.step().spacing[direction];
+      held_pressures(row, h, o, axis, half * o.gravity[direction], half * o.force[direction]);
+    });
   }
 }
 

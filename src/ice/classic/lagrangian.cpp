@@ -3,6 +3,7 @@
 //   m_L = m - dp (impulse.hpp),  E_L = E*
 // What is advected with compatible fluxes is m_L/rho and E_L/rho, otherwise m_L and E_L.
 #include "ice/classic/variables.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/impulse.hpp"
 
 namespace sluice::ice::classic {
@@ -10,7 +11,7 @@ namespace {
 
 struct Handles {
   ImpulseHandles forces;
-  In inverse_rho, momentum, energy_star;
+  In inverse_rho, momentum, energy_star, velocity, sound;
   Out momentum_out, energy_out;
 };
 
@@ -46,6 +47,10 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.momentum = task.read(v.common.momentum);
   h.energy_star = task.read(v.common.energy_star);
+  if (holds_velocities(o)) {
+    h.velocity = task.read(v.common.velocity);
+    h.sound = task.read(v.common.sound);
+  }
   h.forces.impulse = task.write(v.common.impulse);
   h.momentum_out = task.write(v.momentum);
   h.energy_out = task.write(v.energy);
@@ -53,6 +58,7 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       impulse_rows<D, C>(row, h.forces, impulse_constants(o, row.step()), o.viscous);
+      leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       if (per_mass)
         advected_rows<C, true>(row, h);
       else

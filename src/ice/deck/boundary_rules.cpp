@@ -155,7 +155,8 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
   }
 }
 
-// Whether a condition is for this material. The pressure is common to all: whatever its index.
+}  // namespace
+
 bool applies_to(const DeckNode& condition, int material) {
   const auto id = condition.attribute("id"), ids = condition.attribute("ids");
   if (condition.attribute("label") == "Pressure" || (!id && !ids) || id == "all") return true;
@@ -164,6 +165,8 @@ bool applies_to(const DeckNode& condition, int material) {
   if (ids && parse_integers(*ids)) list = *parse_integers(*ids).value;
   return std::find(list.begin(), list.end(), material) != list.end();
 }
+
+namespace {
 
 // Names of the variables that these faces leave without condition, "Density (material 1)" where
 // it is not so for all.

@@ -158,8 +158,8 @@ TagSpec material() {
                .above(0)
                .unit("density"),
            tag("isSurroundingMatl",
-               "its weight makes the hydrostatic pressure; with one material "
-               "this may be left out")
+               "at heights where it is, the weight of what it has most of makes the hydrostatic "
+               "pressure; with one material this may be left out")
                .boolean()
                .by_default("false"),
            tag("includeFlowWork",
@@ -314,6 +314,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
+  schema.rules.emplace_back(check_ice_states);
   schema.rules.emplace_back(check_wave_conditions);
   schema.rules.emplace_back(check_slip_conditions);
   schema.rules.emplace_back(check_criteria);

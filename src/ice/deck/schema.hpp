@@ -18,6 +18,8 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
+// States of sides that contradict themselves, and weight that nothing carries.
+void check_ice_states(const DeckNode& root, std::vector<Fault>& faults);
 // Blocks that kinds of conditions need: LODI, Sine, inlets, slip.
 void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_slip_conditions(const DeckNode& root, std::vector<Fault>& faults);
@@ -27,6 +29,10 @@ void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults);  // wha
 
 // Tags of other equations of state inside <EOS> are dropped with one warning.
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);
+
+// Whether a condition of a side is for this material. The pressure is common to all: whatever its
+// index.
+bool applies_to(const DeckNode& condition, int material);
 
 // Whether the deck runs ICE, as far as can be seen.
 bool runs_ice(const DeckNode& root);

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 // A periodic box of gas, with places to add things.
 struct Sample {
   std::string ice, material, object_pressure = "<pressure>0.4</pressure>", faces, level, more;
-  std::string periodic = "<periodic>[1,1,1]</periodic>";
+  std::string periodic = "<periodic>[1,1,1]</periodic>", gravity = "[0,0,0]";
 
   Deck load() const {
     Schema schema;
@@ -39,8 +39,9 @@ struct Sample {
            "<CFD><cfl>0.4</cfl><ICE><advection type='FirstOrder' compatibleFluxes='false'/>" +
            ice +
            "</ICE></CFD>"
-           "<PhysicalConstants><gravity>[0,0,0]</gravity><reference_pressure>1"
-           "</reference_pressure></PhysicalConstants>"
+           "<PhysicalConstants><gravity>" +
+           gravity +
+           "</gravity><reference_pressure>1</reference_pressure></PhysicalConstants>"
            "<MaterialProperties><ICE><material name='gas'><EOS type='ideal_gas'/>"
            "<dynamic_viscosity>0</dynamic_viscosity><thermal_conductivity>0"
            "</thermal_conductivity><specific_heat>1</specific_heat><gamma>1.4</gamma>" +
@@ -308,6 +309,15 @@ TEST(IceSchema, ReadsHowCoefficientsVary) {
   EXPECT_EQ(heat.heat.between(0, 1, 1, 1), 7);
   EXPECT_EQ(heat.heat.between(0, 1, 1, 1e9), 7e7);
   EXPECT_TRUE(read("linearVariation", "constant").momentum.varies());
+}
+
+TEST(IceSchema, TellsOfWeightThatNothingCarries) {
+  Sample sample;
+  sample.gravity = "[0,-9.8,0]";
+  EXPECT_THAT(messages(sample.load()),
+              HasSubstr("<gravity> acts along y, which is periodic: nothing carries the weight"));
+  sample.gravity = "[0,0,0]";
+  EXPECT_EQ(messages(sample.load()), "");
 }
 
 TEST(IceSchema, AsksWhichMaterialMakesTheHydrostaticPressure) {

@@ -2,6 +2,7 @@
 //
 //   u_fm = c + r_m,   r_m = (M_a d_a + M_b d_b)/(M_a + M_b) of the drifts of both cells
 //   sum_m V_m(donor) (c + r_m) = u_f, the donor of each by the sign of c + r_m
+// (r_m of the ghost cell alone where a side prescribes how fast they pass).
 // The sum rises with c in straight pieces: Newton's step ends on the piece of the solution. Without
 // drift u_fm = u_f to the bit. Cells: outflow Courant number of each material,
 // N_m = (1/J) sum_d l_d [max(0, u_fm+) + max(0, -u_fm-)], and the largest l |u_fm| of its outlets,
@@ -13,6 +14,7 @@
 #include "framework/base/infinity.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
@@ -20,7 +22,7 @@ namespace {
 
 struct FaceHandles {
   std::vector<In> mass, volume;
-  In pure, drift, face_velocity, touched;
+  In pure, drift, face_velocity, touched, velocity, sound;
   Out own;
   bool walled = false;
 };
@@ -52,29 +54,33 @@ struct Face {
   static constexpr double least_slope = 1e-3;
 };
 
-void mixed_faces(const Row& row, const FaceHandles& h, int axis, int axes) {
+// `a`, `b`: which of the cells aside say what drifts.
+void mixed_face(const Row& row, const FaceHandles& h, int axis, int axes, int i, bool a, bool b) {
   const int materials = static_cast<int>(h.mass.size());
-  const double* uf = row(h.face_velocity);
-  for (int i = 0; i < row.count(); ++i) {
-    Face f;
-    f.u = uf[i];
-    f.count = materials;
-    bool any = false;
-    const bool bound = h.walled && (row(h.touched, 0, axis, -1)[i] != 0 || row(h.touched)[i] != 0);
-    for (int m = 0; m < materials; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      const double Ma = row(h.mass[k], 0, axis, -1)[i], Mb = row(h.mass[k])[i];
-      const double da = row(h.drift, m * axes + axis, axis, -1)[i];
-      const double db = row(h.drift, m * axes + axis)[i];
-      f.a[m] = row(h.volume[k], 0, axis, -1)[i];
-      f.b[m] = row(h.volume[k])[i];
-      f.r[m] = !bound && Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
-      any = any || f.r[m] != 0.0;
-    }
-    const double c = any ? f.velocity_of_volume() : f.u;
-    for (int m = 0; m < materials; ++m)
-      row(h.own, m)[i] = any && std::isfinite(c) ? c + f.r[m] : f.u;
+  Face f;
+  f.u = row(h.face_velocity)[i];
+  f.count = materials;
+  bool any = false;
+  const bool bound = h.walled && (row(h.touched, 0, axis, -1)[i] != 0 || row(h.touched)[i] != 0);
+  for (int m = 0; m < materials; ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    const double Ma = a ? row(h.mass[k], 0, axis, -1)[i] : 0.0, Mb = b ? row(h.mass[k])[i] : 0.0;
+    const double da = row(h.drift, m * axes + axis, axis, -1)[i];
+    const double db = row(h.drift, m * axes + axis)[i];
+    f.a[m] = row(h.volume[k], 0, axis, -1)[i];
+    f.b[m] = row(h.volume[k])[i];
+    f.r[m] = !bound && Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
+    any = any || f.r[m] != 0.0;
   }
+  const double c = any ? f.velocity_of_volume() : f.u;
+  for (int m = 0; m < materials; ++m) row(h.own, m)[i] = any && std::isfinite(c) ? c + f.r[m] : f.u;
+}
+
+void mixed_faces(const Row& row, const FaceHandles& h, int axis, const SchemeOptions& o) {
+  for (int i = 0; i < row.count(); ++i) mixed_face(row, h, axis, o.axes.count, i, true, true);
+  for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
+    mixed_face(row, h, axis, o.axes.count, i, !plus, plus);
+  });
 }
 
 void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOptions& o,
@@ -93,13 +99,17 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
     h.pure = task.read(v.pure, both);
     h.drift = task.read(v.slip.drift, both);
     h.face_velocity = task.read(v.common.face_velocity[a]);
+    if (holds_velocities(o)) {
+      h.velocity = task.read(v.slip.common.velocity, both);
+      h.sound = task.read(v.slip.common.sound, both);
+    }
     h.own = task.write(v.slip.face_velocity[a]);
     h.walled = o.walled;
     if (o.walled) h.touched = task.read(v.touched, both);
-    task.kernel([=, axes = o.axes.count](const Row& row) {
+    task.kernel([=](const Row& row) {
       for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                         [&](int first, int count, double pure) {
-                          if (pure < 0.0) mixed_faces(row.part(first, count), h, axis, axes);
+                          if (pure < 0.0) mixed_faces(row.part(first, count), h, axis, o);
                         });
     });
   }

@@ -14,6 +14,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
@@ -74,6 +75,20 @@ void alone(const Row& row, const Handles& h, int components) {
     for (int m = 0; m < static_cast<int>(h.mass.size()); ++m)
       copy(h.velocity, c, h.own, m * components + c);
   }
+}
+
+// What comes in through a side as it is given has felt no drag.
+void keep_given(const Row& row, const Handles& h, const SchemeOptions& o) {
+  for_each_held_ghost(row, o, h.velocity, h.sound, [&](int i) {
+    for (int c = 0; c < o.components; ++c) {
+      const double u = row(h.velocity, c)[i];
+      double mean = 0;
+      for (int m = 0; m < static_cast<int>(h.mass.size()); ++m)
+        mean += row(h.volume[static_cast<std::size_t>(m)])[i] *
+                (row(h.own, m * o.components + c)[i] - u);
+      row(h.volume_velocity, c)[i] = u + mean;
+    }
+  });
 }
 
 class MixedCells {
@@ -220,11 +235,13 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.inverse_rho_e = task.write(v.slip.common.inverse_rho);
   h.volume_velocity = task.write(v.slip.common.velocity);
   h.sound_e = task.write(v.slip.common.sound);
-  task.kernel([=, drag = Drag(o.drag, o.slip_exchange), axes = o.axes,
-               components = o.components](const Row& row) {
+  task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
     for_each_motion(
-        row, h, [&](const Row& part) { alone(part, h, components); },
-        [&](const Row& part) { MixedCells(part, h, drag, axes, components).run(); });
+        row, h, [&](const Row& part) { alone(part, h, o.components); },
+        [&](const Row& part) {
+          MixedCells(part, h, drag, o.axes, o.components).run();
+          keep_given(part, h, o);
+        });
   });
 }
 

@@ -7,11 +7,13 @@
 // nothing.
 // A driving force f is a pressure gradient: dp - dt f in place of dp, and what it works on the
 // slip, dt f . sum V_m w_half, is added and counted.
+// Ghosts from which comes in what a side prescribes (held_faces.hpp): w_L = w, drift = w - sum V w.
 #include <cmath>
 
 #include "ice/closure/drag.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/slip.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
@@ -19,7 +21,7 @@ namespace {
 
 struct Handles : SlipReads {
   Bonds bonds;
-  In lagrangian;
+  In lagrangian, velocity, sound;
   std::array<In, 3> face_pressure;
   Out velocity_L, drift, kick, work, force_work;
   bool force_on = false;
@@ -62,8 +64,9 @@ class Cells {
     for (int i = 0; i < n; ++i) row_(h_.work)[i] = W[i];
     if (h_.force_on) clear(h_.force_work, 1);
   }
-  void mixed() {
+  void mixed(const SchemeOptions& o) {
     for (int i = 0; i < row_.count(); ++i) cell(i);
+    for_each_held_ghost(row_, o, h_.velocity, h_.sound, [&](int i) { given(i); });
   }
 
  private:
@@ -109,6 +112,21 @@ class Cells {
     row_(h_.work)[i] = row_(h_.lagrangian, 0)[i] - (before - after) - driven;
     if (h_.force_on) row_(h_.force_work)[i] = driven;
   }
+  // Comes in as it is.
+  void given(int i) {
+    DragCell cell;
+    find_present(materials_, mass_, volume_, i, cell);
+    const double unpushed[most_materials] = {};
+    for (int c = 0; c < components_; ++c) {
+      double w[most_materials];
+      for (int k = 0; k < cell.count; ++k)
+        w[k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
+      if (c < axes_) write_drift(cell, c, w, unpushed, i);
+      write(h_.velocity_L, cell, components_, c, w, i);
+    }
+    row_(h_.work)[i] = row_(h_.lagrangian, 0)[i];
+    if (h_.force_on) row_(h_.force_work)[i] = 0.0;
+  }
   // `half`: in the middle of the step.
   void write_drift(const DragCell& cell, int axis, const double* half, const double* R, int i) {
     double drift[most_materials], mean = 0;
@@ -145,6 +163,10 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
     h.face_pressure[a] =
         task.read(v.common.face_pressure[a], Stencil::along(o.axes.direction[axis], 0, 1));
   }
+  if (holds_velocities(o)) {
+    h.velocity = task.read(v.common.velocity);
+    h.sound = task.read(v.common.sound);
+  }
   h.velocity_L = task.write(v.slip.velocity_L);
   h.drift = task.write(v.slip.drift);
   h.kick = task.write(v.slip.kick);
@@ -155,7 +177,7 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
     for_each_motion(
         row, h, [&](const Row& part) { Cells(part, h, drag, o).alone(); },
-        [&](const Row& part) { Cells(part, h, drag, o).mixed(); });
+        [&](const Row& part) { Cells(part, h, drag, o).mixed(o); });
   });
 }
 

@@ -11,11 +11,16 @@
 //   p_f = (z_R p_L + z_L p_R)/(z_L + z_R) + phi z_L z_R du/(z_L + z_R)
 // phi takes the dissipation away where the jump of velocity is neither acoustic nor a shock:
 //   phi = min(1, (2|p_b-p_a| + rbar D^2)/(rcbar D)),  D = max(|du|, |u_b-u_a|).
+// Sides that part faster than .6 of what opens a vacuum between them, (c_a + c_b)/(A - 1), leave
+// next to no pressure (two fans: below .2 % of it): p_f then rises to the lowest pressure of the
+// law from below, where a straight line would pull and heat what it should let go.
 // Under gravity p_L and p_R are hydrostatic extensions of the cell values, p_b - p_a the deviation
 // from hydrostatic balance (of g rho + f with a driving force f); what P took for the flow along
 // the hydrostatic part is given back. On a wall the cell inside meets its own mirror image: u_f = 0
-// to the bit, whatever the ghosts hold.
+// to the bit, whatever the ghosts hold. Where the velocity through a side is given, so is u_f, and
+// the cell inside meets its image about that: a wall that moves.
 #include "ice/fluid/limiters.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/runs.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
@@ -39,7 +44,7 @@ struct FaceState {
 [[gnu::always_inline]] inline FaceState solve_face(double uL, double pL, double uR, double pR,
                                                    double ra, double rb, double ca, double cb,
                                                    double slope_a, double slope_b, double u_jump,
-                                                   double p_jump) {
+                                                   double p_jump, double pi) {
   const double du = uL - uR;
   const double squeeze = larger(0.0, du);
   double zL = ra * (ca + 0.5 * slope_a * squeeze);
@@ -55,8 +60,10 @@ struct FaceState {
   const double wanted = 2.0 * std::fabs(p_jump) + rbar * (D * D);
   const double full = rcbar * D;
   const double phi = wanted < full ? wanted / full : 1.0;
-  return {((zL * uL + zR * uR) + (pL - pR)) * w,
-          (zR * pL + zL * pR) * w + phi * (zL * zR * du * w)};
+  const double p = (zR * pL + zL * pR) * w + phi * (zL * zR * du * w);
+  const double parting = -du * (0.5 * (slope_a + slope_b) - 1.0) - 0.6 * (ca + cb);
+  const double vacuum = smaller(-pi, p + 30.0 * (zL * zR * w) * larger(0.0, parting));
+  return {((zL * uL + zR * uR) + (pL - pR)) * w, larger(p, vacuum)};
 }
 
 struct FaceConstants {
@@ -150,19 +157,19 @@ struct FaceRows {
     double p_jump = pb[i] - pa[i];
     if constexpr (Gravity) p_jump -= 0.5 * k.g_dx * (ra[i] + rb[i]) + k.f_dx;
     return solve_face(L.u, L.p, R.u, R.p, ra[i], rb[i], ca[i], cb[i], law.slope_a(i),
-                      law.slope_b(i), ub[i] - ua[i], p_jump);
+                      law.slope_b(i), ub[i] - ua[i], p_jump, smaller(law.pi_a(i), law.pi_b(i)));
   }
-  // A wall on the face: the cell inside meets its own mirror image, and nothing passes.
+  // A wall on the face that moves with u: the cell inside meets its own mirror image.
   template <class Law>
-  FaceState at_wall(int i, bool plus, const Law& law) const {
+  FaceState at_wall(int i, bool plus, double u, const Law& law) const {
     const FaceState in = plus ? left(i, law) : right(i, law);
-    const double towards = plus ? in.u : -in.u;
-    const double cell = plus ? ua[i] : -ub[i];
+    const double towards = plus ? in.u - u : u - in.u;
+    const double cell = plus ? ua[i] - u : u - ub[i];
     const double rho = plus ? ra[i] : rb[i], c = plus ? ca[i] : cb[i];
     const double A = plus ? law.slope_a(i) : law.slope_b(i);
-    const FaceState f =
-        solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell, 0.0);
-    return {0.0, f.p};
+    const FaceState f = solve_face(towards, in.p, -towards, in.p, rho, rho, c, c, A, A, -2.0 * cell,
+                                   0.0, plus ? law.pi_a(i) : law.pi_b(i));
+    return {u, f.p};
   }
 };
 
@@ -188,7 +195,16 @@ class FaceRow {
   template <class Law>
   void walls(const Row& row, const SchemeOptions& o, int axis, const Law& law) const {
     for_each_wall_face(row, o, axis, [&](int i, bool plus) {
-      const FaceState f = rows_.at_wall(i, plus, law);
+      const FaceState f = rows_.at_wall(i, plus, 0.0, law);
+      uf_[i] = f.u;
+      pf_[i] = f.p;
+    });
+  }
+  template <class Law>
+  void held(const Row& row, const SchemeOptions& o, const Handles& h, int axis,
+            const Law& law) const {
+    for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double u) {
+      const FaceState f = rows_.at_wall(i, plus, u, law);
       uf_[i] = f.u;
       pf_[i] = f.p;
     });
@@ -210,6 +226,7 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
   if (!o.mixture) {
     faces.run(0, row.whole_vectors(), law_of(o.fluid));
     faces.walls(row, o, axis, law_of(o.fluid));
+    faces.held(row, o, h, axis, law_of(o.fluid));
     return;
   }
   const LawOfCells of_cells{{row(h.shock_slope, 0, axis, -1), row(h.shock_slope)},
@@ -225,6 +242,7 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
                         faces.run(first, end, law_of(o.fluids[static_cast<std::size_t>(pure)]));
                     });
   faces.walls(row, o, axis, of_cells);
+  faces.held(row, o, h, axis, of_cells);
 }
 
 template <int D>

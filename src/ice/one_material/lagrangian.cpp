@@ -14,6 +14,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/end_of_step.hpp"
 #include "ice/step/heat_rows.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/impulse.hpp"
 #include "ice/step/variables.hpp"
 
@@ -21,7 +22,7 @@ namespace sluice::ice {
 namespace {
 
 struct Handles {
-  In inverse_rho, velocity, energy;
+  In inverse_rho, velocity, energy, sound;
   FrictionReads friction;
   std::array<In, 3> face_velocity, heat_flux;
   ImpulseHandles forces;
@@ -119,6 +120,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
+  if (holds_velocities(o)) h.sound = task.read(v.sound);
   if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -146,6 +148,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       impulse_rows<D, C>(row, h.forces, s, o.viscous);
+      leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       cell_rows<D, C>(row, h, s);
       heat_rows<D, C>(row, h, s, o);
       if (scaled && !o.mixture)

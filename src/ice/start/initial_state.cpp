@@ -174,13 +174,20 @@ void size_fill(const IndexBox& cells, PrimitiveFill& fill) {
 IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants,
                        const Level& level, const IndexBox& cells) {
   IndexBox wider = cells;
-  for (int d = 0; d < 3 && is_hydrostatic(scene, constants); ++d)
-    if (constants.gravity[d] != 0) wider.lower[d] = level.domain.lower[d];
+  for (int d = 0; d < 3 && is_hydrostatic(scene, constants, level); ++d)
+    if (carried_gravity(constants, level)[d] != 0) wider.lower[d] = level.domain.lower[d];
   return wider;
 }
 
-bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants) {
-  return scene.hydrostatic_start && !(constants.gravity == Vec3{});
+Vec3 carried_gravity(const PhysicalConstants& constants, const Level& level) {
+  Vec3 g = constants.gravity;
+  for (int d = 0; d < 3; ++d)
+    if (level.periodic[static_cast<std::size_t>(d)]) g[d] = 0;
+  return g;
+}
+
+bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants, const Level& level) {
+  return scene.hydrostatic_start && !(carried_gravity(constants, level) == Vec3{});
 }
 
 void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
@@ -192,17 +199,22 @@ void apply_starts(const IceScene& scene, const PhysicalConstants& constants, con
   if (scene.formula) apply_formula(*scene.formula, m, level, fill);
 }
 
+double depth_below_reference(Vec3 g, const Level& coarsest, const Level& level) {
+  double sum = 0;
+  if (level.index != coarsest.index)
+    for (int d = 0; d < 3; ++d)
+      sum +=
+          g[d] * (level.centre(level.domain.lower)[d] - coarsest.centre(coarsest.domain.lower)[d]);
+  return sum;
+}
+
 // The pressure over `below` and its density; a density that follows the pressure is searched for:
 // each round is better by g dx/c^2.
 void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
                         const Level& coarsest, const Level& level, PrimitiveFill& fill) {
   constexpr int most_rounds = 100;
-  const Vec3 g = constants.gravity;
-  double below_reference = 0;  // g times distance
-  if (level.index != coarsest.index)
-    for (int d = 0; d < 3; ++d)
-      below_reference +=
-          g[d] * (level.centre(level.domain.lower)[d] - coarsest.centre(coarsest.domain.lower)[d]);
+  const Vec3 g = carried_gravity(constants, level);
+  const double below_reference = depth_below_reference(g, coarsest, level);
   const auto balanced = [&](IntVec3 c, std::size_t n) {
     for (int d = 2; d >= 0; --d) {
       if (g[d] == 0 || c[d] == level.domain.lower[d]) continue;
@@ -295,7 +307,7 @@ PrimitiveFill fill_primitives(const IceScene& scene, const PhysicalConstants& co
   apply_objects(material, scene.solids > 0, level, fill);
   apply_mixture(scene.models, material.index, level, fill);
   apply_starts(scene, constants, material, coarsest, level, fill);
-  if (is_hydrostatic(scene, constants))
+  if (is_hydrostatic(scene, constants, level))
     apply_hydrostatics(constants, material, coarsest, level, fill);
   for_each_cell(fill.cells,
                 [&](IntVec3 c) { check_admissible(material, level, c, fill.offset(c), fill); });

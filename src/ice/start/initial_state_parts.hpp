@@ -6,7 +6,10 @@ namespace sluice::ice {
 
 void size_fill(const IndexBox& cells, PrimitiveFill& fill);  // all zero
 
-bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants);
+// What of gravity a pressure at the start can balance: none along a direction that repeats, where
+// nothing carries the weight and all falls.
+Vec3 carried_gravity(const PhysicalConstants& constants, const Level& level);
+bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants, const Level& level);
 // Under gravity from the bottom of the domain on, as the pressure is a sum from there.
 IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants,
                        const Level& level, const IndexBox& cells);
@@ -25,6 +28,8 @@ void apply_mixture(const models::ModelList& models, int material, const Level& l
 // Density, temperature and velocity are there; pressure, named starts and formulas follow.
 void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
                   const Level& coarsest, const Level& level, PrimitiveFill& fill);
+// g times the distance of the lowest cell from that of the coarsest level.
+double depth_below_reference(Vec3 g, const Level& coarsest, const Level& level);
 void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
                         const Level& coarsest, const Level& level, PrimitiveFill& fill);
 // InputError when the law has no such state.

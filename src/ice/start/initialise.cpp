@@ -95,8 +95,10 @@ const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
 // follows from the temperature, but where it is that of the weight or of a formula.
 double Start::energy(std::size_t m, const Fluid& law, const PrimitiveFill& fill,
                      std::size_t n) const {
-  const bool pressure_holds = !is_mixed(options_, m) || is_hydrostatic(ice_, scene_->constants) ||
-                              (ice_.formula && ice_.formula->pressure);
+  const bool pressure_holds =
+      !is_mixed(options_, m) ||
+      is_hydrostatic(ice_, scene_->constants, scene_->grid.levels.front()) ||
+      (ice_.formula && ice_.formula->pressure);
   if (!pressure_holds) return law.energy_from_temperature(fill.density[n], fill.temperature[n]);
   return law.energy_from_pressure(fill.density[n], fill.pressure[n], fill.temperature[n]);
 }
@@ -107,11 +109,13 @@ void Start::materials(Warehouse& state) const {
     if (at != value) at = value;
   };
   mixture::Equilibration equilibration(options_.fluids);
+  const WeightProfile weight =
+      weight_profile(ice_, scene_->constants, scene_->grid.levels.front(), state.level());
   Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
-    const MixtureFill fill =
-        fill_materials(ice_, scene_->constants, scene_->grid.levels.front(), state.level(), cells);
+    const MixtureFill fill = fill_materials(ice_, scene_->constants, scene_->grid.levels.front(),
+                                            state.level(), cells, weight);
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
       double M[most_materials], V[most_materials], E[most_materials];

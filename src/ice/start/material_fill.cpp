@@ -128,10 +128,9 @@ void fill_beside_solids(const IceScene& scene, const Level& level, IntVec3 c, st
   fill.materials[found].volume_fraction[n] = 1.0;
   take_values(*object, n, fill.materials[found]);
   const Fluid& law = scene.materials[found].fluid;
-  fill.materials[found].pressure[n] =
-      law.pressure(object->value("density"), law.energy_from_temperature(
-                                                 object->value("density"),
-                                                 object->value("temperature")));
+  fill.materials[found].pressure[n] = law.pressure(
+      object->value("density"),
+      law.energy_from_temperature(object->value("density"), object->value("temperature")));
 }
 
 // Fractions that miss one by round-off are made to fit: one material that is alone has all of it,
@@ -161,11 +160,19 @@ void close_fractions(const IceScene& scene, const Level& level, MixtureFill& fil
   });
 }
 
-// One pressure for all materials of a cell: that which carries the surrounding one.
+// One pressure for all materials of a cell: that of the height, or, where gravity acts along
+// several directions, that which carries the marked material.
 void balance_weight(const IceScene& scene, const PhysicalConstants& constants,
-                    const Level& coarsest, const Level& level, MixtureFill& fill) {
+                    const Level& coarsest, const Level& level, const WeightProfile& weight,
+                    MixtureFill& fill) {
   PrimitiveFill surrounding = fill.materials[static_cast<std::size_t>(scene.surrounding().index)];
-  apply_hydrostatics(constants, scene.surrounding(), coarsest, level, surrounding);
+  if (weight.direction < 0)
+    apply_hydrostatics(constants, scene.surrounding(), coarsest, level, surrounding);
+  else
+    for_each_cell(fill.cells, [&](IntVec3 c) {
+      const auto j = static_cast<std::size_t>(c[weight.direction] - weight.first);
+      surrounding.pressure[fill.offset(c)] = weight.pressure[j];
+    });
   for (std::size_t m = 0; m < fill.materials.size(); ++m)
     for (std::size_t n = 0; n < surrounding.pressure.size(); ++n) {
       MaterialFill& body = fill.materials[m];
@@ -192,19 +199,29 @@ MixtureFill cut(MixtureFill&& from, const IndexBox& cells) {
 
 }  // namespace
 
-MixtureFill fill_materials(const IceScene& scene, const PhysicalConstants& constants,
-                           const Level& coarsest, const Level& level, const IndexBox& cells) {
+MixtureFill fill_weightless(const IceScene& scene, const PhysicalConstants& constants,
+                            const Level& coarsest, const Level& level, const IndexBox& cells) {
   MixtureFill fill;
-  fill.cells = cells_to_fill(scene, constants, level, cells);
+  fill.cells = cells;
   for (const IceMaterial& m : scene.materials) {
     fill.materials.emplace_back();
-    size_fill(fill.cells, fill.materials.back());
+    size_fill(cells, fill.materials.back());
     apply_objects(m, level, fill.materials.back());
     apply_mixture(scene.models, m.index, level, fill.materials.back());
     apply_starts(scene, constants, m, coarsest, level, fill.materials.back());
   }
   close_fractions(scene, level, fill);
-  if (is_hydrostatic(scene, constants)) balance_weight(scene, constants, coarsest, level, fill);
+  return fill;
+}
+
+MixtureFill fill_materials(const IceScene& scene, const PhysicalConstants& constants,
+                           const Level& coarsest, const Level& level, const IndexBox& cells,
+                           const WeightProfile& weight) {
+  const IndexBox filled =
+      weight.direction < 0 ? cells_to_fill(scene, constants, level, cells) : cells;
+  MixtureFill fill = fill_weightless(scene, constants, coarsest, level, filled);
+  if (is_hydrostatic(scene, constants, level))
+    balance_weight(scene, constants, coarsest, level, weight, fill);
   for (std::size_t m = 0; m < fill.materials.size(); ++m)
     for_each_cell(fill.cells, [&](IntVec3 c) {
       const std::size_t n = fill.offset(c);

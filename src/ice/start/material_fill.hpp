@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ice/start/initial_state.hpp"
+#include "ice/start/weight_profile.hpp"
 
 namespace sluice::ice {
 
@@ -22,11 +23,15 @@ struct MixtureFill {
 // Density, temperature, pressure and velocity of each material itself, and its share of each cell.
 // A share is the number of sub-points of the cell inside the material's objects, those counted once
 // that several objects hold; values come from the last object that holds a sub-point. Under gravity
-// the pressure balances the weight of the surrounding material. Depends on the cell alone, not on
-// the box asked for.
+// the pressure balances the weight of what surrounds (weight_profile.hpp). Depends on the cell
+// alone, not on the box asked for.
 // Throws InputError naming the first cell where the fractions do not sum to one, or where a
 // material's law has no such state.
 MixtureFill fill_materials(const IceScene& scene, const PhysicalConstants& constants,
-                           const Level& coarsest, const Level& level, const IndexBox& cells);
+                           const Level& coarsest, const Level& level, const IndexBox& cells,
+                           const WeightProfile& weight);
+// The same before gravity acts.
+MixtureFill fill_weightless(const IceScene& scene, const PhysicalConstants& constants,
+                            const Level& coarsest, const Level& level, const IndexBox& cells);
 
 }  // namespace sluice::ice

@@ -70,7 +70,8 @@ IceScene drop(int res = 4) {
 
 MixtureFill fill(const IceScene& scene, const PhysicalConstants& constants = {}) {
   const Level level = square();
-  return fill_materials(scene, constants, level, level, level.domain);
+  return fill_materials(scene, constants, level, level, level.domain,
+                        weight_profile(scene, constants, level, level));
 }
 
 std::string refusal(const IceScene& scene) {
@@ -123,7 +124,8 @@ TEST(MaterialFill, DoesNotDependOnTheBox) {
   constants.reference_pressure = 1e5;
   const MixtureFill whole = fill(scene, constants);
   const IndexBox part{{3, 5, 0}, {9, 12, 1}};
-  const MixtureFill piece = fill_materials(scene, constants, level, level, part);
+  const MixtureFill piece = fill_materials(scene, constants, level, level, part,
+                                           weight_profile(scene, constants, level, level));
   for (std::size_t m = 0; m < 2; ++m)
     for_each_cell(part, [&](IntVec3 c) {
       const std::size_t a = whole.offset(c), b = piece.offset(c);
@@ -181,39 +183,82 @@ TEST(MaterialFill, RefusesAStateThatTheLawDoesNotHave) {
   EXPECT_THAT(refusal(cold), HasSubstr("ICE material 1 starts with density 1000"));
 }
 
-// p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2 of the surrounding material, in all columns alike.
+PhysicalConstants falling_along_y(double g = -9.81) {
+  PhysicalConstants constants;
+  constants.gravity = {0, g, 0};
+  constants.reference_pressure = 1e5;
+  return constants;
+}
+
+// p_{i+1} - p_i = g dx (rho_i + rho_{i+1})/2 of the air beside the drop, in all columns alike.
 TEST(MaterialFill, TheSurroundingMaterialMakesThePressure) {
-  for (const int surrounding : {0, 1}) {
-    IceScene scene = drop();
-    scene.materials[static_cast<std::size_t>(surrounding)].surrounding = true;
-    PhysicalConstants constants;
-    constants.gravity = {0, -9.81, 0};
-    constants.reference_pressure = 1e5;
-    const MixtureFill mix = fill(scene, constants);
-    EXPECT_EQ(mix.materials[0].pressure[0], 1e5);
-    const double rho = surrounding == 0 ? 1.2 : 1000;
-    for_each_cell(mix.cells, [&](IntVec3 c) {
-      const std::size_t n = mix.offset(c);
-      const std::size_t side = mix.offset({0, c.y, 0});  // air alone
+  IceScene scene = drop();
+  scene.materials[0].surrounding = true;
+  const MixtureFill mix = fill(scene, falling_along_y());
+  for_each_cell(mix.cells, [&](IntVec3 c) {
+    const std::size_t n = mix.offset(c);
+    for (const MaterialFill& m : mix.materials) {
+      if (m.volume_fraction[n] == 0) continue;
+      EXPECT_NEAR(m.pressure[n], 1e5 - 9.81 * 1.2 * 0.125 * c.y, 1e-9);
+    }
+    if (mix.materials[1].volume_fraction[n] == 0) return;
+    // The gas keeps its density, the liquid its temperature.
+    EXPECT_EQ(mix.materials[0].density[n], 1.2);
+    EXPECT_EQ(mix.materials[1].temperature[n], 300);
+    const Fluid& f = scene.materials[1].fluid;
+    EXPECT_NEAR(f.pressure(mix.materials[1].density[n],
+                           f.energy_from_temperature(mix.materials[1].density[n], 300)),
+                mix.materials[1].pressure[n], 1e-5);
+  });
+}
+
+// Water up to y = .1, in the middle of a cell, air above: one balance through both, whichever is
+// marked, of the density that each cell has.
+TEST(MaterialFill, LayersRestOnEachOther) {
+  for (const std::size_t marked : {0U, 1U}) {
+    IceScene scene;
+    scene.materials = {
+        material(0, "air", ideal_gas(1.4, 717.5), {object(box(-9, 0.0625, 9, 9), 1.2, 300)}),
+        material(1, "water", water, {object(box(-9, -9, 9, 0.0625), 1000, 300)})};
+    scene.materials[marked].surrounding = true;
+    const MixtureFill mix = fill(scene, falling_along_y());
+    EXPECT_EQ(mix.materials[1].volume_fraction[mix.offset({3, 8, 0})], 0.5);
+    const auto density = [&](IntVec3 c) {
+      double sum = 0;
       for (const MaterialFill& m : mix.materials)
-        if (m.volume_fraction[n] > 0) {
-          EXPECT_EQ(m.pressure[n], mix.materials[0].pressure[side]);
-        }
-      if (mix.materials[1].volume_fraction[n] == 0) return;
-      EXPECT_NEAR(mix.materials[1].pressure[n], 1e5 - 9.81 * rho * 0.125 * c.y,
-                  surrounding == 0 ? 1e-9 : 0.02 * c.y);
-      // The gas keeps its density, the liquid its temperature.
-      EXPECT_EQ(mix.materials[0].density[n], 1.2);
-      EXPECT_EQ(mix.materials[1].temperature[n], 300);
-      const Fluid& f = scene.materials[1].fluid;
-      EXPECT_NEAR(f.pressure(mix.materials[1].density[n],
-                             f.energy_from_temperature(mix.materials[1].density[n], 300)),
-                  mix.materials[1].pressure[n], 1e-5);
+        sum += m.volume_fraction[mix.offset(c)] * m.density[mix.offset(c)];
+      return sum;
+    };
+    const auto pressure = [&](IntVec3 c) {
+      return mix.materials[c.y <= 8].pressure[mix.offset(c)];
+    };
+    EXPECT_EQ(pressure({0, 0, 0}), 1e5);
+    for_each_cell(mix.cells, [&](IntVec3 c) {
+      if (c.y == 0) return;
+      const IntVec3 below{c.x, c.y - 1, 0};
+      const double weight = 9.81 * 0.125 * 0.5 * (density(c) + density(below));
+      EXPECT_NEAR(pressure(c), pressure(below) - weight, 1e-10 * 1e5);
     });
+    // Eight cells of water below, a quarter of one in the mixed cell.
+    EXPECT_NEAR(pressure({3, 8, 0}), 1e5 - 9.81 * 1000 * 0.125 * 7.75, 1.0);
   }
 }
 
-// A column of one liquid: the discrete balance holds with the density that the pressure makes.
+// Nothing carries the weight along a direction that repeats: no pressure balances it.
+TEST(MaterialFill, WhatFallsForEverHasOnePressure) {
+  IceScene scene = drop();
+  scene.materials[0].surrounding = true;
+  Level level = square();
+  level.periodic = {false, true, false};
+  const PhysicalConstants constants = falling_along_y();
+  const WeightProfile weight = weight_profile(scene, constants, level, level);
+  EXPECT_EQ(weight.direction, -1);
+  const MixtureFill mix = fill_materials(scene, constants, level, level, level.domain, weight);
+  const double p = ideal_gas(1.4, 717.5).pressure(1.2, 1.2 * 717.5 * 300);
+  for (const std::size_t n : {std::size_t{0}, mix.offset({0, 15, 0})})
+    EXPECT_NEAR(mix.materials[0].pressure[n], p, 1e-9);
+}
+
 TEST(MaterialFill, ALiquidInBalanceFollowsItsPressure) {
   IceScene scene;
   scene.materials = {material(0, "water", water, {object(box(-9, -9, 9, 9), 1000, 300)})};

@@ -16,6 +16,7 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/heat_rows.hpp"
+#include "ice/step/held_faces.hpp"
 #include "ice/step/walled_donors.hpp"
 #include "ice/walls/variables.hpp"
 
@@ -23,7 +24,7 @@ namespace sluice::ice::walls {
 namespace {
 
 struct Handles {
-  In rho, inverse_rho, velocity, momentum, energy, fraction, next, wall_pressure, open;
+  In rho, inverse_rho, velocity, sound, momentum, energy, fraction, next, wall_pressure, open;
   std::array<In, 3> face_pressure, flow, covered, stress, heat_flux;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, scale;
   Out mixture;  // work of pressures, of friction
@@ -141,6 +142,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
   const int n = row.whole_vectors();
   impulse_rows<D, C>(row, h, s, o);
+  leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
   const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
   const double *theta = row(h.fraction), *after = row(h.next), *pw = row(h.wall_pressure);
@@ -235,6 +237,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.rho = task.read(v.rho);
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
+  if (holds_velocities(o)) h.sound = task.read(v.sound);
   h.momentum = task.read(v.momentum);
   h.energy = task.read(v.energy);
   h.fraction = task.read(w.fraction);

@@ -239,6 +239,7 @@ struct MpmScene {
   std::vector<ContactRule> contacts;
   std::vector<ContactRule> rigid_contacts;  // of implicit steps, which have no others
   std::vector<LoadCurve> loads;
+  std::array<bool, 3> moves_along{true, true, true};  // directions of more than one cell
   std::vector<SolidBoundary> boundaries;
   std::vector<CohesiveZone> cohesive_zones;  // empty where use_cohesive_zones is not true
   std::vector<SplitCriterion> splits;

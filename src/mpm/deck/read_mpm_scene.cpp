@@ -66,6 +66,7 @@ void share_velocities(MpmScene& s, std::vector<Fault>& faults) {
 
 MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   MpmScene s;
+  s.moves_along = scene.grid.levels.front().active;
   const DeckNode& root = *deck.root;
   const GeometryReader geometry(root, faults);
   // Materials of solids come first among those of the scene.

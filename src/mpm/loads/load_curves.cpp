@@ -29,7 +29,7 @@ std::array<double, 9> rotation_of(const std::array<double, 9>& F) {
 
 LoadCurves::LoadCurves(const MpmScene& solids) : solids_(&solids) {
   for (const LoadCurve& l : solids.loads)
-    loads_.push_back({&l, LoadSurface(l, solids.axisymmetric)});
+    loads_.push_back({&l, LoadSurface(l, solids.axisymmetric, solids.moves_along)});
 }
 
 bool LoadCurves::concerns(const LoadCurve& curve, int material) const {

@@ -16,13 +16,15 @@ double length(Vec3 v) {
 
 }  // namespace
 
-LoadSurface::LoadSurface(const LoadCurve& load, bool axisymmetric) : axisymmetric_(axisymmetric) {
+LoadSurface::LoadSurface(const LoadCurve& load, bool axisymmetric,
+                         const std::array<bool, 3>& active)
+    : axisymmetric_(axisymmetric) {
   if (load.on_points) {
     area_ = load.area;
     return;
   }
   if (load.shape == "box") {
-    set_box(load.piece->bounds());
+    set_box(load.piece->bounds(), active);
     return;
   }
   if (const auto* sphere = dynamic_cast<const SpherePiece*>(load.piece.get())) {
@@ -39,12 +41,16 @@ LoadSurface::LoadSurface(const LoadCurve& load, bool axisymmetric) : axisymmetri
   throw std::invalid_argument("a load acts on a box, cylinder or sphere, not on a " + load.shape);
 }
 
-void LoadSurface::set_box(const Bounds& box) {
+void LoadSurface::set_box(const Bounds& box, const std::array<bool, 3>& active) {
   shape_ = Shape::box;
   box_ = box;
   const Vec3 size = box.upper - box.lower;
-  for (int d = 1; d < 3; ++d)
-    if (size[d] < size[thin_]) thin_ = d;
+  const auto moves = [&](int d) { return active[static_cast<std::size_t>(d)]; };
+  while (thin_ < 2 && !moves(thin_)) ++thin_;
+  for (int d = thin_ + 1; d < 3; ++d)
+    if (moves(d) && size[d] < size[thin_]) thin_ = d;
+  for (int d = 0; d < 3; ++d)
+    bulky_ = bulky_ || (d != thin_ && moves(d) && !(size[thin_] < 0.5 * size[d]));
   area_ = size[(thin_ + 1) % 3] * size[(thin_ + 2) % 3];
 }
 

@@ -104,6 +104,22 @@ TEST(Loads, ForcesOfAPressureAddUpToPressureTimesArea) {
   EXPECT_EQ(m.sum(2), 0);
 }
 
+// A plane of one layer of cells, thinner than the box of the load: the face across y is loaded, and
+// its area is that of a strip as wide as the layer.
+TEST(Loads, ActAcrossADirectionThatMoves) {
+  MpmScene s = one_material(
+      curve_on("box", std::make_shared<BoxPiece>(Vec3{0, 0.499, 0}, Vec3{1, 0.501, 5e-4}), -1e3));
+  s.moves_along = {true, true, false};
+  const LoadSurface surface(s.loads.front(), false, s.moves_along);
+  EXPECT_EQ(surface.direction({}).y, 1);
+  EXPECT_DOUBLE_EQ(surface.area(), 5e-4);
+  EXPECT_TRUE(surface.holds({0.4, 0.4875, 2.5e-4}, {0.025, 0.025, 5e-4}));
+  EXPECT_FALSE(surface.holds({0.4, 0.4625, 2.5e-4}, {0.025, 0.025, 5e-4}));
+  EXPECT_FALSE(surface.is_bulky());
+  s.loads.front().piece = std::make_shared<BoxPiece>(Vec3{0, 0, 0}, Vec3{1, 0.7, 5e-4});
+  EXPECT_TRUE(LoadSurface(s.loads.front(), false, s.moves_along).is_bulky());
+}
+
 TEST(Loads, HeatThroughABoxAddsUpToFluxTimesArea) {
   const BoxPiece body({-0.4, -0.3, -0.2}, {0.4, 0.3, 0.2});
   LoadCurve c = curve_on(

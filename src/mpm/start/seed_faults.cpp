@@ -6,6 +6,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/geometry/boolean.hpp"
 #include "framework/geometry/sampling.hpp"
+#include "mpm/start/load_faults.hpp"
 #include "mpm/start/point_list.hpp"
 #include "mpm/start/seed.hpp"
 
@@ -130,6 +131,8 @@ void check_seeds(const MpmScene& scene, const Grid& grid, std::vector<Fault>& fa
     add_error(faults, scene.materials.front().where,
               "no <geom_object> gives a particle: there is nothing to run",
               "see the warnings of the objects");
+  else
+    check_loads(scene, grid, seeder, faults);
 }
 
 }  // namespace sluice::mpm

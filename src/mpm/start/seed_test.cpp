@@ -357,5 +357,27 @@ TEST(SeedFaults, BodiesOutsideOrTooThinAreTold) {
               HasSubstr("error: no <geom_object> gives a particle"));
 }
 
+std::string load_deck_faults(const std::string& lower, const std::string& upper) {
+  SolidDeck deck;  // a block from 0.2 to 0.6
+  deck.flags = "<use_load_curves>true</use_load_curves>";
+  deck.blocks = fmt::format(
+      "<PhysicalBC><MPM><pressure><geom_object><box label='face'><min>{}</min><max>{}</max></box>"
+      "</geom_object><load_curve><id>1</id><time_point><time>0</time><load>-1</load></time_point>"
+      "<time_point><time>1</time><load>-1</load></time_point></load_curve></pressure></MPM>"
+      "</PhysicalBC>",
+      lower, upper);
+  return seed_faults(deck);
+}
+
+TEST(LoadFaults, LoadsThatMeetNoSurfaceAreTold) {
+  EXPECT_EQ(load_deck_faults("[0.2,0.599,0.2]", "[0.6,0.601,0.6]"), "");
+  EXPECT_THAT(load_deck_faults("[0.2,0.799,0.2]", "[0.6,0.801,0.6]"),
+              HasSubstr("<pressure> acts on nothing: no particle at the surface of a body lies in "
+                        "its <box>"));
+  EXPECT_THAT(load_deck_faults("[0.39,0.399,0.39]", "[0.41,0.401,0.41]"),
+              HasSubstr("acts on nothing"));  // inside of the block
+  EXPECT_THAT(load_deck_faults("[0.2,0.2,0.2]", "[0.6,0.6,0.6]"), HasSubstr("the box is not thin"));
+}
+
 }  // namespace
 }  // namespace sluice::mpm::seed_test
