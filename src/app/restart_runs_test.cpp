@@ -25,14 +25,13 @@ class RestartRuns : public ::testing::Test {
  protected:
   // A tube of few cells, 0.2 s long.
   Outcome tube(std::vector<std::string> more) const {
-    std::vector<std::string> words = {"run",   (inputs / "ice/shock_tube.ups").string(),
-                                      "--set", "Grid/Level/Box/resolution=[40,1,1]",
-                                      "--set", "DataArchiver/outputInterval=0.05"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run(words);
+    more.insert(more.begin(), {(inputs / "ice/shock_tube.ups").string(), "--set",
+                               "Grid/Level/Box/resolution=[40,1,1]", "--set",
+                               "DataArchiver/outputInterval=0.05"});
+    return run(more);
   }
   Outcome run(std::vector<std::string> words) const {
-    words.insert(words.end(), {"--progress", "none", "-o", folder_.path().string()});
+    words.insert(words.begin(), {"run", "--progress", "none", "-o", folder_.path().string()});
     return run_sluice(words);
   }
   fs::path archive(int number) const {
@@ -40,7 +39,8 @@ class RestartRuns : public ::testing::Test {
   }
   std::vector<double> outputs(int number) const {
     std::vector<double> times;
-    for (const StepEntry& s : Archive::open(archive(number)).outputs()) times.push_back(s.time);
+    const Archive opened = Archive::open(archive(number));
+    for (const StepEntry& s : opened.outputs()) times.push_back(s.time);
     return times;
   }
 
@@ -90,7 +90,7 @@ TEST_F(RestartRuns, AFileOfTheArchivesNameIsKept) {
 
 TEST_F(RestartRuns, AMissingParentIsNamed) {
   ASSERT_EQ(tube({"--max-steps", "10"}).status, 0);
-  ASSERT_EQ(run({"--restart", archive(0).string()}).status, 0);
+  ASSERT_EQ(run({"--restart", archive(0).string(), "--max-steps", "20"}).status, 0);
   fs::create_directory(folder_ / "elsewhere");
   const fs::path moved = folder_ / "elsewhere/shock_tube.uda.001";
   fs::rename(archive(1), moved);

@@ -109,7 +109,7 @@ TEST(SolverTags, NormAndCriteriaAreOfOurOwnSolver) {
 TEST(SolverTags, TagsOfASolverThatDoesNotRunAreTold) {
   const std::string tags =
       "<tolerance>1e-8</tolerance>\n<solver>cg</solver><preconditioner>pfmg</preconditioner>"
-      "<npre>1</npre><skip>0</skip><jump>0</jump>";
+      "<npre>1</npre><skip>0</skip><jump>2</jump>";
   EXPECT_THAT(read("CGSolver", "", parameters(tags)).faults,
               HasSubstr("deck.ups:4:1: warning: <solver>, <preconditioner>, <npre>, <skip>, <jump> "
                         "have no effect: the solver is CGSolver"));

@@ -356,7 +356,7 @@ TEST(Contacts, ProfilesAreReadBesideTheDeck) {
   EXPECT_EQ(rule.directions, (IntVec3{1, 1, 0}));
   EXPECT_THAT(
       read_solids(with_contact("<type>specified</type><filename>back.txt</filename>"), deck).text,
-      HasSubstr("back.txt:2: time 0 is not after the one before, 0"));
+      HasSubstr("back.txt:2:1: time 0 is not after the one before, 0"));
 }
 
 SolidDeck with_load(const std::string& load, const std::string& piece) {
