@@ -179,5 +179,20 @@ TEST_F(RestartRuns, WhatDoesNotFitIntoMemoryIsToldBeforeItStarts) {
   EXPECT_FALSE(fs::exists(archive(0)));
 }
 
+#ifndef __SANITIZE_ADDRESS__  // which reserves all addresses
+TEST_F(RestartRuns, LimitsOfAProcessCountAndMayBeTried) {
+  const std::string run = "ulimit -v 1000000; " SLUICE_COMMAND " run " +
+                          (inputs / "ice/shock_tube.ups").string() +
+                          " --set Grid/Level/Box/resolution=[20000000,1,1] --no-output "
+                          "--progress none --max-steps 1 ";
+  const Outcome told = run_in_shell(run);
+  EXPECT_EQ(told.status, 2) << told.text;
+  EXPECT_THAT(told.text, HasSubstr("976.6 MiB are the limit on addresses (ulimit -v)"));
+  const Outcome tried = run_in_shell(run + "--any-memory");
+  EXPECT_EQ(tried.status, 3) << tried.text;
+  EXPECT_THAT(tried.text, Not(HasSubstr("the run needs")));
+}
+#endif
+
 }  // namespace
 }  // namespace sluice::restart_runs_test

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <limits>
 #include <stdexcept>
@@ -59,7 +60,8 @@ TEST(Console, colour_only_when_wanted) {
 
 TEST(Console, a_launcher_of_ranks_is_no_terminal) {
   const int descriptor = ::posix_openpt(O_RDWR | O_NOCTTY);
-  if (descriptor < 0) GTEST_SKIP() << "the system gives no pseudo-terminal (/dev/pts is not there)";
+  if (descriptor < 0 || ::isatty(descriptor) == 0)
+    GTEST_SKIP() << "the system gives no pseudo-terminal (/dev/pts is not there)";
   std::FILE* terminal = ::fdopen(descriptor, "r+");
   ASSERT_NE(terminal, nullptr);
   EXPECT_EQ(is_terminal(terminal), !has_launcher());

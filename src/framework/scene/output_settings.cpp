@@ -49,7 +49,7 @@ bool is_beyond(double interval, const TimeSettings& time) {
 }
 
 bool is_beyond(int steps, const TimeSettings& time) {
-  return steps > 0 && time.max_timesteps > 0 && steps >= time.max_timesteps;
+  return steps > 1 && time.max_timesteps > 0 && steps >= time.max_timesteps;
 }
 
 }  // namespace

@@ -107,7 +107,10 @@ TEST(OutputSettings, IntervalsBeyondTheEndAreTold) {
   EXPECT_EQ(told("<outputInterval>4</outputInterval>", time), "");
   EXPECT_THAT(told("<outputInterval>6</outputInterval>", time), HasSubstr("beyond"));
   time.max_timesteps = 10;
+  TimeSettings one_step = time;
+  one_step.max_timesteps = 1;
   EXPECT_EQ(told("<outputTimestepInterval>9</outputTimestepInterval>", time), "");
+  EXPECT_EQ(told("<outputTimestepInterval>1</outputTimestepInterval>", one_step), "");
   EXPECT_THAT(told("<outputTimestepInterval>10</outputTimestepInterval>", time),
               HasSubstr("10 steps, is beyond the end of the run, max_Timesteps 10"));
 }

@@ -140,7 +140,9 @@ std::vector<TagSpec> file_tags() {
            "false"),
       flag("InsertParticles", "particles of a colour are moved at times that a file gives",
            "false"),
-      tag("InsertParticlesFile", "rows of time, colour, shift, velocity").file(),
+      tag("InsertParticlesFile",
+          "rows of time, colour, shift, velocity; or of time, material, colour, shift, velocity")
+          .file(),
   };
 }
 

@@ -21,7 +21,7 @@ void check_motions(const DeckNode& root, const MpmScene& scene, std::vector<Faul
             [&] { PrescribedMotion::read(scene.prescribed_file); });
   if (!scene.insert_file.empty())
     collect(faults, place_of(root, "InsertParticlesFile"),
-            [&] { read_insertions(scene.insert_file); });
+            [&] { read_insertions(scene.insert_file, static_cast<int>(scene.materials.size())); });
 }
 
 }  // namespace sluice::mpm

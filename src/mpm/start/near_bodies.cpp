@@ -158,6 +158,7 @@ std::optional<double> gap_between(const Body& a, const Body& b, const Level& lev
   // Cells that are not neighbours have no node in common.
   if (nearest.of_parts > 1 + round_off) return {};
   const double gap = nearest.of_parts < round_off ? 0 : nearest.of_surfaces;
+  if (gap >= 1) return {};
   return gap < round_off ? 0.0 : gap;
 }
 
