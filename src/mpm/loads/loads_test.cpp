@@ -292,7 +292,7 @@ TEST(PrescribedMotion, FilesAreReadToTheEndOfEachRow) {
   const std::string F = " 1 0 0 0 1 0 0 0 1 ";
   EXPECT_EQ(refusal("1d0" + F + "90 0 0 1\n"), "read");
   EXPECT_EQ(refusal("1" + F + "90 0 0\n").substr(0, 41),
-            "m.inp:2:28: number 14 of 14 (axis z) is m");
+            "m.inp:2:27: number 14 of 14 (axis z) is m");
   EXPECT_EQ(refusal("0" + F + "0 0 0 1\n"), "m.inp:2:1: time 0 is not after the one before, 0");
   EXPECT_EQ(refusal("1" + F + "90 0 0 0\n"), "m.inp:2:24: the axis of this rotation has no length");
 }
