@@ -11,6 +11,7 @@
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
 #include "mpm/implicit_mpm.hpp"
+#include "mpm/loads/check_motions.hpp"
 #include "mpm/start/seed_faults.hpp"
 #include "mpmice/make_component.hpp"
 
@@ -28,6 +29,7 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
                                     std::vector<Fault>& faults) {
   mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
   if (any_error(faults)) return nullptr;
+  mpm::check_motions(*deck.root, solids, faults);
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
   std::unique_ptr<mpm::Mpm> component = mpm::make_solids(scene, std::move(solids));

@@ -2,12 +2,26 @@
 #include "app/option_values.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <cstdio>
+#include <thread>
 
+#include "framework/base/communicator.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
+namespace {
+
+// Those that the system lets this process run on.
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0) return CPU_COUNT(&set);
+  return static_cast<int>(std::thread::hardware_concurrency());  // 0: not known
+}
+
+}  // namespace
 
 IntVec3 positive_triple(const std::string& text, const char* option) {
   if (text.empty()) return {};
@@ -43,6 +57,16 @@ void add_run_options(Command& command, RunOptionValues& values) {
                "Treat every direction as a dimension of the run");
   command.flag("--no-output", values.no_output, "Write no archive");
   command.flag("--quiet", values.quiet, "Drop warnings of the deck and notes about the time step");
+}
+
+int threads_to_use(int asked) {
+  const int there = processors();
+  if (there < 1 || asked <= there) return asked;
+  if (world().is_root())
+    fmt::print(stderr,
+               "note: --threads {}: this process has {} processor{}; it runs with {} thread{}\n",
+               asked, there, there == 1 ? "" : "s", there, there == 1 ? "" : "s");
+  return there;
 }
 
 void check_run_options(const RunOptionValues& values) {

@@ -24,6 +24,9 @@ struct RunOptionValues {
 };
 
 void add_run_options(Command& command, RunOptionValues& values);
+// The threads that a run takes: as many as are asked for, but no more than this process has
+// processors, with a note on rank 0. No result depends on their number.
+int threads_to_use(int asked);
 // InputError for a number out of range.
 void check_run_options(const RunOptionValues& values);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/base/console.hpp"
+#include "framework/base/memory.hpp"
 #include "framework/run/hierarchy.hpp"
 #include "framework/run/step_shape.hpp"
 
@@ -34,8 +35,32 @@ PlannedKind planned(const ParticleKind& kind) {
   return p;
 }
 
+bool has_particles(const LoadedScene& loaded) {
+  const ParticleMethod* method = loaded.component->particles();
+  return method != nullptr && method->in_stages();
+}
+
+// Of the boxes of a level that the next finer one does not cover.
+std::int64_t count_on(const ParticleMethod& method, int kind, const Grid& grid, std::size_t l) {
+  const Level& level = grid.levels[l];
+  std::int64_t count = 0;
+  for (const GridBox& box : level.boxes)
+    count += method.count_at_start(kind, level, box.cells).value_or(0);
+  if (l + 1 == grid.levels.size()) return count;
+  const Level& finer = grid.levels[l + 1];
+  for (const GridBox& box : finer.boxes) {
+    IndexBox below = box.cells;
+    for (int d = 0; d < 3; ++d) {
+      below.lower[d] /= finer.ratio[d];
+      below.upper[d] /= finer.ratio[d];
+    }
+    count -= method.count_at_start(kind, level, below).value_or(0);
+  }
+  return count;
+}
+
 // This process holds the boxes of all ranks.
-void count(const LoadedScene& loaded, PlannedParticles& p) {
+void lay_out(const LoadedScene& loaded, PlannedParticles& p) {
   Scene scene = loaded.scene;
   for (Level& level : scene.grid.levels)
     for (GridBox& box : level.boxes) box.owner = 0;
@@ -60,16 +85,28 @@ double PlannedParticles::checkpoint_bytes() const {
   return sum;
 }
 
-PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cells) {
+PlannedParticles count_particles(const LoadedScene& loaded) {
   PlannedParticles p;
-  const ParticleMethod* method = loaded.component->particles();
-  if (method == nullptr || !method->in_stages()) return p;
-  for (const ParticleKind& kind : method->kinds()) p.kinds.push_back(planned(kind));
+  if (!has_particles(loaded)) return p;
+  const ParticleMethod& method = *loaded.component->particles();
+  const Grid& grid = loaded.scene.grid;
+  for (const ParticleKind& kind : method.kinds()) {
+    PlannedKind& k = p.kinds.emplace_back(planned(kind));
+    for (std::size_t l = 0; l < grid.levels.size(); ++l)
+      k.count += count_on(method, static_cast<int>(p.kinds.size()) - 1, grid, l);
+  }
+  return p;
+}
+
+PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cells) {
+  PlannedParticles p = count_particles(loaded);
+  if (!p.any()) return p;
   StepShape shape;
   loaded.component->shape_step(shape);
   for (const StepShape::Stage& stage : shape.stages()) p.stages.push_back(name_of(stage));
-  p.known = loaded.scene.grid.cell_count() <= most_cells;
-  if (p.known) count(loaded, p);
+  const auto there = static_cast<double>(available_memory().bytes);
+  const bool fits = there == 0 || p.bytes() < 0.5 * there;
+  if (fits && loaded.scene.grid.cell_count() <= most_cells) lay_out(loaded, p);
   return p;
 }
 

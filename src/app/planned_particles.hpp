@@ -24,15 +24,19 @@ struct PlannedKind {
 struct PlannedParticles {
   std::vector<PlannedKind> kinds;   // none: the run has no particles that move in stages
   std::vector<std::string> stages;  // of a step
-  bool known = true;                // the counts, and the step below
-  std::optional<StepLimit> limit;   // of the first step
+  bool known = true;                // the counts
+  std::optional<StepLimit> limit;   // of the first step; found by setting the particles
 
   bool any() const { return !kinds.empty(); }
   double bytes() const;
   double checkpoint_bytes() const;
 };
 
-// A coarsest level with more than `most_cells` cells is not set: then counts are 0 and not known.
+// Kinds and counts alone, without making a particle.
+PlannedParticles count_particles(const LoadedScene& loaded);
+
+// A coarsest level with more than `most_cells` cells is not set, nor are particles that would take
+// more than half of the memory that there is: they are counted.
 PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cells);
 
 // For people: a line a kind, and the stages. Empty where there are none.

@@ -8,6 +8,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/effect_table.hpp"
+#include "app/memory_check.hpp"
 #include "app/option_values.hpp"
 #include "app/run_ending.hpp"
 #include "app/scene_loader.hpp"
@@ -27,7 +28,7 @@ struct RunRequest {
   std::string parent = ".";
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;  // seconds
-  bool copy = false, costs = false, plot = false;
+  bool copy = false, costs = false, plot = false, any_memory = false;
 };
 
 // The deck of the run: as named, or the one that the archive keeps.
@@ -82,6 +83,8 @@ std::string continuation(const RunRequest& o, const RunReport& report) {
   words.parent = o.parent;
   words.ranks = report.ranks;
   words.threads = o.run.threads;
+  words.force_directions = o.run.force_directions;
+  words.program = program_word();
   return "the run goes on with\n" + command_to_continue(words) + "\n";
 }
 
@@ -108,7 +111,8 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   RunOptions options;
   options.parent = o.parent;
   options.output = !o.run.no_output;
-  options.threads = o.run.threads;
+  options.threads = threads_to_use(o.run.threads);
+  if (!o.any_memory) require_memory(*loaded, ranks, options.threads, o.run.block_extents());
   options.force_all = o.run.force_all;
   options.limits.max_steps = o.max_steps.value_or(0);
   options.limits.wall_seconds = o.wall_limit.value_or(0);
@@ -116,6 +120,7 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   options.limits.tell = !o.run.quiet && options.progress != ProgressMode::none;
   options.program = fmt::format("sluice {}", version::kText);
   options.successors = successors_of(*loaded);
+  options.kept_files = keep_files_of(*loaded);
   options.other_decks = name_subdecks(*loaded);
   options.deck_xml = to_xml(*loaded->deck.root);
   // A link to the newest archive will lead to the one that this run makes.
@@ -165,6 +170,8 @@ void add_run_command(CommandLine& line) {
   command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
   command.option("--step", o->step, "With --restart: from the checkpoint of this step");
   command.flag("--copy", o->copy, "With --restart: copy earlier outputs, do not refer to them");
+  command.flag("--any-memory", o->any_memory,
+               "Start even where the memory that is planned is more than there is");
   command.option("--json", o->json,
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");

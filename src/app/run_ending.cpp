@@ -2,10 +2,13 @@
 #include "app/run_ending.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 #include "app/archive_error.hpp"
 #include "app/archive_picture.hpp"
@@ -73,7 +76,8 @@ namespace {
 
 // As one word of a shell.
 std::string quoted(const fs::path& path) {
-  const std::string text = fs::absolute(path).lexically_normal().string();
+  std::string text = fs::absolute(path).lexically_normal().string();
+  if (text.size() > 1 && text.back() == '/') text.pop_back();
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::strchr("/._-+=:,@%", c) != nullptr;
   };
@@ -85,11 +89,27 @@ std::string quoted(const fs::path& path) {
 
 }  // namespace
 
+std::string program_word() {
+  std::error_code failed;
+  const fs::path own = own_executable();
+  const char* searched = std::getenv("PATH");
+  std::istringstream folders(searched == nullptr ? "" : searched);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path there = fs::path(folder.empty() ? "." : folder) / "sluice";
+    if (::access(there.c_str(), X_OK) != 0) continue;
+    // The first is the one that a shell takes.
+    if (fs::path(folder).is_absolute() && fs::equivalent(there, own, failed)) return "sluice";
+    break;
+  }
+  return quoted(own);
+}
+
 std::string command_to_continue(const ContinueWords& words) {
   std::string command = words.ranks > 1 ? fmt::format("mpirun -np {} ", words.ranks) : "";
-  command += "sluice run --restart " + quoted(words.archive);
-  if (words.parent != ".") command += " -o " + quoted(words.parent);
+  command += words.program + " run --restart " + quoted(words.archive);
+  command += " -o " + quoted(words.parent);
   if (words.threads > 1) command += fmt::format(" --threads {}", words.threads);
+  if (words.force_directions) command += " --force-directions";
   return command;
 }
 

@@ -19,10 +19,15 @@ std::filesystem::path draw_picture(const std::filesystem::path& archive);
 bool ended_early(RunStatus status);
 int exit_status_of(RunStatus status);
 
+// How a shell finds this program from any folder: "sluice", where that leads to it, or its path.
+std::string program_word();
+
 // What the command that goes on has to name.
 struct ContinueWords {
   std::filesystem::path archive, parent;
   int ranks = 1, threads = 1;
+  bool force_directions = false;
+  std::string program = "sluice";
 };
 // For a shell, from any folder.
 std::string command_to_continue(const ContinueWords& words);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/sluice_schema.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/deck/schema.hpp"
 
 namespace sluice {
 namespace {
@@ -68,6 +70,14 @@ std::vector<Successor> successors_of(const LoadedScene& run) {
     successors.push_back(
         {run.parts[n + 1].after, &run.later[n]->scene, run.later[n]->component.get()});
   return successors;
+}
+
+KeptFiles keep_files_of(LoadedScene& run) {
+  KeptFiles files;
+  const Schema schema = sluice_schema();
+  keep_files(*run.deck.root, schema, files);
+  for (SubDeck& part : run.parts) keep_files(*part.deck.root, schema, files);
+  return files;
 }
 
 std::map<std::string, std::string> name_subdecks(LoadedScene& run) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/scene_loader.hpp"
+#include "framework/deck/data_file.hpp"
 #include "framework/run/succession.hpp"
 
 namespace sluice {
@@ -14,6 +15,10 @@ namespace sluice {
 void check_parts(const LoadedScene& run, std::vector<Fault>& faults);
 
 std::vector<Successor> successors_of(const LoadedScene& run);
+
+// The files that the deck of the run and those of its parts name; the decks then say where an
+// archive keeps them.
+KeptFiles keep_files_of(LoadedScene& run);
 
 // The decks of the components as XML, for the archive; the deck of the run then names them by the
 // names that they have here. Nothing of a deck without parts.

@@ -113,7 +113,7 @@ CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneRep
   solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), most_right_sides);
   RunOptions options;
   options.output = false;
-  options.threads = o.threads;
+  options.threads = threads_to_use(o.threads);
   options.limits.max_steps = o.steps;
   options.limits.wall_seconds = share_of_run * o.budget;
   options.limits.tell = false;

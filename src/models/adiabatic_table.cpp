@@ -8,7 +8,6 @@
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/located_file.hpp"
 #include "models/mixture_scalar.hpp"
 #include "models/transported_scalar.hpp"
 
@@ -29,7 +28,7 @@ TagSpec table_tag() {
                "file of the table, packed with gzip or not, as seen from the working folder or the "
                "deck's")
                .once()
-               .text(),
+               .file(),
            named_value("defaultValue", "value of a further axis of the table").real(),
            named_value("constantValue", "a column of one value").real(),
            named_value("derivedValue",
@@ -51,17 +50,6 @@ PropertyTable::Additions read_additions(const DeckNode& table) {
 }
 
 }  // namespace
-
-void locate_tables(DeckNode& root, std::vector<Fault>&) {
-  DeckNode* models = root.child("Models");
-  if (models == nullptr) return;
-  for (const auto& model : models->children) {
-    DeckNode* node = model.get();
-    for (const char* name : {"AdiabaticTable", "table", "filename"})
-      node = node == nullptr ? nullptr : node->child(name);
-    locate_file(node);
-  }
-}
 
 std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table) {
   const auto gamma = table.column("gamma"), cv = table.column("heat_capac_Cv"),

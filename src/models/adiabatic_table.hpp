@@ -24,9 +24,6 @@ namespace sluice::models {
 std::vector<MixedGas::Node> adiabatic_nodes(const PropertyTable& table);
 
 TagSpec adiabatic_table_tag();
-// Writes whole paths to files of tables, sought from the working folder and beside the deck: a
-// restart from anywhere finds them.
-void locate_tables(DeckNode& root, std::vector<Fault>& faults);
 void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,
                            std::vector<Fault>& faults);
 // A table that cannot be read is a fault, and leaves nodes that nobody may use.

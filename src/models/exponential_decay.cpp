@@ -1,9 +1,9 @@
 // The tag <exponentialDecay>, and tables of its coefficient.
 #include "models/exponential_decay.hpp"
 
+#include "framework/base/data_lines.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
-#include "framework/geometry/point_table.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::models {
@@ -25,7 +25,7 @@ TagSpec exponential_decay_tag() {
                    "a file with x, y, z and the coefficient in each line, for the cell of the "
                    "coarsest level that holds the point; other cells have 0")
                    .once()
-                   .text()
+                   .file()
                    .only_for("type", {"variable"})});
   return tag("exponentialDecay", "decay with exp(-(c1 c2 + c3) t)")
       .with_children(
@@ -65,10 +65,10 @@ CellNumbers::CellNumbers(const Level& level, const std::string& file) {
   }
   values_.assign(cells, 0.0);
   std::vector<int> points(cells, 0);
-  read_table(file, 4, [&](const double* v, int) {
+  read_table(file, {"x", "y", "z", "coefficient"}, [&](const TableRow& v) {
     std::size_t n = 0;
     for (int d = 2; d >= 0; --d) {
-      const double i = std::floor((v[d] - low_[d]) * inverse_[d]);
+      const double i = std::floor((v[static_cast<std::size_t>(d)] - low_[d]) * inverse_[d]);
       if (!(i >= 0 && i < size_[d])) return;  // beyond the domain
       n = n * static_cast<std::size_t>(size_[d]) + static_cast<std::size_t>(i);
     }

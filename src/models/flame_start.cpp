@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::models {
@@ -16,7 +16,7 @@ constexpr std::size_t state_columns = 5;  // x T u rho p
 class FlameReader {
  public:
   FlameReader(const std::string& file, int axis, const kinetics::SpeciesGas& gas)
-      : file_(file), gas_(gas) {
+      : lines_(file, "flame", Separators::blanks), gas_(gas) {
     for (std::size_t s = 0; s < gas.count(); ++s) species_.push_back(s);
     FlameStart& state = flame_.state;
     for (StartLine* line : {&state.temperature, &state.velocity, &state.density, &state.pressure})
@@ -26,29 +26,21 @@ class FlameReader {
   }
 
   FlameProfile read() {
-    std::ifstream in(file_);
-    if (!in) throw InputError(fmt::format("'{}' cannot be opened", file_));
-    for (std::string text; std::getline(in, text);) {
-      ++line_;
-      const std::size_t first = text.find_first_not_of(" \t\r");
-      if (first == std::string::npos) continue;
-      if (text[first] == '#')
-        take_names(text.substr(first + 1));
+    while (lines_.next()) {
+      if (lines_.words().empty())
+        take_names(lines_.comment());
       else
-        take_numbers(text);
+        take_numbers();
     }
-    if (flame_.state.density.x.empty()) throw InputError(fmt::format("'{}' has no lines", file_));
+    if (flame_.state.density.x.empty())
+      throw InputError(fmt::format("'{}' has no lines", lines_.file()));
     return std::move(flame_);
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", file_, line_, what));
-  }
-
   // A comment that names columns has as many words as there are columns.
-  void take_names(const std::string& comment) {
-    std::istringstream words(comment);
+  void take_names(std::string_view comment) {
+    std::istringstream words{std::string(comment)};
     std::vector<std::string> names;
     for (std::string word; words >> word;) names.push_back(word);
     if (names.size() <= state_columns || !names[state_columns].starts_with("Y_")) return;
@@ -59,31 +51,36 @@ class FlameReader {
       const auto found =
           std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
       if (found == all.end())
-        refuse(fmt::format("the mechanism has no species '{}' (column '{}')", name, names[n]));
+        lines_.refuse(
+            0, fmt::format("the mechanism has no species '{}' (column '{}')", name, names[n]));
       species_.push_back(static_cast<std::size_t>(found - all.begin()));
     }
   }
 
-  void take_numbers(const std::string& text) {
-    std::istringstream words(text);
+  std::string name_of(std::size_t column) const {
+    constexpr const char* names[state_columns] = {"x", "T", "u", "rho", "p"};
+    if (column < state_columns) return names[column];
+    const std::size_t s = column - state_columns;
+    return s < species_.size() ? "Y_" + gas_.mechanism().species[species_[s]].name : "no column";
+  }
+
+  void take_numbers() {
     std::vector<double> numbers;
-    for (std::string word; words >> word;) {
-      char* end = nullptr;
-      numbers.push_back(std::strtod(word.c_str(), &end));
-      if (*end != 0) refuse(fmt::format("'{}' is not a number", word));
-    }
+    for (std::size_t n = 0; n < lines_.words().size(); ++n)
+      numbers.push_back(lines_.number(n, fmt::format("a number ({})", name_of(n))));
     const std::size_t expected = state_columns + species_.size();
     // The closure, named last, may be left out.
     const bool short_by_one = numbers.size() + 1 == expected && species_.back() == gas_.closure();
     if (numbers.size() != expected && !short_by_one)
-      refuse(fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}", numbers.size(),
-                         species_.size(), expected));
+      lines_.refuse(std::min(numbers.size(), expected),
+                    fmt::format("{} numbers; x, T, u, rho, p and {} mass fractions are {}",
+                                numbers.size(), species_.size(), expected));
     FlameStart& state = flame_.state;
     if (!state.density.x.empty() && !(numbers[0] > state.density.x.back()))
-      refuse(fmt::format("x = {:g} does not lie above the x before it, {:g}", numbers[0],
-                         state.density.x.back()));
+      lines_.refuse(0, fmt::format("x = {:g} does not lie above the x before it, {:g}", numbers[0],
+                                   state.density.x.back()));
     if (!(numbers[1] > 0 && numbers[3] > 0 && numbers[4] > 0))
-      refuse("temperature, density and pressure must be above 0");
+      lines_.refuse(1, "temperature, density and pressure must be above 0");
     const auto add = [&](StartLine& line, double value) {
       line.x.push_back(numbers[0]);
       line.values.push_back(value);
@@ -99,11 +96,10 @@ class FlameReader {
     }
   }
 
-  std::string file_;
+  DataLines lines_;
   const kinetics::SpeciesGas& gas_;
   FlameProfile flame_;
   std::vector<std::size_t> species_;  // of the columns of fractions
-  int line_ = 0;
 };
 
 }  // namespace

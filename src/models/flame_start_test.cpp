@@ -60,12 +60,15 @@ TEST(FlameStart, MayLeaveOutTheClosureNamedLast) {
 TEST(FlameStart, SaysWhatIsWrongInWhichLine) {
   using ::testing::HasSubstr;
   EXPECT_THAT(refusal("# x T u rho p Y_H2 Y_He\n"),
-              HasSubstr("flame.dat:1: the mechanism has no species 'He'"));
+              HasSubstr("flame.dat:1:1: the mechanism has no species 'He'"));
   const std::string names = "# x T u rho p Y_H2 Y_O2\n";
-  EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02\n"), HasSubstr("flame.dat:2: 6 numbers"));
-  EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02 x\n"), HasSubstr("'x' is not a number"));
+  EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02\n"), HasSubstr("flame.dat:2:21: 6 numbers"));
+  EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02 x\n"),
+              HasSubstr("flame.dat:2:22: 'x' is not a number; expected a number (Y_O2)"));
+  EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02 0 m/s\n"),
+              HasSubstr("flame.dat:2:24: 'm/s' is not a number; expected a number (no column)"));
   EXPECT_THAT(refusal(names + "1 300 2 0.9 1e5 0 0\n1 300 2 0.9 1e5 0 0\n"),
-              HasSubstr("flame.dat:3: x = 1 does not lie above the x before it"));
+              HasSubstr("flame.dat:3:1: x = 1 does not lie above the x before it"));
   EXPECT_THAT(refusal(names + "0 -3 2 0.9 1e5 0 0\n"), HasSubstr("must be above 0"));
   EXPECT_THAT(refusal("# nothing\n"), HasSubstr("has no lines"));
 }

@@ -14,7 +14,6 @@
 #include "kinetics/hydrogen_burke.hpp"
 #include "kinetics/read_mechanism.hpp"
 #include "models/flame_start.hpp"
-#include "models/located_file.hpp"
 #include "models/material_name.hpp"
 
 namespace sluice::models {
@@ -62,7 +61,7 @@ std::vector<TagSpec> common_tags() {
                               .reals()}),
       tag("initProfile", "a state along an axis to start from, in place of the material's regions")
           .with_children(
-              {tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().text(),
+              {tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().file(),
                tag("axis", "along which").once().words({"x", "X", "y", "Y", "z", "Z"})})};
 }
 
@@ -172,7 +171,7 @@ TagSpec gas_combustion_tag() {
       .with_children(
           {tag("mechanismFile", "XML file with species, reactions and fits of transport")
                .once()
-               .text(),
+               .file(),
            tag("closureSpecies", "the species that fills up to 1").once().text(),
            tag("Y_init",
                "mass fractions of the other species at the start, in the mechanism's "
@@ -193,18 +192,6 @@ TagSpec hydrogen_burke_tag() {
       .with_children(common_tags())
       .with_children({fraction("YH2_init", "mass fraction of H2 at the start"),
                       fraction("YO2_init", "mass fraction of O2 at the start; the rest is N2")});
-}
-
-void locate_mechanisms(DeckNode& root) {
-  DeckNode* models = root.child("Models");
-  if (models == nullptr) return;
-  for (const auto& model : models->children)
-    for (const char* name : {"gasCombustion", "hydrogenBurke"})
-      if (DeckNode* parameters = model->child(name)) {
-        locate_file(parameters->child("mechanismFile"));
-        if (DeckNode* profile = parameters->child("initProfile"))
-          locate_file(profile->child("filename"));
-      }
 }
 
 void check_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,

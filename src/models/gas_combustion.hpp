@@ -17,8 +17,6 @@ namespace sluice::models {
 
 TagSpec gas_combustion_tag();
 TagSpec hydrogen_burke_tag();
-// Writes whole paths of the mechanism and of a start profile: a restart from anywhere finds them.
-void locate_mechanisms(DeckNode& root);
 void check_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,
                           std::vector<Fault>& faults);
 

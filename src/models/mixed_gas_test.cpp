@@ -141,9 +141,14 @@ TEST_F(Tables, AreTakenAtTheDefaultOfASecondAxis) {
 
 TEST_F(Tables, SayWhatIsWrongWithThem) {
   EXPECT_THAT(refusal(two_columns), HasSubstr("no column gamma; there are Temp, heat_capac_Cv"));
-  EXPECT_THAT(refusal("1\nheat_loss\n2\n"), HasSubstr("line 2: the first axis"));
-  EXPECT_THAT(refusal("3\n"), HasSubstr("line 1: the number of axes"));
-  EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 x\n"), HasSubstr("line 8"));
+  EXPECT_THAT(refusal("1\nheat_loss\n2\n"), HasSubstr("gas.rxn:2:1: the first axis"));
+  EXPECT_THAT(refusal("3\n"), HasSubstr("gas.rxn:1:1: the number of axes"));
+  EXPECT_THAT(
+      refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 x\n"),
+      HasSubstr("gas.rxn:8:3: 'x' is not a number; expected a number (values of a column)"));
+  EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 3 4\n"), HasSubstr("gas.rxn:8:5: "));
+  EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 3\n7\n"),
+              HasSubstr("gas.rxn:9:1: '7' stands behind the end of the table"));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n1 0\n2 2\n"), HasSubstr("increasing"));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n"), HasSubstr("ends where"));
   PropertyTable::Additions circle;

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <sstream>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
-#include "framework/base/packed_text.hpp"
 #include "models/table_expression.hpp"
 
 namespace sluice::models {
@@ -37,31 +35,23 @@ std::map<std::string, Value> canonical_names(const std::map<std::string, Value>&
 class TableLines {
  public:
   explicit TableLines(const std::string& file)
-      : file_(file), in_(unpacked_text(file, "property table")) {}
+      : lines_(file, "property table", Separators::blanks) {}
 
   std::vector<std::string> words(const char* what) {
-    std::string line;
-    while (std::getline(in_, line)) {
-      ++number_;
-      std::istringstream fields(line);
-      std::vector<std::string> found;
-      for (std::string word; fields >> word;) found.push_back(word);
-      if (found.empty() || found.front().front() == '#') continue;
-      return found;
-    }
-    throw InputError(fmt::format("property table {}: ends where {} should stand", file_, what));
+    next(what);
+    std::vector<std::string> found;
+    for (const DataLines::Word& word : lines_.words()) found.emplace_back(word.text);
+    return found;
   }
   std::vector<double> numbers(const char* what, std::size_t count) {
-    const std::vector<std::string> fields = words(what);
-    if (fields.size() != count) fail(what, fmt::format("{} numbers", count), fields);
+    next(what);
+    const std::size_t found = lines_.words().size();
+    if (found != count)
+      fail(std::min(found, count), what, fmt::format("{} numbers", count),
+           fmt::format("{} of them", found));
+    const std::string expected = fmt::format("a number ({})", what);
     std::vector<double> values;
-    for (const std::string& field : fields) {
-      double value = 0;
-      const char* end = field.data() + field.size();
-      const auto [stop, error] = std::from_chars(field.data(), end, value);
-      if (error != std::errc() || stop != end) fail(what, "numbers", {field});
-      values.push_back(value);
-    }
+    for (std::size_t n = 0; n < count; ++n) values.push_back(lines_.number(n, expected));
     return values;
   }
   std::size_t integer(const char* what, std::size_t most) {
@@ -72,22 +62,32 @@ class TableLines {
     for (const double x : numbers(what, count)) {
       const auto value = static_cast<std::size_t>(x > 0 ? x : 0);
       if (!(x > 0) || static_cast<double>(value) != x || value > most)
-        fail(what, fmt::format("whole numbers from 1 to {}", most), {fmt::format("{:g}", x)});
+        fail(values.size(), what, fmt::format("whole numbers from 1 to {}", most),
+             fmt::format("'{:g}'", x));
       values.push_back(value);
     }
     return values;
   }
-  [[noreturn]] void fail(const char* what, const std::string& expected,
-                         const std::vector<std::string>& found) const {
-    throw InputError(fmt::format(
-        "property table {}, line {}: {} must be {}; found {}", file_, number_, what, expected,
-        found.size() == 1 ? "'" + found.front() + "'" : fmt::format("{} of them", found.size())));
+  // At word n of the line.
+  [[noreturn]] void fail(std::size_t n, const char* what, const std::string& expected,
+                         const std::string& found) const {
+    lines_.refuse(n, fmt::format("{} must be {}; found {}", what, expected, found));
+  }
+  // What stands behind the last line that the table has.
+  void expect_end() {
+    if (lines_.next_row())
+      lines_.refuse(0, fmt::format("'{}' stands behind the end of the table",
+                                   std::string(lines_.words().front().text.substr(0, 40))));
   }
 
  private:
-  std::string file_;
-  std::istringstream in_;
-  int number_ = 0;
+  void next(const char* what) {
+    if (!lines_.next_row())
+      throw InputError(
+          fmt::format("property table {}: ends where {} should stand", lines_.file(), what));
+  }
+
+  DataLines lines_;
 };
 
 constexpr std::size_t most_points = 1000000;
@@ -122,31 +122,34 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
   const std::size_t axes = lines.integer("the number of axes", 2);
   std::vector<std::string> names = lines.words("names of the axes");
   if (names.size() != axes)
-    lines.fail("names of the axes", fmt::format("{}, as many as axes", axes), names);
+    lines.fail(0, "names of the axes", fmt::format("{}, as many as axes", axes),
+               fmt::format("{} of them", names.size()));
   axis_ = canonical(names.front());
   if (axis_ != "mixture_fraction")
-    lines.fail("the first axis", "mixture_fraction or F", {names.front()});
+    lines.fail(0, "the first axis", "mixture_fraction or F", "'" + names.front() + "'");
   const std::vector<std::size_t> points = lines.integers("points of the axes", axes, most_points);
   const std::size_t count = lines.integer("the number of columns", most_points);
   const std::vector<std::string> columns = lines.words("names of the columns");
   if (columns.size() != count)
-    lines.fail("names of the columns", fmt::format("{}, as many as columns", count), columns);
+    lines.fail(0, "names of the columns", fmt::format("{}, as many as columns", count),
+               fmt::format("{} of them", columns.size()));
   lines.words("units of the columns");
   std::vector<double> second = {0};
   OnAxis place;
   if (axes == 2) {
     second = lines.numbers("the second axis", points[1]);
-    if (!increases(second)) lines.fail("the second axis", "increasing", {"no order"});
+    if (!increases(second)) lines.fail(0, "the second axis", "increasing", "no order");
     const auto given = additions_.defaults.find(canonical(names[1]));
     place = find_on_axis(second, given == additions_.defaults.end() ? 0.0 : given->second);
   }
   for (const std::string& column : columns) {
     const std::vector<double> fractions = lines.numbers("mixture fractions", points[0]);
     if (points[0] < 2 || !increases(fractions))
-      lines.fail("mixture fractions", "increasing", {"no order"});
+      lines.fail(0, "mixture fractions", "increasing", "no order");
     if (fractions_.empty()) fractions_ = fractions;
     if (fractions != fractions_)
-      lines.fail("mixture fractions", "the same for all columns", {column + " with others"});
+      lines.fail(0, "mixture fractions", "the same for all columns",
+                 "'" + column + "' with others");
     std::vector<double>& values = columns_[canonical(column)];
     values.assign(points[0], 0.0);
     for (std::size_t n = 0; n < second.size(); ++n) {
@@ -158,6 +161,7 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
       for (std::size_t i = 0; i < row.size(); ++i) values[i] += weight * row[i];
     }
   }
+  lines.expect_end();
 }
 
 double PropertyTable::value(const std::string& asked, std::size_t point, int depth) const {

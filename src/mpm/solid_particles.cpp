@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/geometry/sampling.hpp"
 #include "framework/run/particle_cloud.hpp"
 #include "models/unsteady_burn.hpp"
 #include "mpm/saved/mean_pressure.hpp"
@@ -197,6 +198,25 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     for (int d = 0; d < 3; ++d) b.position[static_cast<std::size_t>(d)] = set.coordinate(d) + at;
     material.law->start(b);
   }
+}
+
+std::optional<std::int64_t> SolidParticles::count_at_start(int kind, const Level& level,
+                                                           const IndexBox& cells) const {
+  const auto material = static_cast<std::size_t>(kind);
+  if (material >= solids_->materials.size()) return std::nullopt;
+  std::int64_t count = 0;
+  for (const SeedObject& object : solids_->materials[material].objects) {
+    const CellLattice lattice{level.anchor, level.spacing};
+    if (const std::vector<Vec3>* points = object.piece->points())
+      count += std::count_if(points->begin(), points->end(), [&](Vec3 p) {
+        return cells.contains(lattice.cell_of(applied(object.map, p) + object.shift));
+      });
+    else
+      count += count_places(
+          *object.piece, object, level,
+          object.mapped ? window_of(object, level) : intersection(window_of(object, level), cells));
+  }
+  return count;
 }
 
 bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,

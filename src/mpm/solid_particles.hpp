@@ -16,6 +16,9 @@ class SolidParticles final : public ParticleMethod {
 
   void start(int kind, const Level& level, const IndexBox& cells,
              ParticleSet& particles) const override;
+  // Sizes below the first and parts that a surface cuts are left out.
+  std::optional<std::int64_t> count_at_start(int kind, const Level& level,
+                                             const IndexBox& cells) const override;
   bool reflects(int, int, Side, IntVec3) const override { return false; }
   bool in_stages() const override { return true; }
   using ParticleMethod::in_stages;

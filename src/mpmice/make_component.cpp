@@ -7,6 +7,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
+#include "mpm/loads/check_motions.hpp"
 #include "mpm/start/seed_faults.hpp"
 
 namespace sluice::mpmice {
@@ -36,6 +37,7 @@ std::unique_ptr<MpmIce> make_component(const Deck& deck, const Scene& scene,
   mpm::MpmScene solids = mpm::read_mpm_scene(deck, scene, faults);
   if (any_error(faults)) return nullptr;
   bind_solids(fluid, solids);
+  mpm::check_motions(*deck.root, solids, faults);
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
   models::MaterialNames names;

@@ -90,6 +90,10 @@ ArchiveWriter ArchiveWriter::create(const ArchiveSetup& setup, WriterRanks ranks
       sluice::write_text(writer.folder_ / "input.xml", setup.deck_xml);
       for (const auto& [name, xml] : setup.other_decks)
         sluice::write_text(writer.folder_ / name, xml);
+      for (const auto& [name, file] : setup.kept_files) {
+        make_folder((writer.folder_ / name).parent_path());
+        copy_over(file, writer.folder_ / name);
+      }
       writer.write_index(writer.outputs_);
     } catch (...) {
       std::error_code ignored;  // an archive that cannot even begin leaves nothing behind
@@ -121,6 +125,14 @@ void ArchiveWriter::make_archive_folder() {
 }
 
 void ArchiveWriter::link_newest(const fs::path& base) {
+  std::error_code ignored;
+  const fs::file_status there = fs::symlink_status(base, ignored);
+  if (fs::exists(there) && !fs::is_symlink(there)) {
+    warnings_.push_back(
+        fmt::format("{} is a {} and is kept: no link of this name leads to the archive {}",
+                    base.string(), fs::is_directory(there) ? "folder" : "file", folder_.string()));
+    return;
+  }
   const fs::path beside = base.string() + fmt::format(".{}.link", ::getpid());
   ::unlink(beside.c_str());
   const bool linked = ::symlink(folder_.filename().c_str(), beside.c_str()) == 0 &&
@@ -201,6 +213,7 @@ void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Ear
         if (s.step > restart_step) continue;
         const fs::path source = earlier / s.href;
         if (mode == Earlier::copy) {
+          require_parent(s, earlier);
           s.href = fs::path(step_folder_name(s.step)) / "timestep.xml";
           copy_step(source.parent_path(), (folder_ / s.href).parent_path());
         } else {

@@ -56,6 +56,17 @@ std::string StoredVariable::group() const {
   return fmt::format("/l{}/{}/m{}", level, name, material);
 }
 
+void require_parent(const StepEntry& step, const std::filesystem::path& archive) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path parent = (archive / step.href).parent_path().parent_path().lexically_normal();
+  if (parent == archive.lexically_normal() || fs::exists(parent / "index.xml", error)) return;
+  throw InputError(fmt::format(
+      "{}: step {} lies in the archive {}, from which this run goes on and which is missing\n"
+      "  bring it back to that place; a restart with --copy makes archives that need no other",
+      archive.string(), step.step, parent.string()));
+}
+
 std::string step_folder_name(int step) {
   return fmt::format("t{:05}", step);
 }

@@ -47,11 +47,48 @@ TEST(ArchiveRestart, NumbersAndLink) {
   fs::remove_all(folder.path() / "box.uda.001");
   EXPECT_EQ(ArchiveWriter::create(setup_in(folder.path())).folder().filename(), "box.uda.001");
   EXPECT_EQ(fs::read_symlink(folder.path() / "box.uda"), "box.uda.001");
-  // A file in the link's place is left alone only when it cannot be replaced; that is said.
+  // What stands in the link's place and is no link is kept; that is said.
+  fs::remove(folder.path() / "box.uda");
+  std::ofstream(folder.path() / "box.uda") << "notes";
+  const ArchiveWriter beside_file = ArchiveWriter::create(setup_in(folder.path()));
+  ASSERT_EQ(beside_file.warnings().size(), 1u);
+  EXPECT_THAT(beside_file.warnings()[0], ::testing::HasSubstr("box.uda is a file and is kept"));
+  EXPECT_EQ(read_text(folder.path() / "box.uda"), "notes");
   fs::remove(folder.path() / "box.uda");
   fs::create_directory(folder.path() / "box.uda");
-  const ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
-  EXPECT_EQ(writer.warnings().size(), 1u);
+  const ArchiveWriter beside_folder = ArchiveWriter::create(setup_in(folder.path()));
+  EXPECT_EQ(beside_folder.warnings().size(), 1u);
+  EXPECT_TRUE(fs::is_directory(folder.path() / "box.uda"));
+}
+
+TEST(ArchiveRestart, FilesOfTheDeckAreKept) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.tab") << "1 2\n";
+  ArchiveSetup setup = setup_in(folder.path());
+  setup.kept_files = {{"input_files/a.tab", folder.path() / "a.tab"}};
+  const ArchiveWriter writer = ArchiveWriter::create(setup);
+  EXPECT_EQ(read_text(writer.folder() / "input_files/a.tab"), "1 2\n");
+  // Nothing is left of an archive whose files have gone.
+  setup.kept_files = {{"input_files/b.tab", folder.path() / "b.tab"}};
+  EXPECT_THROW(ArchiveWriter::create(setup), SystemError);
+  EXPECT_FALSE(fs::exists(folder.path() / "box.uda.001"));
+}
+
+TEST(ArchiveRestart, AStepOfAnArchiveThatIsMissingNamesIt) {
+  const TemporaryFolder folder;
+  const StepEntry step{4, 0.4, 0.1, "../box.uda.000/t00004/timestep.xml"};
+  const fs::path archive = folder.path() / "box.uda.001";
+  try {
+    require_parent(step, archive);
+    ADD_FAILURE() << "nothing is thrown";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("step 4 lies in the archive " +
+                                               (folder.path() / "box.uda.000").string()));
+  }
+  fs::create_directory(folder.path() / "box.uda.000");
+  std::ofstream(folder.path() / "box.uda.000/index.xml") << "there";
+  EXPECT_NO_THROW(require_parent(step, archive));
+  EXPECT_NO_THROW(require_parent({4, 0.4, 0.1, "t00004/timestep.xml"}, archive));
 }
 
 TEST(ArchiveRestart, CheckpointCycleKeepsTheNewest) {

@@ -40,6 +40,8 @@ struct ArchiveSetup {
   std::string deck_xml;                // the deck as run, includes resolved
   // Decks that it names, as files of these names beside it.
   std::map<std::string, std::string> other_decks;
+  // Files that the decks name, to be copied under these names.
+  std::map<std::string, std::filesystem::path> kept_files;
   std::string program;       // "sluice 0.1.0"
   StorageOptions outputs;    // never applied to checkpoints
   int checkpoint_cycle = 2;  // checkpoints kept; 0: all

@@ -142,14 +142,14 @@ std::vector<TagSpec> thin_pieces() {
 std::vector<TagSpec> listed_pieces() {
   return {
       piece("tri", "body inside a closed surface of triangles")
-          .child(tag("name", "files NAME.pts and NAME.tri").once().text()),
+          .child(tag("name", "files NAME.pts and NAME.tri").once().file({".tri", ".pts"})),
       piece("line_segment", "body over a closed polygon in the x-y plane")
-          .child(tag("name", "file of the polygon's corners").once().text()),
+          .child(tag("name", "file of the polygon's corners").once().file()),
       // The label of a file piece is not called name: that is its child.
       tag("file", "particles listed in a file")
           .multiple()
           .attribute(attribute("label", "name of the piece").text())
-          .with_children({tag("name", "file").once().text(),
+          .with_children({tag("name", "file").once().file(),
                           tag("var", "a variable in each row after x y z").multiple().text(),
                           tag("format", "format of the file")
                               .words({"text", "bin", "lsb", "msb"})
@@ -158,7 +158,7 @@ std::vector<TagSpec> listed_pieces() {
       tag("image", "voxels of a file whose grey value lies between thresholds")
           .multiple()
           .attribute(attribute("label", "name of the piece").text())
-          .with_children({tag("name", "file of one byte a voxel, x fastest").once().text(),
+          .with_children({tag("name", "file of one byte a voxel, x fastest").once().file(),
                           tag("res", "voxels per direction").once().int_vector().at_least(1),
                           tag("threshold", "least and greatest grey value, 0 to 255")
                               .once()

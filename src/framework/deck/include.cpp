@@ -1,6 +1,7 @@
 // <include href= section= .../>: replaced by the elements it names.
 //
-// href       file, looked up as an absolute path, beside the including file, in the current folder
+// href       file, looked up as an absolute path, beside the including file (where that is
+//            a link, beside its target too), in the current folder
 // section    slash-separated path of elements below the file's root; absent: all of the root's
 //            children
 // excludeSectionTag  any text: the section's children instead of the section itself
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "framework/deck/data_file.hpp"
 #include "framework/deck/deck.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/value_text.hpp"
@@ -58,7 +60,8 @@ class IncludeResolver {
     if (fs::path(href).is_absolute()) {
       candidates.emplace_back(href);
     } else {
-      candidates.push_back(fs::path(include.where.file).parent_path() / href);
+      for (const fs::path& folder : folders_beside(include.where))
+        candidates.push_back(folder / href);
       candidates.emplace_back(href);
     }
     std::error_code problem;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "framework/base/error.hpp"
+#include "framework/deck/data_file.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/schema_check.hpp"
 
@@ -57,6 +58,7 @@ Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Sche
   settle_faces(*deck.root, deck.faults);
   resolve_piece_labels(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
+  locate_files(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) apply(rule, deck);
   sort_by_place(deck.faults);
   return deck;

@@ -62,6 +62,7 @@ struct ValueSpec {
   std::vector<std::pair<std::string, std::string>> word_spellings;  // other spelling, word
   std::optional<std::string> default_text;
   std::string unit;
+  std::vector<std::string> file_endings;  // of the files that a text names; empty: it names none
 };
 
 // What tags and attributes have in common, with the fluent methods.
@@ -84,6 +85,13 @@ struct Described {
   }
 
   Derived text() const { return typed(TagType::text); }
+  // The name of a file; of several, where something is added to the name.
+  Derived file(std::vector<std::string> endings = {""}) const {
+    return with([&](auto& s) {
+      s.value.type = TagType::text;
+      s.value.file_endings = std::move(endings);
+    });
+  }
   Derived boolean() const { return typed(TagType::boolean); }
   Derived integer() const { return typed(TagType::integer); }
   Derived real() const { return typed(TagType::real); }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "framework/deck/data_file.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
@@ -130,7 +131,10 @@ std::vector<TagSpec> switcher_tags() {
 std::string find_subdeck(const DeckNode& input_file) {
   std::error_code failed;
   const fs::path name = input_file.text, folder = fs::path(input_file.where.file).parent_path();
-  for (const fs::path& path : {folder / name, name})
+  std::vector<fs::path> places = folders_beside(input_file.where);
+  for (fs::path& place : places) place /= name;
+  places.emplace_back(name);
+  for (const fs::path& path : places)
     if (fs::is_regular_file(path, failed)) return path.lexically_normal().string();
   fs::path above = fs::absolute(folder, failed).lexically_normal();
   while (above.has_relative_path()) {

@@ -185,6 +185,20 @@ xmlSAXHandler callbacks() {
   return handler;
 }
 
+// CR LF and CR as LF, so that lines are counted whatever ends them. Texts of two bytes a character
+// are left to the parser.
+std::string with_plain_line_ends(std::string_view xml) {
+  std::string text(xml);
+  if (text.find('\r') == std::string::npos || text.find('\0') != std::string::npos) return text;
+  std::size_t to = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool before_line_feed = text[at] == '\r' && text.compare(at, 2, "\r\n") == 0;
+    if (!before_line_feed) text[to++] = text[at] == '\r' ? '\n' : text[at];
+  }
+  text.resize(to);
+  return text;
+}
+
 XmlTree unreadable(const std::string& shown_name, std::string message, std::string suggestion) {
   XmlTree tree;
   add_error(tree.faults, {shown_name, 0, 0}, std::move(message), std::move(suggestion));
@@ -207,7 +221,8 @@ XmlTree read_xml_text(std::string_view xml, const std::string& shown_name, ReadB
   ReaderState state;
   state.shown_name = shown_name;
   state.budget = &budget;
-  state.context = xmlCreateMemoryParserCtxt(xml.data(), static_cast<int>(xml.size()));
+  const std::string plain = with_plain_line_ends(xml);
+  state.context = xmlCreateMemoryParserCtxt(plain.data(), static_cast<int>(plain.size()));
   if (state.context == nullptr) return unreadable(shown_name, "XML: parser cannot start", "");
   *state.context->sax = callbacks();
   state.context->userData = &state;

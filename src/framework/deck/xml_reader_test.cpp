@@ -43,6 +43,17 @@ TEST(XmlReader, KnowsPlacesFarIntoALongFile) {
   }
 }
 
+TEST(XmlReader, LinesEndInAnyWay) {
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    for (const std::string mark : {"", "\xef\xbb\xbf"}) {
+      const XmlTree tree = read(mark + "<?xml version='1.0'?>" + end + "<root>" + end +
+                                "  <next>1" + end + "</next> <last/></root>" + end);
+      ASSERT_NE(tree.root, nullptr);
+      EXPECT_EQ(to_string(tree.root->child("next")->where), "deck.ups:3:3");
+      EXPECT_EQ(to_string(tree.root->child("last")->where), "deck.ups:4:9");
+    }
+}
+
 TEST(XmlReader, CountsCharactersNotBytesInLatin1Decks) {
   const XmlTree tree = read(
       "<?xml version='1.0' encoding='iso-8859-1'?>\n"

@@ -7,6 +7,7 @@ namespace sluice {
 class UnionPiece final : public GeometryPiece {
  public:
   explicit UnionPiece(std::vector<PiecePtr> members);
+  const std::vector<PiecePtr>& members() const { return members_; }
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }
   Cover cover(const Bounds& box) const override;

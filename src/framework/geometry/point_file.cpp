@@ -11,9 +11,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/packed_text.hpp"
-#include "framework/geometry/point_table.hpp"
 
 namespace sluice {
 
@@ -27,9 +27,9 @@ double decode(const char* bytes, bool swap) {
   return x;
 }
 
-// Calls row(numbers, row number) for every record of `columns` doubles.
+// Calls row(numbers) for every record of `columns` doubles.
 template <class F>
-void read_binary(const std::string& name, int columns, PointFormat format, F&& row) {
+void read_binary(const std::string& name, std::size_t columns, PointFormat format, F&& row) {
   if (!std::ifstream(name))
     throw InputError(
         fmt::format("geometry file '{}' cannot be opened ({})", name, std::strerror(errno)));
@@ -37,9 +37,9 @@ void read_binary(const std::string& name, int columns, PointFormat format, F&& r
   const bool little = std::endian::native == std::endian::little;
   const bool swap = (format == PointFormat::binary_little_endian && !little) ||
                     (format == PointFormat::binary_big_endian && little);
-  const std::size_t size = static_cast<std::size_t>(columns) * sizeof(double);
+  const std::size_t size = columns * sizeof(double);
   std::vector<char> bytes(size);
-  std::vector<double> numbers(static_cast<std::size_t>(columns));
+  std::vector<double> numbers(columns);
   for (int n = 1;; ++n) {
     in.read(bytes.data(), static_cast<std::streamsize>(size));
     if (in.gcount() == 0) return;
@@ -52,7 +52,7 @@ void read_binary(const std::string& name, int columns, PointFormat format, F&& r
         throw InputError(fmt::format("{}: row {}, number {} is {}; is the byte order right?", name,
                                      n, i + 1, numbers[i]));
     }
-    row(numbers.data(), n);
+    row(numbers);
   }
 }
 
@@ -69,7 +69,7 @@ int numbers_of_point_variable(const std::string& name) {
 
 PointFile read_point_file(const std::string& file, PointFormat format,
                           const std::vector<std::string>& variables) {
-  int columns = 3;
+  std::vector<std::string> columns = {"x", "y", "z"};
   for (const std::string& v : variables) {
     const int n = numbers_of_point_variable(v);
     if (n == 0)
@@ -78,25 +78,28 @@ PointFile read_point_file(const std::string& file, PointFormat format,
           "p.externalforce, p.fiberdir, p.rvec1, p.rvec2, p.rvec3, p.velocity, p.loadCurveID and "
           "p.normal",
           v));
-    columns += n;
+    if (n == 1)
+      columns.push_back(v);
+    else
+      for (const char* axis : {"x", "y", "z"}) columns.push_back(v + " " + axis);
   }
   PointFile result;
-  auto row = [&](const double* x, int) {
+  const auto take = [&](const auto& x) {
     result.points.push_back({x[0], x[1], x[2]});
-    x += 3;
+    std::size_t at = 3;
     for (const std::string& v : variables)
       if (numbers_of_point_variable(v) == 1) {
-        result.scalars[v].push_back(x[0]);
-        x += 1;
+        result.scalars[v].push_back(x[at]);
+        at += 1;
       } else {
-        result.vectors[v].push_back({x[0], x[1], x[2]});
-        x += 3;
+        result.vectors[v].push_back({x[at], x[at + 1], x[at + 2]});
+        at += 3;
       }
   };
   if (format == PointFormat::text)
-    read_table(file, columns, row);
+    read_table(file, columns, [&](const TableRow& row) { take(row); });
   else
-    read_binary(file, columns, format, row);
+    read_binary(file, columns.size(), format, take);
   return result;
 }
 

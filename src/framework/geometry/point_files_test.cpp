@@ -135,13 +135,13 @@ TEST_F(FromFiles, TriangulationIsReadAndChecked) {
 
   write("cube.tri", "0 1 2\n0 1 4\n");
   EXPECT_THAT([&] { read_triangulation(stem("cube")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("cube.tri:2"), HasSubstr("point 4"))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("cube.tri:2:5: "), HasSubstr("point 4"))));
   write("cube.pts", "0 0 0\n1 0\n");
   EXPECT_THAT([&] { read_triangulation(stem("cube")); },
-              ThrowsMessage<InputError>(HasSubstr("cube.pts:2: number 3 of 3 is missing")));
+              ThrowsMessage<InputError>(HasSubstr("cube.pts:2:4: number 3 of 3 (z) is missing")));
   EXPECT_THAT(
       [&] { read_triangulation(stem("nothing")); },
-      ThrowsMessage<InputError>(AllOf(HasSubstr("nothing.pts"), HasSubstr("No such file"))));
+      ThrowsMessage<InputError>(AllOf(HasSubstr("nothing.pts"), HasSubstr("no such file"))));
 }
 
 TEST_F(FromFiles, PolygonIsAPrism) {
@@ -177,7 +177,10 @@ TEST_F(FromFiles, PointsWithVariables) {
       [&] {
         read_point_file(name, PointFormat::text, {"p.fiberdir", "p.normal"});
       },
-      ThrowsMessage<InputError>(HasSubstr("p.pts:1: number 8 of 9")));
+      ThrowsMessage<InputError>(HasSubstr("p.pts:1:18: number 8 of 9 (p.normal y) is missing")));
+  EXPECT_THAT([&] { read_point_file(name, PointFormat::text, {"p.volume"}); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("p.pts:1:13: '1' stands behind the last number; expected 4 numbers")));
 }
 
 TEST_F(FromFiles, BinaryPointsInEitherByteOrder) {

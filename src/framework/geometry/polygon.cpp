@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
-#include "framework/geometry/point_table.hpp"
 
 namespace sluice {
 
 std::vector<PolygonPoint> read_polygon(const std::string& file) {
   std::vector<PolygonPoint> corners;
-  read_table(file, 2, [&](const double* row, int) { corners.push_back({row[0], row[1]}); });
+  read_table(file, {"x", "y"}, [&](const TableRow& row) { corners.push_back({row[0], row[1]}); });
   return corners;
 }
 

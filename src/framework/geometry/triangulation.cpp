@@ -7,24 +7,24 @@
 #include <cmath>
 #include <map>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
-#include "framework/geometry/point_table.hpp"
 
 namespace sluice {
 
 Triangulation read_triangulation(const std::string& stem) {
   Triangulation t;
-  read_table(stem + ".pts", 3, [&](const double* row, int) {
+  read_table(stem + ".pts", {"x", "y", "z"}, [&](const TableRow& row) {
     t.points.push_back({row[0], row[1], row[2]});
   });
   const int count = static_cast<int>(t.points.size());
-  read_table(stem + ".tri", 3, [&](const double* row, int line) {
+  const std::vector<std::string> corners = {"first point", "second point", "third point"};
+  read_table(stem + ".tri", corners, [&](const TableRow& row) {
     std::array<int, 3> triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
       if (!(row[i] >= 0 && row[i] < count && row[i] == std::floor(row[i])))
-        throw InputError(
-            fmt::format("{}.tri:{}: point {} does not exist; {}.pts has points 0 to {}", stem, line,
-                        row[i], stem, count - 1));
+        row.refuse(i, fmt::format("point {} does not exist; {}.pts has points 0 to {}", row[i],
+                                  stem, count - 1));
       triangle[i] = static_cast<int>(row[i]);
     }
     t.triangles.push_back(triangle);

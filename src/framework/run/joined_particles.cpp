@@ -29,6 +29,12 @@ void JoinedParticles::start(int kind, const Level& level, const IndexBox& cells,
   own.start(kind, level, cells, particles);
 }
 
+std::optional<std::int64_t> JoinedParticles::count_at_start(int kind, const Level& level,
+                                                            const IndexBox& cells) const {
+  const ParticleMethod& own = of(kind);
+  return own.count_at_start(kind, level, cells);
+}
+
 void JoinedParticles::advance(int kind, const ParticleStep& step, ParticleSet& particles) const {
   const ParticleMethod& own = of(kind);
   own.advance(kind, step, particles);

@@ -15,6 +15,8 @@ class JoinedParticles final : public ParticleMethod {
   const std::vector<ParticleKind>& kinds() const override { return kinds_; }
   void start(int kind, const Level& level, const IndexBox& cells,
              ParticleSet& particles) const override;
+  std::optional<std::int64_t> count_at_start(int kind, const Level& level,
+                                             const IndexBox& cells) const override;
   void advance(int kind, const ParticleStep& step, ParticleSet& particles) const override;
   bool asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
                        int coarse) const override;

@@ -4,7 +4,9 @@
 // writes and restores them. The method says which there are, starts them and takes them through
 // time. A component without particles offers none, and then nothing of this exists.
 #pragma once
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,6 +74,11 @@ class ParticleMethod {
   // Adds the particles that are in these cells at the start.
   virtual void start(int kind, const Level& level, const IndexBox& cells,
                      ParticleSet& particles) const = 0;
+  // How many start() adds there, found without making any; nothing where that is not known.
+  virtual std::optional<std::int64_t> count_at_start(int /*kind*/, const Level& /*level*/,
+                                                     const IndexBox& /*cells*/) const {
+    return {};
+  }
   // Takes particles from begin to end, to where they may be out of box and domain, by no more than
   // the ghost layers allow; adds those that appear meanwhile.
   virtual void advance(int /*kind*/, const ParticleStep& /*step*/,

@@ -153,7 +153,8 @@ TEST(Progress, a_terminal_gets_one_live_line) {
   winsize size{};
   size.ws_col = 200;
   size.ws_row = 24;
-  ASSERT_EQ(openpty(&terminal, &other_end, nullptr, nullptr, &size), 0);
+  if (openpty(&terminal, &other_end, nullptr, nullptr, &size) != 0)
+    GTEST_SKIP() << "the system gives no pseudo-terminal (/dev/pts is not there)";
   std::FILE* stream = fdopen(other_end, "w");
   ASSERT_NE(stream, nullptr);
   ProgressOptions options;

@@ -22,6 +22,7 @@ ArchiveSetup archive_setup(const Scene& scene, const RunOptions& o) {
   setup.filebase = scene.output.filebase;
   setup.deck_xml = o.deck_xml;
   setup.other_decks = o.other_decks;
+  setup.kept_files = o.kept_files;
   setup.program = o.program;
   setup.outputs.doubles_as_float = scene.output.doubles_as_floats;
   setup.checkpoint_cycle = scene.output.checkpoint.cycle;
@@ -110,8 +111,9 @@ void Simulation::start() {
   // Bad labels are found also when nothing is written.
   sort_saves(scene_->output, *hierarchy_, analysis_->field_labels());
   check_saves_of_successors();
+  const bool nothing_left = restarting && time_.status() != RunStatus::running;
   const bool writes = scene_->output.any() || scene_->output.checkpoint.any() || analysis_->any();
-  if (options_.output && writes) {
+  if (options_.output && writes && !nothing_left) {
     ArchiveWriter archive =
         ArchiveWriter::create(archive_setup(*scene_, options_), writer_ranks(*communicator_));
     if (restarting)
@@ -140,7 +142,19 @@ void Simulation::start() {
   if (output_ != nullptr) start_seconds_ -= output_->seconds();
   if (communicator_->is_root() && output_ != nullptr)
     for (const Fault& warning : analysis_->warnings()) progress_->note(to_string(warning));
+  if (communicator_->is_root() && nothing_left) progress_->note(text_of_nothing_left());
   progress_->begin(time_.state().step, time_.state().time, control_.wall_seconds());
+}
+
+std::string Simulation::text_of_nothing_left() const {
+  const TimeState& t = time_.state();
+  const bool by_time = time_.status() == RunStatus::done;
+  return fmt::format(
+      "nothing is left to do: the checkpoint of step {} at t = {:g} is at the end of the run, {}; "
+      "no archive is made\n  a later end goes on: {}",
+      t.step, t.time,
+      by_time ? fmt::format("maxTime = {:g}", scene_->time.max_time) : "its last step",
+      by_time ? "--set Time/maxTime=..." : "more of --max-steps or --set Time/max_Timesteps=...");
 }
 
 StepInfo Simulation::step_info() const {

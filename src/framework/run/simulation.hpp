@@ -30,6 +30,8 @@ struct RunOptions {
   std::string deck_xml;  // the deck as run
   // Decks that it names, by the names of files that it has for them.
   std::map<std::string, std::string> other_decks;
+  // Files that these decks name, by the names under which the archive keeps them.
+  std::map<std::string, std::filesystem::path> kept_files;
   // Components that take over from the first, in the order of their turns.
   std::vector<Successor> successors;
   std::filesystem::path restart;    // archive to go on from; empty: start anew
@@ -93,6 +95,7 @@ class Simulation {
   [[noreturn]] void fail_unsound(const StepPlan& plan, const CycleResult& result);
   void plant_nan(IntVec3 cell);
   void write_last_good_checkpoint();
+  std::string text_of_nothing_left() const;
 
   const Scene* scene_;          // of the component that runs now
   const Component* component_;  // likewise

@@ -96,11 +96,11 @@ TimeControl::TimeControl(const TimeSettings& time, const OutputSettings& output,
   if (reaches(state_.time, time_.max_time, 0)) status_ = RunStatus::done;
 }
 
-void TimeControl::restart(const TimeState& state, bool keep_schedule) {
+void TimeControl::restart(const TimeState& state) {
   state_ = state;
   for (std::size_t n = 0; n < switches_.size(); ++n)
     if ((state_.switches >> n & 1U) != 0) take_intervals(switches_[n]);
-  if (!keep_schedule) state_.schedule = schedule_.state_at(state.time, state.previous_dt);
+  state_.schedule = schedule_.state_at(state.time, state.previous_dt);
   just_restarted_ = true;
   status_ = RunStatus::running;
   if (step_limit() > 0 && state_.step >= step_limit()) status_ = RunStatus::max_steps;
@@ -147,7 +147,7 @@ void TimeControl::apply_limits(StepPlan& plan, double physics_dt) {
     plan.dt = time_.override_restart_delt;
     plan.limits |= bit(TimeLimit::override_restart_delt);
   } else if (time_.max_delt_increase > 0) {
-    cap(plan, (1 + time_.max_delt_increase) * state_.previous_dt, TimeLimit::max_delt_increase);
+    cap(plan, (1 + time_.max_delt_increase) * state_.uncut_dt, TimeLimit::max_delt_increase);
   }
   if (time_.delt_min > 0 && plan.dt < time_.delt_min) {
     plan.dt = time_.delt_min;
@@ -160,6 +160,7 @@ void TimeControl::apply_limits(StepPlan& plan, double physics_dt) {
 }
 
 void TimeControl::apply_clamps(StepPlan& plan) const {
+  plan.uncut_dt = plan.dt;
   plan.end = plan.start + plan.dt;
   if (time_.clamp_time_to_output) {
     clamp_to(plan, schedule_.next_output_time(state_.schedule), TimeLimit::output_time);
@@ -242,6 +243,7 @@ StepEnd TimeControl::accept(const StepPlan& plan, double wall_seconds, bool term
   state_.step = plan.step;
   state_.time = plan.end;
   state_.previous_dt = plan.dt;
+  state_.uncut_dt = plan.uncut_dt;
   state_.physics_dt = 0;
   state_.schedule = schedule_.advance(plan.end, plan.dt, state_.schedule);
   just_restarted_ = false;
@@ -280,6 +282,7 @@ std::string to_json_text(const TimeState& state) {
   return Json{{"step", state.step},
               {"time", state.time},
               {"previous_dt", state.previous_dt},
+              {"uncut_dt", state.uncut_dt},
               {"physics_dt", state.physics_dt},
               {"next_output", state.schedule.next_output},
               {"next_checkpoint", state.schedule.next_checkpoint},
@@ -298,7 +301,10 @@ TimeState time_state_from_json_text(const std::string& text) {
     state.physics_dt = json.at("physics_dt").get<double>();
     state.schedule.next_output = json.at("next_output").get<std::int64_t>();
     state.schedule.next_checkpoint = json.at("next_checkpoint").get<std::int64_t>();
-    if (json.contains("switches")) {  // archives of earlier versions have none
+    // Archives of earlier versions have neither of these.
+    state.uncut_dt =
+        json.contains("uncut_dt") ? json.at("uncut_dt").get<double>() : state.previous_dt;
+    if (json.contains("switches")) {
       state.switches = json.at("switches").get<unsigned>();
       state.last_step = json.at("last_step").get<int>();
     }

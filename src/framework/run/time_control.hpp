@@ -1,7 +1,8 @@
 // The size of each step, what is kept of it, and when the run ends: the deck's <Time> rules.
 //
 // The step that the physics allows passes, in this order:
-//   timestep_multiplier -> max_delt_increase (a fraction: at most (1 + x) times the last step)
+//   timestep_multiplier -> max_delt_increase (a fraction: at most (1 + x) times the last step, as
+//   it was before an output, a checkpoint or the end cut it)
 //   -> delt_min -> delt_max -> delt_init (while the step starts at or before initial_delt_range,
 //   and the very first step) -> next output -> next checkpoint (both with
 //   clamp_time_to_output) -> maxTime (with end_at_max_time_exactly).
@@ -56,6 +57,7 @@ struct TimeState {
   int step = 0;  // steps done
   double time = 0;
   double previous_dt = 0;  // of the last step; 0 before the first
+  double uncut_dt = 0;     // the same before an output, a checkpoint or the end cut it
   double physics_dt = 0;   // what the physics allows next, where it is known already; else 0
   ScheduleState schedule;
   unsigned switches = 0;  // which have acted, one bit for each
@@ -71,6 +73,7 @@ struct StepPlan {
   int step = 0;  // number of this step; the first is 1
   double start = 0;
   double dt = 0;
+  double uncut_dt = 0;  // before an output, a checkpoint or the end cut it
   double end = 0;       // the time that the run has after it: exactly the one aimed at
   unsigned limits = 0;  // what has set dt, one bit for each TimeLimit
   bool output = false;
@@ -98,8 +101,9 @@ class TimeControl {
   // Another component goes on: its limits of the step, with the same times of the run.
   void take_limits(const TimeSettings& time) { time_ = time; }
 
-  // Goes on from a checkpoint. Intervals may have changed since: pass keep_schedule = false.
-  void restart(const TimeState& state, bool keep_schedule = true);
+  // Goes on from a checkpoint. Intervals of outputs and checkpoints may have changed since: what is
+  // due next are the multiples of those of now.
+  void restart(const TimeState& state);
 
   const TimeState& state() const { return state_; }
   RunStatus status() const { return status_; }

@@ -269,6 +269,31 @@ TEST(TimeControl, a_retry_is_the_same_step_with_its_own_saves) {
   EXPECT_EQ(control.limit_counts().count(TimeLimit::max_time), 0U);
 }
 
+// A step that an output cuts to a sliver says nothing about the physics: the next may be as large
+// as if it had not been cut.
+TEST(TimeControl, steps_cut_for_an_output_do_not_hold_back_those_after) {
+  TimeSettings time = plain_time();
+  time.max_delt_increase = 0.1;
+  time.clamp_time_to_output = true;
+  OutputSettings output;
+  output.interval = 1;
+  TimeControl control(time, output);
+  for (const double end : {0.75, 1.0, 1.75, 2.0}) {
+    const StepPlan plan = control.plan(0.75);
+    EXPECT_EQ(plan.end, end);
+    accept(control, plan);
+  }
+  EXPECT_EQ(control.state().previous_dt, 0.25);
+  EXPECT_EQ(control.state().uncut_dt, 0.75);
+  TimeControl again(time, output);
+  again.restart(time_state_from_json_text(to_json_text(control.state())));
+  EXPECT_EQ(again.plan(10).uncut_dt, (1 + 0.1) * 0.75);
+  // One that was redone with less does.
+  const StepPlan redone = control.retry(control.plan(0.75), 0.125);
+  accept(control, redone);
+  EXPECT_EQ(control.plan(0.75).dt, (1 + 0.1) * 0.125);
+}
+
 TEST(TimeControl, refuses_steps_that_lead_nowhere) {
   TimeSettings time = plain_time();
   TimeControl control(time, {});
@@ -413,9 +438,11 @@ TEST(TimeControl, restart_with_another_interval_counts_anew) {
   state.schedule.next_output = 11;
   OutputSettings output;
   output.interval = 0.4;
+  output.checkpoint.interval = 0.3;
   TimeControl control(plain_time(), output);
-  control.restart(state, false);
-  EXPECT_EQ(control.state().schedule.next_output, 3);  // 1.2
+  control.restart(state);
+  EXPECT_EQ(control.state().schedule.next_output, 3);      // 1.2
+  EXPECT_EQ(control.state().schedule.next_checkpoint, 4);  // 1.2
 }
 
 TEST(TimeControl, state_reads_back_exactly_or_is_refused) {
@@ -423,6 +450,7 @@ TEST(TimeControl, state_reads_back_exactly_or_is_refused) {
   state.step = 123456;
   state.time = 1.0 / 3.0;
   state.previous_dt = std::nextafter(1e-9, 1.0);
+  state.uncut_dt = std::nextafter(2e-9, 1.0);
   state.physics_dt = 5e-324;
   state.schedule.next_output = 1234567890123;
   state.schedule.next_checkpoint = -3;

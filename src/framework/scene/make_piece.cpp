@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
+#include "framework/deck/data_file.hpp"
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/corrugated.hpp"
 #include "framework/geometry/image.hpp"
@@ -20,12 +19,12 @@ namespace sluice {
 
 namespace {
 
-// `extension`: what is added to the name before the file is looked for.
-std::string find_file(const DeckNode& node, const std::string& extension) {
-  const std::string& name = node.string("name");
-  if (std::filesystem::exists(name + extension)) return name;
-  const std::filesystem::path beside = std::filesystem::path(node.where.file).parent_path() / name;
-  return std::filesystem::exists(beside.string() + extension) ? beside.string() : name;
+// `ending`: what is added to the name before the file is looked for.
+std::string find_file(const DeckNode& node, const std::string& ending) {
+  const DeckNode& name = node.need("name");
+  std::vector<Fault> told;  // when the deck was read
+  const std::string path = find_data_file(name.text, ending, name.where, told);
+  return path.empty() ? name.text : path;
 }
 
 PiecePtr make_sphere(const DeckNode& node) {

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "framework/scene/deck_values.hpp"
+#include "framework/scene/time_settings.hpp"
 
 namespace sluice {
 
@@ -39,13 +42,54 @@ CheckpointSettings read_checkpoint(const DeckNode& node) {
   return c;
 }
 
+bool is_beyond(double interval, const TimeSettings& time) {
+  // By multiples of the interval itself, not of the start.
+  return interval > 0 && time.max_time > time.initial_time &&
+         (std::floor(time.initial_time / interval) + 1) * interval > time.max_time * (1 + 1e-12);
+}
+
+bool is_beyond(int steps, const TimeSettings& time) {
+  return steps > 1 && time.max_timesteps > 0 && steps >= time.max_timesteps;
+}
+
 }  // namespace
+
+void check_intervals(const OutputSettings& output, const TimeSettings& time,
+                     std::vector<Fault>& faults) {
+  const auto end = [&](double interval) {
+    return interval > 0 ? fmt::format("maxTime {:g}", time.max_time)
+                        : fmt::format("max_Timesteps {}", time.max_timesteps);
+  };
+  if (is_beyond(output.interval, time) || is_beyond(output.timestep_interval, time))
+    add_warning(faults, output.interval_where,
+                fmt::format("the interval of outputs, {}, is beyond the end of the run, {}: {}",
+                            output.interval > 0 ? fmt::format("{:g}", output.interval)
+                                                : fmt::format("{} steps", output.timestep_interval),
+                            end(output.interval),
+                            output.last_timestep ? "beside the first step only its end is kept"
+                                                 : "only the first step is kept"),
+                output.last_timestep ? "write a shorter interval"
+                                     : "write a shorter interval, or <outputLastTimestep>");
+  const CheckpointSettings& c = output.checkpoint;
+  if (is_beyond(c.interval, time) || is_beyond(c.timestep_interval, time))
+    add_warning(
+        faults, c.where,
+        fmt::format("the interval of checkpoints, {}, is beyond the end of the run, {}: {}",
+                    c.interval > 0 ? fmt::format("{:g}", c.interval)
+                                   : fmt::format("{} steps", c.timestep_interval),
+                    end(c.interval), c.last_timestep ? "only its end is kept" : "none is written"),
+        "write a shorter interval");
+}
 
 OutputSettings read_output_settings(const DeckNode& archiver, std::vector<Fault>& faults) {
   OutputSettings o;
   o.where = archiver.where;
   collect(faults, archiver.where, [&] {
     o.filebase = text_or(archiver, "filebase", "");
+    o.interval_where = archiver.where;
+    for (const char* name : {"outputInterval", "outputTimestepInterval"})
+      if (const DeckNode* node = archiver.child(name); node != nullptr && !node->defaulted)
+        o.interval_where = node->where;
     o.interval = real_or(archiver, "outputInterval", 0);
     o.timestep_interval = integer_or(archiver, "outputTimestepInterval", 0);
     o.initial_timestep = archiver.has("outputInitTimestep");

@@ -46,10 +46,15 @@ struct OutputSettings {
   int reduction_on_timestep = 0;
   bool reduction_step_column = false;
   bool reduction_time_column = true;
-  Location where;
+  Location where, interval_where;
 
   bool any() const { return interval > 0 || timestep_interval > 0 || last_timestep; }
 };
+
+struct TimeSettings;
+// Warns of intervals of outputs and checkpoints that end beyond the run.
+void check_intervals(const OutputSettings& output, const TimeSettings& time,
+                     std::vector<Fault>& faults);
 
 OutputSettings read_output_settings(const DeckNode& archiver, std::vector<Fault>& faults);
 

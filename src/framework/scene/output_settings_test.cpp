@@ -2,6 +2,7 @@
 #include "framework/scene/output_settings.hpp"
 
 #include "framework/scene/deck_text.hpp"
+#include "framework/scene/time_settings.hpp"
 
 namespace sluice::output_settings_test {
 namespace {
@@ -79,6 +80,39 @@ TEST(OutputSettings, OutputThatSavesNothingIsDropped) {
   const OutputSettings o = read(base + "<outputInterval>1</outputInterval>", &said);
   EXPECT_THAT(said, HasSubstr("saves nothing"));
   EXPECT_FALSE(o.any());
+}
+
+TEST(OutputSettings, IntervalsBeyondTheEndAreTold) {
+  const auto told = [](const std::string& content, const TimeSettings& time) {
+    const OutputSettings o = read(base + save + content);
+    std::vector<Fault> faults;
+    check_intervals(o, time, faults);
+    return all_faults(faults);
+  };
+  TimeSettings time;
+  time.max_time = 2;
+  EXPECT_EQ(told("<outputInterval>2</outputInterval>", time), "");
+  EXPECT_THAT(told("\n<outputInterval>2.5</outputInterval>", time),
+              HasSubstr("deck.ups:3:1: warning: the interval of outputs, 2.5, is beyond the end of "
+                        "the run, maxTime 2: only the first step is kept"));
+  EXPECT_THAT(told("<outputInterval>9</outputInterval><outputLastTimestep>true"
+                   "</outputLastTimestep>",
+                   time),
+              HasSubstr("beside the first step only its end is kept"));
+  EXPECT_THAT(told("<checkpoint interval=\"3\" cycle=\"1\"/>", time),
+              HasSubstr("the interval of checkpoints, 3, is beyond"));
+  // Multiples of the interval itself: 4 lies between 3 and 5.
+  time.initial_time = 3;
+  time.max_time = 5;
+  EXPECT_EQ(told("<outputInterval>4</outputInterval>", time), "");
+  EXPECT_THAT(told("<outputInterval>6</outputInterval>", time), HasSubstr("beyond"));
+  time.max_timesteps = 10;
+  TimeSettings one_step = time;
+  one_step.max_timesteps = 1;
+  EXPECT_EQ(told("<outputTimestepInterval>9</outputTimestepInterval>", time), "");
+  EXPECT_EQ(told("<outputTimestepInterval>1</outputTimestepInterval>", one_step), "");
+  EXPECT_THAT(told("<outputTimestepInterval>10</outputTimestepInterval>", time),
+              HasSubstr("10 steps, is beyond the end of the run, max_Timesteps 10"));
 }
 
 TEST(OutputSettings, Faults) {

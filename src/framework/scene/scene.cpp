@@ -186,6 +186,7 @@ Scene read_scene(const Deck& deck, const SceneOptions& options, std::vector<Faul
   read_grid_and_boundary(root, options, scene, faults);
   if (const DeckNode* archiver = need_block(root, "DataArchiver", faults))
     scene.output = read_output_settings(*archiver, faults);
+  check_intervals(scene.output, scene.time, faults);
   check_formulas(root, faults);
   std::vector<std::string> names;
   for (const MaterialEntry& m : scene.materials) names.push_back(m.name);

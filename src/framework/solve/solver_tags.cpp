@@ -189,6 +189,51 @@ void read_cycles(const DeckNode& node, SolverSettings& s) {
   s.solve_every = integer_or(node, "solveFrequency", s.solve_every);
 }
 
+// Does the tag say something to the solver, or to the preconditioner that it takes.
+bool is_heard(const std::string& tag, const SolverSettings& s) {
+  if (s.type != "hypre") return s.type == "hypreamr" && tag.starts_with("precond_");
+  constexpr const char* without_one[] = {"smg", "pfmg", "sparsemsg", "jacobi", "diagonal"};
+  const bool takes_one =
+      std::find(std::begin(without_one), std::end(without_one), s.solver) == std::end(without_one);
+  const auto at_work = [&](const char* method) {
+    return s.solver == method || (takes_one && s.preconditioner == method);
+  };
+  if (tag == "solver") return true;
+  if (tag == "preconditioner") return takes_one;
+  if (tag.starts_with("precond_"))
+    return takes_one && (s.solver == "amg" || s.preconditioner != "none");
+  if (tag == "jump") return at_work("sparsemsg");
+  if (tag == "skip") return at_work("pfmg");
+  if (tag == "relax_type") return at_work("pfmg") || at_work("sparsemsg");
+  return at_work("smg") || at_work("pfmg") || at_work("sparsemsg");  // npre, npost
+}
+
+std::string name_of(const SolverSettings& s) {
+  if (s.type != "hypre") return s.type;
+  const bool alone = s.preconditioner == "none";
+  return "hypre's " + s.solver + (alone ? "" : ", preconditioned by " + s.preconditioner);
+}
+
+// Tags of a solver that is not the one that runs.
+void warn_of_unheard(const DeckNode& node, const SolverSettings& s, std::vector<Fault>& faults) {
+  std::vector<std::string> unheard;
+  const DeckNode* first = nullptr;
+  for (const TagSpec& spec : hypre_tags()) {
+    if (!node.has(spec.name) || is_heard(spec.name, s)) continue;
+    // Blocks for hypre list all tags; those of methods that do not run stand there as they are.
+    const std::string& text = node.child(spec.name)->text;
+    if (s.type == "hypre" && text == spec.value.default_text) continue;
+    unheard.push_back("<" + spec.name + ">");
+    if (first == nullptr) first = node.child(spec.name);
+  }
+  if (unheard.empty()) return;
+  add_warning(faults, first->where,
+              fmt::format("{} {} no effect: the solver is {}", join(unheard, ", "),
+                          unheard.size() == 1 ? "has" : "have", name_of(s)),
+              s.type == "hypre" ? "remove what is of another solver"
+                                : "remove them, or ask for <Solver type=\"hypre\">");
+}
+
 // The block for a variable: of that name, or of none.
 const DeckNode* parameters_for(const DeckNode* parent, const std::string& variable) {
   if (parent == nullptr) return nullptr;
@@ -232,6 +277,7 @@ SolverSettings read_solver_parameters(const DeckNode* parameters, const std::str
   read_methods(*parameters, settings, faults);
   read_goal(*parameters, settings, faults);
   read_cycles(*parameters, settings);
+  warn_of_unheard(*parameters, settings, faults);
   for (std::string& fault : faults_of(settings))
     add_error(faults, parameters->where, std::move(fault));
   return settings;

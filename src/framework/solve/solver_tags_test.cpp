@@ -106,6 +106,25 @@ TEST(SolverTags, NormAndCriteriaAreOfOurOwnSolver) {
   EXPECT_EQ(hypre.settings.tolerance, 1e-6);
 }
 
+TEST(SolverTags, TagsOfASolverThatDoesNotRunAreTold) {
+  const std::string tags =
+      "<tolerance>1e-8</tolerance>\n<solver>cg</solver><preconditioner>pfmg</preconditioner>"
+      "<npre>1</npre><skip>0</skip><jump>2</jump>";
+  EXPECT_THAT(read("CGSolver", "", parameters(tags)).faults,
+              HasSubstr("deck.ups:4:1: warning: <solver>, <preconditioner>, <npre>, <skip>, <jump> "
+                        "have no effect: the solver is CGSolver"));
+  EXPECT_THAT(
+      read("hypre", "", parameters(tags)).faults,
+      HasSubstr("warning: <jump> has no effect: the solver is hypre's cg, preconditioned by "
+                "pfmg"));
+  EXPECT_THAT(read("hypre", "",
+                   parameters("<solver>pfmg</solver><preconditioner>smg</preconditioner>"
+                              "<precond_maxiters>2</precond_maxiters><relax_type>1</relax_type>"))
+                  .faults,
+              HasSubstr("warning: <preconditioner>, <precond_maxiters> have no effect"));
+  EXPECT_EQ(read("hypreamr", "", parameters("<precond_maxiters>2</precond_maxiters>")).faults, "");
+}
+
 TEST(SolverTags, TheBlockOfTheSolveGoesFirstAndOfItsVariableOnly) {
   const std::string general = parameters("<npre>5</npre>"), own = parameters("<npre>6</npre>");
   EXPECT_EQ(read("hypre", general, own).settings.before, 6);

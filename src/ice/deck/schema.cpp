@@ -302,9 +302,6 @@ void add_ice_tags(Schema& schema) {
   schema.rewrites.emplace_back(models::rename_scalar_totals);
   schema.rewrites.emplace_back(models::rename_clones);
   schema.rewrites.emplace_back(drop_labels_of_errors);
-  schema.rewrites.emplace_back(models::locate_tables);
-  schema.rewrites.emplace_back(
-      [](DeckNode& root, std::vector<Fault>&) { models::locate_mechanisms(root); });
   schema.rules.emplace_back(check_ice_blocks);
   schema.rules.emplace_back(check_ice_materials);
   schema.rules.emplace_back(check_ice_fluids);

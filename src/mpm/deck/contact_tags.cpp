@@ -13,7 +13,7 @@ std::vector<TagSpec> specified_tags() {
           tag("filename",
               "motion of the master: rows of time and velocity, with include_rotation a place of "
               "the axis and the angular velocity too; absent: it moves as it started")
-              .text(),
+              .file(),
           tag("direction", "1: this component of the velocity is prescribed")
               .int_vector()
               .at_least(0)
@@ -108,7 +108,7 @@ TagSpec cohesive_zone_tag() {
       .with_children(
           {tag("cz_filename", "points: place, area, normal, tangent, materials below and above")
                .once()
-               .text(),
+               .file(),
            stress("sig_max", "greatest normal traction"),
            stress("tau_max", "greatest tangential traction"),
            opening("delta_n", "opening at the greatest normal traction").once(),

@@ -134,13 +134,15 @@ std::vector<TagSpec> file_tags() {
            "false"),
       tag("PrescribedDeformationFile",
           "rows of time, deformation gradient (nine numbers), angle in degrees, axis")
-          .text()
+          .file()
           .by_default("time_defgrad_rotation"),
       flag("exactDeformation", "steps end at the times of that file, places follow it exactly",
            "false"),
       flag("InsertParticles", "particles of a colour are moved at times that a file gives",
            "false"),
-      tag("InsertParticlesFile", "rows of time, colour, shift, velocity").text(),
+      tag("InsertParticlesFile",
+          "rows of time, colour, shift, velocity; or of time, material, colour, shift, velocity")
+          .file(),
   };
 }
 

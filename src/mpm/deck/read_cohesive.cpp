@@ -3,12 +3,11 @@
 
 #include <cmath>
 
-#include "framework/base/error.hpp"
+#include "framework/base/data_lines.hpp"
+#include "framework/deck/data_file.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
-#include "framework/geometry/point_table.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "mpm/deck/data_file.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
@@ -18,23 +17,25 @@ namespace {
 std::vector<CohesivePoint> read_points(const std::string& file, const MpmScene& s) {
   std::vector<CohesivePoint> points;
   const auto count = static_cast<int>(s.materials.size());
-  read_table(file, 12, [&](const double* v, int line) {
-    const auto fail = [&](const std::string& what) {
-      throw InputError(fmt::format("{}:{}: {}", file, line, what));
-    };
+  const std::vector<std::string> columns = {
+      "x",        "y",         "z",         "area",      "normal x",       "normal y",
+      "normal z", "tangent x", "tangent y", "tangent z", "material below", "material above"};
+  read_table(file, columns, [&](const TableRow& v) {
     CohesivePoint p{{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[7], v[8], v[9]}, v[3], 0, 0};
-    if (!(p.area > 0)) fail(fmt::format("area {:g} of a cohesive point", p.area));
+    if (!(p.area > 0)) v.refuse(3, fmt::format("area {:g} of a cohesive point", p.area));
     const Vec3 second = cross(p.normal, p.tangent);
-    if (!(dot(second, second) > 0)) fail("normal and tangent of a cohesive point are parallel");
-    for (const double m : {v[10], v[11]}) {
+    if (!(dot(second, second) > 0))
+      v.refuse(4, "normal and tangent of a cohesive point are parallel");
+    for (const std::size_t n : {std::size_t{10}, std::size_t{11}}) {
+      const double m = v[n];
       if (!(m >= 0 && m < count && m == std::floor(m)))
-        fail(fmt::format("there is no material {:g}; valid: 0 to {}", m, count - 1));
+        v.refuse(n, fmt::format("there is no material {:g}; valid: 0 to {}", m, count - 1));
       if (s.materials[static_cast<std::size_t>(m)].rigid)
-        fail(fmt::format("material {:g} is rigid: no force moves it", m));
+        v.refuse(n, fmt::format("material {:g} is rigid: no force moves it", m));
     }
     p.below = static_cast<int>(v[10]);
     p.above = static_cast<int>(v[11]);
-    if (p.below == p.above) fail("a cohesive point holds two materials together, not one");
+    if (p.below == p.above) v.refuse(11, "a cohesive point holds two materials together, not one");
     points.push_back(p);
   });
   return points;
@@ -53,7 +54,8 @@ void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>&
     z.delta_n_fail = real_or(*node, "delta_n_fail", 4 * z.delta_n);
     z.delta_t_fail = real_or(*node, "delta_t_fail", 4 * z.delta_t);
     const std::string file = data_file(node->need("cz_filename"), faults);
-    if (!file.empty()) z.points = read_points(file, s);
+    if (!file.empty())
+      collect(faults, node->need("cz_filename").where, [&] { z.points = read_points(file, s); });
     s.cohesive_zones.push_back(std::move(z));
   }
 }

@@ -1,9 +1,9 @@
 // <contact> with its profile files.
 #include <fmt/format.h>
 
-#include "framework/geometry/point_table.hpp"
+#include "framework/base/data_lines.hpp"
+#include "framework/deck/data_file.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "mpm/deck/data_file.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
@@ -63,13 +63,17 @@ ContactRule read_contact(const DeckNode& node, int materials, std::vector<Fault>
 
 std::vector<std::array<double, 10>> read_profile(const std::string& file, bool rotates) {
   std::vector<std::array<double, 10>> rows;
-  const int columns = rotates ? 10 : 4;
-  read_table(file, columns, [&](const double* numbers, int line) {
+  std::vector<std::string> columns = {"time", "velocity x", "velocity y", "velocity z"};
+  if (rotates)
+    for (const char* more : {"origin x", "origin y", "origin z", "angular velocity x",
+                             "angular velocity y", "angular velocity z"})
+      columns.emplace_back(more);
+  read_table(file, columns, [&](const TableRow& numbers) {
     std::array<double, 10> row{};
-    std::copy_n(numbers, columns, row.begin());
+    for (std::size_t n = 0; n < columns.size(); ++n) row[n] = numbers[n];
     if (!rows.empty() && !(row[0] > rows.back()[0]))
-      throw InputError(fmt::format("{}:{}: time {:g} is not after the one before, {:g}", file, line,
-                                   row[0], rows.back()[0]));
+      numbers.refuse(
+          0, fmt::format("time {:g} is not after the one before, {:g}", row[0], rows.back()[0]));
     rows.push_back(row);
   });
   return rows;

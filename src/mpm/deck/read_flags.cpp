@@ -5,9 +5,9 @@
 #include <array>
 #include <string_view>
 
+#include "framework/deck/data_file.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "mpm/deck/data_file.hpp"
 #include "mpm/deck/implicit.hpp"
 #include "mpm/deck/readers.hpp"
 

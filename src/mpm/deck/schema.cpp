@@ -5,7 +5,6 @@
 #include <cctype>
 #include <string_view>
 
-#include "mpm/deck/data_file.hpp"
 #include "mpm/deck/implicit.hpp"
 #include "mpm/deck/material_law.hpp"
 #include "mpm/deck/pore_water.hpp"
@@ -70,7 +69,6 @@ void add_mpm_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);
   schema.rewrites.emplace_back(rename_new_labels);
-  schema.rewrites.emplace_back(locate_pieces);
   schema.rules.emplace_back(check_solid_blocks);
   schema.rules.emplace_back(check_flags);
   schema.rules.emplace_back(check_transfer);

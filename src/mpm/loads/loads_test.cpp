@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/geometry/box.hpp"
 #include "framework/geometry/round.hpp"
 #include "mpm/loads/corner_loads.hpp"
+#include "mpm/loads/insertions.hpp"
 #include "mpm/loads/load_curve.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/loads/manufactured.hpp"
@@ -269,6 +273,46 @@ TEST(Manufactured, StartsInItsReferenceShape) {
 
 // A quarter turn about z on top of a stretch of x to 2: (1, 0, 0) goes to (0, 2, 0) by steps of any
 // length.
+TEST(Insertions, MayNameAMaterial) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& rows) {
+    const std::string file = (folder / "i.txt").string();
+    std::ofstream(file) << rows;
+    return read_insertions(file, 2);
+  };
+  const Insertion any = read("0.5 7  1 2 3  4 5 6\n").at(0);
+  EXPECT_EQ(any.material, -1);
+  EXPECT_EQ(any.colour, 7);
+  EXPECT_EQ(any.velocity, (Vec3{4, 5, 6}));
+  const Insertion one = read("0.5 1 7  1 2 3  4 5 6\n").at(0);
+  EXPECT_EQ(one.material, 1);
+  EXPECT_EQ(one.colour, 7);
+  EXPECT_EQ(one.way, (Vec3{1, 2, 3}));
+  EXPECT_EQ(one.velocity, (Vec3{4, 5, 6}));
+  EXPECT_THROW(read("0.5 2 7  1 2 3  4 5 6\n"), InputError);
+  EXPECT_THROW(read("0.5 1 7  1 2 3  4 5 6\n0.6 7  1 2 3  4 5 6\n"), InputError);
+}
+
+TEST(PrescribedMotion, FilesAreReadToTheEndOfEachRow) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& rows) -> std::string {
+    const std::string file = (folder / "m.inp").string();
+    std::ofstream(file) << "0 1 0 0 0 1 0 0 0 1 0 0 0 1\n" << rows;
+    try {
+      PrescribedMotion::read(file);
+    } catch (const InputError& e) {
+      return std::string(e.what()).substr(folder.path().string().size() + 1);
+    }
+    return "read";
+  };
+  const std::string F = " 1 0 0 0 1 0 0 0 1 ";
+  EXPECT_EQ(refusal("1d0" + F + "90 0 0 1\n"), "read");
+  EXPECT_EQ(refusal("1" + F + "90 0 0\n").substr(0, 41),
+            "m.inp:2:27: number 14 of 14 (axis z) is m");
+  EXPECT_EQ(refusal("0" + F + "0 0 0 1\n"), "m.inp:2:1: time 0 is not after the one before, 0");
+  EXPECT_EQ(refusal("1" + F + "90 0 0 0\n"), "m.inp:2:24: the axis of this rotation has no length");
+}
+
 TEST(PrescribedMotion, StepsMeetTheRowsExactly) {
   const PrescribedMotion motion({{0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, 0, {0, 0, 1}},
                                  {1, {2, 0, 0, 0, 1, 0, 0, 0, 1}, 0, {0, 0, 1}},

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "framework/base/data_lines.hpp"
 #include "framework/base/error.hpp"
-#include "framework/geometry/point_table.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -66,12 +66,20 @@ PrescribedMotion::PrescribedMotion(std::vector<Row> rows) : rows_(std::move(rows
 
 PrescribedMotion PrescribedMotion::read(const std::string& file) {
   std::vector<Row> rows;
-  read_table(file, 14, [&](const double* v, int) {
+  const std::vector<std::string> columns = {"time",  "F11",    "F12",    "F13",   "F21",
+                                            "F22",   "F23",    "F31",    "F32",   "F33",
+                                            "angle", "axis x", "axis y", "axis z"};
+  read_table(file, columns, [&](const TableRow& v) {
     Row row;
     row.time = v[0];
-    std::copy_n(v + 1, 9, row.F.begin());
+    for (std::size_t n = 0; n < 9; ++n) row.F[n] = v[1 + n];
     row.angle = v[10];
-    std::copy_n(v + 11, 3, row.axis.begin());
+    for (std::size_t n = 0; n < 3; ++n) row.axis[n] = v[11 + n];
+    if (!rows.empty() && !(row.time > rows.back().time))
+      v.refuse(0, fmt::format("time {:g} is not after the one before, {:g}", row.time,
+                              rows.back().time));
+    if (row.angle != 0 && std::hypot(row.axis[0], row.axis[1], row.axis[2]) == 0)
+      v.refuse(11, "the axis of this rotation has no length");
     rows.push_back(row);
   });
   try {

@@ -7,6 +7,7 @@
 #include "framework/geometry/boolean.hpp"
 #include "framework/geometry/sampling.hpp"
 #include "mpm/start/load_faults.hpp"
+#include "mpm/start/near_bodies.hpp"
 #include "mpm/start/point_list.hpp"
 #include "mpm/start/seed.hpp"
 
@@ -126,6 +127,7 @@ void check_seeds(const MpmScene& scene, const Grid& grid, std::vector<Fault>& fa
                                 count.outside, count.inside + count.outside));
     }
     check_overlaps(material, coarsest, faults);
+    check_near_bodies(material, grid.levels.back(), faults);
   }
   if (all == 0 && !scene.materials.empty())
     add_error(faults, scene.materials.front().where,

@@ -346,6 +346,30 @@ TEST(SeedFaults, BodiesThatOverlapAreCounted) {
   EXPECT_EQ(seed_faults(deck_of(object(low) + object(apart))), "");
 }
 
+// Ten cells along each axis, two particles in each: parts are 0.05 wide.
+TEST(SeedFaults, BodiesOfOneMaterialThatLieCloserThanACellAreTold) {
+  const auto slab = [](double low, double high) {
+    return fmt::format("<box><min>[{},0.2,0.2]</min><max>[{},0.8,0.8]</max></box>", low, high);
+  };
+  const auto told = [&](const std::string& objects) { return seed_faults(deck_of(objects)); };
+  EXPECT_THAT(told(object(slab(0.1, 0.4)) + object(slab(0.45, 0.8))),
+              HasSubstr("warning: this body lies 0.5 of a cell from the one at"));
+  EXPECT_EQ(told(object(slab(0.1, 0.4)) + object(slab(0.5, 0.8))), "");
+  EXPECT_EQ(told(object(slab(0.1, 0.4)) + object(slab(0.4, 0.8))), "");
+  // Balls 0.08 apart, whose parts are a whole cell apart; and two that touch in a point.
+  const auto sphere = [](double x, double radius) {
+    return fmt::format("<sphere><origin>[{},0.5,0.5]</origin><radius>{}</radius></sphere>", x,
+                       radius);
+  };
+  EXPECT_THAT(told(object(sphere(0.26, 0.2)) + object(sphere(0.74, 0.2))), HasSubstr("lies 0.8"));
+  EXPECT_EQ(told(object(sphere(0.3, 0.2)) + object(sphere(0.7, 0.2))), "");
+  // In one object, and held together by a third body.
+  const std::string both = slab(0.1, 0.4) + slab(0.45, 0.8);
+  EXPECT_THAT(told(object("<union>" + both + "</union>")), HasSubstr("0.5 of a cell"));
+  const std::string bridge = "<box><min>[0.1,0.2,0.8]</min><max>[0.8,0.8,0.9]</max></box>";
+  EXPECT_EQ(told(object("<union>" + both + bridge + "</union>")), "");
+}
+
 TEST(SeedFaults, BodiesOutsideOrTooThinAreTold) {
   const std::string outside = "<box><min>[2,2,2]</min><max>[3,3,3]</max></box>";
   const std::string thin = "<box><min>[0.2,0.2,0.2]</min><max>[0.5,0.5,0.21]</max></box>";

@@ -69,7 +69,9 @@ Verdict SolidStep::begin(const StageScope& scope) {
     if (!solids_->prescribed_file.empty())
       prescribed_ =
           std::make_unique<PrescribedMotion>(PrescribedMotion::read(solids_->prescribed_file));
-    if (!solids_->insert_file.empty()) insertions_ = read_insertions(solids_->insert_file);
+    if (!solids_->insert_file.empty())
+      insertions_ =
+          read_insertions(solids_->insert_file, static_cast<int>(solids_->materials.size()));
     if (Heat::possible(*solids_)) heat_ = std::make_unique<Heat>(*scene_, *solids_, level_);
     if (Heat::possible(*solids_, concentration_spreads))
       concentration_ = std::make_unique<Heat>(*scene_, *solids_, level_, concentration_spreads);

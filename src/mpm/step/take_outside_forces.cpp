@@ -132,7 +132,8 @@ void SolidStep::jump(const BlockWork& w, std::size_t at, int n, bool& left) cons
   const Columns& c = (*carried_)[static_cast<std::size_t>(w.kind)].columns;
   if (c.colour < 0) return;
   const double* colour = w.set->column(static_cast<std::size_t>(c.colour)) + at;
-  for (const Insertion& i : jumps_)
+  for (const Insertion& i : jumps_) {
+    if (i.material >= 0 && i.material != w.kind) continue;
     for (int q = 0; q < n; ++q) {
       if (colour[q] != i.colour) continue;
       for (int d = 0; d < 3; ++d) {
@@ -146,6 +147,7 @@ void SolidStep::jump(const BlockWork& w, std::size_t at, int n, bool& left) cons
       }
       left = true;  // of its block at least
     }
+  }
 }
 
 }  // namespace sluice::mpm
