@@ -159,7 +159,7 @@ template <int D>
 void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
   for (int d = 0; d < D; ++d) std::fill_n(whole(h.strength, d), whole.count(), 0.0);
   std::fill_n(whole(h.marks), whole.count(), 0.0);
-  for_each_marked_part(whole, marks_around<D>(whole, h.jumps), [&](const Row& row) {
+  for_each_marked_part(whole, marks_around<D>(whole, h.jumps), 1, [&](const Row& row) {
     const int n = row.count();
     bool any = false;
     for (int d = 0; d < D; ++d) {

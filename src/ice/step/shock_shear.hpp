@@ -17,21 +17,23 @@ namespace sluice::ice {
 // Rows are looked at so many cells at a time.
 constexpr int marked_cells = 32;
 
-// Whether one of these cells, or the one before or behind them, is marked: 1, else 0.
-inline bool is_marked(const double* marks, int first, int count) {
-  double sum = 0;
-  for (int i = first - 1; i <= first + count; ++i) sum = larger(sum, marks[i]);
-  return sum != 0.0;
+// Whether one of the cells from `first` to `last` is marked: 1, else 0.
+inline bool is_marked(const double* marks, int first, int last) {
+  double highest = 0;
+  for (int i = first; i <= last; ++i) highest = larger(highest, marks[i]);
+  return highest != 0.0;
 }
 
-// f(part of the row) where one of these rows of marks is set.
+// f(part of the row) where one of these rows of marks is set, from so many cells before the part
+// to one behind it.
 template <std::size_t N, class F>
-void for_each_marked_part(const Row& row, const std::array<const double*, N>& marks, F&& f) {
+void for_each_marked_part(const Row& row, const std::array<const double*, N>& marks, int before,
+                          F&& f) {
   const int n = row.count();
   for (int first = 0; first < n; first += marked_cells) {
     const int count = n - first < marked_cells ? n - first : marked_cells;
     bool any = false;
-    for (const double* m : marks) any = any || is_marked(m, first, count);
+    for (const double* m : marks) any = any || is_marked(m, first - before, first + count);
     if (any) f(row.part(first, count));
   }
 }
@@ -44,8 +46,9 @@ struct ShockShearReads {
 
 inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables& v) {
   ShockShearReads h;
-  h.strength = task.read(v.shear, Stencil::box(1));
-  h.marks = task.read(v.shear_marks, Stencil::box(1));
+  const Stencil and_above{{}, IntVec3::all(1)};  // the high faces are the low ones of these
+  h.strength = task.read(v.shear, and_above);
+  h.marks = task.read(v.shear_marks, and_above);
   h.rho = task.read(v.rho, Stencil::box(1));
   h.velocity = task.read(v.velocity, Stencil::box(1));
   return h;
@@ -55,9 +58,9 @@ inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables
 template <int D, class F>
 void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
   std::array<const double*, D> marks;
-  for (int d = 0; d < D; ++d)  // the cells before and behind count along the row
+  for (int d = 0; d < D; ++d)
     marks[static_cast<std::size_t>(d)] = d == 0 ? row(h.marks) : row(h.marks, 0, d, 1);
-  for_each_marked_part(row, marks, f);
+  for_each_marked_part(row, marks, 0, f);
 }
 
 // The faces of a row of cells along one axis.
