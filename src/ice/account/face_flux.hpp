@@ -16,7 +16,7 @@ struct FaceFluxHandles {
   In materials, pure;      // of a mixture
   In material_velocities;  // where each material has its own
   In covered;              // share of the face that solids cover
-  In shear, rho;           // along strong shocks
+  In shear, sheared, rho;  // along strong shocks
 };
 
 // Low and high faces of the cells of a row.
@@ -38,6 +38,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
   if (o.shears_shocks) {
     h.shear = task.read(v.shear, both);
+    h.sheared = task.read(v.shear_marks, both);
     h.rho = task.read(v.rho, Stencil::along(direction, 1, 1));
   }
   if (o.shears_shocks || o.viscous)
@@ -111,7 +112,7 @@ class FaceFluxRows {
     if (o.conducting) heat_ = faces(h.heat_flux);
     if (o.walled) covered_ = faces(h.covered);
     if (o.shears_shocks) {
-      shear_ = faces(h.shear, axis);
+      if (faces(h.sheared, 1)[0] != 0.0) shear_ = faces(h.shear, axis);
       rho_[0] = row(h.rho, 0, axis, shift - 1);
       rho_[1] = faces(h.rho);
     }

@@ -3,9 +3,10 @@
 // Over each face across another axis t, of either of its two cells a and b, with K = rho c^2 the
 // smaller of the two cells there:
 //   s_t = (|du_t| + |dc|) min(1, 3 max(0, |dp|/K - 1/3))
-//   k   = min(.1, l_d/2 max s_t max(0, 1 - |p_b - p_a|/max |dp|)),   l_d = dt/dx_d
+//   k   = min(.1, l_d/2 max s_t max(0, 1 - 3 |p_b - p_a|/max |dp|)),   l_d = dt/dx_d
 // so that k is zero to the bit where no face beside jumps by more than a third of rho c^2 (which is
-// more than a third of the pressure), and where the shock lies along the face rather than across.
+// more than a third of the pressure), and where the shock is inclined to the grid by more than
+// about one in three.
 // A grid holds a shock along it by dissipation across it alone: what differs from row to row inside
 // the captured shock is no sound, is damped by nothing, and grows (Quirk, Int. J. Numer. Methods
 // Fluids 18, 1994; Sanders, Morano and Druguet, J. Comput. Phys. 145, 1998).
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double least_jump = 1.0 / 3, full_jump = 2.0 / 3;  // of rho c^2
 constexpr double share = 0.5, most = 0.1;
+constexpr double askew = 3;  // no shear where a shock is inclined by more than one in so many
 
 struct JumpReads {
   In pressure, rho, sound;
@@ -38,26 +40,33 @@ bool any_jump(const double* __restrict pa, const double* __restrict pb, int n, M
   return jumps != 0;
 }
 
-// Marks of the low faces of the cells of a row, of all axes. `gamma`: of the one ideal gas, else 0.
-void mark_jumps(const Row& row, const JumpReads& h, int axes, double gamma, double* marks) {
+// Whether one of the low faces of these cells along an axis does. `gamma`: of the one ideal gas,
+// else 0.
+bool jumps_along(const Row& row, const JumpReads& h, int axis, double gamma) {
   const int n = row.count();
-  for (int first = 0; first < n; first += marked_cells) {
-    const int count = n - first < marked_cells ? n - first : marked_cells;
-    bool any = false;
-    for (int d = 0; d < axes && !any; ++d) {
-      const double *pa = row(h.pressure, 0, d, -1) + first, *pb = row(h.pressure) + first;
-      if (gamma > 0) {
-        any = any_jump(pa, pb, count, [=](int i) { return gamma * smaller(pa[i], pb[i]); });
-        continue;
-      }
-      const double *ra = row(h.rho, 0, d, -1) + first, *rb = row(h.rho) + first;
-      const double *ca = row(h.sound, 0, d, -1) + first, *cb = row(h.sound) + first;
-      any = any_jump(pa, pb, count, [=](int i) {
-        return smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
-      });
-    }
-    const double mark = any ? 1.0 : 0.0;
-    for (int i = first; i < first + count; ++i) marks[i] = mark;
+  const double *pa = row(h.pressure, 0, axis, -1), *pb = row(h.pressure);
+  if (gamma > 0)
+    return any_jump(pa, pb, n, [=](int i) { return gamma * smaller(pa[i], pb[i]); });
+  const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
+  const double *ca = row(h.sound, 0, axis, -1), *cb = row(h.sound);
+  return any_jump(pa, pb, n, [=](int i) {
+    return smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
+  });
+}
+
+// Marks of the low faces of the cells of a row, of all axes; so many cells share one.
+void mark_jumps(const Row& row, const JumpReads& h, int axes, double gamma, Out marks) {
+  const int n = row.count();
+  const auto any = [&](const Row& cells) {
+    for (int d = 0; d < axes; ++d)
+      if (jumps_along(cells, h, d, gamma)) return true;
+    return false;
+  };
+  const bool here = any(row);
+  std::fill_n(row(marks, 1), n, here ? 1.0 : 0.0);
+  for (int first = 0; here && first < n; first += marked_cells) {
+    const Row part = row.part(first, std::min(marked_cells, n - first));
+    std::fill_n(part(marks, 0), part.count(), any(part) ? 1.0 : 0.0);
   }
 }
 
@@ -75,7 +84,7 @@ void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const Out marks = task.write(v.jump_marks);
   const double gamma = gas != nullptr ? gas->gamma : 0;
   const int axes = o.axes.count;
-  task.kernel([=](const Row& row) { mark_jumps(row, h, axes, gamma, row(marks)); });
+  task.kernel([=](const Row& row) { mark_jumps(row, h, axes, gamma, marks); });
 }
 
 struct Handles {
@@ -97,7 +106,7 @@ class Strength {
           for (const int low : {-1, 0}) look_across(t, side, low);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double plane = larger(0.0, largest_[i] - std::fabs(pb[i] - pa[i]));
+      const double plane = larger(0.0, largest_[i] - askew * std::fabs(pb[i] - pa[i]));
       const double wanted = fastest_[i] > 0.0 ? share * l * fastest_[i] * plane / largest_[i] : 0.0;
       k[i] = smaller(wanted, most);
     }
@@ -146,20 +155,25 @@ void clear_beside_solids(const Row& row, const Handles& h, int axis, double* k) 
 // The rows of marks around a row, of all axes but the one along it.
 template <int D>
 auto marks_around(const Row& row, In marks) {
-  constexpr std::size_t rows = D == 2 ? 3 : 9;
-  std::array<const double*, rows> all;
-  for (std::size_t n = 0; n < rows; ++n) {
+  constexpr std::size_t count = D == 2 ? 3 : 9;
+  std::array<MarkedRow, count> rows;
+  for (std::size_t n = 0; n < count; ++n) {
     const int j = static_cast<int>(n % 3) - 1, k = static_cast<int>(n / 3) - 1;
-    all[n] = row.at_offset(marks, 0, {0, j, D == 2 ? 0 : k});
+    rows[n] = {row, marks, {0, j, D == 2 ? 0 : k}};
   }
-  return all;
+  return rows;
 }
 
 template <int D>
 void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
-  for (int d = 0; d < D; ++d) std::fill_n(whole(h.strength, d), whole.count(), 0.0);
-  std::fill_n(whole(h.marks), whole.count(), 0.0);
+  bool somewhere = false;
+  const auto clear = [&] {
+    for (int d = 0; d < D; ++d) std::fill_n(whole(h.strength, d), whole.count(), 0.0);
+    std::fill_n(whole(h.marks, 0), whole.count(), 0.0);
+    return true;
+  };
   for_each_marked_part(whole, marks_around<D>(whole, h.jumps), 1, [&](const Row& row) {
+    if (!somewhere) somewhere = clear();
     const int n = row.count();
     bool any = false;
     for (int d = 0; d < D; ++d) {
@@ -169,8 +183,9 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
       for_each_wall_face(row, o, d, [&](int i, bool) { k[i] = 0.0; });
       for (int i = 0; i < n; ++i) any = any || k[i] != 0.0;
     }
-    if (any) std::fill_n(row(h.marks), n, 1.0);
+    if (any) std::fill_n(row(h.marks, 0), n, 1.0);
   });
+  std::fill_n(whole(h.marks, 1), whole.count(), somewhere ? 1.0 : 0.0);
 }
 
 }  // namespace

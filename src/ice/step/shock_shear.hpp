@@ -4,8 +4,10 @@
 //   q_c = k min(rho_a, rho_b) (u_b - u_a)_c   through a face of axis d, for c != d
 //   dp_c takes sum_d (q_c+ - q_c-),   E* gains sum_d [q+ . (u_f+ - ub) - q- . (u_f- - ub)]
 // u_f: mean of the two cells. Per volume of a cell; k: one_material/shock_shear.cpp, zero to the
-// bit away from shocks. What is lost of kinetic energy becomes heat, exactly. Rows are visited in
-// parts: where nothing is marked nothing is read.
+// bit away from shocks. What is lost of kinetic energy becomes heat, exactly.
+//
+// Marks have two components: 1 in cells where something is, and 1 all along a row in which it is
+// anywhere. Where that is 0 nothing else of the row is written or may be read.
 #pragma once
 #include <array>
 
@@ -15,7 +17,7 @@
 namespace sluice::ice {
 
 // Rows are looked at so many cells at a time.
-constexpr int marked_cells = 32;
+constexpr int marked_cells = 16;
 
 // Whether one of the cells from `first` to `last` is marked: 1, else 0.
 inline bool is_marked(const double* marks, int first, int last) {
@@ -24,16 +26,28 @@ inline bool is_marked(const double* marks, int first, int last) {
   return highest != 0.0;
 }
 
+// A row of marks, and whether it has any.
+struct MarkedRow {
+  const double* marks = nullptr;  // null: none
+
+  MarkedRow() = default;
+  MarkedRow(const Row& row, In in, std::array<int, 3> offset)
+      : marks(*row.at_offset(in, 1, offset) != 0.0 ? row.at_offset(in, 0, offset) : nullptr) {}
+};
+
 // f(part of the row) where one of these rows of marks is set, from so many cells before the part
 // to one behind it.
 template <std::size_t N, class F>
-void for_each_marked_part(const Row& row, const std::array<const double*, N>& marks, int before,
-                          F&& f) {
+void for_each_marked_part(const Row& row, const std::array<MarkedRow, N>& rows, int before, F&& f) {
+  bool none = true;
+  for (const MarkedRow& m : rows) none = none && m.marks == nullptr;
+  if (none) return;
   const int n = row.count();
   for (int first = 0; first < n; first += marked_cells) {
     const int count = n - first < marked_cells ? n - first : marked_cells;
     bool any = false;
-    for (const double* m : marks) any = any || is_marked(m, first - before, first + count);
+    for (const MarkedRow& m : rows)
+      any = any || (m.marks != nullptr && is_marked(m.marks, first - before, first + count));
     if (any) f(row.part(first, count));
   }
 }
@@ -57,20 +71,22 @@ inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables
 // Calls f(part) for parts of a row of cells of whose faces some exchange shear.
 template <int D, class F>
 void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
-  std::array<const double*, D> marks;
+  std::array<MarkedRow, D> rows;
   for (int d = 0; d < D; ++d)
-    marks[static_cast<std::size_t>(d)] = d == 0 ? row(h.marks) : row(h.marks, 0, d, 1);
-  for_each_marked_part(row, marks, 0, f);
+    rows[static_cast<std::size_t>(d)] = {row, h.marks, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0}};
+  for_each_marked_part(row, rows, 0, f);
 }
 
-// The faces of a row of cells along one axis.
+inline constexpr double no_shear[marked_cells] = {};
+
+// The faces of a part of a row of cells along one axis.
 struct ShearedFaces {
   const double *km, *kp, *r, *rm, *rp;
 
   ShearedFaces() = default;
   ShearedFaces(const Row& row, const ShockShearReads& h, int axis)
-      : km(row(h.strength, axis)),
-        kp(row(h.strength, axis, axis, 1)),
+      : km(row(h.marks, 1)[0] != 0.0 ? row(h.strength, axis) : no_shear),
+        kp(row(h.marks, 1, axis, 1)[0] != 0.0 ? row(h.strength, axis, axis, 1) : no_shear),
         r(row(h.rho)),
         rm(row(h.rho, 0, axis, -1)),
         rp(row(h.rho, 0, axis, 1)) {}
