@@ -38,28 +38,30 @@ MixtureCell strong_tube(Vec3 x, double seed, int materials) {
   return c;
 }
 
-double fastest_across(const MixtureBox& run) {
+// Of the components from `first` to before `end`.
+double fastest(const MixtureBox& run, int first, int end) {
   double most = 0;
   for_each_cell(run.domain(), [&](IntVec3 c) {
-    most = std::fmax(most, std::fabs(run.velocity(c, 1)));
-    most = std::fmax(most, std::fabs(run.velocity(c, 2)));
+    for (int d = first; d < end; ++d) most = std::fmax(most, std::fabs(run.velocity(c, d)));
   });
   return most;
 }
 
-// The shock runs at Mach 8 into gas whose sound speed is 1.
+// What differs ahead by a seed differs behind by a few seeds of the flow's speed; where the shock
+// breaks into rows, whatever the seed, by the speed of sound ahead and more.
 TEST(ShockShear, RowsBehindAShockStayAlike) {
   constexpr double seed = 1e-4;
   for (const int materials : {1, 2}) {
-    for (const IntVec3 cells : {IntVec3{120, 8, 1}, IntVec3{60, 6, 6}}) {
+    for (const IntVec3 cells : {IntVec3{80, 6, 1}, IntVec3{40, 4, 4}}) {
       SCOPED_TRACE(std::to_string(materials) + " materials, planes " + std::to_string(cells.z));
       const std::vector<Fluid> fluids =
           materials == 1 ? std::vector<Fluid>{air} : std::vector<Fluid>{air, heavy};
       MixtureBox run(closed(cells), fluids,
                      [&](Vec3 x) { return strong_tube(x, seed, materials); });
       run.run((cells.x / 10.0 - 3) / 9);
-      RecordProperty("across", std::to_string(fastest_across(run)));
-      EXPECT_LT(fastest_across(run), 10 * seed);
+      const double along = fastest(run, 0, 1);
+      EXPECT_GT(along, 5);
+      EXPECT_LT(fastest(run, 1, run.level().active_count()), 5 * seed * along);
     }
   }
 }
