@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "ice/fluid_part.hpp"
+#include "ice/step/scheme_options.hpp"
 
 namespace sluice::ice {
 
@@ -214,6 +215,19 @@ Effect pressure_solve(const IceScene& ice) {
           s.where};
 }
 
+// Strong shocks along the grid need it where rows lie beside each other.
+Effect shock_shear(const Scene& scene, const IceScene& ice) {
+  constexpr const char* name = "shear along shocks";
+  if (shears_shocks(scene, ice))
+    return {name, true,
+            "more than one active direction: acts where pressure jumps by more than rho c^2/3 "
+            "from cell to cell",
+            {}};
+  if (ice.classic) return {name, false, "classic scheme", ice.scheme_where};
+  if (ice.implicit) return {name, false, "the pressure is solved for", ice.implicit->where};
+  return {name, false, "one active direction: no face lies along a shock", {}};
+}
+
 }  // namespace
 
 EffectList find_effects(const Scene& scene, const IceScene& ice) {
@@ -263,6 +277,7 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          ice.models.where});
   e.add(tracers(ice));
   e.add(pressure_solve(ice));
+  e.add(shock_shear(scene, ice));
   return e;
 }
 

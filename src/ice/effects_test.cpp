@@ -79,6 +79,21 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
   EXPECT_TRUE(e.on(effect_momentum_exchange));  // free of each other: velocities of their own
 }
 
+TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
+  IceScene ice = materials(1, 0, 0);
+  Scene line = tube(), plane = tube();
+  line.grid.levels[0].active = {true, false, false};
+  plane.grid.levels[0].active = {true, true, false};
+  EXPECT_TRUE(find_effects(plane, ice).on(effect_shock_shear));
+  EXPECT_FALSE(find_effects(line, ice).on(effect_shock_shear));
+  EXPECT_THAT(find_effects(line, ice)[effect_shock_shear].reason, HasSubstr("one active"));
+  ice.classic = true;
+  EXPECT_FALSE(find_effects(plane, ice).on(effect_shock_shear));
+  ice.classic = false;
+  ice.implicit.emplace();
+  EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason, HasSubstr("solved for"));
+}
+
 TEST(Effects, TurbulenceBringsFrictionAndHeatFlux) {
   IceScene scene = materials(1, 0, 0);
   EXPECT_FALSE(find_effects(tube(), scene).on(effect_turbulence));

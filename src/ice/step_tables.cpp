@@ -69,6 +69,7 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   // task                    reads                              writes
   add_primitives(list, v, o, effect_flow);  // state                    u, p, c
   add_face_states(list, v, o);              // u, p, c                  slopes, u_f, p_f
+  add_shock_shear(list, v, o, effect_shock_shear);  // rho, u, p, c     k of faces along shocks
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
   add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
@@ -102,6 +103,7 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
   add_primitives(list, v, o, effect_flow);                  // state              u, p, c
   add_face_states(list, fluid, o);                          // u, p, c            slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
+  add_shock_shear(list, v, o, effect_shock_shear);          // rho, u, p, c, theta  k of faces
   if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, open, o, effect_viscosity);             // u                  t_f
@@ -134,6 +136,7 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
   // task                            reads                              writes
   mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
   add_face_states(list, v, o);                                 // u, p       slopes, u_f, p_f
+  add_shock_shear(list, v, o, effect_shock_shear);             // u, p, c    k along shocks
   mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
   mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
   mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
@@ -179,6 +182,7 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   if (apart) mixture::add_slip_motion(list, m, o, slip);      // state      u_m, u, c of volume
   add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
+  add_shock_shear(list, v, o, effect_shock_shear);            // u, p, c    k along shocks
   if (o.implicit) pressure::add_walled_system(list, moving, o, effect_pressure_solve);  // w  matrix
   mixture::add_friction(list, open, o);                                  // V_m, T_m, u  mu, t_f
   if (apart) mixture::add_slip_stress(list, open, o, effect_viscosity);  // u_m  t of each
@@ -233,6 +237,7 @@ void declare_own_velocities(TaskList& list, const SchemeOptions& o, const Effect
   mixture::add_surface(list, m, o, slip);                     // V_m        where gas slips
   mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
   add_face_states(list, volume, o);                           // u, p       slopes, u_f, p_f
+  add_shock_shear(list, v, o, effect_shock_shear);            // u, p, c    k along shocks
   mixture::add_friction(list, m, o);                          // V_m, T_m, u  mu, t_f
   mixture::add_slip_stress(list, m, o, effect_viscosity);     // u_m        t of each
   mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work

@@ -1,10 +1,12 @@
 // What passes through a face in a step, of either scheme, as amounts per volume of a cell.
 //
 //   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u + l q,
-// l = dt/dx, t the viscous stress, u the velocity between the two cells, q the flux of heat.
+// l = dt/dx, t the viscous stress, u the velocity between the two cells, q the flux of heat. Shear
+// along strong shocks (step/shock_shear.hpp) passes like l t.
 // Positive along the axis.
 #pragma once
 #include "ice/fluid/face_mean.hpp"
+#include "ice/fluid/limiters.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -14,6 +16,7 @@ struct FaceFluxHandles {
   In materials, pure;      // of a mixture
   In material_velocities;  // where each material has its own
   In covered;              // share of the face that solids cover
+  In shear, sheared, rho;  // along strong shocks
 };
 
 // Low and high faces of the cells of a row.
@@ -33,9 +36,15 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
     if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[face], both);
   }
   if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
+  if (o.shears_shocks) {
+    h.shear = task.read(v.shear, both);
+    h.sheared = task.read(v.shear_marks, both);
+    h.rho = task.read(v.rho, Stencil::along(direction, 1, 1));
+  }
+  if (o.shears_shocks || o.viscous)
+    h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
   if (!o.viscous) return h;
   h.stress = task.read(v.stress[face], both);
-  h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
   if (o.friction_tilts())
     h.viscosity = task.read(v.front_viscosity, Stencil::along(direction, 1, 1));
   return h;
@@ -102,6 +111,11 @@ class FaceFluxRows {
     pressure_ = faces(h.face_pressure);
     if (o.conducting) heat_ = faces(h.heat_flux);
     if (o.walled) covered_ = faces(h.covered);
+    if (o.shears_shocks) {
+      if (faces(h.sheared, 1)[0] != 0.0) shear_ = faces(h.shear, axis);
+      rho_[0] = row(h.rho, 0, axis, shift - 1);
+      rho_[1] = faces(h.rho);
+    }
     for (int c = 0; c < o.components; ++c) {
       carried_[c] = faces(h.flux, 2 + c);
       if (o.viscous) stress_[c] = faces(h.stress, c);
@@ -141,17 +155,31 @@ class FaceFluxRows {
     }
     flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
     if (o.conducting) flux.energy += l_ * heat_[i];
+    if (shear_ != nullptr && shear_[i] != 0.0) add_shear(i, flux);
     return flux;
   }
 
  private:
+  void add_shear(int i, FaceFlux& flux) const {
+    const double k = shear_[i] * smaller(rho_[0][i], rho_[1][i]);
+    for (int c = 0; c < o_->components; ++c) {
+      if (c == axis_) continue;
+      const double a = (*row_)(h_->velocity, c, axis_, shift_ - 1)[i];
+      const double b = (*row_)(h_->velocity, c, axis_, shift_)[i];
+      const double q = k * (b - a);
+      flux.impulse[c] -= q;
+      flux.momentum[c] -= q;
+      flux.energy -= q * (0.5 * (a + b));
+    }
+  }
+
   const Row* row_;
   const FaceFluxHandles* h_;
   const SchemeOptions* o_;
   int axis_, shift_;
   double l_;
   const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr, *covered_ = nullptr;
-  const double *carried_[3] = {}, *stress_[3] = {};
+  const double *carried_[3] = {}, *stress_[3] = {}, *shear_ = nullptr, *rho_[2] = {};
 };
 
 // What passes of one material, per volume of a cell: volume, mass, energy (with its share of the

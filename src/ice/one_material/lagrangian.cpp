@@ -9,13 +9,14 @@
 // energy that the cell gains is taken away: no kinetic energy is ever subtracted. Viscous stress
 // adds its own defect, sum_d l_d [t_f+ . (u_f+ - ub) - t_f- . (u_f- - ub)] with t_f the stress
 // vector on the face and u_f the mean of the two cells: friction becomes heat, exactly. Conduction
-// adds -sum_d l_d (q+ - q-).
+// adds -sum_d l_d (q+ - q-). Shear along strong shocks acts alike: step/shock_shear.hpp.
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/end_of_step.hpp"
 #include "ice/step/heat_rows.hpp"
 #include "ice/step/held_faces.hpp"
 #include "ice/step/impulse.hpp"
+#include "ice/step/shock_shear.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -28,6 +29,7 @@ struct Handles {
   ImpulseHandles forces;
   Out inverse_J, rho_L, energy_L, velocity_L, energy_star, courant, inverse_courant, energy_scale;
   Out mixture;  // work of pressures, of friction
+  ShockShearReads shear;
 };
 
 // All but friction and conduction.
@@ -88,6 +90,17 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constan
   }
 }
 
+// E* and E_L with the heat of shear along shocks.
+template <int D, int C>
+void heat_of_shocks(const Row& whole, const Handles& h) {
+  for_each_sheared_part<D>(whole, h.shear, [&](const Row& row) {
+    double *Es = row(h.energy_star), *EL = row(h.energy_L);
+    const double* iJ = row(h.inverse_J);
+    add_heat_of_shear<D, C>(row, h.shear, row(h.inverse_rho), Es);
+    for (int i = 0; i < row.count(); ++i) EL[i] = Es[i] * iJ[i];
+  });
+}
+
 // E* and E_L with friction and conduction; of a mixture, what the materials share out.
 template <int D, int C>
 void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
@@ -141,6 +154,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
+  if (o.shears_shocks) h.shear = read_shock_shear(task, v);
+  h.shear.impulse = h.forces.impulse;
   h.friction.velocity = h.velocity;
   h.friction.stress = h.forces.stress;
   h.friction.impulse = h.forces.impulse;
@@ -148,8 +163,10 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       impulse_rows<D, C>(row, h.forces, s, o.viscous);
+      if (o.shears_shocks) take_shear<D, C>(row, h.shear);
       leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       cell_rows<D, C>(row, h, s);
+      if (o.shears_shocks) heat_of_shocks<D, C>(row, h);
       heat_rows<D, C>(row, h, s, o);
       if (scaled && !o.mixture)
         energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));

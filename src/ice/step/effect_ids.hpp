@@ -24,6 +24,7 @@ enum EffectId {
   effect_reactions,
   effect_tracers,
   effect_pressure_solve,
+  effect_shock_shear,
   effect_open_faces,
   effect_solids  // of scenes with solids alone
 };

@@ -89,6 +89,10 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
   return all;
 }
 
+bool shears_shocks(const Scene& scene, const IceScene& ice) {
+  return !ice.classic && !ice.implicit && active_axes(scene.grid.levels.front()).count > 1;
+}
+
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   SchemeOptions o;
   take_directions(scene, o);
@@ -102,6 +106,7 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   o.classic = ice.classic;
   o.implicit = ice.implicit.has_value();
   o.second_order = ice.second_order;
+  o.shears_shocks = shears_shocks(scene, ice);
   o.compatible_fluxes = ice.compatible_fluxes;
   o.cfl = ice.cfl;
   o.sound_speed_knob = ice.sound_speed_knob;

@@ -24,6 +24,11 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
     if (o.conducting) v.heat_flux[n] = list.temporary("heat flux" + axis, 1, d);
     v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
   }
+  if (o.shears_shocks) {
+    v.jump_marks = list.temporary("where pressure jumps", 2);
+    v.shear = list.temporary("shear along shocks", o.axes.count);
+    v.shear_marks = list.temporary("where shocks are sheared", 2);
+  }
   if (o.conducting) v.temperature = list.temporary("temperature");
   if (o.viscosity_varies) v.viscosity = list.temporary("dynamic viscosity");
   if (o.transport.turbulence) {

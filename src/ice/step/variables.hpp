@@ -57,6 +57,7 @@ struct SchemeOptions {
   bool walled = false;    // the graph of blocks that solids meet: walls/
   bool solids = false;    // some blocks may meet solids
   bool second_order = true;
+  bool shears_shocks = false;  // along strong shocks: shock_shear.hpp
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
   double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
@@ -189,6 +190,8 @@ struct SchemeVariables {
   std::array<VariableId, 3> face_velocity, face_pressure;  // by axis
   std::array<VariableId, 3> stress;                        // viscous, by axis: force per area
   std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
+  // Where strong shocks are, and what faces along them exchange: shock_shear.hpp.
+  VariableId jump_marks, shear, shear_marks;
   VariableId temperature;                                  // of the old state; conduction only
   VariableId viscosity, conductivity;                      // of cells, where they vary
   VariableId molecular_viscosity, eddy_viscosity;          // their parts with turbulence
@@ -282,6 +285,7 @@ auto dispatch(int axes, int components, F&& f) {
 void add_primitives(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_shock_shear(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_viscous_stress(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_heat_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);

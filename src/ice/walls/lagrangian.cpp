@@ -17,6 +17,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/heat_rows.hpp"
 #include "ice/step/held_faces.hpp"
+#include "ice/step/shock_shear.hpp"
 #include "ice/step/walled_donors.hpp"
 #include "ice/walls/variables.hpp"
 
@@ -32,6 +33,7 @@ struct Handles {
   std::array<Out, 3> remap_mask;
   Out gives_old;
   FrictionReads friction;
+  ShockShearReads shear;
 };
 
 // Rows along every axis, low and high faces.
@@ -142,6 +144,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
   const int n = row.whole_vectors();
   impulse_rows<D, C>(row, h, s, o);
+  if (o.shears_shocks) take_shear<D, C>(row, h.shear);
   leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
   const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
@@ -171,6 +174,10 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
   }
+  if (o.shears_shocks)
+    for_each_sheared_part<D>(row, h.shear, [&](const Row& part) {
+      add_heat_of_shear<D, C>(part, h.shear, part(h.inverse_mass), part(h.energy_star));
+    });
   if (o.keeps_work()) {
     double* __restrict work = row(h.mixture, 0);
 #pragma GCC ivdep
@@ -266,6 +273,8 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.friction.velocity = h.velocity;
   h.friction.stress = h.stress;
   h.friction.impulse = h.impulse;
+  if (o.shears_shocks) h.shear = read_shock_shear(task, v);
+  h.shear.impulse = h.impulse;
   h.mass = task.write(w.mass);
   h.cell_momentum = task.write(w.momentum);
   h.inverse_mass = task.write(w.inverse_mass);
