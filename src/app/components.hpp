@@ -17,6 +17,8 @@ struct ComponentKind {
   // reading finds are added; with errors among them there is no component.
   std::unique_ptr<Component> (*make)(const Deck& deck, const Scene& scene,
                                      std::vector<Fault>& faults);
+  // Names of the histories that it keeps; null: none.
+  std::vector<std::string> (*histories)(const DeckNode& root) = nullptr;
 };
 
 std::span<const ComponentKind> component_kinds();

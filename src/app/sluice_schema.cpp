@@ -3,18 +3,37 @@
 
 #include "app/components.hpp"
 #include "app/exact_solution_tag.hpp"
+#include "app/label_reference.hpp"
 #include "framework/deck/framework_schema.hpp"
+#include "framework/field/label.hpp"
 #include "framework/solve/solver_tags.hpp"
+#include "models/models.hpp"
 
 namespace sluice {
+namespace {
+
+// Of any component, and of the models of this deck.
+std::vector<std::string> labels_for(const DeckNode& root) {
+  std::vector<std::string> names = models::save_labels(root);
+  for (const Label label : all_labels()) names.push_back(label.name());
+  return names;
+}
+
+void check_labels(const DeckNode& root, std::vector<Fault>& faults) {
+  if (models::all_built(root)) check_saved_labels(labels_for)(root, faults);
+}
+
+}  // namespace
 
 Schema sluice_schema() {
+  declare_all_labels();
   Schema schema;
   add_framework_tags(schema);
   solve::add_solver_tag(schema);
   for (const ComponentKind& kind : component_kinds())
     if (kind.add_tags != nullptr) kind.add_tags(schema);
   describe_exact_solution(schema);
+  schema.rules.emplace_back(check_labels);
   return schema;
 }
 
