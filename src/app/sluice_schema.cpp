@@ -4,6 +4,7 @@
 #include "app/components.hpp"
 #include "app/exact_solution_tag.hpp"
 #include "app/label_reference.hpp"
+#include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/field/label.hpp"
 #include "framework/solve/solver_tags.hpp"
@@ -17,6 +18,22 @@ std::vector<std::string> labels_for(const DeckNode& root) {
   std::vector<std::string> names = models::save_labels(root);
   for (const Label label : all_labels()) names.push_back(label.name());
   return names;
+}
+
+// Decks of poisson3 leave it to the component that its levels step together.
+void step_levels_together(DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* component = root.child("SimulationComponent");
+  DeckNode* amr = root.child("AMR");
+  if (component == nullptr || component->attribute("type") != "poisson3" || amr == nullptr ||
+      amr->child("useLockStep") != nullptr)
+    return;
+  auto together = std::make_unique<DeckNode>();
+  together->name = "useLockStep";
+  together->text = "true";
+  together->where = amr->where;
+  amr->children.push_back(std::move(together));
+  add_warning(faults, amr->where,
+              "<AMR> without <useLockStep>: the levels of poisson3 step together");
 }
 
 void check_labels(const DeckNode& root, std::vector<Fault>& faults) {
@@ -33,6 +50,7 @@ Schema sluice_schema() {
   for (const ComponentKind& kind : component_kinds())
     if (kind.add_tags != nullptr) kind.add_tags(schema);
   describe_exact_solution(schema);
+  schema.rewrites.emplace_back(step_levels_together);
   schema.rules.emplace_back(check_labels);
   return schema;
 }

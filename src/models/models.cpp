@@ -279,7 +279,11 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
       const Entry* entry = find(model->attribute("type").value_or(""));
       if (entry == nullptr) continue;
       const std::string& element = entry->parameters.name;
-      if (model->child(element) == nullptr && !model->children.empty())
+      const bool of_another =
+          std::any_of(table().begin(), table().end(), [&](const Entry& other) {
+            return model->child(other.parameters.name) != nullptr;
+          });
+      if (!of_another && !model->children.empty())
         put_into_element(*model, element, faults);
       if (element != "PassiveScalar") continue;
       if (DeckNode* parameters = model->child(element))

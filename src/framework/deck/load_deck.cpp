@@ -74,7 +74,8 @@ Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Sche
   settle_spelling(*deck.root, schema, deck.faults);
   drop_obsolete(*deck.root, deck.faults);
   for (const DeckRewrite& rewrite : schema.rewrites) rewrite(*deck.root, deck.faults);
-  settle_spelling(*deck.root, schema, deck.faults);  // of what has been moved
+  drop_obsolete(*deck.root, deck.faults);  // in what has been moved
+  settle_spelling(*deck.root, schema, deck.faults);
   normalise_names(*deck.root, schema);
   for (const std::string& text : overrides) {
     apply_override(*deck.root, text, schema, deck.faults);

@@ -2,20 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
+#include "framework/deck/spelling.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {
 namespace {
-
-std::string without_capitals(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
-}
 
 std::vector<std::string> names_of_materials(const DeckNode& root) {
   std::vector<std::string> names;

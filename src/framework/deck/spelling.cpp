@@ -1,5 +1,5 @@
-// Names in another spelling: what differs from one name of the schema by capitals and
-// underscores alone is read as that name, with a warning.
+// Names in another spelling: what differs from one name of the schema by capitals alone, or has
+// underscores in their place, is read as that name, with a warning.
 #include "framework/deck/spelling.hpp"
 
 #include <fmt/format.h>
@@ -80,10 +80,9 @@ class Settler {
 
   template <class Spec>
   static bool same_spelling(const std::string& name, const Spec& spec) {
-    const std::string plain = plain_spelling(name);
-    return plain == plain_spelling(spec.name) ||
+    return is_spelling_of(name, spec.name) ||
            std::any_of(spec.aliases.begin(), spec.aliases.end(), [&](const std::string& alias) {
-             return plain == plain_spelling(alias);
+             return is_spelling_of(name, alias);
            });
   }
 
@@ -93,11 +92,34 @@ class Settler {
 
 }  // namespace
 
+std::string without_capitals(std::string_view name) {
+  std::string small(name);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small;
+}
+
+std::string with_underscores(std::string_view name) {
+  std::string snake;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool capital = std::isupper(static_cast<unsigned char>(name[i])) != 0;
+    const bool behind_small = i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    const bool before_small =
+        i + 1 < name.size() && std::islower(static_cast<unsigned char>(name[i + 1])) != 0;
+    const bool begins = capital && i > 0 && name[i - 1] != '_' && (behind_small || before_small);
+    if (begins) snake += '_';
+    snake += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+  }
+  return snake;
+}
+
+bool is_spelling_of(std::string_view written, std::string_view name) {
+  const std::string small = without_capitals(written);
+  return small == without_capitals(name) || small == with_underscores(name);
+}
+
 std::string plain_spelling(std::string_view name) {
-  std::string plain;
-  for (const char c : name)
-    if (c != '_')
-      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string plain = without_capitals(name);
+  std::erase(plain, '_');
   return plain;
 }
 

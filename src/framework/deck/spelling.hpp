@@ -9,6 +9,11 @@
 
 namespace sluice {
 
+std::string without_capitals(std::string_view name);
+// vonMises as von_mises.
+std::string with_underscores(std::string_view name);
+// In other capitals, or with underscores in their place.
+bool is_spelling_of(std::string_view written, std::string_view name);
 // Without capitals and underscores.
 std::string plain_spelling(std::string_view name);
 

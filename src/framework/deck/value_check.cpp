@@ -41,7 +41,7 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
   };
   if (listed(spec.words)) return {};
   const auto same = [&](const std::string& word) {
-    return plain_spelling(word) == plain_spelling(text);
+    return is_spelling_of(text, word);
   };
   const auto meant = std::find_if(spec.words.begin(), spec.words.end(), same);
   const bool known = listed(spec.words_not_built);

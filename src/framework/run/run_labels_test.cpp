@@ -26,7 +26,8 @@ Settled settle(const std::vector<std::string>& labels) {
     request.label = label;
     output.saves.push_back(request);
   }
-  const MockComponent component;
+  const Level level;
+  const MockComponent component(level);
   std::vector<Fault> faults;
   settle_saves(output, component, RunLabels(component, {"MockTotal"}), faults);
   Settled settled;
